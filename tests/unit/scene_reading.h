@@ -29,6 +29,9 @@ struct scene *read_versioned(const char *name, const char *text,
 /* A scene without errors and with that many reports. */
 struct scene *read_with(const char *text, size_t expected);
 struct scene *read_scene(const char *text);
+/* read_scene of a text that printf would write. */
+struct scene *read_format(const char *format, ...)
+    __attribute__((format(printf, 1, 2)));
 
 /* Of a primitive that is a mesh; of a scene that is one. */
 const struct triangles *triangles_of_part(const struct scene *scene, size_t i);

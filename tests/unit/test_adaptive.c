@@ -49,11 +49,8 @@ static void add_scene(char *text, size_t size)
 
 static struct frame traced_frame(const struct scene *scene, size_t width, size_t height)
 {
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .queue = TRACE_QUEUE,
-                                     .width = width,
-                                     .height = height,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = TRACE_QUEUE,
+                                            .width = width, .height = height);
     SCOPED(trace) *trace = run_trace(scene, &options);
     struct frame frame;
 
@@ -203,13 +200,12 @@ TEST(random)
 {
     for (size_t i = 0; i < share_of(30); i++) {
         char text[3000] = "";
-        const struct trace_options options = { .mode = TRACE_SCALAR,
-                                               .width = among(1, 70),
-                                               .height = among(1, 70),
-                                               .samples = among(2, 4),
-                                               .threshold = exp(between(-4, 1)),
-                                               .band = among(1, 5000),
-                                               .model = prior_model };
+        const struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR,
+                                                      .width = among(1, 70),
+                                                      .height = among(1, 70),
+                                                      .samples = among(2, 4),
+                                                      .threshold = exp(between(-4, 1)),
+                                                      .band = among(1, 5000));
 
         add_scene(text, sizeof text);
         check_scene(text, &options);
@@ -222,12 +218,10 @@ TEST(chains)
 {
     for (int i = 0; i < 6; i++) {
         char text[3000] = "";
-        const struct trace_options options = { .mode = TRACE_SCALAR,
-                                               .width = 80,
-                                               .height = 6,
-                                               .samples = among(2, 3),
-                                               .threshold = .3,
-                                               .model = prior_model };
+        const struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 80,
+                                                      .height = 6,
+                                                      .samples = among(2, 3),
+                                                      .threshold = .3);
 
         add_text(text, sizeof text,
                  "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -254,13 +248,9 @@ static const char shades[] =
 static struct trace *trace_with(const struct scene *scene, size_t samples,
                                 double threshold)
 {
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .queue = 300,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .samples = samples,
-                                     .threshold = threshold,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 300,
+                                            .width = WIDTH, .height = HEIGHT,
+                                            .samples = samples, .threshold = threshold);
 
     return run_trace(scene, &options);
 }
@@ -318,13 +308,9 @@ static void check_refused(const char *text, size_t width, size_t samples,
                           double threshold, const char *why)
 {
     SCOPED(scene) *scene = read_text(text);
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .queue = 300,
-                                     .width = width,
-                                     .height = 1,
-                                     .samples = samples,
-                                     .threshold = threshold,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 300,
+                                            .width = width, .height = 1,
+                                            .samples = samples, .threshold = threshold);
     c205_error error = { "" };
 
     assert_null(trace_new(scene, &options, &error));
@@ -363,21 +349,15 @@ static bool wait_on(void *context, size_t done, size_t all)
 static struct trace *begin_kept(const struct scene *scene, double threshold,
                                 struct patience *patience, struct farm *farm)
 {
-    struct trace_options options = { .mode = TRACE_SCALAR,
-                                     .width = 65,
-                                     .height = 3 * TRACE_BLOCK,
-                                     .samples = 3,
-                                     .threshold = threshold,
-                                     .band = 1,
-                                     .model = prior_model,
-                                     .progress = patience ? wait_on : NULL,
-                                     .farm = farm,
-                                     .context = patience };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 65,
+                                            .height = 3 * TRACE_BLOCK, .samples = 3,
+                                            .threshold = threshold, .band = 1,
+                                            .progress = patience ? wait_on : NULL,
+                                            .farm = farm, .context = patience);
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
 
-    if (!trace)
-        fail_msg("%s", error.message);
+    REQUIRE(trace);
     assert_int_equal(trace_bands(trace), 3);
     if (farm && !trace_keep(trace, &error)) {
         assert_non_null(strstr(error.message, "another run"));

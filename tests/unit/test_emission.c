@@ -36,8 +36,7 @@ static struct emission *begin(const struct primitive *primitive,
 
     options.model = prior_model;
     struct emission *emission = emission_new(primitive, &options, &error);
-    if (!emission)
-        fail_msg("%s", error.message);
+    REQUIRE(emission);
     return emission;
 }
 
@@ -53,8 +52,7 @@ static void run(const struct emission *emission, size_t count,
     static c205_word planes[EMITTED_PLANES * EMISSION_MOST];
     c205_error error = { "" };
 
-    if (!emission_run(emission, choice, planes, accounts, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(emission_run(emission, choice, planes, accounts, &error));
     for (size_t i = 0; i < count; i++) {
         struct emitted_point *point = &points[i];
 

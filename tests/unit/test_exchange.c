@@ -38,8 +38,7 @@ static void solve(const struct enclosure *enclosure, struct exchange *vector)
     size_t size = enclosure->count * sizeof(double);
     c205_error error = { "" };
 
-    if (!exchange_find(&given, vector, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(exchange_find(&given, vector, &error));
     given.mode = TRACE_SCALAR;
     assert_true(exchange_find(&given, &scalar, &error));
     assert_memory_equal(vector->radiosity, scalar.radiosity, size);

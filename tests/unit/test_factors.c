@@ -24,8 +24,7 @@ static struct factors *begin(const struct scene *scene, struct factors_options o
     options.seed = seed;
     options.model = prior_model;
     struct factors *factors = factors_new(scene, &options, &error);
-    if (!factors)
-        fail_msg("%s", error.message);
+    REQUIRE(factors);
     return factors;
 }
 
@@ -35,8 +34,7 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
     struct factor_row row;
     uint64_t sum = 0;
 
-    if (!factors_find(factors, &primitive, 1, &row, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(factors_find(factors, &primitive, 1, &row, &error));
     for (size_t j = 0; j < row.receivers; j++)
         sum += row.count[j];
     assert_int_equal(sum, row.sent); /* closure */

@@ -53,8 +53,7 @@ static double clocks_of_rows(const struct fit_run *run)
     c205_error error = { "" };
 
     assert_true(run_select(run, "", chosen, &error));
-    if (!run_time(run, model, NULL, 0, RUN_FINE, clocks, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(run_time(run, model, NULL, 0, RUN_FINE, clocks, &error));
     for (size_t i = 0; i < run->region_count; i++)
         if (chosen[i])
             sum += clocks[i];
@@ -81,8 +80,7 @@ TEST(fewer_rays)
             continue;
         snprintf(program, sizeof program, "%s scalar", subject->name);
         struct fit_run *run = run_new(program, &how, &error);
-        if (!run || !speedup_measure(subject, &view, &options, &all, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(run && speedup_measure(subject, &view, &options, &all, &error));
         assert_int_equal(run->rays, 640);
         double scaled = clocks_of_rows(run) * 25000 / 640;
         if (fabs(scaled / (double)all.total - 1) > .01)
@@ -231,8 +229,7 @@ static double region_clocks(const struct fit_run *run, const char *region,
     c205_error error = { "" };
 
     assert_true(run_select(run, region, chosen, &error));
-    if (!run_time(run, model, setting, 1, RUN_FINE, clocks, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(run_time(run, model, setting, 1, RUN_FINE, clocks, &error));
     for (size_t i = 0; i < run->region_count; i++)
         if (chosen[i])
             return clocks[i];
@@ -254,8 +251,7 @@ static struct fit_run *photons(const char *program)
     c205_error error = { "" };
     struct fit_run *run = run_new(program, &how, &error);
 
-    if (!run)
-        fail_msg("%s", error.message);
+    REQUIRE(run);
     return run;
 }
 

@@ -186,8 +186,7 @@ static void check_pixels(enum trace_mode mode)
 
         assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
                                      some(0, options.height - 1), &error));
-        if (!pixel_queue_clocks(&pixel, &stretch, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(pixel_queue_clocks(&pixel, &stretch, &error));
         check_depth(&pixel, &stretch);
         check_sums(&pixel, &stretch);
         check_region(&pixel, &stretch);

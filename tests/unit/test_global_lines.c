@@ -150,8 +150,7 @@ static void assert_fails(const char *text, struct global_lines_options options,
 
     options.model = prior_model;
     assert_false(global_lines_find(scene, &options, &found, &error));
-    if (!strstr(error.message, message))
-        fail_msg("%s", error.message);
+    REQUIRE(strstr(error.message, message));
 }
 
 TEST(refusals)

@@ -23,8 +23,7 @@ static void find(const struct scene *scene, const struct heat_request *request,
 {
     c205_error error = { "" };
 
-    if (!heat_begin(scene, request, heat, &error) || !heat_find(heat, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(heat_begin(scene, request, heat, &error) && heat_find(heat, &error));
 }
 
 static size_t drawn_of(const char *text, const struct heat_request *request,

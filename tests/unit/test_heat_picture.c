@@ -51,11 +51,8 @@ static struct heat_look look_of(enum heat_shown shown, const char *from)
 {
     return (struct heat_look){ .shown = shown,
                                .from = from,
-                               .trace = { .mode = TRACE_VECTOR,
-                                          .queue = 500,
-                                          .width = WIDTH,
-                                          .height = HEIGHT,
-                                          .model = prior_model },
+                               .trace = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 500,
+                                                 .width = WIDTH, .height = HEIGHT),
                                .path = path };
 }
 
@@ -111,8 +108,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
     double least = INFINITY, most = -INFINITY;
     c205_error error = { "" };
 
-    if (!heat_draw(heat, &look, &drawn, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(heat_draw(heat, &look, &drawn, &error));
     assert_true(picture_read_layer(path, heat_shown_name(shown), &frame, &why));
     for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
         size_t id = (size_t)frame.channel[CHANNEL_ID][i];
@@ -141,8 +137,7 @@ TEST(values)
     SCOPED_VALUE(heat) heat;
     c205_error error = { "" };
 
-    if (!heat_begin(scene, &request, &heat, &error) || !heat_find(&heat, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
     check_picture(&heat, SHOWN_FLOW, NULL, 0);
     check_picture(&heat, SHOWN_FACTOR, "Block", 1);
     check_picture(&heat, SHOWN_FACTOR, "Sheet", 2);

@@ -30,8 +30,7 @@ static struct object *assemble(const char *name)
     c205_error error;
     struct object *program = program_assemble(name, none, &error);
 
-    if (!program)
-        fail_msg("%s", error.message);
+    REQUIRE(program);
     return program;
 }
 

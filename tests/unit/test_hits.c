@@ -135,8 +135,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     single_run_word(&run, "hits_cylinders", bundle->cylinders);
     single_run_room(&run, "hits_list", words, WORDS * bundle->cylinders);
     uint64_t made = single_run_room(&run, "hits_made", NULL, n);
-    if (!single_run_end(&run, made, told, n, &clocks))
-        fail_msg("%s", error.message);
+    REQUIRE(single_run_end(&run, made, told, n, &clocks));
 }
 
 TEST(rays)
@@ -166,33 +165,23 @@ static const char tubes[] =
 static void find(const struct scene *scene, const char *from, enum trace_mode mode,
                  size_t queue, struct hits *hits)
 {
-    struct hits_options options = { .mode = mode,
-                                    .queue = queue,
-                                    .points = 256,
-                                    .repeats = 4,
-                                    .lattice = true,
-                                    .seed = 3,
-                                    .from = from,
-                                    .model = prior_model };
+    struct hits_options options = ON_PRIOR(.mode = mode, .queue = queue, .points = 256,
+                                           .repeats = 4, .lattice = true, .seed = 3,
+                                           .from = from);
     SCOPED_VALUE(named_parts) parts;
     c205_error error = { "" };
 
     assert_true(named_parts_find(scene, &parts));
-    if (!hits_find(scene, &parts, &options, hits, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(hits_find(scene, &parts, &options, hits, &error));
 }
 
 /* As many as the first crossings tell of the same rays. */
 TEST(scene)
 {
     SCOPED(scene) *scene = read_scene(tubes);
-    const struct factors_options options = { .mode = TRACE_VECTOR,
-                                             .queue = 100,
-                                             .points = 256,
-                                             .repeats = 4,
-                                             .lattice = true,
-                                             .seed = 3,
-                                             .model = prior_model };
+    const struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
+                                                    .points = 256, .repeats = 4,
+                                                    .lattice = true, .seed = 3);
     c205_error error;
     SCOPED(factors) *factors = factors_new(scene, &options, &error);
     SCOPED_VALUE(factor_row) row;
@@ -215,12 +204,9 @@ TEST(scene)
 
 static void refuses(const char *text, const char *from, const char *message)
 {
-    const struct hits_options options = { .mode = TRACE_VECTOR,
-                                          .queue = 77,
-                                          .points = 10,
-                                          .repeats = 2,
-                                          .from = from,
-                                          .model = prior_model };
+    const struct hits_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 77,
+                                                 .points = 10, .repeats = 2,
+                                                 .from = from);
     SCOPED(scene) *scene = read_scene(text);
     SCOPED_VALUE(named_parts) parts;
     struct hits hits;

@@ -262,17 +262,14 @@ TEST(words)
 /* One table of a file and a gamma. */
 TEST(tables)
 {
-    char text[600];
-
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
-    snprintf(text, sizeof text,
-             "#declare P = pigment { image_map { \"%s\" } }\n"
-             "sphere { 0, 1 pigment { P } }\n"
-             "sphere { 0, 1 pigment { image_map { ppm \"%s\" once } } }\n"
-             "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }\n"
-             "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
-             path, path, path, path);
-    SCOPED(scene) *scene = read_scene(text);
+    SCOPED(scene) *scene =
+        read_format("#declare P = pigment { image_map { \"%s\" } }\n"
+                    "sphere { 0, 1 pigment { P } }\n"
+                    "sphere { 0, 1 pigment { image_map { ppm \"%s\" once } } }\n"
+                    "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }\n"
+                    "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
+                    path, path, path, path);
     assert_int_equal(scene->image_count, 2);
     for (size_t i = 0; i < 4; i++)
         assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);

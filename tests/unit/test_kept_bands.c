@@ -54,8 +54,7 @@ static struct trace *begin(const struct scene *scene,
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, options, &error);
 
-    if (!trace)
-        fail_msg("%s", error.message);
+    REQUIRE(trace);
     return trace;
 }
 
@@ -65,8 +64,7 @@ static struct trace *run(const struct scene *scene, enum trace_mode mode)
     struct trace *trace = begin(scene, &options);
     c205_error error = { "" };
 
-    if (!trace_run(trace, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(trace_run(trace, &error));
     return trace;
 }
 

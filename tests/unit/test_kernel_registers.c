@@ -165,12 +165,9 @@ static void trace_watched(const struct scene *scene,
 static void follow_lines(const struct scene *scene, size_t queue, const char *what)
 {
     enum { LINES = 20 };
-    struct lines_options options = { .queue = queue,
-                                     .normals = true,
-                                     .bodies = true,
-                                     .behind = 1,
-                                     .no_bounds = traced.no_bounds,
-                                     .model = prior_model };
+    struct lines_options options = ON_PRIOR(.queue = queue, .normals = true,
+                                            .bodies = true, .behind = 1,
+                                            .no_bounds = traced.no_bounds);
     struct scene_line list[LINES];
 
     draw_camera_lines(&traced.random, scene, list, LINES);
@@ -190,14 +187,12 @@ static void follow_lines(const struct scene *scene, size_t queue, const char *wh
 /* In all modes; no_bounds, historical, variant and visible as they are. */
 static void trace_modes(const struct scene *scene, size_t queue, const char *what)
 {
-    struct trace_options options = { .width = COLUMNS,
-                                     .height = ROWS,
-                                     .queue = queue,
-                                     .historical = traced.historical,
-                                     .variant = traced.variant,
-                                     .visible = traced.visible,
-                                     .no_bounds = traced.no_bounds,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.width = COLUMNS, .height = ROWS,
+                                            .queue = queue,
+                                            .historical = traced.historical,
+                                            .variant = traced.variant,
+                                            .visible = traced.visible,
+                                            .no_bounds = traced.no_bounds);
 
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = (enum trace_mode)mode;
@@ -230,12 +225,9 @@ TEST(adaptive)
     const struct scene_options reading = { .width = COLUMNS,
                                            .height = ROWS,
                                            .read_raster = picture_read_raster };
-    struct trace_options options = { .width = 3 * COLUMNS,
-                                     .height = 3 * ROWS,
-                                     .samples = 3,
-                                     .threshold = .05,
-                                     .queue = COLUMNS - 1,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.width = 3 * COLUMNS, .height = 3 * ROWS,
+                                            .samples = 3, .threshold = .05,
+                                            .queue = COLUMNS - 1);
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = scene_read(path, &reading, &reports);
 
@@ -353,11 +345,8 @@ TEST(nothing_is_saved_in_vain)
         " rotate <30, 20, 40> translate <.1, -.2, .3> }"
         "cone { <2, 0, 0>, .5, <2.2, 1, .1>, .2 }"
         "quadric { 1, <.3, 0, .2>, <.1, 0, .3>, -.2 }";
-    struct trace_options options = { .mode = TRACE_SCALAR,
-                                     .width = 4 * COLUMNS,
-                                     .height = 4 * ROWS,
-                                     .queue = 1,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 4 * COLUMNS,
+                                            .height = 4 * ROWS, .queue = 1);
     SCOPED(scene) *scene = read_text(text);
 
     for (int historical = 0; historical < 2; historical++) {
@@ -367,9 +356,8 @@ TEST(nothing_is_saved_in_vain)
         options.historical = historical;
         SCOPED(trace) *trace = trace_new(scene, &options, &error);
         SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
-        if (!machine || !c205_listen(machine, listen_to_saves, NULL)
-            || !program_run(machine, NULL, NULL, NULL, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(machine && c205_listen(machine, listen_to_saves, NULL)
+                && program_run(machine, NULL, NULL, NULL, &error));
         assert_in_range(saves.count, 6, MOST_AREAS);
         for (size_t i = 0; i < saves.count; i++) {
             const struct area *area = &saves.areas[i];
@@ -430,13 +418,10 @@ TEST(roots)
         polynomials[i].bound = C205_MACHINE_ZERO;
     }
     for (int i = 0; i < 2 * TRACE_FORMS * FALSI_RULES; i++) {
-        const struct roots_options options = {
-            .mode = (enum trace_mode)(i % TRACE_FORMS),
-            .queue = 7,
-            .first = i / TRACE_FORMS % 2,
-            .falsi = (enum falsi)(i / TRACE_FORMS / 2),
-            .model = prior_model
-        };
+        const struct roots_options options = ON_PRIOR(
+                .mode = (enum trace_mode)(i % TRACE_FORMS), .queue = 7,
+                .first = i / TRACE_FORMS % 2,
+                .falsi = (enum falsi)(i / TRACE_FORMS / 2));
         const struct asm_define defines[] = { { "QUEUE", 7 },
                                               { "FALSI", options.falsi },
                                               { NULL, 0 } };
@@ -448,8 +433,7 @@ TEST(roots)
                                                        : "roots/roots_vector.s",
                                                    defines, &error);
 
-        if (!search || !program)
-            fail_msg("%s", error.message);
+        REQUIRE(search && program);
         run_watched(program, (c205 *)(uintptr_t)roots_machine(search), "roots");
         roots_free(search);
     }
@@ -474,8 +458,7 @@ TEST(points)
         SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
         c205 *machine = maker ? point_maker_load(maker, &choice, &error) : NULL;
 
-        if (!machine)
-            fail_msg("%s", error.message);
+        REQUIRE(machine);
         run_watched(point_maker_program(maker), machine, "points");
     }
 }
@@ -487,20 +470,16 @@ static void emit_watched(const struct primitive *primitive)
     static const struct emission_choice choice = { .seed = 3, .m = 10 };
 
     for (int i = 0; i < 2 * TRACE_FORMS; i++) {
-        const struct emission_options options = {
-            .mode = (enum trace_mode)(i % TRACE_FORMS),
-            .queue = 7,
-            .points = 200,
-            .lattice = i / TRACE_FORMS,
-            .model = prior_model,
-        };
+        const struct emission_options options = ON_PRIOR(.mode = (enum trace_mode)(
+                                                             i % TRACE_FORMS),
+                                                         .queue = 7, .points = 200,
+                                                         .lattice = i / TRACE_FORMS);
         c205_error error = { "" };
         SCOPED(emission) *emission = emission_new(primitive, &options, &error);
         SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &error)
                                          : NULL;
 
-        if (!machine)
-            fail_msg("%s", error.message);
+        REQUIRE(machine);
         run_watched(emission_program(emission), machine, "emission");
     }
 }

@@ -34,11 +34,8 @@ static void add_camera(char *text, size_t size)
 static void check_orders(const char *text)
 {
     SCOPED(scene) *scene = read_text(text);
-    struct trace_options options = { .mode = TRACE_SCALAR,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .samples = among(1, 5),
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = WIDTH,
+                                            .height = HEIGHT, .samples = among(1, 5));
     SCOPED(trace) *scalar = run_trace(scene, &options);
 
     options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
@@ -70,12 +67,9 @@ TEST(random)
 
 static struct frame seen(const char *camera, double distance, size_t samples)
 {
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .queue = 100,
-                                     .samples = samples,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .width = WIDTH,
+                                            .height = HEIGHT, .queue = 100,
+                                            .samples = samples);
     char text[1000] = "";
     struct frame frame;
 
@@ -162,12 +156,9 @@ TEST(words)
 static size_t across(const char *camera, size_t samples)
 {
     SCOPED(scene) *scene = read_text(camera);
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .width = 2,
-                                     .height = 1,
-                                     .queue = 10,
-                                     .samples = samples,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .width = 2,
+                                            .height = 1, .queue = 10,
+                                            .samples = samples);
     SCOPED(trace) *trace = run_trace(scene, &options);
     size_t found = trace_samples(trace);
 

@@ -52,9 +52,8 @@ static void check_queues(const struct scene *scene, const char *text,
 static void check_solids(double z, double behind)
 {
     static char text[1 << 18];
-    struct lines_options options = {
-        .normals = true, .bodies = true, .behind = behind, .model = prior_model
-    };
+    struct lines_options options = ON_PRIOR(.normals = true, .bodies = true,
+                                            .behind = behind);
     struct scene_line list[LINES];
     char camera[80], reason[LINE_REASON];
 
@@ -141,9 +140,8 @@ TEST(nearest)
 {
     static char text[1 << 18];
     static struct scene_line list[SIDE * SIDE];
-    struct lines_options options = {
-        .queue = 300, .normals = true, .bodies = true, .model = prior_model
-    };
+    struct lines_options options = ON_PRIOR(.queue = 300, .normals = true,
+                                            .bodies = true);
 
     traced.width = traced.height = SIDE;
     traced.pixels = SIDE * SIDE;
@@ -200,11 +198,8 @@ static void check_crossing(const struct seen_crossing *seen,
 static void check_form(const char *text, enum trace_mode mode, double behind,
                        size_t count, const struct expected *expected)
 {
-    const struct lines_options options = { .mode = mode,
-                                           .queue = 10,
-                                           .bodies = true,
-                                           .behind = behind,
-                                           .model = prior_model };
+    const struct lines_options options = ON_PRIOR(.mode = mode, .queue = 10,
+                                                  .bodies = true, .behind = behind);
     struct scene_line list[COPIES];
     SCOPED(scene) *scene = read_text(text);
 

@@ -91,16 +91,12 @@ static void check_same(const struct shown *shown, const struct trace *trace)
 static void check_looks(const struct scene *scene, enum trace_mode mode)
 {
     struct shown shown = { .done = 0 };
-    struct trace_options options = { .mode = mode,
-                                     .queue = among(1, 500),
-                                     .width = among(20, WIDTH),
-                                     .height = among(10, HEIGHT),
-                                     .band = among(1, 400),
-                                     .jobs = among(1, 3),
-                                     .model = prior_model,
-                                     .progress = go_on,
-                                     .look = look,
-                                     .context = &shown };
+    struct trace_options options = ON_PRIOR(.mode = mode, .queue = among(1, 500),
+                                            .width = among(20, WIDTH),
+                                            .height = among(10, HEIGHT),
+                                            .band = among(1, 400), .jobs = among(1, 3),
+                                            .progress = go_on, .look = look,
+                                            .context = &shown);
 
     assert_true(frame_allocate(&shown.frame, options.width, options.height));
     SCOPED(trace) *trace = run_trace(scene, &options);
@@ -135,15 +131,10 @@ TEST(bands)
 TEST(under_way)
 {
     struct shown shown = { .done = 0 };
-    struct trace_options options = { .mode = TRACE_SCALAR,
-                                     .no_bounds = true,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .jobs = 1,
-                                     .model = prior_model,
-                                     .progress = go_on,
-                                     .look = look,
-                                     .context = &shown };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .no_bounds = true,
+                                            .width = WIDTH, .height = HEIGHT, .jobs = 1,
+                                            .progress = go_on, .look = look,
+                                            .context = &shown);
     char text[9000] = "";
 
     add_text(text, sizeof text, SCENE, "1");

@@ -205,12 +205,9 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
                             size_t queue)
 {
     enum { SIDE = 250 };
-    const struct trace_options options = { .mode = mode,
-                                           .width = SIDE,
-                                           .height = SIDE,
-                                           .band = SIDE * SIDE,
-                                           .queue = queue,
-                                           .model = prior_model };
+    const struct trace_options options = ON_PRIOR(.mode = mode, .width = SIDE,
+                                                  .height = SIDE, .band = SIDE * SIDE,
+                                                  .queue = queue);
     SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t checksum = trace_checksum(trace);
 

@@ -48,11 +48,9 @@ TEST(same_frame)
 
     for (int i = 0; i < 14; i++) {
         size_t width = among(1, 50), height = among(1, 40);
-        struct trace_options scalar = { .mode = TRACE_SCALAR,
-                                        .order = ORDER_TILES,
-                                        .width = width,
-                                        .height = height,
-                                        .model = prior_model };
+        struct trace_options scalar = ON_PRIOR(.mode = TRACE_SCALAR,
+                                               .order = ORDER_TILES, .width = width,
+                                               .height = height);
         SCOPED(trace) *trace = run_trace(scene, &scalar);
         uint64_t expected = trace_checksum(trace);
 
@@ -71,13 +69,9 @@ TEST(one_large_band)
 {
     SCOPED(scene) *scene = read_text(AHEAD "background { rgb <.5, .25, 1> }\n"
                                            "sphere { 0, 1 }\n");
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .width = 300,
-                                     .height = 250,
-                                     .queue = 65535,
-                                     .band = 75000,
-                                     .order = ORDER_ROWS,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .width = 300,
+                                            .height = 250, .queue = 65535,
+                                            .band = 75000, .order = ORDER_ROWS);
     SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t expected = trace_checksum(trace);
 
@@ -92,12 +86,8 @@ TEST(one_large_band)
 static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
                         enum trace_order order)
 {
-    struct trace_options options = { .mode = mode,
-                                     .order = order,
-                                     .width = 90,
-                                     .height = 90,
-                                     .queue = 225,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = mode, .order = order, .width = 90,
+                                            .height = 90, .queue = 225);
     SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t clocks = trace_accounts(trace)->clocks;
 

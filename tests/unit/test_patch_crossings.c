@@ -137,18 +137,14 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
 static void check_memory(const char *text)
 {
     SCOPED(scene) *scene = read_text(text);
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .queue = PIXELS,
-                                     .no_bounds = true,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .width = WIDTH,
+                                            .height = HEIGHT, .queue = PIXELS,
+                                            .no_bounds = true);
     c205_error error;
     SCOPED(trace) *trace = trace_new(scene, &options, &error);
     SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
 
-    if (!machine || !program_run(machine, NULL, NULL, NULL, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(machine && program_run(machine, NULL, NULL, NULL, &error));
     check_behind_crossings(scene, trace, machine, text);
 }
 

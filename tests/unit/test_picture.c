@@ -121,9 +121,8 @@ TEST(round_trips)
     for (size_t i = 0; i < COUNT(round_trips); i++) {
         const struct round_trip *trip = &round_trips[i];
         const char *path = in_folder(trip->name);
-        if (!picture_write(path, &frame, notes, trip->half, &error)
-            || !picture_read(path, &back, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(picture_write(path, &frame, notes, trip->half, &error)
+                && picture_read(path, &back, &error));
         assert_int_equal(back.width, WIDTH);
         assert_int_equal(back.height, HEIGHT);
         for (size_t channel = 0; channel < FRAME_CHANNELS; channel++)
@@ -207,9 +206,8 @@ TEST(notes)
         const struct note_place *place = &note_places[i];
         const char *path = in_folder(place->file);
         char text[256];
-        if (!picture_write(path, &frame, notes, false, &error)
-            || !picture_read_note(path, place->name, text, sizeof text, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(picture_write(path, &frame, notes, false, &error)
+                && picture_read_note(path, place->name, text, sizeof text, &error));
         assert_string_equal(text, place->text);
     }
 }
@@ -235,9 +233,8 @@ TEST(date)
             setenv("SOURCE_DATE_EPOCH", cases[i / 2].epoch, 1);
         else
             unsetenv("SOURCE_DATE_EPOCH");
-        if (!picture_write(path, &frame, notes, false, &error)
-            || !picture_read_note(path, "DateTime", text, sizeof text, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(picture_write(path, &frame, notes, false, &error)
+                && picture_read_note(path, "DateTime", text, sizeof text, &error));
         assert_string_equal(text, cases[i / 2].date);
     }
     unsetenv("SOURCE_DATE_EPOCH");

@@ -134,8 +134,7 @@ static void draw(const struct plot *plot)
 {
     c205_error error = { "" };
 
-    if (!write_plot(plot, "a b'c.svg", &error))
-        fail_msg("%s", error.message);
+    REQUIRE(write_plot(plot, "a b'c.svg", &error));
 }
 
 static void expect_error(const struct plot *plot, const char *name, const char *part)

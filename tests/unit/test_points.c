@@ -37,8 +37,7 @@ static void make(const struct point_kind *kind, const struct point_choice *choic
     c205_error error = { "" };
     SCOPED(point_maker) *maker = point_maker_new(kind, &error);
 
-    if (!maker || !point_maker_run(maker, choice, into, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(maker && point_maker_run(maker, choice, into, &error));
 }
 
 /* ---- Against the definition --------------------------------------------- */
@@ -271,8 +270,7 @@ static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_
             .seed = seed, .first = lattice ? 0 : k * N, .m = M, .shift = k
         };
 
-        if (!point_maker_run(maker, &choice, words[0], &error))
-            fail_msg("%s", error.message);
+        REQUIRE(point_maker_run(maker, &choice, words[0], &error));
         value[k] = mean_of_function(words[0]);
         sum += value[k];
     }
@@ -301,8 +299,7 @@ static struct quality try_seeds(bool lattice, size_t seeds)
     c205_error error = { "" };
     SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
 
-    if (!maker)
-        fail_msg("%s", error.message);
+    REQUIRE(maker);
     for (size_t seed = 0; seed < seeds; seed++) {
         struct estimate found = estimate(maker, lattice, seed);
         double off = found.mean - 1;

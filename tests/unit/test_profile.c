@@ -17,16 +17,12 @@ static struct profile profile;
 
 static void run(void)
 {
-    const struct trace_options options = { .width = WIDTH,
-                                           .height = HEIGHT,
-                                           .queue = 200,
-                                           .band = 5 * WIDTH,
-                                           .jobs = 2,
-                                           .model = prior_model };
+    const struct trace_options options = ON_PRIOR(.width = WIDTH, .height = HEIGHT,
+                                                  .queue = 200, .band = 5 * WIDTH,
+                                                  .jobs = 2);
     c205_error error = { "" };
 
-    if (!profile_run(&profile, scene, &options, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(profile_run(&profile, scene, &options, &error));
 }
 
 static double clocks_of_frame(int i)

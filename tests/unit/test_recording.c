@@ -12,8 +12,7 @@ static c205_model *find(const char *name)
 {
     c205_error error;
     c205_model *model = c205_model_find(name, &error);
-    if (!model)
-        fail_msg("%s", error.message);
+    REQUIRE(model);
     return model;
 }
 

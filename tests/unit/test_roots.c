@@ -62,8 +62,7 @@ static struct polynomial_roots *solve(const struct polynomial *polynomials,
     struct polynomial_roots *roots = calloc(count, sizeof *roots);
 
     assert_non_null(roots);
-    if (!search || !roots_run(search, &error) || !roots_read(search, roots, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(search && roots_run(search, &error) && roots_read(search, roots, &error));
     roots_free(search);
     return roots;
 }
@@ -135,9 +134,8 @@ static bool note_progress(void *context, size_t done, size_t all)
 TEST(progress)
 {
     size_t last = 0;
-    struct roots_options options = {
-        .queue = 1, .model = prior_model, .progress = note_progress, .context = &last
-    };
+    struct roots_options options = ON_PRIOR(.queue = 1, .progress = note_progress,
+                                            .context = &last);
     struct polynomial polynomials[KNOWN];
 
     read_known(polynomials);
@@ -163,8 +161,7 @@ TEST(falsi)
     c205_error error = { "" };
     SCOPED(object) *program = program_assemble("roots/roots_vector.s", defines, &error);
 
-    if (!program)
-        fail_msg("%s", error.message);
+    REQUIRE(program);
     for (int i = 0; i < FALSI_RULES; i++)
         assert_int_equal(object_symbol(program, rules[i].name)->value, rules[i].rule);
 }
@@ -193,17 +190,14 @@ TEST(refused)
 
 static struct iterations watched(enum trace_mode mode, size_t queue)
 {
-    const struct roots_options options = { .mode = mode,
-                                           .queue = queue,
-                                           .model = prior_model };
+    const struct roots_options options = ON_PRIOR(.mode = mode, .queue = queue);
     struct polynomial polynomials[KNOWN];
     struct iterations iterations;
     c205_error error = { "" };
 
     read_known(polynomials);
     struct root_search *search = roots_new(polynomials, KNOWN, &options, &error);
-    if (!search || !roots_watch(search, &iterations) || !roots_run(search, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(search && roots_watch(search, &iterations) && roots_run(search, &error));
     roots_free(search);
     return iterations;
 }

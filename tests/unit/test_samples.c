@@ -60,12 +60,9 @@ static void check_pixel(const struct frame *pixels, const struct frame *samples,
 static uint64_t check_means(const struct scene *scene, size_t width, size_t height,
                             size_t n)
 {
-    struct trace_options options = { .mode = TRACE_SCALAR,
-                                     .width = width,
-                                     .height = height,
-                                     .samples = n,
-                                     .band = among(1, n * n * width * height),
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = width,
+                                            .height = height, .samples = n,
+                                            .band = among(1, n * n * width * height));
     SCOPED(trace) *pixels = run_trace(scene, &options);
     SCOPED_VALUE(frame) of_pixels = read_all(pixels, width, height);
     uint64_t checksum = trace_checksum(pixels);
@@ -86,17 +83,12 @@ static void check_forms(const struct scene *scene, size_t width, size_t height,
                         size_t n, uint64_t expected)
 {
     for (int i = 0; i < 3; i++) {
-        struct trace_options options = {
-            .mode = i == 2 ? TRACE_KERNELS : TRACE_VECTOR,
-            .order = i == 0 ? ORDER_ROWS : ORDER_TILES,
-            .width = width,
-            .height = height,
-            .samples = n,
-            .queue = xorshift(&traced.random) % 2 ? among(1, 9) : among(1, 999),
-            .band = among(1, n * n * width * height),
-            .jobs = among(1, 3),
-            .model = prior_model,
-        };
+        struct trace_options options = ON_PRIOR(
+                .mode = i == 2 ? TRACE_KERNELS : TRACE_VECTOR,
+                .order = i == 0 ? ORDER_ROWS : ORDER_TILES, .width = width,
+                .height = height, .samples = n,
+                .queue = xorshift(&traced.random) % 2 ? among(1, 9) : among(1, 999),
+                .band = among(1, n * n * width * height), .jobs = among(1, 3));
         SCOPED(trace) *trace = run_trace(scene, &options);
 
         if (trace_checksum(trace) != expected)
@@ -126,11 +118,8 @@ TEST_CALL(gamma, check_scene(curved, 4))
 TEST(one)
 {
     SCOPED(scene) *scene = read_text(curved);
-    struct trace_options options = { .mode = TRACE_VECTOR,
-                                     .width = WIDTH,
-                                     .height = HEIGHT,
-                                     .queue = 50,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .width = WIDTH,
+                                            .height = HEIGHT, .queue = 50);
     SCOPED(trace) *none = run_trace(scene, &options);
 
     options.samples = 1;
@@ -153,14 +142,11 @@ TEST(stopped)
 {
     SCOPED(scene) *scene = read_text(linear);
     size_t asked = 0;
-    struct trace_options options = { .mode = TRACE_SCALAR,
-                                     .width = 40,
-                                     .height = 60,
-                                     .samples = 3,
-                                     .band = 40 * 20 * 9,
-                                     .model = prior_model,
-                                     .progress = stop_in_the_middle,
-                                     .context = &asked };
+    struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 40,
+                                            .height = 60, .samples = 3,
+                                            .band = 40 * 20 * 9,
+                                            .progress = stop_in_the_middle,
+                                            .context = &asked);
     c205_error error = { "" };
     SCOPED(trace) *trace = trace_new(scene, &options, &error);
 

@@ -101,12 +101,10 @@ TEST(expressions)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[200];
-        snprintf(text, sizeof text,
-                 "#declare F = rgbft <.1, .2, .3, .4, .5>; #local G = 0*x;"
-                 "plane { y, %s }",
-                 rows[i].text);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene =
+            read_format("#declare F = rgbft <.1, .2, .3, .4, .5>; #local G = 0*x;"
+                        "plane { y, %s }",
+                        rows[i].text);
         assert_close(scene->primitives->shape.plane.distance, rows[i].value, CLOSE);
     }
 }
@@ -129,10 +127,8 @@ TEST(rotations)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[200];
-        snprintf(text, sizeof text, "#declare V = <1, 2 3>; sphere { %s 1 }",
-                 rows[i].text);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format("#declare V = <1, 2 3>; sphere { %s 1 }",
+                                           rows[i].text);
         for (int k = 0; k < 3; k++)
             assert_close(scene->primitives->shape.sphere.center[k], rows[i].value[k],
                          PRINTED);
@@ -162,12 +158,9 @@ TEST(colors)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[200];
-        snprintf(text, sizeof text,
-                 "#include \"colors.inc\"\n#declare W = rgb 1;"
-                 "background { %s }",
-                 rows[i].text);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format(
+            "#include \"colors.inc\"\n#declare W = rgb 1; background { %s }",
+            rows[i].text);
         for (int k = 0; k < 3; k++)
             assert_close(scene->background[k], rows[i].rgb[k], PRINTED);
     }
@@ -252,9 +245,7 @@ TEST(orthographic)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         for (size_t form = 0; form < COUNT(forms); form++) {
-            char text[200];
-            snprintf(text, sizeof text, forms[form], rows[i].words);
-            SCOPED(scene) *scene = read_scene(text);
+            SCOPED(scene) *scene = read_format(forms[form], rows[i].words);
             assert_true(scene->camera.orthographic);
             assert_vector(scene->camera.right, rows[i].right, 0, 0);
             assert_vector(scene->camera.up, 0, rows[i].up, 0);
@@ -319,13 +310,11 @@ TEST(transforms)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         const double point[3] = { 1, 2, 3 };
-        char text[200];
         double image[3];
-        snprintf(text, sizeof text,
-                 "#declare T = transform { translate <1, 0, -1> scale <1, 2, 1> }"
-                 "sphere { 0, 1 %s }",
-                 rows[i].text);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format(
+            "#declare T = transform { translate <1, 0, -1> scale <1, 2, 1> }"
+            "sphere { 0, 1 %s }",
+            rows[i].text);
         map(&scene->primitives->to_world, point, image);
         assert_vector(image, rows[i].image[0], rows[i].image[1], rows[i].image[2]);
         assert_inverse(scene->primitives);
@@ -519,11 +508,8 @@ TEST(trace_levels)
     static const int levels[] = { 1, 256 };
 
     for (size_t i = 0; i < COUNT(levels); i++) {
-        char text[80];
-
-        snprintf(text, sizeof text, "global_settings { max_trace_level %d }",
-                 levels[i]);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format("global_settings { max_trace_level %d }",
+                                           levels[i]);
         assert_int_equal(scene->max_trace_level, levels[i]);
     }
     assert_refused("global_settings { max_trace_level 0 }", 1, "between 1 and 256");

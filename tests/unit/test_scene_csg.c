@@ -400,12 +400,9 @@ TEST(clear_pigments)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[300];
-        snprintf(text, sizeof text,
-                 "#declare Glass = rgbft <1, 1, 1, .9, .1>;\n"
-                 "sphere { 0, 1 pigment { %s } }",
-                 rows[i].text);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format("#declare Glass = rgbft <1, 1, 1, .9, .1>;\n"
+                                           "sphere { 0, 1 pigment { %s } }",
+                                           rows[i].text);
         for (int k = 0; k < 2; k++) {
             assert_close(scene->primitives->pigment.filter[k], rows[i].filter[k], 0);
             assert_close(scene->primitives->pigment.transmit[k], rows[i].transmit[k],
@@ -448,9 +445,8 @@ TEST(reflections)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[200];
-        snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }", rows[i].text);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format("sphere { 0, 1 finish { %s } }",
+                                           rows[i].text);
         const struct finish *finish = &scene->primitives->finish;
         const double *least = rows[i].least, *most = rows[i].most;
         assert_vector(finish->reflection, least[0], least[1], least[2]);

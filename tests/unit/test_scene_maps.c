@@ -26,9 +26,7 @@ static void check_pigment(const char *words, enum pigment_kind kind,
     };
 
     for (size_t i = 0; i < COUNT(forms); i++) {
-        char text[1024];
-        snprintf(text, sizeof text, forms[i], words);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format(forms[i], words);
         const struct pigment *pigment = &scene->primitives[0].pigment;
         assert_int_equal(pigment->kind, kind);
         check_map(&pigment->map, expected);
@@ -62,9 +60,7 @@ TEST(maps)
 
 static struct pattern pattern_of(const char *words)
 {
-    char text[512];
-    snprintf(text, sizeof text, "sphere { 0, 1 pigment { %s } }", words);
-    SCOPED(scene) *scene = read_scene(text);
+    SCOPED(scene) *scene = read_format("sphere { 0, 1 pigment { %s } }", words);
     struct pattern pattern = scene->primitives[0].pigment.pattern;
     assert_int_equal(scene->primitives[0].pigment.kind, PIGMENT_PATTERN);
     return pattern;
@@ -219,9 +215,7 @@ TEST(gradients_after_checkers)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[1024];
-        snprintf(text, sizeof text, "sphere { 0, 1 %s }", rows[i].words);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format("sphere { 0, 1 %s }", rows[i].words);
         check_map(&scene->primitives[0].pigment.map, rows[i].expected);
     }
 }

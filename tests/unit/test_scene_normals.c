@@ -33,9 +33,7 @@ static void check_bump(const char *words, enum pattern_function function, double
     };
 
     for (size_t i = 0; i < COUNT(forms); i++) {
-        char text[1024];
-        snprintf(text, sizeof text, forms[i], words);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format(forms[i], words);
         const struct bump *bump = &list_of(scene)->bump;
         assert_true(bumps_show(&scene->primitives[0].bumps));
         assert_int_equal(bump->pattern.kind, PIGMENT_PATTERN);

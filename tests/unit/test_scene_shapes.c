@@ -282,9 +282,7 @@ TEST(conditions)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char text[300];
-        snprintf(text, sizeof text, "#declare A = 1;\n%s", rows[i].text);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format("#declare A = 1;\n%s", rows[i].text);
         assert_int_equal(scene->primitive_count, 1);
         assert_close(scene->primitives->shape.sphere.radius, rows[i].radius, 0);
     }

@@ -151,9 +151,8 @@ static struct mass_figures figures_of(int decade)
     c205_error error = { "" };
     SCOPED_VALUE(mass) mass;
 
-    if (!mass_begin(scene, &request, &mass, &reports, &error)
-        || !mass_find(&mass, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(mass_begin(scene, &request, &mass, &reports, &error)
+            && mass_find(&mass, &error));
     struct mass_figures figures = mass.rows[mass.row_count - 1].figures;
     return figures;
 }
@@ -186,23 +185,17 @@ TEST(masses)
 static void heat_of(int decade, double found[3])
 {
     const char *temperatures[] = { "default=300", "line 1=900" };
-    const struct heat_request request = { .mode = TRACE_VECTOR,
-                                          .queue = 2000,
-                                          .by = BY_PRIMITIVE,
-                                          .drawn = 256,
-                                          .repeats = 4,
-                                          .lattice = true,
-                                          .seed = 1,
-                                          .exchange = true,
-                                          .temperatures = temperatures,
-                                          .temperature_count = 1,
-                                          .model = prior_model };
+    const struct heat_request request = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                                 .by = BY_PRIMITIVE, .drawn = 256,
+                                                 .repeats = 4, .lattice = true,
+                                                 .seed = 1, .exchange = true,
+                                                 .temperatures = temperatures,
+                                                 .temperature_count = 1);
     SCOPED(scene) *scene = bodies_of(decade);
     c205_error error = { "" };
     SCOPED_VALUE(heat) heat;
 
-    if (!heat_begin(scene, &request, &heat, &error) || !heat_find(&heat, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
     found[0] = heat.surfaces.list[0].area.value;
     found[1] = heat.surfaces.list[0].factor[1].value;
     found[2] = heat.thermal.exchange.flow[0];

@@ -70,8 +70,7 @@ static void check_program(const char *kernel, bool historical)
     if (historical)
         *next = (struct asm_define){ "HISTORICAL", 1 };
     SCOPED(object) *program = program_assemble(kernel, defines, &error);
-    if (!program)
-        fail_msg("%s", error.message);
+    REQUIRE(program);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const struct shape *shape = shapes[i];
 

@@ -187,9 +187,8 @@ TEST(by_chance)
         c205_error error = { "" };
 
         draw(&found, &random);
-        if (!run(&found, TRACE_SCALAR, scalar, &error)
-            || !run(&found, TRACE_VECTOR, vector, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(run(&found, TRACE_SCALAR, scalar, &error)
+                && run(&found, TRACE_VECTOR, vector, &error));
         assert_memory_equal(scalar, vector,
                             found.count * (found.count + 1) * sizeof *scalar);
         check_rules(&found, vector);

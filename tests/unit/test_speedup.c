@@ -22,8 +22,7 @@ static void measure(const struct speedup_subject *subject,
                                          .model = model };
         c205_error error = { "" };
 
-        if (!speedup_measure(subject, from, &options, &measures[mode], &error))
-            fail_msg("%s", error.message);
+        REQUIRE(speedup_measure(subject, from, &options, &measures[mode], &error));
     }
 }
 

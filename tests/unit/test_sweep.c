@@ -30,8 +30,7 @@ static void run(const struct sweep_kind *kind, struct sweep *sweep)
 {
     c205_error error = { "" };
 
-    if (!kind->measure(sweep, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(kind->measure(sweep, &error));
 }
 
 /* Each clock has one cause, in one group. */

@@ -114,10 +114,9 @@ TEST(extents)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         double low[3], high[3];
-        char text[200];
-        snprintf(text, sizeof text, "text { ttf \"%s.ttf\" \"%s\" 1, %s }",
-                 rows[i].font, rows[i].string, rows[i].offset);
-        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(scene) *scene = read_format("text { ttf \"%s.ttf\" \"%s\" 1, %s }",
+                                           rows[i].font, rows[i].string,
+                                           rows[i].offset);
         extent_of(scene, low, high);
         for (int k = 0; k < 2; k++) {
             assert_close(low[k], rows[i].low[k], WITHIN);

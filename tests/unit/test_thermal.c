@@ -23,15 +23,10 @@ struct study {
 
 static void find_rows(struct study *study)
 {
-    const struct factors_options options = { .mode = TRACE_VECTOR,
-                                             .queue = 2000,
-                                             .points = 1024,
-                                             .repeats = 16,
-                                             .lattice = true,
-                                             .seed = 1,
-                                             .receiver_of = study->surfaces.surface_of,
-                                             .receivers = study->surfaces.count,
-                                             .model = prior_model };
+    const struct factors_options options = ON_PRIOR(
+            .mode = TRACE_VECTOR, .queue = 2000, .points = 1024, .repeats = 16,
+            .lattice = true, .seed = 1, .receiver_of = study->surfaces.surface_of,
+            .receivers = study->surfaces.count);
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
     SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
@@ -77,8 +72,7 @@ static void give(const struct study *study, const struct value_kind *kind,
     given_begin(given, kind);
     snprintf(copy, sizeof copy, "%s", texts);
     for (char *text = strtok(copy, " "); text; text = strtok(NULL, " "))
-        if (!given_add(given, text, &error))
-            fail_msg("%s", error.message);
+        REQUIRE(given_add(given, text, &error));
     assert_true(given_add_scene(given, study->scene, &error));
 }
 
@@ -168,13 +162,10 @@ TEST(flows)
 /* By lines all is counted once for both: flows add up to 0. */
 TEST(lines)
 {
-    const struct global_lines_options options = { .mode = TRACE_VECTOR,
-                                                  .queue = 2000,
-                                                  .lines_log = 10,
-                                                  .repeats = 16,
-                                                  .lattice = true,
-                                                  .seed = 1,
-                                                  .model = prior_model };
+    const struct global_lines_options options = ON_PRIOR(.mode = TRACE_VECTOR,
+                                                         .queue = 2000, .lines_log = 10,
+                                                         .repeats = 16, .lattice = true,
+                                                         .seed = 1);
     double pi = acos(-1);
     struct study study = { .scene = read_scene(ball) };
     struct global_lines_options by_part = options;

@@ -50,8 +50,7 @@ static void add(struct unit_file *file, uint64_t number)
     struct unit_words words = words_of(number);
     c205_error error = { "" };
 
-    if (!unit_file_add(file, number, &words, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(unit_file_add(file, number, &words, &error));
     words_free(&words);
 }
 
@@ -72,8 +71,7 @@ static struct unit_file *open_file(size_t i)
     c205_error error = { "" };
     struct unit_file *file = unit_file_open(paths[i], KEY, &error);
 
-    if (!file)
-        fail_msg("%s", error.message);
+    REQUIRE(file);
     return file;
 }
 
@@ -224,8 +222,7 @@ static void check_merge(void)
     }
     struct unit_file *file = open_file(0);
     for (size_t i = 1; i < count; i++)
-        if (!unit_file_merge(file, paths[i], &error))
-            fail_msg("%s", error.message);
+        REQUIRE(unit_file_merge(file, paths[i], &error));
     assert_units(file, there);
     unit_file_close(file, false);
     expect(0, there);

@@ -78,8 +78,7 @@ static void check(const char *path, const c205_model *model, enum trace_mode mod
         diagnostics_print(&reports, stderr);
     assert_non_null(scene);
     SCOPED(trace) *trace = trace_new(scene, &options, &error);
-    if (!trace || !trace_run(trace, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(trace && trace_run(trace, &error));
     assert_int_equal(warned, 0);
 }
 

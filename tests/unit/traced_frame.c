@@ -21,25 +21,21 @@ struct trace *run_trace(const struct scene *scene, const struct trace_options *o
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, options, &error);
 
-    if (!trace || !trace_run(trace, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(trace && trace_run(trace, &error));
     return trace;
 }
 
 struct words *trace_words(const struct scene *scene, enum trace_mode mode, size_t queue)
 {
-    struct trace_options options = { .mode = mode,
-                                     .width = traced.width,
-                                     .height = traced.height,
-                                     .queue = queue,
-                                     .historical = traced.historical,
-                                     .variant = traced.variant,
-                                     .visible = traced.visible,
-                                     .order = traced.order,
-                                     .samples = traced.samples,
-                                     .no_bounds = traced.no_bounds,
-                                     .flat = traced.flat,
-                                     .model = prior_model };
+    struct trace_options options = ON_PRIOR(.mode = mode, .width = traced.width,
+                                            .height = traced.height, .queue = queue,
+                                            .historical = traced.historical,
+                                            .variant = traced.variant,
+                                            .visible = traced.visible,
+                                            .order = traced.order,
+                                            .samples = traced.samples,
+                                            .no_bounds = traced.no_bounds,
+                                            .flat = traced.flat);
     SCOPED(trace) *trace = run_trace(scene, &options);
     struct words *words = calloc(1, sizeof *words);
 

@@ -29,6 +29,13 @@
 
 #define TEST(name) static void test_##name(STATE)
 
+/* Unless the value is true the test fails with the message of `error`. */
+#define REQUIRE(value) \
+    do { \
+        if (!(value)) \
+            fail_msg("%s", error.message); \
+    } while (0)
+
 /* A test of one statement. */
 #define TEST_CALL(name, statement) \
     static void test_##name(STATE) \
