@@ -92,9 +92,8 @@ expect(struct scene *scene, const struct trace_options *options, struct frame *p
                                                options->samples * height);
     scene->camera = camera;
     scene->assumed_gamma = gamma;
-    struct plain_refined refined = plain_adaptive(&first, &sampled, options->samples,
-                                                  options->threshold, gamma, picture);
-    return refined;
+    return plain_adaptive(&first, &sampled, options->samples, options->threshold, gamma,
+                          picture);
 }
 
 static double linear(double colour, double gamma)

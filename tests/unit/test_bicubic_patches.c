@@ -278,9 +278,7 @@ TEST(random_patches)
 static size_t count_of(const char *text)
 {
     SCOPED(scene) *scene = read_scene(text);
-    size_t count = triangles_of(scene)->count;
-
-    return count;
+    return triangles_of(scene)->count;
 }
 
 TEST(words)

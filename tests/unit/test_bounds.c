@@ -13,8 +13,7 @@ static struct bound first_bound(const char *text)
     FREED struct bound *bounds = calloc(scene->node_count, sizeof *bounds);
 
     assert_true(bound_nodes(scene, bounds));
-    struct bound first = bounds[0];
-    return first;
+    return bounds[0];
 }
 
 /* Each with its centre and least radius, or none. */

@@ -34,8 +34,7 @@ static size_t drawn_of(const char *text, const struct heat_request *request,
 
     find(scene, request, &heat);
     assert_int_equal(heat_is_precise(&heat), precise);
-    size_t drawn = heat.drawn;
-    return drawn;
+    return heat.drawn;
 }
 
 /* Four times as many until the limit, which is drawn itself; lines in powers of two. */

@@ -151,8 +151,7 @@ static size_t check(const struct bound *bounds, size_t count)
         assert_int_equal(check_node(&hierarchy, bounds, 0, hierarchy.loose, 1), count);
         assert_int_equal(hierarchy.nodes[0].next, hierarchy.node_count);
     }
-    size_t nodes = hierarchy.node_count;
-    return nodes;
+    return hierarchy.node_count;
 }
 
 TEST(random)

@@ -515,9 +515,7 @@ static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
                                                   .width = 48, .height = 36,
                                                   .variant = variant);
     SCOPED(trace) *trace = run_trace(scene, &options);
-    uint64_t clocks = trace_accounts(trace)->clocks;
-
-    return clocks;
+    return trace_accounts(trace)->clocks;
 }
 
 /* From the camera, from a light. */

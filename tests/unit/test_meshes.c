@@ -209,9 +209,7 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
                                                   .height = SIDE, .band = SIDE * SIDE,
                                                   .queue = queue);
     SCOPED(trace) *trace = run_trace(scene, &options);
-    uint64_t checksum = trace_checksum(trace);
-
-    return checksum;
+    return trace_checksum(trace);
 }
 
 /* A triangle as far away as a shadow ends stops no light; the one before it

@@ -89,9 +89,7 @@ static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
     struct trace_options options = ON_PRIOR(.mode = mode, .order = order, .width = 90,
                                             .height = 90, .queue = 225);
     SCOPED(trace) *trace = run_trace(scene, &options);
-    uint64_t clocks = trace_accounts(trace)->clocks;
-
-    return clocks;
+    return trace_accounts(trace)->clocks;
 }
 
 TEST(tiles_meet_less)

@@ -93,8 +93,7 @@ static void mixed(const double corners[3][3], const double shares[3], double poi
 
 static void assert_along(const double a[3], const double b[3], double within)
 {
-    double cosine = fabs(dot(a, b)) / sqrt(dot(a, a) * dot(b, b));
-    assert_near(cosine, 1, within);
+    assert_near(fabs(dot(a, b)) / sqrt(dot(a, a) * dot(b, b)), 1, within);
 }
 
 /* Of a flat one it stands across two edges. */

@@ -177,8 +177,7 @@ static struct passage along(const char *text, double x, double y)
 {
     SCOPED_VALUE(solid) solid = solid_of(text);
     const struct ray ray = { { x, y, -5 }, { 0, 0, 1 } };
-    struct passage passage = pass(&solid, &ray);
-    return passage;
+    return pass(&solid, &ray);
 }
 
 /* A scene of two close planes has the size of its camera's distance. */

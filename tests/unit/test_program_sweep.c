@@ -76,9 +76,7 @@ static uint64_t plain_clocks(const struct program_sweep *sweep, int which,
                              uint64_t value)
 {
     SCOPED(c205) *machine = run_plainly(sweep, which, value);
-    uint64_t clocks = c205_clock(machine);
-
-    return clocks;
+    return c205_clock(machine);
 }
 
 /* Cause by cause, and in all; operations, too. */

@@ -75,9 +75,8 @@ static c205_word number(const char *text)
 static bool is_root(c205_word found, const char *text, const char **end)
 {
     double expected = strtod(text, (char **)end);
-    double got = c205_to_double(found);
 
-    return fabs(got - expected) <= 1e-10 * fabs(expected);
+    return fabs(c205_to_double(found) - expected) <= 1e-10 * fabs(expected);
 }
 
 static void check_known(const struct known *expected,

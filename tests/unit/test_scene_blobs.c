@@ -122,9 +122,7 @@ TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 static size_t pieces_of(const char *text)
 {
     SCOPED(scene) *scene = read_scene(text);
-    size_t pieces = blob_pieces_most(scene);
-
-    return pieces;
+    return blob_pieces_most(scene);
 }
 
 TEST(pieces)

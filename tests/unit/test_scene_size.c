@@ -153,8 +153,7 @@ static struct mass_figures figures_of(int decade)
 
     REQUIRE(mass_begin(scene, &request, &mass, &reports, &error)
             && mass_find(&mass, &error));
-    struct mass_figures figures = mass.rows[mass.row_count - 1].figures;
-    return figures;
+    return mass.rows[mass.row_count - 1].figures;
 }
 
 static void assert_near(double value, double expected, double power, int decade)

@@ -71,9 +71,7 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
 struct words *same_frame(const char *text)
 {
     SCOPED(scene) *scene = read_text(text);
-    struct words *words = same_frame_of(scene, text);
-
-    return words;
+    return same_frame_of(scene, text);
 }
 
 /* The first channel in which a pixel is not what the plain tracer sees, or
