@@ -8,16 +8,11 @@
 
 /* Of the middle ray: how far it is to the cylinder, and the normal there,
  * turned against it. */
-struct hit {
-    double depth, normal[3];
-};
-
-static void check_hit(const char *text, struct hit hit)
+static void check_hit(const char *text, double depth, double x, double y, double z)
 {
     FREED struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
-    const double expected[] = { hit.depth, hit.normal[0], hit.normal[1],
-                                hit.normal[2] };
+    const double expected[] = { depth, x, y, z };
 
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), 1);
     for (int i = 0; i < 4; i++) {
@@ -71,27 +66,20 @@ static void check_scenes(void)
 
 static void check_solids(void)
 {
-    check_hit(STRAIGHT SOLID "}", (struct hit){ 4, { 0, 0, -1 } });
-    check_hit(STRAIGHT SOLID "rotate 180*y }", (struct hit){ 3, { 0, 0, -1 } });
-    check_hit(STRAIGHT SOLID "rotate 90*y }", (struct hit){ 4.5, { 0, 0, -1 } });
-    check_hit(STRAIGHT SOLID "rotate 90*x translate -.3*x }",
-              (struct hit){ 4.6, { .6, 0, -.8 } });
-    check_hit(STRAIGHT SOLID "translate <.2, .1, -5> }",
-              (struct hit){ 2, { 0, 0, -1 } });
-    check_hit(STRAIGHT SOLID "rotate 180*y translate -5*z }",
-              (struct hit){ 1, { 0, 0, -1 } });
-    check_hit(STRAIGHT SOLID "rotate 90*x translate -5*z }",
-              (struct hit){ .5, { 0, 0, -1 } });
-    check_hit(STRAIGHT SLOPE "}", (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
-    check_hit(STRAIGHT SLOPE "translate .4*x }", (struct hit){ 4.05, { -.6, 0, -.8 } });
-    check_hit(STRAIGHT SLOPE "translate <.9, 0, 1.2> }",
-              (struct hit){ 5.625, { -.6, 0, -.8 } });
-    check_hit(STRAIGHT SLOPE "translate -5*z }",
-              (struct hit){ .5 / .6, { .8, 0, -.6 } });
-    check_hit(STRAIGHT SLOPE "translate <-.4, 0, -5> }",
-              (struct hit){ .95, { -.6, 0, -.8 } });
-    check_hit(STRAIGHT SLOPE "scale 1000 translate 4000*z }",
-              (struct hit){ 4005 - 500 / .6, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SOLID "}", 4, 0, 0, -1);
+    check_hit(STRAIGHT SOLID "rotate 180*y }", 3, 0, 0, -1);
+    check_hit(STRAIGHT SOLID "rotate 90*y }", 4.5, 0, 0, -1);
+    check_hit(STRAIGHT SOLID "rotate 90*x translate -.3*x }", 4.6, .6, 0, -.8);
+    check_hit(STRAIGHT SOLID "translate <.2, .1, -5> }", 2, 0, 0, -1);
+    check_hit(STRAIGHT SOLID "rotate 180*y translate -5*z }", 1, 0, 0, -1);
+    check_hit(STRAIGHT SOLID "rotate 90*x translate -5*z }", .5, 0, 0, -1);
+    check_hit(STRAIGHT SLOPE "}", 5 - .5 / .6, .8, 0, -.6);
+    check_hit(STRAIGHT SLOPE "translate .4*x }", 4.05, -.6, 0, -.8);
+    check_hit(STRAIGHT SLOPE "translate <.9, 0, 1.2> }", 5.625, -.6, 0, -.8);
+    check_hit(STRAIGHT SLOPE "translate -5*z }", .5 / .6, .8, 0, -.6);
+    check_hit(STRAIGHT SLOPE "translate <-.4, 0, -5> }", .95, -.6, 0, -.8);
+    check_hit(STRAIGHT SLOPE "scale 1000 translate 4000*z }", 4005 - 500 / .6, .8, 0,
+              -.6);
 }
 
 static void check_misses(void)
@@ -109,14 +97,11 @@ static void check_tubes(void)
 {
     check_middle(STRAIGHT SOLID "open }", 0, 0);
     check_middle(STRAIGHT SOLID "open translate .6*x }", 0, 0);
-    check_hit(STRAIGHT SOLID "open rotate 90*y }", (struct hit){ 4.5, { 0, 0, -1 } });
-    check_hit(STRAIGHT SLOPE "open }", (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
-    check_hit(STRAIGHT SLOPE "open translate .4*x }",
-              (struct hit){ 5.3, { .8, 0, -.6 } });
-    check_hit(STRAIGHT SLOPE "open translate -.4*x }",
-              (struct hit){ 4.7, { .8, 0, -.6 } });
-    check_hit(STRAIGHT SLOPE "open translate -5*z }",
-              (struct hit){ .5 / .6, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SOLID "open rotate 90*y }", 4.5, 0, 0, -1);
+    check_hit(STRAIGHT SLOPE "open }", 5 - .5 / .6, .8, 0, -.6);
+    check_hit(STRAIGHT SLOPE "open translate .4*x }", 5.3, .8, 0, -.6);
+    check_hit(STRAIGHT SLOPE "open translate -.4*x }", 4.7, .8, 0, -.6);
+    check_hit(STRAIGHT SLOPE "open translate -5*z }", .5 / .6, .8, 0, -.6);
     check_middle(STRAIGHT SLOPE "open translate <-.4, 0, -5> }", 0, 0);
 }
 

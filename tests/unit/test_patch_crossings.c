@@ -78,19 +78,6 @@ TEST(pairs_of_lines)
     }
 }
 
-static void add_patch(char *text, size_t size)
-{
-    add_text(text, size, "steiner_patch { ");
-    for (int i = 0; i < 6; i++) {
-        add_text(text, size, "%s", i > 0 ? ", " : "");
-        add_point(text, size, 3);
-    }
-    if (xorshift(&traced.random) % 2)
-        for (int i = 0; i < 6; i++)
-            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights", between(.4, 2.5));
-    add_text(text, size, " } ");
-}
-
 /* Each cut by a plane; the second is clear. */
 TEST(random_patches)
 {
@@ -101,8 +88,8 @@ TEST(random_patches)
 
         for (int k = 0; k < 2; k++) {
             add_text(text, sizeof text, "intersection { ");
-            add_patch(text, sizeof text);
-            add_text(text, sizeof text, "plane { ");
+            add_steiner_patch(text, sizeof text, 3);
+            add_text(text, sizeof text, " } plane { ");
             add_point(text, sizeof text, 1);
             add_text(text, sizeof text, ", %.3f } %s }\n", between(-.3, .6),
                      k ? GLASS : "pigment { rgb .8 }");
@@ -153,7 +140,6 @@ static void add_flat(char *text, size_t size)
     add_text(text, size, "polygon { 4");
     for (int i = 0; i < 4; i++)
         add_text(text, size, ", <%.3f, %.3f>", between(-9, 9), between(-9, 9));
-    add_text(text, size, " } ");
 }
 
 /* Trees of which no ray sees anything, so that none is done, and meshes after them. */
@@ -168,10 +154,10 @@ TEST(memory)
             add_text(text, sizeof text, "intersection { %s",
                      before ? "sphere { 99*y, 9 inverse } " : "");
             if (xorshift(&traced.random) % 2)
-                add_patch(text, sizeof text);
+                add_steiner_patch(text, sizeof text, 3);
             else
                 add_flat(text, sizeof text);
-            add_text(text, sizeof text, "%s translate -30*z }\n",
+            add_text(text, sizeof text, " } %s translate -30*z }\n",
                      before ? "" : "sphere { 99*y, 9 inverse } ");
         }
         add_text(text, sizeof text, "mesh { triangle { -9, 9*x, 9*y } }\n");

@@ -146,45 +146,43 @@ TEST(pages)
     }
 }
 
+/* The clocks of the region after the first, by a clock of so many ticks. */
+static double retimed(const struct run *run, const c205_setting *setting,
+                      unsigned ticks)
+{
+    double clocks[REGIONS];
+    c205_error error;
+
+    assert_true(c205_retime(run->recording, run->model, setting, setting != NULL, ticks,
+                            clocks, REGIONS, &error));
+    return clocks[1];
+}
+
 /* In a thousand ticks a clock, whole constants give the same clocks, but for
  * what rounding up to whole clocks adds; and fractions lie between. */
 TEST(ticks)
 {
+    static const c205_setting settings[] = { { "latency.load", 15.5 },
+                                             { "latency.load", 16 } };
     struct run run;
-    c205_error error;
-    double whole[REGIONS], fine[REGIONS], low[REGIONS], between[REGIONS];
-    c205_setting setting = { "latency.load", 15.5 };
-    begin(&run, find("cyber205-2pipe-prior"), "rt/study/fit/programs/linpack.s");
-    assert_true(c205_listen(run.machine, c205_record, run.recording));
-    assert_runs(run.machine);
-    assert_true(
-        c205_retime(run.recording, run.model, NULL, 0, 1, whole, REGIONS, &error));
-    assert_true(
-        c205_retime(run.recording, run.model, NULL, 0, 1000, fine, REGIONS, &error));
-    assert_true(c205_retime(run.recording, run.model, &setting, 1, 1000, between,
-                            REGIONS, &error));
-    setting.value = 16;
-    assert_true(
-        c205_retime(run.recording, run.model, &setting, 1, 1000, low, REGIONS, &error));
-    assert_true(fabs(whole[1] - fine[1]) < .003 * whole[1]);
-    assert_true(fabs(2 * between[1] - fine[1] - low[1]) < 1);
-    assert_true(fine[1] < between[1] && between[1] < low[1]);
+
+    record(&run, "rt/study/fit/programs/linpack.s");
+    double whole = retimed(&run, NULL, 1), fine = retimed(&run, NULL, 1000);
+    double between = retimed(&run, &settings[0], 1000);
+    double low = retimed(&run, &settings[1], 1000);
+
+    assert_true(fabs(whole - fine) < .003 * whole);
+    assert_true(fabs(2 * between - fine - low) < 1);
+    assert_true(fine < between && between < low);
     finish(&run);
 }
 
 TEST(gather_in_ticks)
 {
     struct run run;
-    c205_error error;
-    double whole[REGIONS], fine[REGIONS];
-    begin(&run, find("cyber205-2pipe-prior"), "rt/study/fit/programs/gather.s");
-    assert_true(c205_listen(run.machine, c205_record, run.recording));
-    assert_runs(run.machine);
-    assert_true(
-        c205_retime(run.recording, run.model, NULL, 0, 1, whole, REGIONS, &error));
-    assert_true(
-        c205_retime(run.recording, run.model, NULL, 0, 100, fine, REGIONS, &error));
-    assert_true(whole[1] == fine[1]);
+
+    record(&run, "rt/study/fit/programs/gather.s");
+    assert_true(retimed(&run, NULL, 1) == retimed(&run, NULL, 100));
     finish(&run);
 }
 

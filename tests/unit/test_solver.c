@@ -261,11 +261,6 @@ struct factors {
     double root[ROOTS], above[ROOTS / 2];
 };
 
-static double by_chance(uint64_t *state)
-{
-    return (double)xorshift_between(state, -2000000, 2000000) / 1e6;
-}
-
 static double tiny(uint64_t *state, int least)
 {
     double power = ldexp(1, -(int)xorshift_between(state, 5, least));
@@ -273,67 +268,36 @@ static double tiny(uint64_t *state, int least)
     return xorshift(state) & 1 ? power : -power;
 }
 
-static void separate(struct factors *f, uint64_t *state)
-{
-    (void)f;
-    (void)state;
-}
+/* Which root each one is equal to, or near; pairs that are complex; roots that are whole,
+ * so that values are 0 at ends, bends and knots. */
+static const struct kind {
+    int like[ROOTS];
+    bool near, above[ROOTS / 2], whole;
+} kinds[] = {
+    { .like = { 0, 1, 2, 3 } },
+    { .like = { 0, 0, 2, 3 } },
+    { .like = { 0, 0, 2, 2 } },
+    { .like = { 0, 0, 0, 3 } },
+    { .like = { 0, 0, 0, 0 } },
+    { .like = { 0, 0, 0, 0 }, .near = true },
+    { .like = { 0, 0, 2, 3 }, .above = { true } },
+    { .like = { 0, 0, 2, 2 }, .above = { true, true } },
+    { .like = { 0, 1, 2, 3 }, .whole = true },
+};
+enum { KINDS = COUNT(kinds) };
 
-static void twice(struct factors *f, uint64_t *state)
-{
-    (void)state;
-    f->root[1] = f->root[0];
-}
-
-static void two_twice(struct factors *f, uint64_t *state)
-{
-    twice(f, state);
-    f->root[3] = f->root[2];
-}
-
-static void thrice(struct factors *f, uint64_t *state)
-{
-    twice(f, state);
-    f->root[2] = f->root[0];
-}
-
-static void four_times(struct factors *f, uint64_t *state)
-{
-    thrice(f, state);
-    f->root[3] = f->root[0];
-}
-
-static void cluster(struct factors *f, uint64_t *state)
-{
-    for (int i = 1; i < ROOTS; i++)
-        f->root[i] = f->root[0] + tiny(state, 14);
-}
-
-static void graze(struct factors *f, uint64_t *state)
-{
-    twice(f, state);
-    f->above[0] = tiny(state, 44);
-}
-
-static void graze_twice(struct factors *f, uint64_t *state)
-{
-    two_twice(f, state);
-    f->above[0] = tiny(state, 44);
-    f->above[1] = tiny(state, 44);
-}
-
-/* Exact, so that values are 0 at ends, bends and knots. */
-static void integers(struct factors *f, uint64_t *state)
+static void draw_factors(const struct kind *kind, struct factors *f, uint64_t *state)
 {
     for (int i = 0; i < ROOTS; i++)
-        f->root[i] = (double)xorshift_between(state, -3, 3);
+        f->root[i] = kind->whole
+                         ? (double)xorshift_between(state, -3, 3)
+                         : (double)xorshift_between(state, -2000000, 2000000) / 1e6;
+    for (int i = 0; i < ROOTS; i++)
+        if (kind->like[i] != i)
+            f->root[i] = f->root[kind->like[i]] + (kind->near ? tiny(state, 14) : 0);
+    for (int i = 0; i < ROOTS / 2; i++)
+        f->above[i] = kind->above[i] ? tiny(state, 44) : 0;
 }
-
-static void (*const kinds[])(struct factors *f,
-                             uint64_t *state) = { separate, twice,       two_twice,
-                                                  thrice,   four_times,  cluster,
-                                                  graze,    graze_twice, integers };
-enum { KINDS = COUNT(kinds) };
 
 /* (t - a) (t - b) + above */
 static void quadratic(double a, double b, double above, double c[3])
@@ -374,12 +338,10 @@ static void fill_touching(struct lanes *lanes, struct factors *factors,
                           double resolution, uint64_t *state)
 {
     for (int i = 0; i < LANES; i++) {
-        struct factors f = { .above = { 0 } };
+        struct factors f;
         c205_word *in = lanes->in[i];
 
-        for (int j = 0; j < ROOTS; j++)
-            f.root[j] = by_chance(state);
-        kinds[i % KINDS](&f, state);
+        draw_factors(&kinds[i % KINDS], &f, state);
         expand(&f, i & 1 ? -1 : 1, in);
         in[5] = c205_from_double(i % 16 == 7 ? 3 : -3);
         in[6] = c205_from_double(i % 16 == 7 ? -3 : 3);

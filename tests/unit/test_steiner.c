@@ -4,21 +4,9 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-static void add_patch(char *text, size_t size, double reach)
-{
-    add_text(text, size, "steiner_patch { ");
-    for (int i = 0; i < 6; i++) {
-        add_text(text, size, "%s", i > 0 ? ", " : "");
-        add_point(text, size, reach);
-    }
-    if (xorshift(&traced.random) % 2)
-        for (int i = 0; i < 6; i++)
-            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights", between(.4, 2.5));
-}
-
 static void add_shape(char *text, size_t size)
 {
-    add_patch(text, size, 3.5);
+    add_steiner_patch(text, size, 3.5);
     add_text(text, size, " ");
 }
 
@@ -31,7 +19,7 @@ TEST(distant_patches)
         char text[4096] = HEAD "camera { location -1000*z look_at 0"
                                " angle .2 }\n";
 
-        add_patch(text, sizeof text, 2);
+        add_steiner_patch(text, sizeof text, 2);
         add_text(text, sizeof text, "}");
         free(plain_frame(text));
     }

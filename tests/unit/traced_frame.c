@@ -153,6 +153,18 @@ void add_point(char *text, size_t size, double reach)
              between(-reach, reach), between(-reach, reach));
 }
 
+void add_steiner_patch(char *text, size_t size, double reach)
+{
+    add_text(text, size, "steiner_patch { ");
+    for (int i = 0; i < 6; i++) {
+        add_text(text, size, "%s", i > 0 ? ", " : "");
+        add_point(text, size, reach);
+    }
+    if (xorshift(&traced.random) % 2)
+        for (int i = 0; i < 6; i++)
+            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights", between(.4, 2.5));
+}
+
 static void add_surface(char *text, size_t size)
 {
     add_text(text, size, "pigment { %s rgb <%.3f, %.3f, %.3f> } ",

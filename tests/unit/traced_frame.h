@@ -98,6 +98,8 @@ double between(double low, double high);
 size_t among(size_t least, size_t most);
 void add_text(char *text, size_t size, const char *format, ...);
 void add_point(char *text, size_t size, double reach);
+/* Without its closing brace; every other one has weights. */
+void add_steiner_patch(char *text, size_t size, double reach);
 
 /* Scenes of six shapes each; at least a quarter of the rays must hit. */
 void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes);
