@@ -20,14 +20,12 @@ struct enclosure {
 static struct exchange_given given_of(const struct enclosure *enclosure,
                                       enum trace_mode mode)
 {
-    return (struct exchange_given){ .mode = mode,
-                                    .count = enclosure->count,
-                                    .area = enclosure->area,
-                                    .emissivity = enclosure->emissivity,
-                                    .temperature = enclosure->temperature,
-                                    .factors = enclosure->factors,
-                                    .outside = enclosure->outside,
-                                    .model = prior_model };
+    return (struct exchange_given)ON_PRIOR(.mode = mode, .count = enclosure->count,
+                                           .area = enclosure->area,
+                                           .emissivity = enclosure->emissivity,
+                                           .temperature = enclosure->temperature,
+                                           .factors = enclosure->factors,
+                                           .outside = enclosure->outside);
 }
 
 /* The same in both forms, to the bit. */

@@ -23,13 +23,10 @@ static struct trace_options some_options(enum trace_mode mode)
 {
     size_t width = some(3, 15);
 
-    return (struct trace_options){ .mode = mode,
-                                   .width = width,
-                                   .height = some(3, 12),
-                                   .queue = some(1, 80),
-                                   .band = width * some(2, 6),
-                                   .order = (enum trace_order)some(0, 2),
-                                   .model = prior_model };
+    return (struct trace_options)ON_PRIOR(.mode = mode, .width = width,
+                                          .height = some(3, 12), .queue = some(1, 80),
+                                          .band = width * some(2, 6),
+                                          .order = (enum trace_order)some(0, 2));
 }
 
 /* One after another. */

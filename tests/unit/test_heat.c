@@ -8,14 +8,9 @@ static const char balls[] = "sphere { -1.5*x, 1 } sphere { 1.5*x, 1 }";
 
 static struct heat_request usual(void)
 {
-    return (struct heat_request){ .mode = TRACE_VECTOR,
-                                  .queue = 2000,
-                                  .by = BY_PRIMITIVE,
-                                  .drawn = 16,
-                                  .repeats = 2,
-                                  .lattice = true,
-                                  .seed = 1,
-                                  .model = prior_model };
+    return (struct heat_request)ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                         .by = BY_PRIMITIVE, .drawn = 16, .repeats = 2,
+                                         .lattice = true, .seed = 1);
 }
 
 static void find(const struct scene *scene, const struct heat_request *request,

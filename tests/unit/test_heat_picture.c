@@ -34,17 +34,10 @@ static const char *const warm[] = { "default=300", "Ball=500", "Sheet=adiabatic"
 
 static struct heat_request usual(void)
 {
-    return (struct heat_request){ .mode = TRACE_VECTOR,
-                                  .queue = 2000,
-                                  .by = BY_PART,
-                                  .drawn = 64,
-                                  .repeats = 4,
-                                  .lattice = true,
-                                  .seed = 1,
-                                  .exchange = true,
-                                  .temperatures = warm,
-                                  .temperature_count = 3,
-                                  .model = prior_model };
+    return (struct heat_request)ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                         .by = BY_PART, .drawn = 64, .repeats = 4,
+                                         .lattice = true, .seed = 1, .exchange = true,
+                                         .temperatures = warm, .temperature_count = 3);
 }
 
 static struct heat_look look_of(enum heat_shown shown, const char *from)

@@ -38,14 +38,9 @@ static bool wait_on(void *context, size_t done, size_t all)
 
 static struct trace_options how(enum trace_mode mode)
 {
-    return (struct trace_options){ .mode = mode,
-                                   .order = order,
-                                   .width = WIDTH,
-                                   .height = TALL,
-                                   .queue = 2 * WIDTH,
-                                   .band = ROWS * WIDTH,
-                                   .jobs = 2,
-                                   .model = prior_model };
+    return (struct trace_options)ON_PRIOR(.mode = mode, .order = order, .width = WIDTH,
+                                          .height = TALL, .queue = 2 * WIDTH,
+                                          .band = ROWS * WIDTH, .jobs = 2);
 }
 
 static struct trace *begin(const struct scene *scene,

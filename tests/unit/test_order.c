@@ -19,15 +19,10 @@ static const char things[] = HEAD
 
 static struct trace_options options_by_chance(size_t width, size_t height)
 {
-    return (struct trace_options){
-        .mode = TRACE_VECTOR,
-        .width = width,
-        .height = height,
-        .queue = xorshift(&traced.random) % 2 ? among(1, 60) : among(1, 3000),
-        .band = among(1, width * height + 10),
-        .jobs = among(1, 3),
-        .model = prior_model,
-    };
+    return (struct trace_options)
+        ON_PRIOR(.mode = TRACE_VECTOR, .width = width, .height = height,
+                 .queue = xorshift(&traced.random) % 2 ? among(1, 60) : among(1, 3000),
+                 .band = among(1, width * height + 10), .jobs = among(1, 3));
 }
 
 static void check_same(const struct scene *scene, const struct trace_options *options,

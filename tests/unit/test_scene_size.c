@@ -135,17 +135,12 @@ static struct scene *bodies_of(int decade)
 static struct mass_figures figures_of(int decade)
 {
     const char *densities[] = { "default=2" };
-    const struct mass_request request = { .mode = TRACE_VECTOR,
-                                          .queue = 2000,
-                                          .densities = densities,
-                                          .density_count = 1,
-                                          .about = { 0, pow(10, decade), 0 },
-                                          .points = POINTS_LATTICE,
-                                          .rays = 2048,
-                                          .repeats = 8,
-                                          .seed = 1,
-                                          .jobs = 1,
-                                          .model = prior_model };
+    const struct mass_request request = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                                 .densities = densities,
+                                                 .density_count = 1,
+                                                 .about = { 0, pow(10, decade), 0 },
+                                                 .points = POINTS_LATTICE, .rays = 2048,
+                                                 .repeats = 8, .seed = 1, .jobs = 1);
     SCOPED(scene) *scene = bodies_of(decade);
     struct diagnostics reports = { 0 };
     c205_error error = { "" };

@@ -144,12 +144,10 @@ static void check_oracle(const struct found *found, const double *smooth)
 
 static struct smooth_given given_of(const struct found *found, enum trace_mode mode)
 {
-    return (struct smooth_given){ .mode = mode,
-                                  .count = found->count,
-                                  .flows = found->flows,
-                                  .variances = found->variances,
-                                  .areas = found->areas,
-                                  .model = prior_model };
+    return (struct smooth_given)ON_PRIOR(.mode = mode, .count = found->count,
+                                         .flows = found->flows,
+                                         .variances = found->variances,
+                                         .areas = found->areas);
 }
 
 static bool run(const struct found *found, enum trace_mode mode, double *smooth,

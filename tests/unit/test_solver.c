@@ -268,8 +268,8 @@ static double tiny(uint64_t *state, int least)
     return xorshift(state) & 1 ? power : -power;
 }
 
-/* Which root each one is equal to, or near; pairs that are complex; roots that are whole,
- * so that values are 0 at ends, bends and knots. */
+/* Which root each one is equal to, or near; pairs that are complex; roots that are
+ * whole, so that values are 0 at ends, bends and knots. */
 static const struct kind {
     int like[ROOTS];
     bool near, above[ROOTS / 2], whole;
