@@ -61,10 +61,7 @@ TEST(few)
     check_words(3 * PART, false);
 }
 
-TEST(many)
-{
-    check_words(PLANES_IN_MEMORY / sizeof(c205_word) + PART, true);
-}
+TEST_CALL(many, check_words(PLANES_IN_MEMORY / sizeof(c205_word) + PART, true))
 
 /* No room for a file. */
 TEST(no_folder)

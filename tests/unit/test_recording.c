@@ -259,15 +259,13 @@ static double projected(const char *model_text)
 }
 
 /* 4 x 2, 2 x 100, 2 x 1000, 30, 2 x 20 and 20 + 7, monitor 1. */
-TEST(serial)
-{
-    assert_true(projected("title t\nlike cyber720\n"
-                          "time.single 2 clk R\ntime.load 100 clk R\n"
-                          "time.store 1000 clk R\ntime.multiply 30 clk R\n"
-                          "time.add 20 clk R\nbranch.not_taken 7 clk R\n"
-                          "time.monitor 1 clk R\n")
-                == 8 + 200 + 2000 + 30 + 40 + 27 + 1);
-}
+TEST_CALL(serial,
+          assert_true(projected("title t\nlike cyber720\n"
+                                "time.single 2 clk R\ntime.load 100 clk R\n"
+                                "time.store 1000 clk R\ntime.multiply 30 clk R\n"
+                                "time.add 20 clk R\nbranch.not_taken 7 clk R\n"
+                                "time.monitor 1 clk R\n")
+                      == 8 + 200 + 2000 + 30 + 40 + 27 + 1))
 
 /* On the 6600 with one increment unit and an adder.  EX issues at 0; ELEN
  * waits for the unit and r10, 3 .. 6; EX r11 6 .. 9; ELEN 9 .. 12, issue ends
@@ -275,10 +273,9 @@ TEST(serial)
  * 34 .. 44; ADDN waits in its unit for r22, 44 .. 52; the other one for the
  * adder, 52 .. 60, issue ends at 53.  The branch waits for r24: 60 + 8 + 8 =
  * 76; EXIT issues in one more. */
-TEST(scoreboard)
-{
-    assert_true(projected("title t\nlike cdc6600\nunits.single 1 units R\n") == 77);
-}
+TEST_CALL(scoreboard,
+          assert_true(projected("title t\nlike cdc6600\nunits.single 1 units R\n")
+                      == 77))
 
 TEST(projection_models)
 {
