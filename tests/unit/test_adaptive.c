@@ -1,6 +1,7 @@
-/* test_adaptive.c - more rays for the pixels that differ from their neighbours: by
- * the plain rule these, and no others, in all forms, orders, bands the same, bit
- * for bit; what a threshold does not go with. */
+/* test_adaptive.c - adaptive sampling: the pixels that get more rays are compared with
+ * those that a plain rule chooses, over random scenes, thresholds, forms, orders and
+ * bands.  A neighbour that is not compared, a sum of another weight or a seam between
+ * bands fails here. */
 #define SMALL_FRAMES
 #include "tests/oracle/plain_adaptive.h"
 #include "tests/unit/traced_frame.h"

@@ -1,6 +1,6 @@
-/* bicubic_patch: the triangles that it becomes, against pieces cut by another
- * way: points of a piece are the patch's blossom at its parameters, normals
- * differences of the surface.
+/* test_bicubic_patches.c - the triangles that a bicubic_patch becomes are compared with
+ * pieces that its blossom cuts, over random patches, steps and flatness.  A wrong
+ * subdivision, a corner or normal of another piece, or a missing triangle fails here.
  *
  *     test_bicubic_patches [PATCHES [SEED]]
  */

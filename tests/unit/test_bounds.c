@@ -1,5 +1,6 @@
-/* Bounding spheres and boxes: no point of a solid lies outside of its own, and they
- * are not much greater than need be. */
+/* test_bounds.c - the bounding spheres and boxes of random solids are compared with
+ * points of the solids.  A bound that leaves a point outside, or is much greater than
+ * need be, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "rt/layout/bounds.h"

@@ -1,8 +1,7 @@
-/* Closed meshes, seen from inside: no ray slips out, be it aimed at points, at
- * edges or anywhere, in either form of the tracer.  As solids they have an inside,
- * and wherever a ray passes it crosses them an even number of times: of a ball
- * about the eye nothing is left that lies outside of one about it all, or inside
- * of one that it stands apart from.
+/* test_closed_meshes.c - closed meshes, seen from inside: no ray slips out, be it
+ * aimed at points, at edges or anywhere, in either form.  As solids they have an
+ * inside, which a ray crosses an even number of times.  A ray between two triangles,
+ * or a crossing that is counted twice, fails here.
  *
  *     test_closed_meshes [SCENES [SEED]]
  */

@@ -1,9 +1,7 @@
-/* test_coincident.c - which regions of a scene may coincide with a later one.
- *
- * The yields that the reader gives regions are compared with expected ones, for pairs
- * of all kinds of faces: in one place, resting on each other, and apart.  A pair that
- * is missed leaves its faces to rounding; one too many costs clocks.
- */
+/* test_coincident.c - the yields that the reader gives to the regions of a scene are
+ * compared with expected ones, for pairs of all kinds of faces: in one place, resting
+ * on each other, and apart.  A pair that is missed leaves its faces to rounding; one
+ * too many costs clocks. */
 #include "rt/scene/scene.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/unit/unit.h"

@@ -1,6 +1,7 @@
-/* Cylinders, in every formulation that the kernels know: both forms of the
- * tracer agree, and meet them where the plain tracer does and geometry says,
- * with the normals of the surfaces that are hit. */
+/* test_cylinders.c - cylinders in every formulation of the kernels: depths and normals
+ * are compared with those of geometry and of the plain tracer, over hits from outside,
+ * from inside and along the axis.  A wrong root, a missing end or a normal that leads
+ * inside fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

@@ -1,5 +1,6 @@
-/* Elementary functions of scenes: MPFR's, to the last bit, at points by chance of all
- * sizes, and at those where they are exact. */
+/* test_elementary.c - the elementary functions of scenes are compared with those of
+ * MPFR, to the last bit, at random points of all sizes and where they are exact.  A
+ * result that is rounded twice fails here. */
 #include "rt/scene/elementary.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"

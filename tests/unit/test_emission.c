@@ -1,5 +1,7 @@
 /* test_emission.c - points of surfaces, normals, weights and directions that the
- * machine makes: on the surface, outward, uniform, and by the cosine law.
+ * machine draws are compared with the surface, its area and the cosine law, over random
+ * shapes that emit.  A point off the surface, a normal that leads inside or a biased
+ * distribution fails here.
  *
  *     test_emission [TRIES [SEED]]
  */

@@ -1,5 +1,6 @@
-/* test_exchange.c - what grey surfaces exchange: known cases, and enclosures by chance beside
- * elimination in long doubles. */
+/* test_exchange.c - what grey surfaces exchange is compared with known cases and with
+ * elimination in long doubles, over random enclosures, in both forms.  A wrong
+ * coefficient of the equations or a form of its own rounding fails here. */
 #include <math.h>
 
 #include "rt/heat/exchange.h"

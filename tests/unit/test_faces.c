@@ -1,6 +1,6 @@
-/* test_faces.c - faces that coincide, or nearly, and rays that run in a face:
- * what docs/solids.md says of them.  All stages agree bit for bit, with bounds
- * and without, whichever events the vector form looks at. */
+/* test_faces.c - faces that coincide, or nearly, and rays in a face: the frames of all
+ * stages are compared with each other and with the rules of docs/solids.md.  A face
+ * that another stage shows, or an event that the vector form leaves out, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

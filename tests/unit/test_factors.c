@@ -1,5 +1,6 @@
-/* test_factors.c - areas that are seen of solids, and shape factors between
- * surfaces, by rays that the machine emits and follows: those of closed forms.
+/* test_factors.c - visible areas of solids, and shape factors between surfaces, by rays
+ * that the machine emits, are compared with closed forms.  A biased ray, a repeat that
+ * is cut in the wrong place or a row that does not close fails here.
  *
  *     test_factors [SEED]
  */

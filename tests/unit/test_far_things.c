@@ -1,5 +1,6 @@
-/* Lights, cameras, objects and textures at distances and of sizes up to 10^30: the
- * same frame in every form, with and without bounds, or an error. */
+/* test_far_things.c - lights, cameras, objects and textures at distances and of sizes
+ * up to 10^30: the frames of every form, with and without bounds, are compared with
+ * each other.  A sum that overflows in one form alone fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

@@ -1,5 +1,6 @@
-/* test_fit.c - what the fit is made from: observations, free constants, and
- * frames of fewer rays. */
+/* test_fit.c - the observations, free constants and runs of the fit are compared with
+ * values that are worked out by hand and with runs of more rays.  A wrong unit, a
+ * region that is not counted or a report at another place fails here. */
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
 #include "rt/study/fit/untouched.h"

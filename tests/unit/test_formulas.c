@@ -1,5 +1,6 @@
-/* test_formulas.c - the scene language: functions that a scene declares, by
- * chance.  What POV-Ray makes of some is in tests/language. */
+/* test_formulas.c - random functions that a scene declares are compared with their
+ * bodies as expressions of the scene, bit for bit.  A wrong operator, rank or
+ * parameter, or a later declaration that counts, fails here. */
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 

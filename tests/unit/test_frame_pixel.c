@@ -1,8 +1,7 @@
-/* test_frame_pixel.c - the queue of a pixel: in its clocks the pixel gets what it has in the
- * end, and what a timeline has of them is what the accounts have.  Its rays: at any moment
- * all vectors have the same ray in the lanes that are told, what is hit there is what the
- * picture has, and what is reflected begins where something was hit.  Under a debugger the
- * band takes what it takes without one. */
+/* test_frame_pixel.c - the queue of a pixel: its depth and the causes of its clocks
+ * are compared with the frame and its accounts, its rays in all vectors with each
+ * other and the picture, and the band under a debugger with one that runs alone.  A
+ * ray in another lane, or a queue of other clocks, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

@@ -1,6 +1,7 @@
-/* test_frame_profile.c - what a profile has of a frame, line by line of its kernels, is what
- * the frame's accounts have, region by region and cause by cause; however many bands are
- * traced at a time. */
+/* test_frame_profile.c - the profile of a frame, line by line of its kernels, is
+ * compared with the frame's accounts, region by region and cause by cause, for any
+ * number of bands at a time.  A clock of another line, or one that is lost, fails
+ * here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

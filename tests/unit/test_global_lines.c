@@ -1,5 +1,6 @@
-/* test_global_lines.c - what all surfaces of a scene send each other, from lines through
- * all of it: areas and factors of closed forms, what holds exactly, both forms bit for bit.
+/* test_global_lines.c - areas and factors from lines through a whole scene are compared
+ * with closed forms, with what holds exactly, and between both forms bit for bit.  A
+ * crossing that is counted twice or for another pair of surfaces fails here.
  *
  *     test_global_lines [SEED]
  */

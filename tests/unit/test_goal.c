@@ -1,5 +1,6 @@
-/* test_goal.c - what keeps within the goal's limits and what does not, at the
- * limits themselves.  The fit is made up. */
+/* test_goal.c - fits that are made up are compared with the limits of the goal, at the
+ * limits themselves.  A limit that is compared by another sign, or left out, fails
+ * here. */
 #include "rt/study/fit/goal.h"
 #include "tests/unit/unit.h"
 

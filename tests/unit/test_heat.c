@@ -1,5 +1,6 @@
-/* test_heat.c - rounds of heat: how many are drawn until factors are good enough, and
- * when two runs found the same. */
+/* test_heat.c - the rounds of heat are compared with the error that is asked for, and
+ * runs with each other.  A run that stops too early, or two different ones that count
+ * as the same, fail here. */
 #include "rt/heat/heat.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"

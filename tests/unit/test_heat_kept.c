@@ -1,5 +1,6 @@
-/* test_heat_kept.c - packets of heat, by rays and by lines, are kept in files: runs that
- * are stopped anywhere go on from there, and shares come together, to the same bits.
+/* test_heat_kept.c - packets of heat, by rays and by lines, that are kept in files:
+ * stopped runs and shares are compared with a run in one piece, bit for bit.  A packet
+ * that is lost, drawn twice or taken from another run fails here.
  *
  *     test_heat_kept [SEED]
  */

@@ -1,5 +1,6 @@
-/* test_heat_picture.c - pictures of flows and factors: each pixel has the value of what is
- * seen there. */
+/* test_heat_picture.c - the pixels of pictures of flows and factors are compared with
+ * the values of the surfaces that are seen there.  A value of another surface, or a
+ * scale of another unit, fails here. */
 #include <math.h>
 #include <unistd.h>
 

@@ -1,5 +1,6 @@
-/* test_heat_programs.c - which points stay, what receivers get, and gaps, by lists by chance: the
- * programs beside plain loops, both forms bit for bit. */
+/* test_heat_programs.c - the programs that choose points, sum what receivers get and
+ * count gaps are compared with plain loops, over random lists, and both forms bit for
+ * bit.  A lane that is lost where a queue ends fails here. */
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
 #include "tests/random.h"

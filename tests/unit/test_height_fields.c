@@ -1,6 +1,7 @@
-/* height_field: the triangles that it becomes, against the surface that
- * POV-Ray's documentation describes, asked for one point at a time; what is no
- * height_field.  Kinds of files: test_height_files.c.
+/* test_height_fields.c - the triangles that a height_field becomes are compared with
+ * the surface that POV-Ray's documentation describes, point by point, over random
+ * fields.  A wrong diagonal, normal or water level fails here.  Kinds of files:
+ * test_height_files.c.
  *
  *     test_height_fields [FIELDS [SEED]]
  */

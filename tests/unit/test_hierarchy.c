@@ -1,6 +1,7 @@
-/* The hierarchy over regions: whatever their bounds are, every region stands in
- * it once, under nodes whose spheres reach around it, no deeper than the
- * machine's stack. */
+/* test_hierarchy.c - the hierarchies over regions of random, equal, nested and missing
+ * bounds are compared with their rules: every region once, spheres that enclose, a
+ * depth for the machine's stack.  A region that is lost or outside its node fails here.
+ */
 #include "rt/layout/hierarchy.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/unit.h"

@@ -1,6 +1,6 @@
-/* test_kept_bands.c - frames that are stopped and gone on with: what a stopped
- * run has done is a part of the whole frame, and of a file of bands those are
- * taken that are this frame's, as whole bands in their places. */
+/* test_kept_bands.c - frames that are stopped and continued, and bands from files, are
+ * compared with whole frames.  A row that is half done, or a band of another frame or
+ * place that is taken, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

@@ -1,5 +1,6 @@
-/* test_kernel_registers.c - kernels that share registers say so, and none of
- * them reads as its own what another one has put there.
+/* test_kernel_registers.c - kernels that share registers must declare it: all programs
+ * are assembled, and traced with a check on each register.  A kernel that reads as its
+ * own what another one has put there, or saves what it does not change, fails here.
  *
  *     test_kernel_registers [SCENES [SEED]]
  */

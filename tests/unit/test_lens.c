@@ -1,5 +1,6 @@
-/* test_lens.c - a camera with a lens: in all forms the same, bit for bit, and
- * what the plain tracer sees; sharp where it is in focus; its words. */
+/* test_lens.c - a camera with a lens: frames of all forms are compared with each other
+ * and the plain tracer, and what is in focus with a pinhole's.  A sample in another
+ * place of the lens, or a focal plane at another distance, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

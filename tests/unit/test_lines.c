@@ -1,6 +1,7 @@
-/* All that is seen along lines through random solids of all shapes: the same in
- * both forms, for every queue, with bounds and without; what the plain tracer sees;
- * and the nearest is what a frame has.
+/* test_lines.c - all crossings along lines through random solids of all shapes are
+ * compared between the forms, queues and bounds, with the plain tracer, and the nearest
+ * one with a frame.  A crossing that is lost, out of order or of another body fails
+ * here.
  *
  *     test_lines [SCENES [SEED]]
  */

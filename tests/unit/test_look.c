@@ -1,6 +1,6 @@
-/* test_look.c - a frame that is looked at while it is traced: each band is shown
- * once when it is done, as it will be in the frame, and with the frame's accounts when
- * it is the last; before that its clocks rise, and pixels come. */
+/* test_look.c - a frame that is read while it is traced: the bands that are shown are
+ * compared with the frame and its accounts.  A band that is shown twice or too early,
+ * or clocks that fall, fail here. */
 #define MIDDLING_FRAMES
 #include "tests/unit/traced_frame.h"
 

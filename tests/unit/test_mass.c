@@ -1,8 +1,9 @@
-/* test_mass.c - volumes, areas, centroids and inertia of solids, from columns.
+/* test_mass.c - volumes, areas, centroids and inertia of solids, from columns, are
+ * compared with the formulas of massprops.csv.  A chord that is lost, or a moment about
+ * another axis, fails here.
  *
- * The solids of massprops.csv have formulas.  MASS_RAYS, a power of two: rays of a view
- * in all; with 2^18 errors are at most 1e-4 of a figure.
- */
+ * MASS_RAYS, a power of two: rays of a view in all; with 2^18 errors are at most 1e-4
+ * of a figure. */
 #include "base/file.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/oracle/measured.h"

@@ -1,7 +1,7 @@
-/* Meshes as they are seen from an eye: whatever point of a triangle a ray through the
- * eye goes to, the walk by windows comes to that triangle; frames are the same with
- * windows and with boxes alone, in all stages, whatever stands where, unless a triangle is
- * seen edge-on; and then in all stages, queues and orders. There are windows where they pay.
+/* test_mesh_windows.c - the walk of a mesh by windows is compared with the triangles
+ * that rays through an eye go to, and frames by windows with frames by boxes, over
+ * random meshes, eyes and lights.  A window that is too small, or used for rays that
+ * miss the eye, fails here.
  *
  *     test_mesh_windows [SCENES [SEED]]
  */

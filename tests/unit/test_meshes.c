@@ -1,5 +1,6 @@
-/* Meshes: both forms of the tracer agree with each other and the plain tracer,
- * every triangle is found, and of equals the first.
+/* test_meshes.c - meshes: the frames of both forms are compared with each other and the
+ * plain tracer, over random meshes; a triangle for each pixel must be found, and of
+ * equals the first.  A triangle that is lost or a wrong normal fails here.
  *
  *     test_meshes [SCENES [SEED]]
  */

@@ -1,4 +1,6 @@
-/* Trees with many parts as nested ones: the same solid of the same primitives. */
+/* test_nesting.c - trees with many parts are compared with the nested ones that replace
+ * them: the same solid of the same primitives, over random trees.  A part in the wrong
+ * group fails here. */
 #include "rt/layout/nesting.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"

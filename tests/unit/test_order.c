@@ -1,5 +1,6 @@
-/* test_order.c - the order in which pixels go into queues: one frame, whatever
- * the order, the frame's size, queues, bands and jobs; and tiles are tiles. */
+/* test_order.c - the frames of both orders of pixels are compared, over random sizes,
+ * queues, bands and jobs, and tiles with their definition.  A pixel that is lost or put
+ * in another place fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

@@ -1,5 +1,6 @@
-/* test_overlaps.c - the volumes that parts claim both: of boxes by chance, with faces on
- * whole numbers, beside those of the cells between them. */
+/* test_overlaps.c - the volumes that two parts share are compared with the cells
+ * between random boxes, whose faces are on whole numbers.  A pair that is left out or
+ * counted twice fails here. */
 #include <math.h>
 
 #include "rt/mass/figures.h"

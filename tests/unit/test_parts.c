@@ -1,4 +1,6 @@
-/* test_parts.c - what objects of a scene are called and made of, and how dense. */
+/* test_parts.c - the names, materials and densities of a scene's objects are compared
+ * with expected ones.  A part that is merged with another one, or a density of the
+ * wrong name, fails here. */
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"
 #include "rt/mass/units.h"

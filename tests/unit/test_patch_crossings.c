@@ -1,5 +1,7 @@
-/* A patch that is a part of a tree, or clear, has all its crossings with a
- * ray: where the nearest is cut away, or lets light pass, the next is seen. */
+/* test_patch_crossings.c - patches in trees, or clear ones, are compared with the plain
+ * tracer in all stages: where the nearest crossing is cut away, or lets light pass, the
+ * next is seen.  A crossing that is lost, or written outside its room in memory, fails
+ * here. */
 #define SMALL_FRAMES
 #include "rt/layout/program.h"
 #include "rt/layout/trees.h"

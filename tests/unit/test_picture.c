@@ -1,4 +1,6 @@
-/* test_picture.c - pictures out and back, and what must not be touched. */
+/* test_picture.c - pictures of all formats that are written and read back are compared
+ * with the frame, within the steps of their samples.  A wrong transfer curve, a lost
+ * note or an old file that a failure destroys fails here. */
 #include "rt/picture/picture.h"
 #include "tests/unit/unit.h"
 

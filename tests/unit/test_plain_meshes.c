@@ -1,6 +1,6 @@
-/* test_plain_meshes.c - where the plain tracer's lines cross meshes: points of
- * triangles there and back, closed bodies that no line slips out of, volumes in
- * closed form, more crossings than there is room for. */
+/* test_plain_meshes.c - lines that cross meshes: the plain tracer's crossings are
+ * compared with drawn points, volumes in closed form and closed bodies.  A line that
+ * slips between triangles, or a wrong normal, fails here. */
 #include "tests/unit/nets.h"
 #include "tests/unit/plain_surface.h"
 

@@ -1,6 +1,6 @@
-/* test_plain_patches.c - where the plain tracer's lines cross Steiner patches
- * and the quartics of the Roman surface and the cross-cap: answers in closed
- * form, the same surface written in two ways, there and back. */
+/* test_plain_patches.c - lines that cross Steiner patches, the Roman surface and the
+ * cross-cap: the plain tracer's crossings are compared with closed forms and with the
+ * same surface written in another way.  A lost root fails here. */
 #include "tests/unit/plain_surface.h"
 
 /* x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z */

@@ -1,6 +1,6 @@
-/* test_plain_rays.c - the plain tracer's mirrors, glass and shadows against
- * what is worked out by hand.  What the rays find is told by colours: things
- * shine by themselves, ambient light alone. */
+/* test_plain_rays.c - the plain tracer's mirrors, glass and shadows are compared with
+ * colours that are worked out by hand, of things that shine by themselves.  A wrong
+ * index, level or weight of a ray fails here. */
 #include "tests/oracle/plain_shapes.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/unit/scene_reading.h"

@@ -1,5 +1,6 @@
-/* test_plain_shapes.c - where the plain tracer's lines cross cones, quadrics
- * and tori: rays worked out by hand, volumes in closed form. */
+/* test_plain_shapes.c - lines that cross cones, quadrics and tori: the plain tracer's
+ * crossings are compared with rays that are worked out by hand and volumes in closed
+ * form.  A lost or doubled root fails here. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/unit/plain_surface.h"
 

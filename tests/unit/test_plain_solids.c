@@ -1,5 +1,6 @@
-/* test_plain_solids.c - what the plain tracer takes for the surface of a
- * solid: volumes in closed form, surfaces that coincide. */
+/* test_plain_solids.c - the surfaces that the plain tracer finds of solids are compared
+ * with volumes in closed form, also where faces coincide.  A part that counts twice, or
+ * a wrong complement, fails here. */
 #include "tests/oracle/plain_regions.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"

@@ -1,5 +1,6 @@
-/* test_plain_tracer.c - the plain tracer on scenes of one ray, whose answers
- * are worked out by hand, and the comparison of frames. */
+/* test_plain_tracer.c - the plain tracer's colours of scenes of one ray are compared
+ * with values that are worked out by hand, and frames with each other.  A term of the
+ * light that is left out fails here. */
 #include "tests/oracle/compare_pictures.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/unit/unit.h"

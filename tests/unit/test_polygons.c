@@ -1,6 +1,6 @@
-/* polygon: the triangles that it becomes, against the rule of even and odd,
- * asked for one point at a time: a point that is inside is in one triangle, one
- * that is not is in none.
+/* test_polygons.c - the triangles that a polygon becomes are compared with the even-odd
+ * rule, point by point, over random stars and grids.  A point inside that no triangle,
+ * or more than one, covers fails here.
  *
  *     test_polygons [POLYGONS [SEED]]
  */

@@ -1,5 +1,6 @@
-/* The stages side by side: all clocks belong to a part, the frames and the
- * rays are the same, and the tables add up. */
+/* test_profile.c - the profiles of the three stages are compared: the same frames and
+ * rays, parts that sum up to all clocks, tables that sum up.  A region without a part,
+ * or a row that is left out, fails here. */
 #include "tests/unit/traced_frame.h"
 
 #include "base/file.h"

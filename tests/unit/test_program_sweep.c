@@ -1,6 +1,6 @@
-/* test_program_sweep.c - the points of a sweep are those of plain runs; its line is that of
- * an independent computation, and where two programs change places is found where running
- * all values finds it. */
+/* test_program_sweep.c - the points of a sweep are compared with plain runs, its line
+ * with an independent computation, and its crossings with runs of all values.  A point
+ * of another value, or a crossing that is lost, fails here. */
 #include <glob.h>
 #include <math.h>
 

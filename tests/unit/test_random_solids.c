@@ -1,5 +1,6 @@
-/* Random solids of all shapes, half of them with faces that coincide: one
- * frame of all stages, with bounds and without, and the plain tracer's.
+/* test_random_solids.c - random solids of all shapes, half of them with faces that
+ * coincide: the frames of all stages, with bounds and without, are compared with each
+ * other and the plain tracer.  A crossing that one stage loses fails here.
  *
  *     test_random_solids [SCENES [SEED]]
  */

@@ -1,4 +1,6 @@
-/* test_recording.c - recorded runs on other models, and projections. */
+/* test_recording.c - recorded runs that are played on other models are compared with
+ * runs on these models, and projections with clocks that are worked out by hand.  A
+ * clock of another cause or region fails here. */
 #include "asm_helper.h"
 
 #include <math.h>

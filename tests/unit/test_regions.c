@@ -1,5 +1,6 @@
-/* Regions, nodes and steps as they stand in a machine's memory after a
- * layout. */
+/* test_regions.c - the regions, nodes and steps in a machine's memory are compared with
+ * the scene, and their values with those of the trees, over random solids.  A wrong
+ * kernel, link, bound or operation of a step fails here. */
 #include "tests/unit/laid_out.h"
 
 #include "rt/layout/trees.h"

@@ -1,6 +1,6 @@
-/* test_samples.c - several rays a pixel: the pixels are the means, in linear
- * light, of the frame that has a pixel for each ray; in all forms and orders the
- * same, bit for bit. */
+/* test_samples.c - several rays a pixel: the pixels are compared with the means, in
+ * linear light, of a frame that has a pixel for each ray, in all forms and orders.  A
+ * sample that is lost or weighed twice fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

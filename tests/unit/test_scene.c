@@ -1,5 +1,6 @@
-/* test_scene.c - the scene language: what a scene means.  Figures marked
- * POV-Ray were printed by POV-Ray 3.7 for the same text. */
+/* test_scene.c - the scene language: the fields of scenes are compared with expected
+ * values; those marked POV-Ray were printed by POV-Ray 3.7 for the same text.  A wrong
+ * default, operator, transform or inherited look fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "base/file.h"

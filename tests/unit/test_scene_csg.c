@@ -1,5 +1,5 @@
-/* test_scene_csg.c - the scene language: solids made of others, what passes
- * through them and what they reflect.
+/* test_scene_csg.c - the scene language: the trees, looks and interiors of solids are
+ * compared with expected ones.  A wrong operation, complement or body fails here.
  *
  * Its texts are deep, so it is slow with the leak sanitizer. */
 #include "tests/unit/scene_reading.h"

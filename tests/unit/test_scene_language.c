@@ -1,5 +1,6 @@
-/* test_scene_language.c - the scene language: values, strings, arrays,
- * conditions and loops, most of them against what POV-Ray prints. */
+/* test_scene_language.c - the scene language: values, strings, arrays, conditions and
+ * loops are compared with what POV-Ray prints, and errors with their places.  A wrong
+ * value, or an error that is reported elsewhere, fails here. */
 #include "tests/unit/scene_reading.h"
 
 static const char *said(const struct diagnostics *reports)

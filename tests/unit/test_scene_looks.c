@@ -1,5 +1,6 @@
-/* test_scene_looks.c - the scene language: looks that have names, and when what
- * they lack is told. */
+/* test_scene_looks.c - the scene language: the reports about looks with names are
+ * compared with the things that use them, over texts and random scenes.  A report
+ * without a use, or a use without a report, fails here. */
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 

@@ -1,5 +1,6 @@
-/* test_scene_loops.c - directives at every place of every list: random nests
- * of them read to the same scene as the text without any.
+/* test_scene_loops.c - random nests of directives at every place of every list are
+ * compared with the same text without any.  A directive that ends a list, or a turn
+ * that is lost, fails here.
  *
  * It reads thousands of scenes, so it is slow with the leak sanitizer. */
 #include "tests/unit/scene_reading.h"

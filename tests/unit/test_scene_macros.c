@@ -1,5 +1,6 @@
-/* test_scene_macros.c - the scene language: what macros and loops make, where
- * their errors are told to be, and that nothing goes on for ever. */
+/* test_scene_macros.c - the scene language: what macros and loops produce, and the
+ * places of their errors, are compared with expected ones.  A wrong argument, a lost
+ * call, or a text that is read without an end, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include <time.h>

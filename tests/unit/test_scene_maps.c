@@ -1,4 +1,6 @@
-/* test_scene_maps.c - the scene language: colour maps, gradients and skies. */
+/* test_scene_maps.c - the scene language: colour maps, patterns and skies are compared
+ * with expected entries.  A stop out of order, a wave that is lost or a transform that
+ * is left out fails here. */
 #include "rt/scene/transform.h"
 #include "rt/shapes/primitive.h"
 #include "tests/random.h"

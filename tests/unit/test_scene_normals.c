@@ -1,4 +1,6 @@
-/* test_scene_normals.c - the scene language: normals by patterns, and their maps. */
+/* test_scene_normals.c - the scene language: normals by patterns and their maps are
+ * compared with expected fields, along all ways to give them.  A wrong amount,
+ * transform or entry fails here. */
 #include "rt/scene/transform.h"
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"

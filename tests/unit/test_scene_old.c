@@ -1,4 +1,6 @@
-/* test_scene_old.c - syntax of old versions, each kind reported once. */
+/* test_scene_old.c - syntax of old versions: the fields of scenes and the reports are
+ * compared with expected ones.  A kind that is reported twice, or not at all, fails
+ * here. */
 #include "tests/unit/scene_reading.h"
 
 /* Scenes of two primitives with that many reports. */

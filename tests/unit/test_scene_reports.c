@@ -1,5 +1,6 @@
-/* test_scene_reports.c - the scene language: what is reported, what is an
- * error, what is too much.
+/* test_scene_reports.c - the scene language: reports and errors of short texts are
+ * compared with their places and messages.  One that is lost, elsewhere or doubled, or
+ * memory without a limit, fails here.
  *
  * Its texts are large, so it is slow with the leak sanitizer. */
 #include "tests/unit/scene_reading.h"

@@ -1,5 +1,6 @@
-/* test_scene_semicolons.c - a missing ';' is one error, directly after the
- * value, whatever follows it. */
+/* test_scene_semicolons.c - the errors of texts without a ';' are compared with one
+ * error directly after the value, whatever follows it.  A second error, or another
+ * place, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "tests/oracle/language_scene.h"

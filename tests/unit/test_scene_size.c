@@ -1,5 +1,6 @@
-/* A scene at 10^-8 to 10^8 of its size: the same picture in every form, and the same
- * distances times its size; areas, volumes and moments times its powers. */
+/* test_scene_size.c - scenes of 10^-8 to 10^8 of a size are compared with the scene of
+ * size 1: frames in every form, areas, volumes and moments times a power.  A limit that
+ * does not grow with the scene fails here. */
 #define SMALL_FRAMES
 #include "rt/heat/heat.h"
 #include "rt/mass/mass.h"

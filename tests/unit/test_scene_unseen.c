@@ -1,5 +1,6 @@
-/* Shapes of which nothing is seen: each is reported, once, and the frame is that
- * of the scene without it; in a solid it is the empty set. */
+/* test_scene_unseen.c - shapes of which nothing is seen: the reports and the frames are
+ * compared with those of the scene without them.  A shape that is reported twice, or is
+ * not the empty set in a solid, fails here. */
 #define SMALL_FRAMES
 #include "rt/shapes/primitive.h"
 #include "tests/unit/traced_frame.h"

@@ -1,6 +1,6 @@
-/* What the host works out once per primitive: the singular values of small
- * matrices, a quadric about its centre, what kind of surface a Steiner patch
- * lies on. */
+/* test_shape_words.c - what the host computes for each primitive, such as a quadric
+ * about its centre or the kind of a Steiner patch, is compared with definitions.  A
+ * wrong word, kernel or count of crossings fails here. */
 #include <math.h>
 
 #include "rt/shapes/moving_planes.h"

@@ -1,6 +1,6 @@
-/* Every row of rt/shapes/shapes.def: its descriptor is whole, its routines are
- * among the kernels of each form, a scene of the tests has one, and the plain
- * tracer finds where lines cross it and what is inside. */
+/* test_shapes.c - every row of rt/shapes/shapes.def is compared with the kernels, the
+ * scenes of the tests and the plain tracer.  A descriptor that is incomplete, or a
+ * shape without a kernel in one form, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "rt/layout/program.h"

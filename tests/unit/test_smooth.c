@@ -1,5 +1,6 @@
-/* test_smooth.c - factors smoothed: enclosures by chance beside all equations of Lagrange,
- * solved in long doubles. */
+/* test_smooth.c - smoothed factors are compared with the solution of all Lagrange
+ * equations in long doubles, over random enclosures, in both forms.  A row that does
+ * not close, or a wrong weight, fails here. */
 #include <math.h>
 
 #include "rt/heat/smooth.h"

@@ -1,6 +1,6 @@
-/* Steiner patches: both forms of the tracer agree, and meet them where
- * geometry says, also where a patch is a part of a quadric or of a plane, or
- * the ray has a case of its own. */
+/* test_steiner.c - steiner patches: the frames of both forms are compared with the
+ * plain tracer and geometry, also of patches of quadrics and planes and of rays with a
+ * case of their own.  A lost root or a gap at an edge fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 

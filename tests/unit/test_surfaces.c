@@ -1,5 +1,5 @@
-/* test_surfaces.c - surfaces, the bodies behind them, and how many levels of rays
- * come of them, as they stand in a machine's memory after a layout. */
+/* test_surfaces.c - the finishes, bodies and levels in a machine's memory are compared
+ * with the words of the scene.  A wrong field, weight or index of a body fails here. */
 #include "tests/unit/laid_out.h"
 
 #include <math.h>

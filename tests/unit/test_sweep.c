@@ -1,4 +1,6 @@
-/* test_sweep.c - the sweeps of rt205 sweep, in small frames. */
+/* test_sweep.c - the measures of rt205 sweep are compared with those of rt205 speedup,
+ * with sums of their parts and with expected crossovers, in small frames.  A clock that
+ * is lost, or a wrong length, fails here. */
 #include "rt/study/sweep/kinds.h"
 #include "rt/scene/language/scene_read.h"
 #include "tests/unit/unit.h"

@@ -1,5 +1,6 @@
-/* test_tasks.c - runs in threads: each once, in its place, with one progress
- * over all of them. */
+/* test_tasks.c - runs in threads: each must run once, in its place, with one progress
+ * over all of them.  A task that runs twice or is lost, or a progress that falls, fails
+ * here. */
 #include <time.h>
 #include <unistd.h>
 

@@ -1,4 +1,6 @@
-/* test_thermal.c - surfaces of a scene by primitive, part and material, and what they exchange. */
+/* test_thermal.c - surfaces by primitive, part and material, and what they exchange,
+ * are compared with closed forms.  A surface of the wrong group, a factor of another
+ * one or a value that is accepted though wrong fails here. */
 #include "rt/heat/source.h"
 #include "rt/heat/thermal.h"
 #include "tests/unit/prior_model.h"

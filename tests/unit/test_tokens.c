@@ -1,5 +1,6 @@
-/* The tokens of what comes again, of macros' bodies and of loops' turns, which are kept, are those
- * that a lexer reads that has kept none: wherever a body begins and ends. */
+/* test_tokens.c - the tokens that are kept of macros and loops are compared with those
+ * that a lexer reads anew, wherever a body begins and ends.  A token that is lost or of
+ * another place fails here. */
 #include "rt/scene/language/token.h"
 #include "tests/unit/unit.h"
 

@@ -1,5 +1,6 @@
-/* test_unit_file.c - units that are kept come back as they were, or not at all: what is
- * harmed, cut off or of another run is not taken; files come together. */
+/* test_unit_file.c - units that are kept in files are compared with those that were
+ * written, after cuts, flipped bits and merges.  A harmed unit that is taken, or a good
+ * one that is lost, fails here. */
 #include "rt/farm/unit_file.h"
 #include "tests/unit/unit.h"
 

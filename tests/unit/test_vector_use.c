@@ -1,4 +1,6 @@
-/* test_vector_use.c - the elements that control vectors let through. */
+/* test_vector_use.c - the counts of elements that control vectors let through are
+ * compared with those of a program whose bits are known.  An instruction that is not
+ * counted, or counted twice, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "rt/trace/vector_use.h"

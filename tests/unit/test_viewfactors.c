@@ -1,6 +1,8 @@
-/* test_viewfactors.c - factors between surfaces, of viewfactors.csv, by rays.
+/* test_viewfactors.c - factors between surfaces, by rays, are compared with those of
+ * viewfactors.csv, and the forms with each other.  A biased ray or a factor of another
+ * surface fails here.
  *
- * HEAT_POINTS, points of a primitive in each of 16 repeats; 64 unless told.  What is
+ * HEAT_POINTS, points of a primitive in each of 16 repeats; 64 by default.  What is
  * infinite in the table is long here, and its emitter is a short piece in the middle.
  */
 #include "base/file.h"

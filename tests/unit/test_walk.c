@@ -1,5 +1,6 @@
-/* Many regions under a hierarchy: the frame of the scene's own order, whatever
- * the stage and the queue.
+/* test_walk.c - many regions under a hierarchy: the frames of all stages and queues are
+ * compared with that of the scene's own order, over random scenes.  A node that is left
+ * out, or a tie that another region wins, fails here.
  *
  *     test_walk [SCENES [SEED]]
  */

@@ -1,5 +1,6 @@
-/* test_watched_kernels.c - the kernels do nothing that a program is warned of:
- * scenes are traced in every form with a watch on each band. */
+/* test_watched_kernels.c - scenes are traced in every form with the runtime checks of a
+ * program, which must report nothing.  A kernel that reads what nothing has written, or
+ * a vector that is too long, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/watch.h"
