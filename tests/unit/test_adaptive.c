@@ -200,12 +200,12 @@ TEST(random)
 {
     for (size_t i = 0; i < share_of(30); i++) {
         char text[3000] = "";
-        const struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR,
-                                                      .width = among(1, 70),
-                                                      .height = among(1, 70),
-                                                      .samples = among(2, 4),
-                                                      .threshold = exp(between(-4, 1)),
-                                                      .band = among(1, 5000));
+        struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR,
+                                                .width = among(1, 70),
+                                                .height = among(1, 70),
+                                                .samples = among(2, 4),
+                                                .threshold = exp(between(-4, 1)),
+                                                .band = among(1, 5000));
 
         add_scene(text, sizeof text);
         check_scene(text, &options);
@@ -218,10 +218,9 @@ TEST(chains)
 {
     for (int i = 0; i < 6; i++) {
         char text[3000] = "";
-        const struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 80,
-                                                      .height = 6,
-                                                      .samples = among(2, 3),
-                                                      .threshold = .3);
+        struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 80,
+                                                .height = 6, .samples = among(2, 3),
+                                                .threshold = .3);
 
         add_text(text, sizeof text,
                  "#version 3.7; global_settings { assumed_gamma 1 }\n"

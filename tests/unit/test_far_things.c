@@ -130,9 +130,9 @@ static void make_scene(void)
 static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
                               size_t queue, bool no_bounds, bool flat)
 {
-    const struct trace_options options = ON_PRIOR(.mode = mode, .width = WIDTH,
-                                                  .height = HEIGHT, .queue = queue,
-                                                  .no_bounds = no_bounds, .flat = flat);
+    struct trace_options options = ON_PRIOR(.mode = mode, .width = WIDTH,
+                                            .height = HEIGHT, .queue = queue,
+                                            .no_bounds = no_bounds, .flat = flat);
     struct words *words = calloc(1, sizeof *words);
     c205_error error = { "" };
     SCOPED(trace) *trace = trace_new(scene, &options, &error);

@@ -179,9 +179,9 @@ static void find(const struct scene *scene, const char *from, enum trace_mode mo
 TEST(scene)
 {
     SCOPED(scene) *scene = read_scene(tubes);
-    const struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
-                                                    .points = 256, .repeats = 4,
-                                                    .lattice = true, .seed = 3);
+    struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
+                                              .points = 256, .repeats = 4,
+                                              .lattice = true, .seed = 3);
     c205_error error;
     SCOPED(factors) *factors = factors_new(scene, &options, &error);
     SCOPED_VALUE(factor_row) row;
@@ -204,9 +204,8 @@ TEST(scene)
 
 static void refuses(const char *text, const char *from, const char *message)
 {
-    const struct hits_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 77,
-                                                 .points = 10, .repeats = 2,
-                                                 .from = from);
+    struct hits_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 77,
+                                           .points = 10, .repeats = 2, .from = from);
     SCOPED(scene) *scene = read_scene(text);
     SCOPED_VALUE(named_parts) parts;
     struct hits hits;

@@ -419,7 +419,7 @@ TEST(roots)
         polynomials[i].bound = C205_MACHINE_ZERO;
     }
     for (int i = 0; i < 2 * TRACE_FORMS * FALSI_RULES; i++) {
-        const struct roots_options options = ON_PRIOR(
+        struct roots_options options = ON_PRIOR(
                 .mode = (enum trace_mode)(i % TRACE_FORMS), .queue = 7,
                 .first = i / TRACE_FORMS % 2,
                 .falsi = (enum falsi)(i / TRACE_FORMS / 2));
@@ -471,10 +471,10 @@ static void emit_watched(const struct primitive *primitive)
     static const struct emission_choice choice = { .seed = 3, .m = 10 };
 
     for (int i = 0; i < 2 * TRACE_FORMS; i++) {
-        const struct emission_options options = ON_PRIOR(.mode = (enum trace_mode)(
-                                                             i % TRACE_FORMS),
-                                                         .queue = 7, .points = 200,
-                                                         .lattice = i / TRACE_FORMS);
+        struct emission_options options = ON_PRIOR(.mode = (enum trace_mode)(
+                                                       i % TRACE_FORMS),
+                                                   .queue = 7, .points = 200,
+                                                   .lattice = i / TRACE_FORMS);
         c205_error error = { "" };
         SCOPED(emission) *emission = emission_new(primitive, &options, &error);
         SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &error)

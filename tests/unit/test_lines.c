@@ -199,8 +199,8 @@ static void check_crossing(const struct seen_crossing *seen,
 static void check_form(const char *text, enum trace_mode mode, double behind,
                        size_t count, const struct expected *expected)
 {
-    const struct lines_options options = ON_PRIOR(.mode = mode, .queue = 10,
-                                                  .bodies = true, .behind = behind);
+    struct lines_options options = ON_PRIOR(.mode = mode, .queue = 10, .bodies = true,
+                                            .behind = behind);
     struct scene_line list[COPIES];
     SCOPED(scene) *scene = read_text(text);
 

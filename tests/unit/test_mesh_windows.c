@@ -511,9 +511,9 @@ TEST(known)
 static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
                           const char *variant)
 {
-    const struct trace_options options = ON_PRIOR(.mode = mode, .queue = TRACE_QUEUE,
-                                                  .width = 48, .height = 36,
-                                                  .variant = variant);
+    struct trace_options options = ON_PRIOR(.mode = mode, .queue = TRACE_QUEUE,
+                                            .width = 48, .height = 36,
+                                            .variant = variant);
     SCOPED(trace) *trace = run_trace(scene, &options);
     return trace_accounts(trace)->clocks;
 }

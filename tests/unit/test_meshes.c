@@ -206,9 +206,8 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
                             size_t queue)
 {
     enum { SIDE = 250 };
-    const struct trace_options options = ON_PRIOR(.mode = mode, .width = SIDE,
-                                                  .height = SIDE, .band = SIDE * SIDE,
-                                                  .queue = queue);
+    struct trace_options options = ON_PRIOR(.mode = mode, .width = SIDE, .height = SIDE,
+                                            .band = SIDE * SIDE, .queue = queue);
     SCOPED(trace) *trace = run_trace(scene, &options);
     return trace_checksum(trace);
 }

@@ -18,9 +18,8 @@ static struct profile profile;
 
 static void run(void)
 {
-    const struct trace_options options = ON_PRIOR(.width = WIDTH, .height = HEIGHT,
-                                                  .queue = 200, .band = 5 * WIDTH,
-                                                  .jobs = 2);
+    struct trace_options options = ON_PRIOR(.width = WIDTH, .height = HEIGHT,
+                                            .queue = 200, .band = 5 * WIDTH, .jobs = 2);
     c205_error error = { "" };
 
     REQUIRE(profile_run(&profile, scene, &options, &error));

@@ -189,7 +189,7 @@ TEST(refused)
 
 static struct iterations watched(enum trace_mode mode, size_t queue)
 {
-    const struct roots_options options = ON_PRIOR(.mode = mode, .queue = queue);
+    struct roots_options options = ON_PRIOR(.mode = mode, .queue = queue);
     struct polynomial polynomials[KNOWN];
     struct iterations iterations;
     c205_error error = { "" };

@@ -136,12 +136,11 @@ static struct scene *bodies_of(int decade)
 static struct mass_figures figures_of(int decade)
 {
     const char *densities[] = { "default=2" };
-    const struct mass_request request = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
-                                                 .densities = densities,
-                                                 .density_count = 1,
-                                                 .about = { 0, pow(10, decade), 0 },
-                                                 .points = POINTS_LATTICE, .rays = 2048,
-                                                 .repeats = 8, .seed = 1, .jobs = 1);
+    struct mass_request request = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                           .densities = densities, .density_count = 1,
+                                           .about = { 0, pow(10, decade), 0 },
+                                           .points = POINTS_LATTICE, .rays = 2048,
+                                           .repeats = 8, .seed = 1, .jobs = 1);
     SCOPED(scene) *scene = bodies_of(decade);
     struct diagnostics reports = { 0 };
     c205_error error = { "" };
@@ -180,12 +179,12 @@ TEST(masses)
 static void heat_of(int decade, double found[3])
 {
     const char *temperatures[] = { "default=300", "line 1=900" };
-    const struct heat_request request = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
-                                                 .by = BY_PRIMITIVE, .drawn = 256,
-                                                 .repeats = 4, .lattice = true,
-                                                 .seed = 1, .exchange = true,
-                                                 .temperatures = temperatures,
-                                                 .temperature_count = 1);
+    struct heat_request request = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                           .by = BY_PRIMITIVE, .drawn = 256,
+                                           .repeats = 4, .lattice = true, .seed = 1,
+                                           .exchange = true,
+                                           .temperatures = temperatures,
+                                           .temperature_count = 1);
     SCOPED(scene) *scene = bodies_of(decade);
     c205_error error = { "" };
     SCOPED_VALUE(heat) heat;

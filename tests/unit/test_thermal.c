@@ -25,10 +25,11 @@ struct study {
 
 static void find_rows(struct study *study)
 {
-    const struct factors_options options = ON_PRIOR(
-            .mode = TRACE_VECTOR, .queue = 2000, .points = 1024, .repeats = 16,
-            .lattice = true, .seed = 1, .receiver_of = study->surfaces.surface_of,
-            .receivers = study->surfaces.count);
+    struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                              .points = 1024, .repeats = 16,
+                                              .lattice = true, .seed = 1,
+                                              .receiver_of = study->surfaces.surface_of,
+                                              .receivers = study->surfaces.count);
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
     SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
@@ -164,10 +165,9 @@ TEST(flows)
 /* By lines all is counted once for both: flows add up to 0. */
 TEST(lines)
 {
-    const struct global_lines_options options = ON_PRIOR(.mode = TRACE_VECTOR,
-                                                         .queue = 2000, .lines_log = 10,
-                                                         .repeats = 16, .lattice = true,
-                                                         .seed = 1);
+    struct global_lines_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
+                                                   .lines_log = 10, .repeats = 16,
+                                                   .lattice = true, .seed = 1);
     double pi = acos(-1);
     struct study study = { .scene = read_scene(ball) };
     struct global_lines_options by_part = options;
