@@ -52,7 +52,6 @@ static void draw_patch(struct primitive *primitive)
     static const double about[STEINER_POINTS][3] = { { 1, 0, 0 },  { 0, 1, 0 },
                                                      { 0, 0, 0 },  { .5, .5, 0 },
                                                      { 0, .5, 0 }, { .5, 0, 0 } };
-
     for (int k = 0; k < STEINER_POINTS; k++) {
         for (int i = 0; i < 3; i++)
             primitive->shape.steiner_patch.points[k][i] = about[k][i] + some(-.2, .2);
@@ -73,7 +72,6 @@ static void draw_axis(double base[3], double cap[3])
 static void draw_cone(struct primitive *primitive)
 {
     double radii[2] = { some(.1, 1), some(.1, 1) };
-
     if (between(0, 2) == 0)
         radii[between(0, 1)] = 0;
     draw_axis(primitive->shape.cone.base, primitive->shape.cone.cap);
@@ -85,7 +83,6 @@ static void draw_cone(struct primitive *primitive)
 static void draw_disc(struct primitive *primitive)
 {
     double radius = some(.3, 1);
-
     some_place(primitive->shape.disc.center);
     random_direction(state, primitive->shape.disc.normal);
     primitive->shape.disc.radius = radius;
@@ -134,7 +131,6 @@ void move_shape(struct primitive *primitive, const struct placement *placement)
 static void draw_placement(struct primitive *primitive)
 {
     double scale[3], angles[3], by[3];
-
     for (int i = 0; i < 3; i++) {
         scale[i] = some(.5, 2) * (between(0, 4) == 0 ? -1 : 1);
         angles[i] = some(-180, 180);
@@ -153,7 +149,6 @@ static void draw_placement(struct primitive *primitive)
 struct primitive draw_emitting(enum primitive_kind kind, uint64_t *random)
 {
     struct primitive primitive = { .kind = kind, .line = 1 };
-
     state = random;
     draw_shape(&primitive);
     assert_null(shape_of(&primitive)->settle(&primitive));

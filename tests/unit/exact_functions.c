@@ -84,7 +84,6 @@ static void rest_of_odd(mpfr_t value, const mpfr_t square,
                         int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t))
 {
     mpfr_t s;
-
     mpfr_init2(s, DIGITS);
     mpfr_sqrt(s, square, MPFR_RNDN);
     f(value, s, MPFR_RNDN);
@@ -115,7 +114,6 @@ static void rest_of_atan(mpfr_t value, const mpfr_t square)
 static void rest_of_cos(mpfr_t value, const mpfr_t square)
 {
     mpfr_t half;
-
     mpfr_init2(half, DIGITS);
     mpfr_sqrt(value, square, MPFR_RNDN);
     mpfr_cos(value, value, MPFR_RNDN);
@@ -131,7 +129,6 @@ static void rest_of_cos(mpfr_t value, const mpfr_t square)
 static void rest_of_log2(mpfr_t value, const mpfr_t q)
 {
     mpfr_t ln2;
-
     mpfr_init2(ln2, DIGITS);
     mpfr_const_log2(ln2, MPFR_RNDN);
     if (mpfr_zero_p(q) || mpfr_get_exp(q) < -DIGITS / 2) {
@@ -165,7 +162,6 @@ static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t l
                             const mpfr_t high)
 {
     mpfr_t middle;
-
     mpfr_init2(middle, DIGITS);
     mpfr_const_pi(point, MPFR_RNDN);
     mpfr_mul_ui(point, point, 2 * i + 1, MPFR_RNDN);
@@ -183,7 +179,6 @@ static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t l
 static void divide_differences(mpfr_t values[], mpfr_t points[], size_t count)
 {
     mpfr_t width;
-
     mpfr_init2(width, DIGITS);
     for (size_t k = 1; k < count; k++) {
         for (size_t i = count - 1; i >= k; i--) {
@@ -200,7 +195,6 @@ static void multiply_out(mpfr_t coefficients[], mpfr_t differences[], mpfr_t poi
                          size_t count)
 {
     mpfr_t part;
-
     mpfr_init2(part, DIGITS);
     for (size_t k = count; k-- > 0;) {
         for (size_t i = count; i-- > 0;) {
@@ -221,7 +215,6 @@ void exact_coefficients(const struct exact_polynomial *polynomial,
 {
     mpfr_t points[EXACT_COEFFICIENTS], values[EXACT_COEFFICIENTS], low, high;
     size_t count = polynomial->count;
-
     assert(count <= EXACT_COEFFICIENTS);
     mpfr_inits2(DIGITS, low, high, (mpfr_ptr)NULL);
     polynomial->bounds(low, high);

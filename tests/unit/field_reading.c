@@ -25,7 +25,6 @@ struct scene *field_read(const char *words, const char *modifiers,
                          const struct scene_options *how, struct diagnostics *reports)
 {
     char text[1000];
-
     snprintf(text, sizeof text, "height_field { %s \"%s\" %s }", words, path,
              modifiers);
     return read_versioned("test.pov", text, how, reports);
@@ -35,7 +34,6 @@ struct scene *field_expect(const char *words, const char *modifiers)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = field_read(words, modifiers, &with_images, &reports);
-
     diagnostics_print(&reports, stderr);
     assert_non_null(scene);
     assert_int_equal(reports.count, 0);
@@ -47,7 +45,6 @@ void field_expect_fault(const char *words, const char *modifiers, size_t column,
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = field_read(words, modifiers, &with_images, &reports);
-
     if (scene || reports.count != 1 || reports.items->column != column
         || !strstr(reports.items->message, message)) {
         diagnostics_print(&reports, stderr);
@@ -60,7 +57,6 @@ bool field_shares(const struct triangle *triangle, double x, double z, double sh
     const double(*at)[3] = triangle->corners;
     double area = (at[1][0] - at[0][0]) * (at[2][2] - at[0][2])
                   - (at[2][0] - at[0][0]) * (at[1][2] - at[0][2]);
-
     for (int k = 0; k < 3; k++) {
         const double *a = at[(k + 1) % 3], *b = at[(k + 2) % 3];
         shares[k] = ((a[0] - x) * (b[2] - z) - (b[0] - x) * (a[2] - z)) / area;
@@ -71,7 +67,6 @@ bool field_shares(const struct triangle *triangle, double x, double z, double sh
 int field_meet(const struct triangles *triangles, double x, double z, double *height)
 {
     int count = 0;
-
     for (size_t i = 0; i < triangles->count; i++) {
         double shares[3];
         if (!field_shares(&triangles->list[i], x, z, shares))

@@ -36,7 +36,6 @@ static bool write_asked(const char *kernel, const struct asm_define *defines,
                         char asked[ASKED_ROOM])
 {
     size_t n = (size_t)snprintf(asked, ASKED_ROOM, "%s", kernel);
-
     for (; defines && defines->name && n < ASKED_ROOM; defines++)
         n += (size_t)snprintf(asked + n, ASKED_ROOM - n, " %s=%lld", defines->name,
                               (long long)defines->value);
@@ -55,7 +54,6 @@ static struct kept *find(const char *asked)
 static struct kept *make_room(void)
 {
     struct kept *oldest = NULL;
-
     for (size_t i = 0; i < KEPT; i++)
         if (all_kept[i].users == 0 && (!oldest || all_kept[i].used < oldest->used))
             oldest = &all_kept[i];
@@ -72,7 +70,6 @@ static struct object *assemble(const char *kernel, const struct asm_define *defi
     char asked[ASKED_ROOM];
     bool told = write_asked(kernel, defines, asked);
     struct kept *kept = told ? find(asked) : NULL;
-
     if (!kept) {
         struct object *object = __real_program_assemble(kernel, defines, error);
         kept = object && told ? make_room() : NULL;

@@ -33,7 +33,6 @@ static void add_kernels(struct places *places, const struct shape_kernels *kerne
 static struct places all_places(void)
 {
     struct places places = { .count = 0 };
-
     add_place(&places, "transformed");
     add_place(&places, "unseen");
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
@@ -61,7 +60,6 @@ static struct object *stage_program(void)
                                 "        .include \"light/interior.s\"\n"
                                 "        .entry first\nfirst:  EXIT\n"
                                 "        .data\n");
-
     for (size_t i = 0; i < places.count; i++)
         end += sprintf(end, "%s: .word 0\n", places.names[i]);
     struct object *program = assemble_text("stage", text, &how, &errors);
@@ -77,7 +75,6 @@ struct stage stage_of(const char *text, enum bounding bounding)
     struct stage stage = { .scene = read_scene(text),
                            .program = stage_program(),
                            .machine = c205_new(prior_model, &error) };
-
     stage.layout = layout_new(stage.program, stage.scene, bounding, NULL, NULL, &error);
     if (!stage.machine || !stage.layout
         || !c205_load(stage.machine, &stage.program->program, &error)
@@ -97,7 +94,6 @@ void stage_free(struct stage *stage)
 uint64_t symbol(const struct stage *stage, const char *name)
 {
     const struct asm_symbol *found = object_symbol(stage->program, name);
-
     if (!found)
         fail_msg("no symbol %s", name);
     return (uint64_t)found->value;
@@ -106,7 +102,6 @@ uint64_t symbol(const struct stage *stage, const char *name)
 c205_word stage_word(const struct stage *stage, uint64_t address)
 {
     c205_word word;
-
     assert_true(c205_read(stage->machine, address, &word, 1));
     return word;
 }
@@ -120,7 +115,6 @@ c205_word field_of(const struct stage *stage, uint64_t first, const char *size,
                    size_t i, const char *name)
 {
     uint64_t words = symbol(stage, size) * i + symbol(stage, name);
-
     return stage_word(stage, first + 64 * words);
 }
 
@@ -153,7 +147,6 @@ void check_numbers(const struct stage *stage, size_t i, const char *name,
                    const double *expected, size_t count)
 {
     uint64_t first = primitive_at(stage, i) + 64 * symbol(stage, name);
-
     for (size_t k = 0; k < count; k++)
         assert_number(stage_word(stage, first + 64 * k), expected[k]);
 }

@@ -7,7 +7,6 @@
 size_t net_point(struct net *net, const double point[3])
 {
     size_t i = 0;
-
     while (i < net->point_count
            && memcmp(net->points[i], point, sizeof *net->points) != 0)
         i++;
@@ -20,7 +19,6 @@ size_t net_point(struct net *net, const double point[3])
 void net_face(struct net *net, size_t a, size_t b, size_t c)
 {
     size_t *face = net->faces[net->face_count++];
-
     assert_true(net->face_count <= NET_FACES);
     face[0] = a;
     face[1] = b;
@@ -38,7 +36,6 @@ static void clear(struct net *net)
 static bool are_apart(const struct net *net, size_t a, size_t b, double distance)
 {
     double way[3];
-
     add_scaled(way, net->points[a], -1, net->points[b]);
     return fabs(sqrt(dot(way, way)) - distance) < 1e-9;
 }
@@ -59,7 +56,6 @@ static void take_octahedron(struct net *net)
     for (int axis = 0; axis < 3; axis++)
         for (int sign = -1; sign <= 1; sign += 2) {
             double point[3] = { 0, 0, 0 };
-
             point[axis] = sign;
             net_point(net, point);
         }
@@ -69,11 +65,9 @@ static void take_octahedron(struct net *net)
 static void take_icosahedron(struct net *net)
 {
     double golden = (1 + sqrt(5)) / 2;
-
     for (int axis = 0; axis < 3; axis++)
         for (int signs = 0; signs < 4; signs++) {
             double point[3] = { 0, 0, 0 };
-
             point[axis] = signs & 1 ? 1 : -1;
             point[(axis + 1) % 3] = signs & 2 ? golden : -golden;
             net_point(net, point);
@@ -92,7 +86,6 @@ static size_t point_of_side(struct net *net, int axis, double at, double across,
                             double along)
 {
     double point[3];
-
     point[axis] = at;
     point[(axis + 1) % 3] = across - fabs(at);
     point[(axis + 2) % 3] = along - fabs(at);
@@ -103,11 +96,9 @@ static void add_side(struct net *net, int axis, double at, size_t squares,
                      uint64_t *random)
 {
     double step = 2 * fabs(at) / (double)squares;
-
     for (size_t i = 0; i < squares; i++)
         for (size_t j = 0; j < squares; j++) {
             size_t corners[4];
-
             for (size_t k = 0; k < 4; k++)
                 corners[k] = point_of_side(net, axis, at,
                                            step * (double)(i + (k == 1 || k == 2)),
@@ -148,14 +139,12 @@ void net_sheet(struct net *net, size_t squares, double height, uint64_t *random)
 void net_fan(struct net *net, size_t blades, double around, double height)
 {
     double middle[3] = { 0, height, 0 };
-
     clear(net);
     net_point(net, middle);
     for (size_t i = 0; i <= blades; i++) {
         double turn = 2 * PI * around * (double)i / (double)blades;
         double point[3] = { cos(turn), 0, sin(turn) };
         size_t at = net_point(net, point);
-
         if (i > 0)
             net_face(net, 0, at - 1, at);
     }
@@ -164,7 +153,6 @@ void net_fan(struct net *net, size_t blades, double around, double height)
 static void add_apart(struct net *net, bool slender, uint64_t *random)
 {
     double corners[3][3], middle[3];
-
     random_direction(random, middle);
     for (int k = 0; k < 3; k++) {
         random_direction(random, corners[k]);
@@ -190,7 +178,6 @@ void net_soup(struct net *net, size_t count, bool slender, uint64_t *random)
 static size_t middle_of(struct net *net, size_t a, size_t b)
 {
     double middle[3];
-
     for (int i = 0; i < 3; i++)
         middle[i] = (net->points[a][i] + net->points[b][i]) / 2;
     return net_point(net, middle);
@@ -199,13 +186,11 @@ static size_t middle_of(struct net *net, size_t a, size_t b)
 void net_divide(struct net *net)
 {
     size_t count = net->face_count;
-
     for (size_t i = 0; i < count; i++) {
         size_t *face = net->faces[i];
         size_t a = face[0], b = face[1], c = face[2];
         size_t ab = middle_of(net, a, b), bc = middle_of(net, b, c);
         size_t ca = middle_of(net, c, a);
-
         net_face(net, a, ab, ca);
         net_face(net, ab, b, bc);
         net_face(net, ca, bc, c);
@@ -220,7 +205,6 @@ void net_stretch(struct net *net, double low, double high, double grain,
 {
     for (size_t i = 0; i < net->point_count; i++) {
         double factor = number_between(random, low, high);
-
         if (grain != 0)
             factor = grain * round(factor / grain);
         scale_by(net->points[i], factor);
@@ -251,7 +235,6 @@ void net_move(struct net *net, double scale, const double by[3])
 static void exchange(size_t *a, size_t *b)
 {
     size_t kept = *a;
-
     *a = *b;
     *b = kept;
 }
@@ -261,7 +244,6 @@ void net_shuffle(struct net *net, uint64_t *random)
     for (size_t i = net->face_count; i > 0; i--) {
         size_t *face = net->faces[i - 1];
         size_t *other = net->faces[xorshift(random) % i];
-
         for (size_t k = 0; k < 3; k++)
             exchange(&face[k], &other[k]);
         exchange(&face[0], &face[xorshift(random) % 3]);
@@ -271,12 +253,10 @@ void net_shuffle(struct net *net, uint64_t *random)
 static void face_normal(const struct net *net, const size_t face[3], double normal[3])
 {
     double edges[2][3];
-
     for (int k = 0; k < 2; k++)
         add_scaled(edges[k], net->points[face[1 + k]], -1, net->points[face[0]]);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-
         normal[i] = edges[0][j] * edges[1][k] - edges[0][k] * edges[1][j];
     }
 }
@@ -288,7 +268,6 @@ static void add_normals(struct net *net)
     for (size_t i = 0; i < net->face_count; i++) {
         const size_t *face = net->faces[i];
         double normal[3];
-
         face_normal(net, face, normal);
         if (dot(normal, net->points[face[0]]) < 0)
             scale_by(normal, -1);
@@ -302,7 +281,6 @@ void net_smooth(struct net *net, double lean, uint64_t *random)
     add_normals(net);
     for (size_t i = 0; i < net->point_count; i++) {
         double by[3];
-
         random_direction(random, by);
         normalise(net->normals[i]);
         add_scaled(net->normals[i], net->normals[i], lean, by);
@@ -327,7 +305,6 @@ void net_mesh_text(const struct net *net, char *text, size_t size)
         for (int k = 0; k < 3; k++) {
             size_t at = net->faces[i][k];
             const char *behind = k < 2 ? ", " : "}\n";
-
             add_vector(text, size, net->points[at], net->smooth ? ", " : behind);
             if (net->smooth)
                 add_vector(text, size, net->normals[at], behind);
@@ -372,7 +349,6 @@ void net_text(const struct net *net, char *text, size_t size, uint64_t *random)
 void net_primitive(const struct net *net, struct primitive *primitive)
 {
     struct triangles *triangles = &primitive->shape.mesh.triangles;
-
     memset(primitive, 0, sizeof *primitive);
     primitive->kind = PRIMITIVE_MESH;
     triangles->count = net->face_count;
@@ -381,7 +357,6 @@ void net_primitive(const struct net *net, struct primitive *primitive)
     for (size_t i = 0; i < net->face_count; i++)
         for (int k = 0; k < 3; k++) {
             size_t at = net->faces[i][k];
-
             triangles->list[i].smooth = net->smooth;
             copy(triangles->list[i].corners[k], net->points[at]);
             copy(triangles->list[i].normals[k], net->normals[at]);

@@ -5,7 +5,6 @@
 struct moment moment_of(const c205 *machine, uint64_t watched)
 {
     struct moment moment = { .pc = c205_pc(machine), .clock = c205_clock(machine) };
-
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         moment.registers[i] = c205_register(machine, i);
     c205_read(machine, watched, &moment.watched, 1);
@@ -18,7 +17,6 @@ struct plain run_plainly(struct object *object, uint64_t *random_state)
     c205_error error;
     SCOPED(c205) *machine = c205_new(prior_model, &error);
     c205_stop stop;
-
     assert_non_null(object);
     const c205_segment *last = &object->program
                                     .segments[object->program.segment_count - 1];
@@ -37,7 +35,6 @@ struct plain run_plainly(struct object *object, uint64_t *random_state)
 const char *plain_region(const struct plain *plain, uint64_t pc)
 {
     const c205_program *program = &plain->object->program;
-
     for (size_t i = 0; i < program->region_count; i++)
         if (pc >= program->regions[i].begin && pc < program->regions[i].end)
             return program->regions[i].name;

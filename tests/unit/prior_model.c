@@ -8,7 +8,6 @@ c205_model *prior_model;
 int set_up_model(STATE)
 {
     c205_error error;
-
     prior_model = c205_model_find("cyber205-2pipe-prior", &error);
     return !prior_model;
 }

@@ -40,7 +40,6 @@ static void put_list(struct making *making, const char *format, va_list argument
 {
     struct sink sink = text_buffer_sink(&making->text);
     char text[200];
-
     if (making->silent > 0)
         return;
     vsnprintf(text, sizeof text, format, arguments);
@@ -71,7 +70,6 @@ static void direct(struct making *making, const char *format, ...)
 static double direct_number(struct making *making, size_t depth)
 {
     double before = making->value;
-
     making->silent += !making->written;
     double value = number(making, depth);
     making->silent -= !making->written;
@@ -92,7 +90,6 @@ static void carry_out(struct making *making, enum place place, uint64_t seed,
 {
     uint64_t state = making->state;
     size_t variables = making->variables;
-
     making->state = seed;
     if (place == NUMBER)
         making->value = number(making, depth);
@@ -107,7 +104,6 @@ static bool carry_out_broken(struct making *making, enum place place, uint64_t s
                              size_t depth)
 {
     bool breakable = making->breakable;
-
     making->breakable = true;
     carry_out(making, place, seed, depth);
     making->breakable = breakable;
@@ -129,7 +125,6 @@ static void carry_out_branch(struct making *making, enum place place, uint64_t s
 static void inside(struct making *making, enum place place, size_t depth)
 {
     bool breakable = making->breakable;
-
     making->breakable = false;
     carry_out(making, place, new_seed(making), depth);
     making->breakable = breakable;
@@ -140,7 +135,6 @@ static void inside(struct making *making, enum place place, size_t depth)
 static bool condition(struct making *making, size_t depth)
 {
     size_t sign = below(making, 3);
-
     direct(making, "(");
     double a = direct_number(making, depth);
     direct(making, "%c", "=<>"[sign]);
@@ -162,7 +156,6 @@ static void put_for(struct making *making, enum place place, size_t depth)
     double step = steps[which], start = (double)below(making, 4);
     size_t variable = new_variable(making, start);
     uint64_t seed = new_seed(making);
-
     direct(making, "#for (V%zu, %g, %g", variable, start,
            start + step * ((double)turns - 1));
     direct(making, which > 0 ? ", %g)\n" : ")\n", step);
@@ -180,7 +173,6 @@ static void put_while(struct making *making, enum place place, size_t depth)
     size_t turns = turns_of(making, place);
     size_t first = below(making, 2); /* it counts before the body */
     uint64_t seed = new_seed(making);
-
     size_t variable = new_variable(making, 0);
     direct(making, "#local V%zu = 0; #while (V%zu < %zu)\n", variable, variable, turns);
     for (size_t i = 0; i < (making->written ? 1 : turns); i++) {
@@ -201,7 +193,6 @@ static void put_if(struct making *making, enum place place, size_t depth)
     size_t more = below(making, 2); /* #elseif */
     bool otherwise = place == NUMBER || below(making, 2);
     bool chosen = false, broken = false;
-
     for (size_t i = 0; i <= more; i++) {
         direct(making, i == 0 ? "#if " : " #elseif ");
         bool holds = condition(making, depth / 2);
@@ -213,7 +204,6 @@ static void put_if(struct making *making, enum place place, size_t depth)
     direct(making, otherwise ? " #else " : " ");
     if (otherwise) {
         uint64_t seed = new_seed(making);
-
         if (making->written || !chosen)
             carry_out_branch(making, place, seed, depth, &broken);
     }
@@ -226,7 +216,6 @@ static bool put_case(struct making *making, double value)
 {
     double low = (double)below(making, 5);
     size_t width = below(making, 3);
-
     if (width == 0)
         direct(making, " #case (%g)\n", low);
     else
@@ -238,14 +227,12 @@ static void put_switch(struct making *making, enum place place, size_t depth)
 {
     size_t cases = below(making, 4);
     bool one = place == NUMBER, chosen = false, done = false;
-
     direct(making, "#switch (");
     double value = direct_number(making, depth / 2);
     direct(making, ")");
     for (size_t i = 0; i < cases; i++) {
         bool fits = put_case(making, value), ends = one || below(making, 2);
         uint64_t seed = new_seed(making);
-
         chosen = chosen || fits;
         if (making->written || (chosen && !done))
             done = carry_out_broken(making, place, seed, depth) || (chosen && ends)
@@ -254,7 +241,6 @@ static void put_switch(struct making *making, enum place place, size_t depth)
     }
     if (one || below(making, 2)) {
         uint64_t seed = new_seed(making);
-
         direct(making, " #else\n");
         if (making->written || !done)
             carry_out_broken(making, place, seed, depth);
@@ -267,7 +253,6 @@ static void put_macro(struct making *making, enum place place, size_t depth)
     size_t calls = place == NUMBER ? 1 : below(making, 3);
     size_t variable = new_variable(making, 0), name = making->macros++;
     uint64_t seed = new_seed(making);
-
     direct(making, "#macro M%zu(V%zu) ", name, variable);
     if (making->written)
         carry_out_broken(making, place, seed, depth);
@@ -296,7 +281,6 @@ static void put_local(struct making *making, size_t depth)
 static void put_break(struct making *making)
 {
     bool holds = true, alone = below(making, 4) == 0;
-
     if (!alone) {
         direct(making, "#if ");
         holds = condition(making, 0);
@@ -308,7 +292,6 @@ static void put_break(struct making *making)
 static void put_directive(struct making *making, enum place place, size_t depth)
 {
     size_t count = place == NUMBER ? 5 : making->breakable ? 7 : 6;
-
     switch (below(making, count)) {
     case 0: put_for(making, place, depth); break;
     case 1: put_while(making, place, depth); break;
@@ -327,7 +310,6 @@ static double plain_number(struct making *making)
 {
     size_t which = below(making, making->variables + 2);
     double value = (double)below(making, 5);
-
     if (which >= making->variables)
         put(making, "%g ", value);
     else if (making->written)
@@ -340,7 +322,6 @@ static double plain_number(struct making *making)
 static double sum(struct making *making, size_t depth)
 {
     double before = making->value;
-
     put(making, "(");
     double first = plain_number(making);
     making->value = first;
@@ -356,7 +337,6 @@ static void put_vector(struct making *making, size_t depth)
     bool looped = below(making, 2);
     uint64_t seed = new_seed(making);
     size_t variable = new_variable(making, 0);
-
     put(making, "<");
     if (looped)
         direct(making, "#for (V%zu, 0, 2) ", variable);
@@ -381,7 +361,6 @@ static void put_vector(struct making *making, size_t depth)
 static double number(struct making *making, size_t depth)
 {
     bool breakable = making->breakable;
-
     if (depth == 0)
         return plain_number(making);
     switch (below(making, 4)) {
@@ -509,7 +488,6 @@ static void put_modifier(struct making *making, size_t depth)
 {
     static const char *const words[] = { "translate", "rotate" };
     size_t which = below(making, 4);
-
     if (which < COUNT(words))
         put_word(making, words[which], depth);
     else if (which == 2)
@@ -529,7 +507,6 @@ static void put_layer(struct making *making, size_t depth)
 static void put_share(struct making *making, size_t depth)
 {
     static const char *const words[] = { "ambient", "diffuse", "phong" };
-
     put(making, "%s abs(", words[below(making, COUNT(words))]);
     number(making, depth);
     put(making, ") ");
@@ -540,7 +517,6 @@ static void put_term(struct making *making, size_t depth)
 {
     double before = making->value;
     bool added = below(making, 2);
-
     put(making, added ? "+ " : "- ");
     double value = number(making, depth);
     making->value = added ? before + value : before - value;
@@ -561,7 +537,6 @@ static void put_item(struct making *making, enum place place, size_t depth)
 static void list(struct making *making, enum place place, size_t depth)
 {
     size_t count = below(making, 4);
-
     for (size_t i = 0; i < count && !making->broken; i++)
         if (depth > 0 && below(making, 3) > 0)
             put_directive(making, place, depth - 1);
@@ -572,7 +547,6 @@ static void list(struct making *making, enum place place, size_t depth)
 struct text_buffer random_nest(uint64_t seed, bool written)
 {
     struct making making = { .written = written, .state = seed };
-
     list(&making, OBJECTS, DEPTH);
     put(&making, " ");
     assert_false(making.text.failed);

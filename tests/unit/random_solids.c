@@ -11,21 +11,18 @@ size_t below(size_t count)
 double size_between(double low, double high)
 {
     double size = between(low, high);
-
     return solids.gridded ? ceil(4 * size) / 4 : size;
 }
 
 double place_between(double low, double high)
 {
     double place = between(low, high);
-
     return solids.gridded ? round(4 * place) / 4 : place;
 }
 
 double angle(void)
 {
     double degrees = between(-90, 90);
-
     return solids.gridded ? 90 * round(degrees / 90) : degrees;
 }
 
@@ -34,7 +31,6 @@ double angle(void)
 static void add_color(char *text, size_t size)
 {
     double filter = solids.clear && below(2) ? between(0, .7) : 0;
-
     add_text(text, size, "%s rgbft <%.3f, %.3f, %.3f, %.3f, %.3f> ",
              below(3) ? "" : "checker", between(0, 1), between(0, 1), between(0, 1),
              filter, filter / 3);
@@ -44,7 +40,6 @@ static void add_color(char *text, size_t size)
 void add_gradient(char *text, size_t size)
 {
     double at = between(-.1, .4);
-
     add_text(text, size, "gradient ");
     add_point(text, size, 1);
     add_text(text, size, " color_map { ");
@@ -70,7 +65,6 @@ static void add_gloss(char *text, size_t size)
     };
     size_t count = COUNT(glosses);
     size_t which = strlen(text) % (4 * count);
-
     if (which < (solids.clear ? count / 2 : count))
         add_text(text, size, "%s", glosses[which]);
 }
@@ -174,7 +168,6 @@ static void add_quadric(char *text, size_t size)
 static void add_lathe(char *text, size_t size, double large, double small)
 {
     bool open = strlen(text) % 4 == 0;
-
     add_text(text, size,
              "lathe { %d, %s<%.4f, -%.4f>, <%.4f, -%.4f>, <%.4f, %.4f>, "
              "<%.4f, %.4f>, <%.4f, %.4f>%s ",
@@ -186,7 +179,6 @@ static void add_lathe(char *text, size_t size, double large, double small)
 static void add_torus(char *text, size_t size)
 {
     double major = size_between(.6, 1), minor = size_between(.15, .4);
-
     if (strlen(text) % 3 == 0)
         add_lathe(text, size, major, minor);
     else
@@ -214,7 +206,6 @@ static void add_prism(char *text, size_t size)
     double x = size_between(.4, 1.1), z = size_between(.4, 1.1);
     bool curved = strlen(text) % 3 == 0;
     char end[40] = "", start[40] = "6";
-
     if (curved) {
         snprintf(start, sizeof start, "8, <-%.4f, 0>", x);
         snprintf(end, sizeof end, ", <-%.4f, -%.4f>", x, z);
@@ -243,7 +234,6 @@ static void add_mesh(char *text, size_t size)
 {
     double x = size_between(.3, 1), y = place_between(-.5, 1);
     double z = size_between(.3, 1);
-
     add_text(text, size,
              "mesh { triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, %.4f> }"
              " triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, -%.4f> }"
@@ -278,7 +268,6 @@ static void add_clip(char *text, size_t size)
 static bool add_blob(char *text, size_t size)
 {
     uint64_t kept = traced.random;
-
     traced.random = kept * 7 + 3;
     for (int i = 0; i < 8; i++)
         below(2);
@@ -304,7 +293,6 @@ static void add_leaf(char *text, size_t size)
         add_prism, add_quartic, add_elliptical_torus, add_patch
     };
     size_t kinds = COUNT(add_shape) - !solids.patches;
-
     if (solids.meshes && below(8) == 0)
         add_mesh(text, size);
     else {
@@ -325,7 +313,6 @@ static void add_leaf(char *text, size_t size)
 static void add_again(char *text, size_t size, size_t from)
 {
     FREED char *copy = malloc(size);
-
     assert_non_null(copy);
     strcpy(copy, text + from);
     add_text(text, size, "%s", copy);
@@ -334,10 +321,8 @@ static void add_again(char *text, size_t size, size_t from)
 static void add_children(char *text, size_t size, size_t depth)
 {
     size_t children = 2 + below(2), last = strlen(text);
-
     for (size_t i = 0; i < children; i++) {
         size_t from = strlen(text);
-
         if (i > 0 && solids.gridded && below(6) == 0)
             add_again(text, size, last);
         else
@@ -397,7 +382,6 @@ static void write_solids_with(char *text, size_t size, shape_words *add_shape)
 {
     static const char *const joined[] = { "difference", "intersection", "merge",
                                           "union" };
-
     add_text(text, size,
              "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
              "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
@@ -415,7 +399,6 @@ static void write_solids_with(char *text, size_t size, shape_words *add_shape)
 void check_solids_with(void (*add_shape)(char *text, size_t size))
 {
     static char text[1 << 16];
-
     text[0] = '\0';
     write_solids_with(text, sizeof text, add_shape);
     FREED struct words *words = plain_frame(text);

@@ -20,7 +20,6 @@ const struct scene_options with_images = { .width = 640,
 void write_bytes(const char *path, const char *bytes, size_t count)
 {
     FILE *file = fopen(path, "wb");
-
     assert_non_null(file);
     assert_int_equal(fwrite(bytes, 1, count, file), count);
     assert_int_equal(fclose(file), 0);
@@ -44,7 +43,6 @@ struct scene *read_versioned(const char *name, const char *text,
                              struct diagnostics *reports)
 {
     FREED char *versioned = malloc(strlen(VERSION) + strlen(text) + 1);
-
     assert_non_null(versioned);
     strcpy(versioned, VERSION);
     strcat(versioned, text);
@@ -59,7 +57,6 @@ struct scene *read_with(const char *text, size_t expected)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
-
     if (!scene || reports.count != expected) {
         diagnostics_print(&reports, stderr);
         fail_msg("%zu reports, expected %zu: %s", reports.count, expected, text);
@@ -89,7 +86,6 @@ void assert_error(const char *text, const struct scene_options *how, size_t line
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, how, &reports);
     const struct diagnostic *report = reports.items;
-
     if (scene || reports.count != 1 || report->severity != SEVERITY_ERROR
         || report->line != line || report->column != column
         || !strstr(report->message, message)) {
@@ -110,7 +106,6 @@ void assert_refused(const char *text, size_t most, const char *message)
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
     bool said = false;
-
     for (size_t i = 0; i < reports.count; i++)
         said = said || strstr(reports.items[i].message, message);
     if (scene || !said || reports.count > most) {

@@ -8,13 +8,11 @@
 static size_t add_prism_loop(char *text, size_t size, double x, double z, double reach)
 {
     size_t corners = 3 + below(8);
-
     for (size_t i = 0; i <= corners; i++) {
         static double first[2];
         double angle = 2 * acos(-1) * ((double)i + between(-.3, .3)) / (double)corners;
         double radius = reach * between(.3, 1);
         double point[2] = { x + radius * cos(angle), z + radius * sin(angle) };
-
         if (i == 0)
             memcpy(first, point, sizeof first);
         if (i == corners)
@@ -28,7 +26,6 @@ static size_t add_prism_loop(char *text, size_t size, double x, double z, double
 static size_t add_prism_tangle(char *text, size_t size)
 {
     size_t corners = 3 + below(9);
-
     for (size_t i = 0; i < corners; i++)
         add_text(text, size, ", <%.6f, %.6f>", between(-1, 1), between(-1, 1));
     return corners;
@@ -39,11 +36,9 @@ static size_t add_prism_comb(char *text, size_t size)
 {
     size_t teeth = 2 + below(10);
     double step = 2. / (double)teeth, depth = between(-.4, .6);
-
     add_text(text, size, ", <-1, -.7>");
     for (size_t i = 0; i < teeth; i++) {
         double x = -1 + step * (double)i;
-
         add_text(text, size, ", <%.6f, .7>, <%.6f, .7>, <%.6f, %.6f>, <%.6f, %.6f>", x,
                  x + .5 * step, x + .6 * step, -depth, x + step, -depth);
     }
@@ -55,7 +50,6 @@ void add_prism(char *text, size_t size, bool tangles)
 {
     char path[4000] = "";
     size_t count = 0, sort = below(3 + tangles);
-
     if (sort == 3)
         count = add_prism_tangle(path, sizeof path);
     else if (sort == 2)
@@ -91,11 +85,9 @@ static size_t add_spline_loop(char *text, size_t size, double x, double z, doubl
 {
     double corners[CORNERS_MOST][2];
     size_t count = 3 + below(5);
-
     for (size_t i = 0; i < count; i++) {
         double angle = 2 * acos(-1) * ((double)i + between(-.3, .3)) / (double)count;
         double radius = reach * between(.4, 1);
-
         corners[i][0] = x + radius * cos(angle);
         corners[i][1] = z + radius * sin(angle);
     }
@@ -116,7 +108,6 @@ static size_t add_spline_tangle(char *text, size_t size)
 {
     double corners[CORNERS_MOST][2];
     size_t count = 3 + below(CORNERS_MOST - 2);
-
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 2; k++)
             corners[i][k] = between(-1, 1);
@@ -127,7 +118,6 @@ void add_quadratic_prism(char *text, size_t size, bool tangles)
 {
     char path[4000] = "";
     size_t count = 0;
-
     if (tangles && below(4) == 0)
         for (size_t loops = 1 + below(2); loops > 0; loops--)
             count += add_spline_tangle(path, sizeof path);
@@ -149,7 +139,6 @@ static size_t add_lathe_profile(char *text, size_t size)
     size_t corners = 2 + below(9), count = corners;
     double height = -1, radius = between(.1, 1);
     bool level = below(3) > 0;
-
     if (level) {
         add_text(text, size, ", <0, %.4f>", height);
         count++;
@@ -173,12 +162,10 @@ static size_t add_lathe_loop(char *text, size_t size)
     size_t corners = 3 + below(6);
     double first[2] = { 0, 0 };
     bool closed = below(4) > 0;
-
     for (size_t i = 0; i < corners; i++) {
         double turn = 2 * acos(-1) * ((double)i + between(-.3, .3)) / (double)corners;
         double reach = between(.2, .5);
         double point[2] = { fmax(0, .45 + reach * cos(turn)), 1.6 * reach * sin(turn) };
-
         if (i == 0)
             memcpy(first, point, sizeof first);
         add_text(text, size, ", <%.6f, %.6f>", point[0], point[1]);
@@ -192,7 +179,6 @@ static size_t add_lathe_loop(char *text, size_t size)
 static size_t add_lathe_tangle(char *text, size_t size)
 {
     size_t corners = 2 + below(9);
-
     for (size_t i = 0; i < corners; i++)
         add_text(text, size, ", <%.6f, %.6f>", between(0, 1), between(-1, 1));
     return corners;
@@ -205,7 +191,6 @@ void add_lathe(char *text, size_t size, bool tangles)
     size_t count = sort == 3   ? add_lathe_tangle(path, sizeof path)
                    : sort == 2 ? add_lathe_loop(path, sizeof path)
                                : add_lathe_profile(path, sizeof path);
-
     add_text(text, size, "lathe { %s%zu%s ", below(2) ? "linear_spline " : "", count,
              path);
 }

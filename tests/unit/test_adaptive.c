@@ -54,7 +54,6 @@ static struct frame traced_frame(const struct scene *scene, size_t width, size_t
                                             .width = width, .height = height);
     SCOPED(trace) *trace = run_trace(scene, &options);
     struct frame frame;
-
     assert_true(frame_allocate(&frame, width, height));
     trace_read(trace, 0, &frame);
     return frame;
@@ -71,7 +70,6 @@ static void add_scaled(double a[3], double s, const double b[3])
 static void look_beyond(struct camera *camera, double width, double height)
 {
     double *middle = camera->orthographic ? camera->location : camera->direction;
-
     add_scaled(middle, -.5 / width, camera->right);
     add_scaled(middle, .5 / height, camera->up);
     add_scaled(camera->right, 1 / width, camera->right);
@@ -85,7 +83,6 @@ expect(struct scene *scene, const struct trace_options *options, struct frame *p
     struct camera camera = scene->camera;
     double gamma = scene->assumed_gamma;
     size_t width = options->width + 1, height = options->height + 1;
-
     look_beyond(&scene->camera, (double)options->width, (double)options->height);
     scene->assumed_gamma = 1;
     SCOPED_VALUE(frame) first = traced_frame(scene, width, height);
@@ -107,10 +104,8 @@ static size_t count_others(const struct frame *expected, const struct frame *fou
                            double gamma)
 {
     size_t count = 0;
-
     for (size_t k = 0; k < found->width * found->height; k++) {
         double greatest = 0;
-
         for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
             greatest = fmax(greatest, fabs(linear(expected->channel[i][k], gamma)
                                            - found->channel[i][k]));
@@ -133,7 +128,6 @@ static void check_rays(const struct trace *trace, const struct trace_options *op
     size_t each = options->samples * options->samples;
     uint64_t rays = trace_rays(trace, RAY_PRIMARY);
     uint64_t sampled = rays - first_rays(trace, options);
-
     assert_true(rays >= first_rays(trace, options));
     assert_int_equal(sampled % each, 0);
     assert_true(sampled / each >= refined);
@@ -145,7 +139,6 @@ static void check_plain(struct scene *scene, const struct trace *trace,
                         const struct trace_options *options, const char *text)
 {
     struct frame expected, found;
-
     assert_true(frame_allocate(&expected, options->width, options->height));
     assert_true(frame_allocate(&found, options->width, options->height));
     struct plain_refined refined = expect(scene, options, &expected);
@@ -168,7 +161,6 @@ static void check_form(const struct scene *scene, const struct trace_options *li
                        const struct trace *expected, const char *text)
 {
     struct trace_options options = *like;
-
     options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
     options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
     options.queue = among(0, 2) ? among(100, 2000) : among(1, 60);
@@ -190,7 +182,6 @@ static void check_scene(const char *text, const struct trace_options *options)
 {
     SCOPED(scene) *scene = read_text(text);
     SCOPED(trace) *scalar = run_trace(scene, options);
-
     check_plain(scene, scalar, options, text);
     check_form(scene, options, scalar, text);
     check_form(scene, options, scalar, text);
@@ -206,7 +197,6 @@ TEST(random)
                                                 .samples = among(2, 4),
                                                 .threshold = exp(between(-4, 1)),
                                                 .band = among(1, 5000));
-
         add_scene(text, sizeof text);
         check_scene(text, &options);
     }
@@ -221,7 +211,6 @@ TEST(chains)
         struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 80,
                                                 .height = 6, .samples = among(2, 3),
                                                 .threshold = .3);
-
         add_text(text, sizeof text,
                  "#version 3.7; global_settings { assumed_gamma 1 }\n"
                  "camera { orthographic location -5*z direction z\n"
@@ -250,7 +239,6 @@ static struct trace *trace_with(const struct scene *scene, size_t samples,
     struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 300,
                                             .width = WIDTH, .height = HEIGHT,
                                             .samples = samples, .threshold = threshold);
-
     return run_trace(scene, &options);
 }
 
@@ -275,7 +263,6 @@ TEST(ends)
     SCOPED(trace) *refined = trace_with(scene, 3, 1e-9);
     SCOPED(trace) *first = trace_with(scene, 3, 3);
     uint64_t first_rays = (WIDTH + 1) * (HEIGHT + 1);
-
     for (size_t k = 0; k < PIXELS; k++) {
         check_nearly(red(first, k), red(one, k));
         check_nearly(red(refined, k), .9 * red(all, k) + .1 * red(one, k));
@@ -290,7 +277,6 @@ TEST(ends)
 TEST(middles)
 {
     char text[3000] = "";
-
     add_scene(text, sizeof text);
     SCOPED(scene) *scene = read_text(text);
     SCOPED(trace) *all = trace_with(scene, 3, 0);
@@ -311,7 +297,6 @@ static void check_refused(const char *text, size_t width, size_t samples,
                                             .width = width, .height = 1,
                                             .samples = samples, .threshold = threshold);
     c205_error error = { "" };
-
     assert_null(trace_new(scene, &options, &error));
     if (!strstr(error.message, why))
         fail_msg("%s, not %s", error.message, why);
@@ -321,7 +306,6 @@ TEST(refused)
 {
     static const char lens[] = "sphere { 0, 1 } camera { location -5*z\n"
                                "aperture .3 focal_point 0 blur_samples 9 }\n";
-
     check_refused(shades, 9, 0, .3, "needs samples");
     check_refused(shades, 9, 1, .3, "needs samples");
     check_refused(shades, 9, 3, -.3, "above 0");
@@ -340,7 +324,6 @@ struct patience {
 static bool wait_on(void *context, size_t done, size_t all)
 {
     struct patience *patience = context;
-
     assert_true(done <= all);
     return ++patience->asked < patience->most;
 }
@@ -355,7 +338,6 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
                                             .farm = farm, .context = patience);
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
-
     REQUIRE(trace);
     assert_int_equal(trace_bands(trace), 3);
     if (farm && !trace_keep(trace, &error)) {
@@ -376,7 +358,6 @@ TEST(kept)
     struct patience patience = { 0, SIZE_MAX };
     SCOPED(trace) *whole = begin_kept(scene, .02, &patience, NULL);
     c205_error error = { "" };
-
     close(mkstemp(path));
     assert_true(trace_run(whole, &error));
     patience = (struct patience){ 0, patience.asked * 3 / 4 };

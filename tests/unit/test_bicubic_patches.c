@@ -32,7 +32,6 @@ struct cell {
 static double blossom(const double p[4], const double t[3])
 {
     double sum = 0;
-
     for (int choice = 0; choice < 8; choice++) {
         double weight = 1;
         int index = 0;
@@ -72,7 +71,6 @@ static void cell_point(const struct patch *patch, const struct cell *cell, int i
                        double point[3])
 {
     double u[3], v[3];
-
     arguments(cell->from[0], cell->to[0], i, u);
     arguments(cell->from[1], cell->to[1], j, v);
     blossom_point(patch, u, v, point);
@@ -102,7 +100,6 @@ static void oracle_normal(const struct patch *patch, double u, double v,
                           double normal[3])
 {
     double at[2][3] = { { u, u, u }, { v, v, v } }, along[2][3];
-
     for (int axis = 0; axis < 2; axis++) {
         double ends[2][3];
         for (int end = 0; end < 2; end++) {
@@ -121,7 +118,6 @@ static void oracle_normal(const struct patch *patch, double u, double v,
 static bool oracle_is_flat(const struct patch *patch, const struct cell *cell)
 {
     double corners[3][3], a[3], b[3], normal[3], most = 0;
-
     cell_point(patch, cell, 0, 0, corners[0]);
     cell_point(patch, cell, 0, 3, corners[1]);
     cell_point(patch, cell, 3, 0, corners[2]);
@@ -146,7 +142,6 @@ static void expect_triangle(const struct patch *patch, const struct cell *cell,
                             const int corners[3], struct expected *expected)
 {
     struct triangle *triangle = &expected->list[expected->count++];
-
     for (int k = 0; k < 3; k++) {
         bool high[2] = { corners[k] & 2, corners[k] & 1 };
         cell_point(patch, cell, high[0] ? 3 : 0, high[1] ? 3 : 0, triangle->corners[k]);
@@ -160,7 +155,6 @@ static void expect_cell(const struct patch *patch, struct cell cell,
 {
     static const int two[2][3] = { { 0, 1, 3 }, { 0, 2, 3 } };
     bool cut[2] = { cell.depth < patch->steps[0], cell.depth < patch->steps[1] };
-
     if ((!cut[0] && !cut[1]) || oracle_is_flat(patch, &cell)) {
         for (int i = 0; i < 2; i++)
             expect_triangle(patch, &cell, two[i], expected);
@@ -187,7 +181,6 @@ static void expect_cell(const struct patch *patch, struct cell cell,
 static struct patch random_patch(void)
 {
     struct patch patch = { .flatness = pow(10, between(-3, .3)) };
-
     for (int i = 0; i < 2; i++)
         patch.steps[i] = (int)xorshift_between(&random_state, 0, 4);
     for (int i = 0; i < 48; i++) {
@@ -253,7 +246,6 @@ TEST(random_patches)
 {
     static struct expected expected;
     char text[4096];
-
     for (size_t i = 0; i < patch_count; i++) {
         struct patch patch = random_patch();
         double scale[3];
@@ -313,7 +305,6 @@ TEST(copies)
         "union { object { P } object { P scale .1 } scale 1 }\n"
         "object { P scale .1 scale 10 }");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(scene->primitive_count, 3);
     assert_int_equal(p[0].shape.mesh.triangles.count, 8);
     assert_int_equal(p[1].shape.mesh.triangles.count, 2);

@@ -45,7 +45,6 @@ static void add_motions(char *text, size_t size)
 static void add_cylinder_part(char *text, size_t size)
 {
     double from[3], way[3];
-
     for (int i = 0; i < 3; i++) {
         from[i] = place_between(-1, .5);
         way[i] = solids.gridded && below(2) ? 0 : size_between(.25, 1);
@@ -129,13 +128,11 @@ TEST(humps)
     struct crossing crossings[MOST_CROSSINGS];
     SCOPED(scene) *scene = read_text(HUMPS "}");
     struct shape_words words;
-
     shape_words(scene->primitives, &words);
     assert_int_equal(words.segments, 3);
     assert_int_equal(plain_crossings(scene->primitives, &ray, crossings), 6);
     for (int i = 0; i < 5; i++) {
         char text[600];
-
         snprintf(text, sizeof text,
                  AHEAD "intersection { " HUMPS "} plane { -z, -(%s) } }", cuts[i]);
         free(plain_frame(text));
@@ -151,7 +148,6 @@ TEST(inside)
         const struct ray ray = { { between(-1, 1), between(-1, 1), -9 },
                                  { between(-.1, .1), between(-.1, .1), 1 } };
         struct crossing crossings[MOST_CROSSINGS];
-
         add_any_blob(text, sizeof text);
         add_text(text, sizeof text, "}");
         SCOPED(scene) *scene = read_text(text);
@@ -159,7 +155,6 @@ TEST(inside)
         assert_int_equal(count % 2, 0);
         for (size_t i = 0; i < count; i++) {
             double point[3], out[3];
-
             point_on(&ray, crossings[i].distance, point);
             normalise(crossings[i].normal);
             add_scaled(out, point, 1e-6, crossings[i].normal);

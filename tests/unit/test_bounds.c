@@ -12,7 +12,6 @@ static struct bound first_bound(const char *text)
 {
     SCOPED(scene) *scene = read_scene(text);
     FREED struct bound *bounds = calloc(scene->node_count, sizeof *bounds);
-
     assert_true(bound_nodes(scene, bounds));
     return bounds[0];
 }
@@ -89,7 +88,6 @@ TEST(known)
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
         double within = rows[i].slack * rows[i].radius;
-
         for (int k = 0; k < 3; k++)
             assert_close(bound.center[k], rows[i].center[k], within);
         if (bound.radius < rows[i].radius
@@ -128,10 +126,8 @@ TEST(known_boxes)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
-
         for (int k = 0; k < 3; k++) {
             double slack = .02 * bound.radius;
-
             assert_true(bound.low[k] < rows[i].low[k]);
             assert_true(bound.high[k] > rows[i].high[k]);
             assert_close(bound.low[k], rows[i].low[k], slack);
@@ -147,7 +143,6 @@ static size_t count_crossings(const struct primitive *primitive,
 {
     struct crossing crossings[MOST_CROSSINGS];
     struct ray ray;
-
     for (int i = 0; i < 3; i++) {
         ray.origin[i] = between(-3, 3);
         ray.direction[i] = between(-3, 3) - ray.origin[i];
@@ -155,7 +150,6 @@ static size_t count_crossings(const struct primitive *primitive,
     size_t count = plain_crossings(primitive, &ray, crossings);
     for (size_t i = 0; i < count; i++) {
         double point[3];
-
         point_on(&ray, crossings[i].distance, point);
         transform_point(&primitive->to_world, point);
         for (int k = 0; k < 3; k++)
@@ -197,7 +191,6 @@ TEST(crossings)
     for (size_t i = 0; i < COUNT(shapes) * PLACES; i++) {
         size_t count = 0;
         char text[400];
-
         snprintf(text, sizeof text,
                  "%s scale <%f, %f, %f> rotate <%f, %f, %f>"
                  " matrix <1, %f, 0, 0, 1, %f, 0, 0, 1, %f, 9, -5> }",
@@ -226,7 +219,6 @@ TEST(enclose)
         struct bound parts[PARTS], whole;
         size_t count = 1 + xorshift(&random_state) % PARTS;
         double least = 0;
-
         for (size_t i = 0; i < count; i++) {
             parts[i].radius = between(0, 2);
             for (int k = 0; k < 3; k++) {
@@ -238,7 +230,6 @@ TEST(enclose)
         bound_enclose(parts, count, &whole);
         for (size_t i = 0; i < count; i++) {
             double way[3];
-
             add_scaled(way, parts[i].center, -1, whole.center);
             assert_true(sqrt(dot(way, way)) + parts[i].radius <= whole.radius);
             for (int k = 0; k < 3; k++)

@@ -26,7 +26,6 @@ static void set_size(size_t width, size_t height)
 static void check_closed(void)
 {
     FREED struct words *words = same_frame(text);
-
     for (size_t k = 0; k < traced.pixels; k++)
         if ((c205_to_integer(words->channel[CHANNEL_ID][k]) == 0) == (sight == SHELL))
             fail_msg("pixel %zu of %zu by %zu: a ray slips out of\n%s", k, traced.width,
@@ -78,7 +77,6 @@ static void write_closed(void)
 {
     double scale = pow(10, between(-2, 3)), location[3], by[3], ahead[3];
     static const double right[3] = { 3, 0, 0 }, up[3] = { 0, 3, 0 };
-
     net_random_body(&net, 1 + below(2), &traced.random);
     if (below(3) == 0)
         net_smooth(&net, .3, &traced.random);
@@ -100,7 +98,6 @@ static void write_closed(void)
 TEST(closed)
 {
     static const size_t sizes[][2] = { { WIDTH, HEIGHT }, { 17, 9 }, { 40, 3 } };
-
     for (size_t i = 0; i < share_of(3 * scene_count); i++) {
         set_size(sizes[i % 3][0], sizes[i % 3][1]);
         write_closed();
@@ -113,7 +110,6 @@ static void cross(const double a[3], const double b[3], double result[3])
 {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-
         result[i] = a[j] * b[k] - a[k] * b[j];
     }
 }
@@ -126,7 +122,6 @@ static void write_symmetric(size_t neighbour, const double middle[3])
                         (double)(neighbour / 9) - 1 };
     double aside[3] = { 0, 0, 0 }, right[3], up[3];
     size_t axis = 0;
-
     while (ahead[axis] == 0)
         axis++;
     aside[(axis + 1) % 3] = 1;
@@ -142,7 +137,6 @@ static void write_symmetric(size_t neighbour, const double middle[3])
 TEST(symmetric)
 {
     static const double middle[3] = { 5, -3, 8 };
-
     for (size_t i = 0; i < 27; i++)
         for (size_t body = 0; body < 2; body++) {
             if (i == 13)
@@ -164,7 +158,6 @@ static void write_whole(size_t side, const double middle[3])
 {
     double ahead[3] = { 0, 0, 0 }, right[3] = { 0, 0, 0 }, up[3] = { 0, 0, 0 };
     size_t axis = side / 2;
-
     ahead[axis] = side % 2 ? -16 : 16;
     right[(axis + 1) % 3] = 32;
     up[(axis + 2) % 3] = 32;
@@ -179,7 +172,6 @@ static void write_whole(size_t side, const double middle[3])
 TEST(rays_to_points)
 {
     static const double middle[3] = { 3, -40, 7 };
-
     set_size(32, 32);
     for (size_t side = 0; side < 6; side++) {
         net_cube(&net, 16, side % 2 ? 8 : 4, &traced.random);
@@ -200,10 +192,8 @@ static void write_aimed(const size_t face[3], const double location[3], double s
     double stretch = (double)traced.width / (double)(traced.width - 1);
     double half = .5 - .5 / (double)traced.width;
     double right[3], up[3], ahead[3];
-
     for (int i = 0; i < 3; i++) {
         double a = net.points[face[0]][i];
-
         right[i] = stretch * (net.points[face[1]][i] - a);
         up[i] = stretch * (a - net.points[face[2]][i]);
         ahead[i] = a - location[i] + half * right[i] - half * up[i];
@@ -220,7 +210,6 @@ TEST(rays_along_edges)
     set_size(9, 9);
     for (size_t i = 0; i < share_of(3 * scene_count); i++) {
         double scale = pow(10, between(-2, 3)), by[3], location[3];
-
         net_random_body(&net, 1 + i % 2, &traced.random);
         for (int k = 0; k < 3; k++) {
             by[k] = i % 3 ? scale * between(-9, 9) : 0;
@@ -254,7 +243,6 @@ TEST_WITH(rays_from_outside, NULL, look_at_shell)
     set_size(9, 9);
     for (size_t i = 0; i < share_of(3 * scene_count); i++) {
         double scale = pow(10, between(-2, 3)), by[3], location[3];
-
         net_random_body(&net, 1 + i % 2, &traced.random);
         for (int k = 0; k < 3; k++) {
             by[k] = i % 3 ? scale * between(-9, 9) : 0;

@@ -14,11 +14,9 @@ static void check_hit(const char *text, double depth, double x, double y, double
     FREED struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
     const double expected[] = { depth, x, y, z };
-
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), 1);
     for (int i = 0; i < 4; i++) {
         double found = c205_to_double(words->channel[CHANNEL_DEPTH + i][middle]);
-
         if (!(fabs(found - expected[i]) <= 5e-11 * (1 + fabs(expected[i]) / 100)))
             fail_msg("%s: %d is %.15g, not %.15g", text, i, found, expected[i]);
     }
@@ -31,7 +29,6 @@ static void add_axis(char *text, size_t size)
     static const char *const axes[] = { "<.4, .2, -1>, <.4, .2, 1.5>",
                                         "<-1, .3, 0>, <2, .3, 0>" };
     unsigned which = (unsigned)(xorshift(&traced.random) % 6);
-
     if (which < 2) {
         add_text(text, size, "%s", axes[which]);
         return;
@@ -52,7 +49,6 @@ static void add_cylinder(char *text, size_t size)
 static void check_scenes(void)
 {
     char text[4096] = AHEAD;
-
     check_random_scenes(add_cylinder, 3);
     for (int i = 0; i < 5; i++) {
         add_cylinder(text, sizeof text);
@@ -133,7 +129,6 @@ TEST(trees)
                                      "cylinder { -2*y, 2*y, .4 translate 1.2*x"
                                      " pigment { rgbf <1, .5, .5, .6> } }";
     FREED struct words *today = plain_frame(text);
-
     traced.historical = true;
     FREED struct words *then = plain_frame(text);
     assert_memory_equal(today, then, sizeof *today);

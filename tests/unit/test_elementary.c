@@ -46,7 +46,6 @@ static double draw(double least, double most)
     double from = xorshift(&state) % 4 > 0 && least < -8 ? fmax(least, -8) : least;
     double to = xorshift(&state) % 4 > 0 && most > 5 ? fmin(most, 5) : most;
     double x = exp2(from + share * (to - from));
-
     if (xorshift(&state) % 8 == 0)
         x = ldexp(floor(ldexp(x, 4)), -4); /* few bits */
     if (xorshift(&state) % 8 == 0)
@@ -64,7 +63,6 @@ static double to_double(mpfr_t value)
 static double as_double(of_one *exact, double x)
 {
     mpfr_t value, at;
-
     mpfr_inits2(EXACT, value, at, (mpfr_ptr)0);
     mpfr_set_d(at, x, MPFR_RNDN);
     exact(value, at, MPFR_RNDN);
@@ -76,7 +74,6 @@ static double as_double(of_one *exact, double x)
 static double as_double2(of_two *exact, double x, double y)
 {
     mpfr_t value, a, b;
-
     mpfr_inits2(EXACT, value, a, b, (mpfr_ptr)0);
     mpfr_set_d(a, x, MPFR_RNDN);
     mpfr_set_d(b, y, MPFR_RNDN);
@@ -98,7 +95,6 @@ TEST(of_one)
     for (size_t f = 0; f < COUNT(functions); f++)
         for (int i = 0; i < 4000; i++) {
             double x = draw(functions[f].least, functions[f].most);
-
             assert_same(functions[f].name, x, 0, functions[f].ours(x),
                         as_double(functions[f].exact, x));
         }
@@ -110,7 +106,6 @@ TEST(near_one)
     for (int i = 0; i < 4000; i++) {
         double off = exp2(xorshift_real(&state, -45, -10));
         double x = i % 2 == 0 ? 1 + off : 1 - off;
-
         assert_same("log", x, 0, elementary_log(x), as_double(mpfr_log, x));
         assert_same("log10", x, 0, elementary_log10(x), as_double(mpfr_log10, x));
         assert_same("acosh", 1 + off, 0, elementary_acosh(1 + off),
@@ -123,7 +118,6 @@ TEST(angles)
 {
     for (int degrees = -720; degrees <= 720; degrees++) {
         double x = degrees * (3.14159265358979323846 / 180);
-
         assert_same("sin", x, 0, elementary_sin(x), as_double(mpfr_sin, x));
         assert_same("cos", x, 0, elementary_cos(x), as_double(mpfr_cos, x));
         assert_same("tan", x, 0, elementary_tan(x), as_double(mpfr_tan, x));
@@ -134,7 +128,6 @@ TEST(of_two)
 {
     for (int i = 0; i < 8000; i++) {
         double x = draw(-60, 60), y = draw(-60, 60), e = draw(-8, 5);
-
         assert_same("atan2", x, y, elementary_atan2(x, y),
                     as_double2(mpfr_atan2, x, y));
         assert_same("hypot", x, y, elementary_hypot(x, y),
@@ -149,7 +142,6 @@ TEST(halfway)
 {
     for (int i = 0; i < 4000; i++) {
         double x = (double)(xorshift(&state) % (1 << 27) | 1);
-
         assert_same("pow", x, 2, elementary_pow(x, 2), x * x);
         assert_same("pow", x * x, .5, elementary_pow(x * x, .5), sqrt(x * x));
     }
@@ -167,7 +159,6 @@ TEST(ends)
                                    INFINITY, -INFINITY, NAN };
     for (size_t i = 0; i < COUNT(ends); i++) {
         double x = ends[i];
-
         for (size_t f = 0; f < COUNT(functions); f++)
             if (fabs(x) <= 2 || !isfinite(x))
                 assert_same(functions[f].name, x, 0, functions[f].ours(x),

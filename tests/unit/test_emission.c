@@ -35,7 +35,6 @@ static struct emission *begin(const struct primitive *primitive,
                               struct emission_options options)
 {
     c205_error error = { "" };
-
     options.model = prior_model;
     struct emission *emission = emission_new(primitive, &options, &error);
     REQUIRE(emission);
@@ -53,11 +52,9 @@ static void run(const struct emission *emission, size_t count,
 {
     static c205_word planes[EMITTED_PLANES * EMISSION_MOST];
     c205_error error = { "" };
-
     REQUIRE(emission_run(emission, choice, planes, accounts, &error));
     for (size_t i = 0; i < count; i++) {
         struct emitted_point *point = &points[i];
-
         for (size_t k = 0; k < 3; k++) {
             point->spot[k] = planes[(EMITTED_SPOT + k) * count + i];
             point->face[k] = planes[(EMITTED_FACE + k) * count + i];
@@ -71,7 +68,6 @@ static void emit(const struct primitive *primitive, struct emission_options opti
                  struct emission_choice choice, struct emitted_point *points)
 {
     SCOPED(emission) *emission = begin(primitive, options);
-
     run(emission, options.points, &choice, points, NULL);
 }
 
@@ -101,7 +97,6 @@ static bool meets(const struct primitive *primitive, const double spot[3],
 {
     struct crossing found[MOST_CROSSINGS];
     struct ray ray;
-
     copy(ray.direction, face);
     scale_by(ray.direction, -1);
     add_scaled(ray.origin, spot, 1e-3, face);
@@ -110,7 +105,6 @@ static bool meets(const struct primitive *primitive, const double spot[3],
     size_t count = plain_crossings(primitive, &ray, found);
     for (size_t i = 0; i < count; i++) {
         double normal[3];
-
         if (fabs(found[i].distance - 1e-3) > 1e-8)
             continue;
         copy(normal, found[i].normal);
@@ -142,10 +136,8 @@ static size_t count_astray(const struct primitive *primitive,
 {
     bool sided = !shape_is_surface(primitive);
     size_t astray = 0;
-
     for (size_t i = 0; i < count; i++) {
         double spot[3], face[3], ray[3];
-
         read_vector(points[i].spot, spot);
         read_vector(points[i].face, face);
         read_vector(points[i].ray, ray);
@@ -166,7 +158,6 @@ static void check_surface(enum primitive_kind kind)
     struct primitive primitive = draw_emitting(kind, &state);
     struct emission_options options = { TRACE_VECTOR, 500, POINTS, between(0, 1),
                                         NULL };
-
     emit(&primitive, options, some_choice(), emitted[0]);
     assert_in_range(count_astray(&primitive, emitted[0], POINTS), 0, POINTS / 1000);
 }
@@ -196,7 +187,6 @@ static void assert_mean(const struct mean *mean, double expected, double sigmas,
 {
     double found = mean->sum / mean->count;
     double variance = mean->squares / mean->count - found * found;
-
     assert_near(found, expected, sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
 }
 
@@ -208,11 +198,9 @@ static void check_area(enum primitive_kind kind)
     struct plain_area expected = plain_area(&primitive);
     struct mean area = { 0 }, moments[3] = { { 0 } };
     double slack = 1e-5 * expected.area;
-
     emit(&primitive, options, some_choice(), emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
         double spot[3], weight = c205_to_double(emitted[0][i].weight);
-
         read_vector(emitted[0][i].spot, spot);
         add_to(&area, weight);
         for (int k = 0; k < 3; k++)
@@ -233,7 +221,6 @@ TEST(areas)
 static void assert_every_weight(const struct primitive *primitive, double area)
 {
     struct emission_options options = { TRACE_VECTOR, 100, 100, false, NULL };
-
     emit(primitive, options, some_choice(), emitted[0]);
     for (size_t i = 0; i < 100; i++)
         assert_near(c205_to_double(emitted[0][i].weight), area, 1e-11 * area);
@@ -250,7 +237,6 @@ TEST(exact_areas)
     struct primitive box = { .kind = PRIMITIVE_BOX,
                              .shape.box = { { { -1, -.5, -.25 }, { 1, .5, .25 } } } };
     struct placement turned = placement_rotation((double[]){ 0, 0, 30 });
-
     move_shape(&sphere, &placement_none);
     move_shape(&cylinder, &placement_none);
     move_shape(&box, &turned);
@@ -266,7 +252,6 @@ TEST(torus_area)
     struct emission_options options = { TRACE_VECTOR, 2000, 16384, true, NULL };
     struct emission_choice choice = { .seed = 1, .m = 14 };
     struct mean area = { 0 };
-
     move_shape(&torus, &placement_none);
     emit(&torus, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++)
@@ -285,7 +270,6 @@ TEST(accuracy)
     struct emission_choice choice = some_choice();
     static const long double turn = 6.283185307179586476925286766559L;
     double most = 0;
-
     move_shape(&sphere, &placement_none);
     emit(&sphere, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
@@ -293,7 +277,6 @@ TEST(accuracy)
         long double t = stream_word(choice.seed, choice.first + i, 1) * 0x1p-47L;
         long double r = 2 * sqrtl(u * (1 - u));
         const c205_word *spot = emitted[0][i].spot;
-
         most = fmax(most, (double)fabsl(c205_to_double(spot[0]) - r * cosl(turn * t)));
         most = fmax(most, (double)fabsl(c205_to_double(spot[1]) - (1 - 2 * u)));
         most = fmax(most, (double)fabsl(c205_to_double(spot[2]) - r * sinl(turn * t)));
@@ -309,7 +292,6 @@ static void check_cosines(const struct emission_choice *choice,
     for (size_t i = 0; i < count; i++) {
         double face[3], ray[3];
         double u = (double)stream_word(choice->seed, choice->first + i, 2) * 0x1p-47;
-
         read_vector(points[i].face, face);
         read_vector(points[i].ray, ray);
         assert_near(dot(face, ray), sqrt(1 - u), 1e-12);
@@ -320,10 +302,8 @@ static void check_cosines(const struct emission_choice *choice,
 static void check_moments(const struct emitted_point *points, size_t count)
 {
     struct mean first[3] = { { 0 } }, second[3][3] = { { { 0 } } };
-
     for (size_t i = 0; i < count; i++) {
         double face[3], ray[3];
-
         read_vector(points[i].face, face);
         read_vector(points[i].ray, ray);
         for (int j = 0; j < 3; j++) {
@@ -343,12 +323,10 @@ static void check_moments(const struct emitted_point *points, size_t count)
 TEST(cosine_law)
 {
     struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
-
     for (size_t i = 0; i < tries * EMITTING_KINDS; i++) {
         struct primitive primitive = draw_emitting(emitting_kinds[i % EMITTING_KINDS],
                                                    &state);
         struct emission_choice choice = some_choice();
-
         emit(&primitive, options, choice, emitted[0]);
         check_cosines(&choice, emitted[0], options.points);
         check_moments(emitted[0], options.points);
@@ -364,7 +342,6 @@ static void compare_forms(enum primitive_kind kind)
     size_t count = between(2, 3000), cut = between(1, count - 1);
     struct emission_options options = { TRACE_SCALAR, 0, count, between(0, 1), NULL };
     struct emission_choice choice = some_choice();
-
     choice.first %= 1048576 - count;
     emit(&primitive, options, choice, emitted[0]);
     options.mode = TRACE_VECTOR;
@@ -393,11 +370,9 @@ static double share_through(const struct primitive *primitive, double height,
 {
     struct emission_options options = { TRACE_VECTOR, 2000, 60000, false, NULL };
     size_t through = 0;
-
     emit(primitive, options, some_choice(), emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
         double spot[3], ray[3];
-
         read_vector(emitted[0][i].spot, spot);
         read_vector(emitted[0][i].ray, ray);
         add_scaled(spot, spot, (height - spot[1]) / ray[1], ray);
@@ -437,7 +412,6 @@ TEST(factors)
                                 .shape.mesh.triangles = { 2, halves } };
     struct primitive disc = { .kind = PRIMITIVE_DISC,
                               .shape.disc = { { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
-
     move_shape(&square, &placement_none);
     move_shape(&disc, &placement_none);
     assert_share(share_through(&square, 1, in_square), 0.1998248956984);
@@ -451,7 +425,6 @@ static void assert_no_emission(const struct primitive *primitive,
                                struct emission_options options, const char *message)
 {
     c205_error error = { "" };
-
     options.model = prior_model;
     assert_null(emission_new(primitive, &options, &error));
     if (!strstr(error.message, message))
@@ -472,7 +445,6 @@ TEST(refused)
                                    .line = 7,
                                    .shape.torus = { 1, 2 } };
     struct emission_options options = { TRACE_VECTOR, 10, 10, false, NULL };
-
     move_shape(&primitive, &placement_none);
     assert_no_emission(&primitive, options,
                        "the torus of line 7: a torus that meets itself");
@@ -489,7 +461,6 @@ TEST(refused)
 TEST(options)
 {
     struct primitive primitive = draw_emitting(PRIMITIVE_SPHERE, &state);
-
     assert_no_emission(&primitive,
                        (struct emission_options){ TRACE_KERNELS, 10, 10, false, NULL },
                        "scalar or vector");
@@ -540,7 +511,6 @@ static double clocks_a_point(const struct accounts *accounts, const char *region
                                   : accounts_together(accounts);
     uint64_t waits = account.clocks[C205_TRANSLATION_MISS]
                      + account.clocks[C205_PAGE_FAULT];
-
     return (double)(accounts_clocks(&account) - waits) / EMISSION_MOST;
 }
 
@@ -552,7 +522,6 @@ static double print_clocks(const struct primitive *primitive, enum trace_mode mo
     SCOPED_VALUE(accounts) accounts = { .model = model };
     c205_error error = { "" };
     SCOPED(emission) *emission = emission_new(primitive, &options, &error);
-
     assert_non_null(emission);
     run(emission, EMISSION_MOST, &(struct emission_choice){ .seed = 1 }, emitted[0],
         &accounts);
@@ -572,11 +541,9 @@ TEST(clocks)
                                                  PRIMITIVE_STEINER_PATCH };
     c205_error error = { "" };
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
-
     print_message("surface        form    queue   emit  carry  direction    all\n");
     for (size_t i = 0; i < COUNT(kinds); i++) {
         struct primitive primitive = draw_emitting(kinds[i], &state);
-
         double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
 
         assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model) < scalar);

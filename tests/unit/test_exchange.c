@@ -36,7 +36,6 @@ static void solve(const struct enclosure *enclosure, struct exchange *vector)
     SCOPED_VALUE(exchange) scalar;
     size_t size = enclosure->count * sizeof(double);
     c205_error error = { "" };
-
     REQUIRE(exchange_find(&given, vector, &error));
     given.mode = TRACE_SCALAR;
     assert_true(exchange_find(&given, &scalar, &error));
@@ -66,7 +65,6 @@ TEST(spheres)
         .factors = { 0, 1, 0, .25, .75, 0 },
     };
     SCOPED_VALUE(exchange) exchange;
-
     solve(&spheres, &exchange);
     assert_near(exchange.flow[0], 25842.18560027, 25842);
     assert_near(exchange.flow[1], -25842.18560027, 25842);
@@ -80,7 +78,6 @@ TEST(cube)
                                     -6744.32904677, -6744.32904677,  -6744.32904677 };
     struct enclosure cube = { .count = 6 };
     SCOPED_VALUE(exchange) exchange;
-
     for (size_t i = 0; i < 6; i++) {
         cube.area[i] = 1;
         cube.emissivity[i] = i == 0 ? .9 : i == 1 ? .5 : .3;
@@ -104,7 +101,6 @@ static void check_bay(double emissivity, double expected)
     struct enclosure bay = { .count = 3 };
     SCOPED_VALUE(exchange) exchange;
     double back = to_fin * tube / fin;
-
     for (size_t i = 0; i < 3; i++) {
         bay.area[i] = i ? fin : tube;
         bay.emissivity[i] = emissivity;
@@ -134,7 +130,6 @@ static void draw(struct enclosure *enclosure, uint64_t *random)
 {
     size_t n = enclosure->count = (size_t)xorshift_between(random, 1, MOST);
     double shared[MOST][MOST + 1];
-
     enclosure->outside = xorshift_real(random, 0, 500);
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j <= i; j++)
@@ -161,12 +156,10 @@ static void eliminate(const struct enclosure *enclosure, long double radiosity[M
 {
     static long double rows[MOST][MOST + 1];
     size_t n = enclosure->count;
-
     for (size_t i = 0; i < n; i++) {
         const double *factors = enclosure->factors + i * (n + 1);
         long double e = enclosure->emissivity[i];
         long double t = enclosure->temperature[i], o = enclosure->outside;
-
         for (size_t j = 0; j < n; j++)
             rows[i][j] = (i == j) - (1 - e) * factors[j];
         rows[i][n] = e * SIGMA * t * t * t * t
@@ -174,19 +167,16 @@ static void eliminate(const struct enclosure *enclosure, long double radiosity[M
     }
     for (size_t k = 0; k < n; k++) {
         size_t best = k;
-
         for (size_t i = k; i < n; i++)
             if (fabsl(rows[i][k]) > fabsl(rows[best][k]))
                 best = i;
         for (size_t j = 0; j <= n; j++) {
             long double other = rows[k][j];
-
             rows[k][j] = rows[best][j];
             rows[best][j] = other;
         }
         for (size_t i = 0; i < n; i++) {
             long double times = rows[i][k] / rows[k][k];
-
             for (size_t j = k; i != k && j <= n; j++)
                 rows[i][j] -= times * rows[k][j];
         }
@@ -202,13 +192,11 @@ static void check_enclosure(const struct enclosure *enclosure)
     long double outside = SIGMA * o * o * o * o, out = 0;
     double scale = SIGMA * 1.6e13;
     SCOPED_VALUE(exchange) exchange;
-
     eliminate(enclosure, radiosity);
     solve(enclosure, &exchange);
     for (size_t i = 0; i < n; i++) {
         const double *factors = enclosure->factors + i * (n + 1);
         long double meets = factors[n] * outside;
-
         for (size_t j = 0; j < n; j++)
             meets += factors[j] * radiosity[j];
         long double flow = enclosure->area[i] * (radiosity[i] - meets);
@@ -227,10 +215,8 @@ static void check_enclosure(const struct enclosure *enclosure)
 TEST(enclosures)
 {
     uint64_t random = RANDOM_SEED + 17;
-
     for (int i = 0; i < 40; i++) {
         struct enclosure enclosure;
-
         draw(&enclosure, &random);
         check_enclosure(&enclosure);
     }
@@ -243,10 +229,8 @@ static void refuses(const struct enclosure *enclosure, const char *message)
     static const char *const names[] = { "1", "2" };
     struct exchange exchange;
     c205_error error = { "" };
-
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         struct exchange_given given = given_of(enclosure, (enum trace_mode)mode);
-
         given.names = names;
         assert_false(exchange_find(&given, &exchange, &error));
         if (!strstr(error.message, message))
@@ -262,7 +246,6 @@ TEST(refused)
                                     .temperature = { 300, 400 },
                                     .factors = { 0, 1, 0, 1, 0, 0 } };
     struct enclosure other = pair;
-
     other.emissivity[0] = other.emissivity[1] = 0;
     refuses(&other, "the exchange has no solution: surface 2 is of some that "
                     "are adiabatic");

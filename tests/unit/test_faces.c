@@ -32,7 +32,6 @@ static struct words *frame_of_all(const char *text)
 {
     SCOPED(scene) *scene = read_text(text);
     struct words *words = same_frame_of(scene, text);
-
     check_other_ways(scene, text, words);
     check_paper_stage(text, words);
     return words;
@@ -43,7 +42,6 @@ static void check_sight(const struct sight *sight)
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
     FREED struct words *words;
     char text[1024];
-
     snprintf(text, sizeof text, VIEW "%s", sight->text);
     FREED struct words *bounded = frame_of_all(text);
     traced.no_bounds = true;

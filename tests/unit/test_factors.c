@@ -21,7 +21,6 @@ static const struct factors_options usual = {
 static struct factors *begin(const struct scene *scene, struct factors_options options)
 {
     c205_error error = { "" };
-
     options.seed = seed;
     options.model = prior_model;
     struct factors *factors = factors_new(scene, &options, &error);
@@ -34,7 +33,6 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
     c205_error error = { "" };
     struct factor_row row;
     uint64_t sum = 0;
-
     REQUIRE(factors_find(factors, &primitive, 1, &row, &error));
     for (size_t j = 0; j < row.receivers; j++)
         sum += row.count[j];
@@ -82,10 +80,8 @@ static void check_area(const char *solid, double expected)
     SCOPED(scene) *scene = read_scene(solid);
     SCOPED(factors) *factors = begin(scene, usual);
     struct estimate sum = { 0, 0 };
-
     for (size_t i = 0; i < scene->primitive_count; i++) {
         SCOPED_VALUE(factor_row) row = find(factors, i);
-
         assert_true(row.sent <= row.tried);
         sum.value += row.area.value;
         sum.error = hypot(sum.error, row.area.error);
@@ -105,14 +101,11 @@ TEST(meshes)
     static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>", "<-1, 1, -1>",
                                         "<-1, -1, 1>" };
     struct factors_options few = usual;
-
     few.points = 64;
     for (unsigned turned = 0; turned < 16; turned++) {
         char text[600] = "mesh {";
-
         for (size_t i = 0; i < 4; i++) {
             size_t turn = turned >> i & 1;
-
             snprintf(text + strlen(text), sizeof text - strlen(text),
                      " triangle { %s, %s, %s }", corners[(i + 1) % 4],
                      corners[(i + 2 + turn) % 4], corners[(i + 3 - turn) % 4]);
@@ -138,7 +131,6 @@ struct grid_box {
 static bool has_cell(const struct grid_box *box, const int cell[3])
 {
     bool inside = true;
-
     for (int k = 0; k < 3; k++)
         inside = inside && box->low[k] <= cell[k] && cell[k] < box->high[k];
     return inside;
@@ -147,7 +139,6 @@ static bool has_cell(const struct grid_box *box, const int cell[3])
 static size_t first_with(const struct grid_box *boxes, const int cell[3])
 {
     size_t i = 0;
-
     while (i < BOXES && !has_cell(&boxes[i], cell))
         i++;
     return i;
@@ -161,7 +152,6 @@ static void count_faces(const struct grid_box *boxes, double faces[BOXES])
             const int cell[3] = { i % SIDE, i / SIDE % SIDE, i / SIDE / SIDE };
             int next[3] = { cell[0], cell[1], cell[2] };
             size_t owner = first_with(boxes, cell);
-
             next[face / 2] += face % 2 ? 1 : -1;
             if (owner < BOXES && first_with(boxes, next) == BOXES)
                 faces[owner]++;
@@ -173,12 +163,10 @@ static char *draw_crowd(struct grid_box *boxes, uint64_t *random)
     size_t length;
     char *text;
     FILE *file = open_memstream(&text, &length);
-
     for (size_t i = 0; i < BOXES; i++) {
         for (int k = 0; k < 3; k++) {
             int a = (int)xorshift_between(random, 0, SIDE - 1);
             int b = (int)xorshift_between(random, 0, SIDE - 1);
-
             boxes[i].low[k] = a < b ? a : b;
             boxes[i].high[k] = (a < b ? b : a) + 1;
         }
@@ -197,13 +185,11 @@ static void check_crowd(uint64_t *random)
     FREED char *text = draw_crowd(boxes, random);
     struct factors_options options = usual;
     SCOPED(scene) *scene = read_scene(text);
-
     options.points = 512;
     SCOPED(factors) *factors = begin(scene, options);
     count_faces(boxes, faces);
     for (size_t i = 0; i < BOXES; i++) {
         SCOPED_VALUE(factor_row) row = find(factors, i);
-
         if (fabs(row.area.value - faces[i]) > 8 * row.area.error + 1e-9)
             fail_msg("%sbox %zu shows %g +- %g, not %g", text, i + 1, row.area.value,
                      row.area.error, faces[i]);
@@ -213,7 +199,6 @@ static void check_crowd(uint64_t *random)
 TEST(crowds)
 {
     uint64_t random = RANDOM_SEED + 23;
-
     for (int i = 0; i < CROWDS; i++)
         check_crowd(&random);
 }
@@ -232,10 +217,8 @@ static void check_factors(const char *text, const struct known_factor *known,
 {
     SCOPED(scene) *scene = read_scene(text);
     SCOPED(factors) *factors = begin(scene, usual);
-
     for (size_t k = 0; k < count; k++) {
         SCOPED_VALUE(factor_row) row = find(factors, known[k].from);
-
         assert_estimate(text, row.factor[known[k].to], known[k].factor);
     }
 }
@@ -281,7 +264,6 @@ static void check_bias(const struct scene *scene, bool lattice)
 {
     struct factors_options options = usual;
     double sum = 0, squares = 0;
-
     options.points = 64;
     options.repeats = 2;
     options.lattice = lattice;
@@ -290,7 +272,6 @@ static void check_bias(const struct scene *scene, bool lattice)
         c205_error error_text = { "" };
         SCOPED(factors) *factors = factors_new(scene, &options, &error_text);
         SCOPED_VALUE(factor_row) row = find(factors, 0);
-
         sum += row.factor[1].value;
         squares += row.factor[1].value * row.factor[1].value;
     }
@@ -303,7 +284,6 @@ static void check_bias(const struct scene *scene, bool lattice)
 TEST(bias)
 {
     SCOPED(scene) *scene = read_scene("disc { 0, y, 1 } disc { .9*y, -y, .6 }");
-
     check_bias(scene, true);
     check_bias(scene, false);
 }
@@ -315,7 +295,6 @@ static void compare_rows(const struct scene *scene, struct factors_options optio
 {
     SCOPED(factors) *factors = begin(scene, options);
     SCOPED_VALUE(factor_row) row = find(factors, 1);
-
     assert_true(are_steps(row.clocks, &row.accounts));
     assert_int_equal(row.sent, expected->sent);
     assert_memory_equal(row.count, expected->count, row.receivers * sizeof *row.count);
@@ -330,7 +309,6 @@ static void check_forms(const char *text)
     static const size_t queues[] = { 1, 77, 300, 300, 65535 };
     struct factors_options options = usual;
     SCOPED(scene) *scene = read_scene(text);
-
     options.points = 300;
     options.repeats = 2;
     options.mode = TRACE_SCALAR;
@@ -340,7 +318,6 @@ static void check_forms(const char *text)
         SCOPED_VALUE(factor_row) scalar = find(factors, 1);
         for (size_t i = 0; i < COUNT(queues); i++) {
             struct factors_options vector = options;
-
             vector.mode = i == 1 || i == 2 ? TRACE_KERNELS : TRACE_VECTOR;
             vector.queue = queues[i];
             vector.jobs = 2 * i;
@@ -376,7 +353,6 @@ static void count_halves(const struct packet_programs *programs,
     struct heat_source *source = source_new(programs->scene, choice.primitive, &emits,
                                             &error);
     struct packet packet;
-
     assert_non_null(source);
     for (size_t i = 0; i < 2; i++) {
         choice.first = i * emits.points;
@@ -396,7 +372,6 @@ TEST(pieces)
     struct packet_programs programs = { .scene = scene, .options = usual };
     c205_error error = { "" };
     uint64_t counts[3] = { 0, 0, 0 };
-
     programs.options.points = 65536;
     programs.options.repeats = 2;
     programs.options.seed = seed;
@@ -420,7 +395,6 @@ TEST(refused)
     SCOPED(factors) *factors = begin(scene, usual);
     struct factor_row row;
     c205_error error = { "" };
-
     assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     assert_non_null(strstr(error.message, "a plane has no end"));
     options.repeats = 1;

@@ -41,7 +41,6 @@ static void add_light(void)
                                          "shadowless" };
     size_t kind = among(0, 5);
     double size = any_size();
-
     add("light_source { ");
     add_place(10 * any_size());
     add(", rgb %.2f ", between(.3, 1));
@@ -136,7 +135,6 @@ static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
     struct words *words = calloc(1, sizeof *words);
     c205_error error = { "" };
     SCOPED(trace) *trace = trace_new(scene, &options, &error);
-
     if (!trace || !trace_run(trace, &error)) {
         if (!strstr(error.message, "too large or too small"))
             fail_msg("%s in\n%s", error.message, text);
@@ -152,7 +150,6 @@ static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
 static int compare(const struct words *one, const struct words *other)
 {
     int count = 0;
-
     for (size_t k = 0; one && other && k < PIXELS; k++)
         for (int i = 0; i < FRAME_CHANNELS; i++)
             if (one->channel[i][k] != other->channel[i][k]) {
@@ -180,7 +177,6 @@ static void check_scene(const struct scene *scene)
         FREED struct words *words = frame_in(scene, forms[i].mode, forms[i].queue,
                                              forms[i].no_bounds, forms[i].flat);
         int others = compare(same, words);
-
         if (others != 0)
             fail_msg("form %zu: %d pixels differ in\n%s", i, others, text);
     }
@@ -190,10 +186,8 @@ TEST(random_scenes)
 {
     const struct scene_options how = { .strict = false };
     size_t scenes = 0;
-
     for (size_t i = 0; i < share_of(SCENES); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
-
         make_scene();
         SCOPED(scene) *scene = scene_read_text("test", text, &how, &reports);
         if (scene)

@@ -29,7 +29,6 @@ struct bench {
 static uint64_t worth(size_t unit)
 {
     uint64_t one = unit + 1;
-
     return xorshift(&one);
 }
 
@@ -38,7 +37,6 @@ static bool run(void *context, size_t job, size_t unit, struct unit_words *words
 {
     const struct timespec moment = { 0, 300000 };
     struct bench *bench = context;
-
     (void)job;
     bench->run[unit]++;
     if (bench->slow)
@@ -54,7 +52,6 @@ static bool take(void *context, size_t unit, struct unit_words *words,
 {
     struct bench *bench = context;
     uint64_t word = words_take(words);
-
     assert_true(word == worth(unit));
     bench->taken[unit]++;
     bench->sum += word * (unit + 1);
@@ -71,7 +68,6 @@ static bool do_farm(struct farm *farm, struct bench *bench, size_t jobs,
                                     .run = run,
                                     .take = take,
                                     .context = bench };
-
     return farm_keep(farm, KEY, error) && farm_run(&work, error);
 }
 
@@ -99,7 +95,6 @@ TEST(threads)
         struct bench bench = new_bench(between(0, MOST));
         struct farm farm = { .parts = 0 };
         c205_error error = { "" };
-
         assert_true(do_farm(&farm, &bench, between(0, 5), &error));
         assert_all_taken(&bench);
         for (size_t unit = 0; unit < bench.count; unit++)
@@ -115,7 +110,6 @@ TEST(bad)
         struct farm farm = { .parts = 0 };
         c205_error error = { "" };
         char text[24];
-
         bench.bad = between(0, bench.count - 1);
         snprintf(text, sizeof text, "bad %zu", bench.bad);
         assert_false(do_farm(&farm, &bench, between(1, 5), &error));
@@ -134,7 +128,6 @@ TEST(shares)
         size_t parts = between(1, SHARES), first = between(0, parts - 1);
         struct farm all = { .paths = paths, .path_count = parts };
         c205_error error = { "" };
-
         for (size_t k = 0; k < parts; k++) {
             size_t part = (first + k) % parts;
             struct farm farm = {
@@ -167,7 +160,6 @@ static void kill_one(void)
         struct bench bench = new_bench(MOST);
         struct farm farm = { .paths = paths, .path_count = 1 };
         c205_error error;
-
         bench.slow = true;
         do_farm(&farm, &bench, 2, &error);
         _exit(1);
@@ -183,12 +175,10 @@ TEST(killed)
     struct farm alone = { .parts = 0 };
     c205_error error = { "" };
     size_t kept = 0;
-
     assert_true(do_farm(&alone, &whole, 1, &error));
     for (int i = 0; i < KILLS; i++) {
         struct bench bench = new_bench(MOST);
         struct farm farm = { .paths = paths, .path_count = 1 };
-
         kill_one();
         assert_true(do_farm(&farm, &bench, 2, &error));
         assert_all_taken(&bench);
@@ -202,7 +192,6 @@ TEST(killed)
 FIXTURE(set_up)
 {
     bool good = true;
-
     for (size_t i = 0; i < SHARES; i++) {
         strcpy(path[i], "/tmp/test_farm.XXXXXX");
         int file = mkstemp(path[i]);

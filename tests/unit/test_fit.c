@@ -25,7 +25,6 @@ static struct run_options small(void)
     struct run_options how = { .folder = "rt/study/fit/programs",
                                .view = view,
                                .model = model };
-
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         how.width[mode] = 32;
         how.height[mode] = 20;
@@ -38,7 +37,6 @@ static const char *file_of(const char *text)
 {
     static const char path[] = "test_fit.csv";
     FILE *file = fopen(path, "w");
-
     assert_non_null(file);
     fputs(text, file);
     fclose(file);
@@ -52,7 +50,6 @@ static double clocks_of_rows(const struct fit_run *run)
     bool chosen[RUN_REGIONS_MOST];
     double clocks[RUN_REGIONS_MOST], sum = 0;
     c205_error error = { "" };
-
     assert_true(run_select(run, "", chosen, &error));
     REQUIRE(run_time(run, model, NULL, 0, RUN_FINE, clocks, &error));
     for (size_t i = 0; i < run->region_count; i++)
@@ -76,7 +73,6 @@ TEST(fewer_rays)
         struct speedup_measure all;
         c205_error error = { "" };
         char program[64];
-
         if (subject->paper.speedup == 0)
             continue;
         snprintf(program, sizeof program, "%s scalar", subject->name);
@@ -103,7 +99,6 @@ static double predicted(const char *row)
     c205_error error = { "" };
     char text[512];
     double(*clocks)[RUN_REGIONS_MOST], value;
-
     snprintf(text, sizeof text, HEAD "# a remark\n\n%s\n", row);
     if (!observations_read(&all, file_of(text), &how, &found))
         fail_msg("%s", found.items[0].message);
@@ -149,7 +144,6 @@ TEST(units)
 static void check_found(struct diagnostics *found, const char *message)
 {
     char text[200];
-
     assert_int_equal(found->count, 1);
     snprintf(text, sizeof text, "%s:%zu:%zu: %s", found->items[0].file,
              found->items[0].line, found->items[0].column, found->items[0].message);
@@ -162,7 +156,6 @@ static void assert_refused(const char *text, const char *message)
     SCOPED_VALUE(observations) all = { 0 };
     struct run_options how = small();
     struct diagnostics found = { 0 };
-
     assert_false(observations_read(&all, file_of(text), &how, &found));
     check_found(&found, message);
     remove("test_fit.csv");
@@ -204,11 +197,9 @@ TEST(refused)
 static double photon_draws(void)
 {
     double draws = 0;
-
     for (uint64_t photon = 1; photon <= 4000; photon++) {
         uint64_t position = 1025 * photon;
         double x = 0, mu = 1, u[3];
-
         do {
             for (uint64_t i = 0; i < 3; i++)
                 u[i] = (double)stream_mixed(stream_state_at(position + i + 1))
@@ -228,7 +219,6 @@ static double region_clocks(const struct fit_run *run, const char *region,
     bool chosen[RUN_REGIONS_MOST];
     double clocks[RUN_REGIONS_MOST];
     c205_error error = { "" };
-
     assert_true(run_select(run, region, chosen, &error));
     REQUIRE(run_time(run, model, setting, 1, RUN_FINE, clocks, &error));
     for (size_t i = 0; i < run->region_count; i++)
@@ -242,7 +232,6 @@ static double slower_swaps(const struct fit_run *run, const char *form)
 {
     static const c205_setting swaps[] = { { "latency.swap", 15 },
                                           { "latency.swap", 16 } };
-
     return region_clocks(run, form, &swaps[1]) - region_clocks(run, form, &swaps[0]);
 }
 
@@ -251,7 +240,6 @@ static struct fit_run *photons(const char *program)
     struct run_options how = small();
     c205_error error = { "" };
     struct fit_run *run = run_new(program, &how, &error);
-
     REQUIRE(run);
     return run;
 }
@@ -263,7 +251,6 @@ TEST(photons)
 {
     struct fit_run *run = photons("photons.s OWN_RANF=1");
     double calls = slower_swaps(run, "scalar") / 2;
-
     if (fabs(calls / photon_draws() - 1) > .001)
         fail_msg("%g calls for %g numbers", calls, photon_draws());
     assert_near(slower_swaps(run, "in_registers"), 0);
@@ -279,7 +266,6 @@ TEST(photons)
 static void assert_group(const char *name, const char *group)
 {
     const struct observation item = { .name = name };
-
     assert_int_equal(observation_group(&item), strlen(group));
     assert_memory_equal(name, group, strlen(group));
 }
@@ -304,7 +290,6 @@ TEST(ranges)
     SCOPED_VALUE(observations) all = { 0 };
     struct run_options how = small();
     struct diagnostics found = { 0 };
-
     assert_true(
         observations_read(&all,
                           file_of(HEAD
@@ -315,7 +300,6 @@ TEST(ranges)
                           &how, &found));
     for (size_t i = 0; i < all.count; i++) {
         static const double expected[][2] = { { 1.5, 3 }, { 4, 4 }, { 5, 5 } };
-
         assert_near(all.items[i].least, expected[i][0]);
         assert_near(all.items[i].most, expected[i][1]);
         assert_int_equal(all.items[i].use, i < 2 ? OBSERVATION_RANGE : OBSERVATION_FIT);
@@ -337,7 +321,6 @@ TEST(constants)
     const struct free_constant *first = &constants.items[0];
     c205_error error;
     SCOPED(c205_model) *like = c205_model_find("eta10g", &error);
-
     assert_non_null(like);
     if (!constants_read(&constants,
                         file_of("name,machine,constants,source,least,most,why\n"
@@ -388,7 +371,6 @@ TEST(untouched)
     struct fit fit = { .observations = &all, .constants = &constants };
     c205_error error = { "" };
     const char *moved_by;
-
     assert_true(
         observations_read(&all,
                           file_of(HEAD "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,"
@@ -419,7 +401,6 @@ TEST(untouched)
 FIXTURE(find_model)
 {
     c205_error error;
-
     model = c205_model_find("cyber205-2pipe", &error);
     return !model;
 }

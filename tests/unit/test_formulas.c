@@ -29,7 +29,6 @@ static void put_formula(FILE *text, uint64_t *random, int depth)
                                          "pow(2, sin(#))",
                                          "(# = # | #)" };
     static const char *const leaves[] = { "a", "b", "K", "1.5", "c", ".25", "pi" };
-
     if (depth == 0) {
         fputs(leaves[xorshift(random) % COUNT(leaves)], text);
         return;
@@ -85,7 +84,6 @@ TEST(long_ones)
     static char text[20000];
     size_t length = (size_t)snprintf(text, sizeof text,
                                      "#declare F0 = function(x) { x + 1 }\n");
-
     for (int i = 1; i < 100; i++)
         length += (size_t)snprintf(text + length, sizeof text - length,
                                    "#declare F%d = function(x) { F%d(x) + F%d(x) }\n",

@@ -21,7 +21,6 @@ static size_t some(size_t least, size_t most)
 static struct trace_options some_options(enum trace_mode mode)
 {
     size_t width = some(3, 15);
-
     return (struct trace_options)ON_PRIOR(.mode = mode, .width = width,
                                           .height = some(3, 12), .queue = some(1, 80),
                                           .band = width * some(2, 6),
@@ -69,7 +68,6 @@ static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
     c205_error error;
     c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
     c205_stop stop;
-
     assert_non_null(machine);
     while (c205_clock(machine) < clock && c205_step(machine, &stop))
         continue;
@@ -82,7 +80,6 @@ static c205_word sample(const struct frame_pixel *pixel, const c205 *machine,
     const struct object *program = trace_program(pixel->trace);
     const char *const names[] = { "scene_frame", "scene_pixels" };
     c205_word word, values[2];
-
     for (size_t i = 0; i < 2; i++)
         assert_true(c205_read(machine,
                               (uint64_t)object_symbol(program, names[i])->value,
@@ -103,7 +100,6 @@ static void check_depth(const struct frame_pixel *pixel,
                                     CHANNEL_DEPTH)[pixel->y * how->width + pixel->x];
     SCOPED(c205) *before = machine_at(pixel, stretch->from);
     SCOPED(c205) *after = machine_at(pixel, stretch->to);
-
     assert_true(c205_to_double(sample(pixel, before, CHANNEL_DEPTH)) == 0);
     if (c205_to_double(depth) != 0)
         assert_int_equal(sample(pixel, after, CHANNEL_DEPTH), depth);
@@ -126,7 +122,6 @@ static void check_sums(const struct frame_pixel *pixel,
     SCOPED(c205) *after = machine_at(pixel, stretch->to);
     int64_t clocks[C205_CAUSES] = { 0 };
     c205_stop stop;
-
     assert_true(machine && c205_listen(machine, timeline_listen, &timeline));
     while (c205_clock(machine) < stretch->to && c205_step(machine, &stop))
         continue;
@@ -135,7 +130,6 @@ static void check_sums(const struct frame_pixel *pixel,
     add_causes(before, -1, clocks);
     for (size_t i = 0; i < timeline.piece_count; i++) {
         const struct timed_piece *piece = &timeline.pieces[i];
-
         if (piece->begin >= stretch->from && piece->begin < stretch->to)
             clocks[piece->cause] -= (int64_t)(piece->end - piece->begin);
     }
@@ -154,14 +148,12 @@ static void check_region(const struct frame_pixel *pixel,
     struct clock_stretch stretch = *queue;
     c205_error error;
     c205_stop stop;
-
     if (!pixel_region_clocks(pixel, region, &stretch, &error))
         return;
     assert_true(stretch.to <= queue->to && stretch.from < stretch.to);
     SCOPED(c205) *machine = machine_at(pixel, queue->from);
     while (c205_clock(machine) < stretch.to) {
         bool there = strcmp(object_region(program, c205_pc(machine)), region) == 0;
-
         assert_int_equal(there, c205_clock(machine) >= stretch.from);
         assert_true(c205_step(machine, &stop));
     }
@@ -174,12 +166,10 @@ static void check_pixels(enum trace_mode mode)
     SCOPED(scene) *scene = some_scene();
     struct trace_options options = some_options(mode);
     SCOPED(trace) *trace = run_trace(scene, &options);
-
     for (size_t i = 0; i < 4; i++) {
         struct frame_pixel pixel;
         struct clock_stretch stretch;
         c205_error error;
-
         assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
                                      some(0, options.height - 1), &error));
         REQUIRE(pixel_queue_clocks(&pixel, &stretch, &error));
@@ -235,7 +225,6 @@ static void check_same(struct following *following, const struct pixel_element *
         { "hdx", "adx" }, { "hdy", "ady" }, { "hdz", "adz" },
     };
     size_t lane = following->ray[0].lane;
-
     for (size_t i = 0; i < COUNT(same); i++)
         if (strcmp(element->vector, same[i][0]) == 0
             && (element->group == PIXEL_NEAR || following->shaded))
@@ -253,7 +242,6 @@ static void keep_point(struct following *following, const struct pixel_element *
 {
     static const char *const names[] = { "px", "py", "pz" };
     static const char *const colours[] = { "red", "green", "blue" };
-
     for (size_t i = 0; following->shaded && i < 3; i++) {
         if (strcmp(element->vector, names[i]) == 0)
             following->points[following->point_count][i] = element->word;
@@ -272,7 +260,6 @@ static void check_origin(const struct following *following)
     const c205_word origin[] = { ray_word(following, "aox"), ray_word(following, "aoy"),
                                  ray_word(following, "aoz") };
     bool found = false;
-
     for (size_t i = 0; i < following->point_count; i++)
         found |= memcmp(following->points[i], origin, sizeof origin) == 0;
     assert_true(found);
@@ -281,7 +268,6 @@ static void check_origin(const struct following *following)
 static void follow(void *context, const struct pixel_element *element)
 {
     struct following *following = context;
-
     assert_true(element->lane < element->length);
     if (element->group == PIXEL_QUEUE) {
         if (following->ray_count > 0 && following->ray[0].lane != element->lane)
@@ -304,7 +290,6 @@ static void follow(void *context, const struct pixel_element *element)
 static uint64_t label(const struct frame_pixel *pixel, const char *name)
 {
     const struct asm_symbol *symbol = object_symbol(trace_program(pixel->trace), name);
-
     return symbol ? (uint64_t)symbol->value : 0;
 }
 
@@ -313,7 +298,6 @@ static void check_met(const struct following *following)
 {
     const struct frame_pixel *pixel = following->pixel;
     bool hit = c205_to_double(ray_word(following, "met")) != 0;
-
     assert_int_equal(hit, c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
     if (hit)
         assert_int_equal(ray_word(following, "nearest"),
@@ -331,11 +315,9 @@ static void check_rays(struct following *following)
     c205_error error;
     SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
     c205_stop stop;
-
     do {
         uint64_t pc = c205_pc(machine);
         const char *now = object_region(program, pc);
-
         following->shaded = pc == shaded && pc != 0;
         if (now == region && pc != shade && !following->shaded
             && strcmp(now, "sphere") != 0 && strcmp(now, "plane") != 0
@@ -356,7 +338,6 @@ static void check_crossings(const struct following *following,
                             const struct scene *scene)
 {
     bool hit = c205_to_integer(channel_of(following->pixel, CHANNEL_ID)) != 0;
-
     if (scene->primitive_count == 2 && hit
         && trace_how(following->pixel->trace)->mode != TRACE_SCALAR)
         assert_true(following->crossed);
@@ -366,7 +347,6 @@ static void check_crossings(const struct following *following,
 static void check_colour(const struct following *following)
 {
     const struct frame_pixel *pixel = following->pixel;
-
     if (trace_how(pixel->trace)->mode != TRACE_VECTOR
         || c205_to_integer(channel_of(pixel, CHANNEL_ID)) == 0
         || trace_rays(pixel->trace, RAY_REFLECTED) > 0
@@ -380,7 +360,6 @@ static void check_colour(const struct following *following)
 TEST(rays)
 {
     static struct following sum;
-
     for (size_t i = 0; i < 15 * TRACE_MODES; i++) {
         SCOPED(scene) *scene = some_scene();
         struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
@@ -388,7 +367,6 @@ TEST(rays)
         struct frame_pixel pixel;
         struct following following = { .pixel = &pixel };
         c205_error error;
-
         assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
                                      some(0, options.height - 1), &error));
         check_rays(&following);
@@ -417,7 +395,6 @@ static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
 {
     c205_error error;
     SCOPED(c205) *plain = trace_machine(pixel->trace, pixel->band, &error);
-
     assert_int_equal(c205_run(plain, C205_NO_LIMIT).trap, C205_TRAP_NONE);
     assert_int_equal(c205_account_count(plain), c205_account_count(machine));
     for (size_t i = 0; i < c205_account_count(plain); i++)
@@ -446,7 +423,6 @@ static void check_session(enum trace_mode mode)
                                     .context = &pixel };
     c205_error error;
     char again[200];
-
     assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
                                  some(0, options.height - 1), &error));
     struct debugger *debugger = debugger_new(&setup, &error);

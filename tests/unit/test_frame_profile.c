@@ -24,10 +24,8 @@ FIXTURE(find_models)
 {
     const char *const *name = c205_model_names();
     c205_error error;
-
     for (; *name && models.count < MODELS_MOST; name++) {
         c205_model *model = c205_model_find(*name, &error);
-
         if (model && !c205_model_is_projection(model))
             models.list[models.count++] = model;
         else
@@ -46,7 +44,6 @@ FIXTURE(free_models)
 static struct trace_options some_options(enum trace_mode mode)
 {
     uint64_t model = xorshift(&random_state) % models.count;
-
     return (struct trace_options){
         .mode = mode,
         .width = (size_t)xorshift_between(&random_state, 3, 12),
@@ -64,10 +61,8 @@ static struct trace_options some_options(enum trace_mode mode)
 static c205_account sum_of(const struct line_profile *profile, const char *region)
 {
     c205_account sum = { .name = region };
-
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         const struct profile_row *row = line_profile_row(profile, i);
-
         if (strcmp(row->region, region) != 0)
             continue;
         sum.instructions += row->executions;
@@ -82,7 +77,6 @@ static void check_region(const struct line_profile *profile,
                          const c205_account *account, const char *what)
 {
     c205_account sum = sum_of(profile, account->name);
-
     for (int cause = 0; cause < C205_CAUSES; cause++)
         if (sum.clocks[cause] != account->clocks[cause])
             fail_msg("%s: %s of '%s' is %llu line by line, %llu in all", what,
@@ -98,7 +92,6 @@ static void check_sums(const struct line_profile *profile,
                        const struct accounts *accounts, const char *what)
 {
     uint64_t clocks = 0;
-
     for (size_t i = 0; i < accounts->count; i++)
         check_region(profile, &accounts->items[i], what);
     for (size_t i = 0; i < line_profile_count(profile); i++)
@@ -115,7 +108,6 @@ static char *table_text_of(const struct line_profile *profile, struct profile_vi
     char *text = NULL;
     size_t size;
     FILE *file = open_memstream(&text, &size);
-
     assert_true(table && file && table_write(table, TABLE_CSV, file));
     fclose(file);
     return text;
@@ -128,7 +120,6 @@ static char *check_frame(const struct scene *scene, struct trace_options options
     SCOPED(line_profile) *profile = NULL;
     struct observer observer = frame_profile_observer(&profile);
     const struct observer *const observers[] = { &observer, NULL };
-
     options.observers = observers;
     SCOPED(trace) *trace = run_trace(scene, &options);
     check_sums(profile, trace_accounts(trace), what);
@@ -143,7 +134,6 @@ static struct scene *read_file(const char *path)
                                            .read_raster = picture_read_raster };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
-
     if (!scene)
         fail_msg("%s cannot be read", path);
     return scene;
@@ -152,7 +142,6 @@ static struct scene *read_file(const char *path)
 static void check_scene(const char *path, enum trace_mode mode)
 {
     SCOPED(scene) *scene = read_file(path);
-
     free(check_frame(scene, some_options(mode), path));
 }
 
@@ -163,7 +152,6 @@ TEST(scenes)
     const char *profiled = getenv("PROFILED");
     bool all = profiled && strcmp(profiled, "all") == 0;
     size_t count = 0;
-
     for (size_t i = 0; i < 2; i++) {
         glob_t found;
 
@@ -183,12 +171,10 @@ TEST(jobs)
 {
     static const char *const paths[] = { "scenes/first.pov", "scenes/rings.pov",
                                          "tests/scenes/glass.pov" };
-
     for (size_t i = 0; i < 3 * TRACE_MODES; i++) {
         const char *path = paths[i / TRACE_MODES];
         SCOPED(scene) *scene = read_file(path);
         struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
-
         options.band = 3 * options.width;
         options.jobs = 1;
         FREED char *alone = check_frame(scene, options, path);
@@ -206,7 +192,6 @@ TEST(order)
     char *line = strchr(text, '\n') + 1, region[40] = "", last[40] = "";
     unsigned long long clocks, before = 0, in_region = 0, in_last = UINT64_MAX;
     size_t regions = 0;
-
     for (; *line; line = strchr(line, '\n') + 1) {
         assert_int_equal(sscanf(line, "%39[^,],%*[^,],%llu", region, &clocks), 2);
         if (strcmp(region, last) != 0) {

@@ -24,7 +24,6 @@ static struct global_lines find(const char *text, struct global_lines_options op
     SCOPED(scene) *scene = read_scene(text);
     struct global_lines found;
     c205_error error = { "" };
-
     options.seed = seed;
     options.model = prior_model;
     if (!global_lines_find(scene, &options, &found, &error))
@@ -43,7 +42,6 @@ static void assert_exact(const struct global_lines *found)
 {
     for (size_t i = 0; i <= found->surfaces; i++) {
         double sum = 0;
-
         for (size_t j = 0; j <= found->surfaces; j++) {
             assert_int_equal(global_lines_count(found, i, j),
                              global_lines_count(found, j, i));
@@ -62,7 +60,6 @@ TEST(shell)
         find("sphere { 0, .5 }"
              " difference { sphere { 0, 1.1 } sphere { 0, 1 } }",
              usual);
-
     assert_exact(&found);
     assert_estimate("ball", global_lines_area(&found, 0), acos(-1));
     assert_estimate("shell", global_lines_area(&found, 2), 4 * acos(-1));
@@ -77,7 +74,6 @@ TEST(discs)
 {
     SCOPED_VALUE(global_lines) found = find("disc { 0, z, 1 } disc { z, z, 1 }", usual);
     double factor = (3 - sqrt(5)) / 2;
-
     assert_exact(&found);
     assert_estimate("disc", global_lines_area(&found, 0), 2 * acos(-1));
     assert_estimate("discs", global_lines_factor(&found, 0, 1), factor / 2);
@@ -102,11 +98,9 @@ TEST(areas)
     for (size_t s = 0; s < COUNT(solids); s++) {
         SCOPED_VALUE(global_lines) found = find(solids[s].solid, usual);
         struct estimate sum = { 0, 0 };
-
         assert_exact(&found);
         for (size_t i = 0; i < found.surfaces; i++) {
             struct estimate area = global_lines_area(&found, i);
-
             sum.value += area.value;
             sum.error += area.error;
         }
@@ -123,7 +117,6 @@ TEST(forms)
         " cylinder { -2*x, -2*x + y, .5 open }"
         " difference { box { <-4,-2,1>, <4,-1,2> } sphere { -1.5*z, 3 } }";
     struct global_lines_options options = usual;
-
     options.repeats = 2;
     options.lines_log = 8;
     SCOPED_VALUE(global_lines) one = find(text, options);
@@ -131,7 +124,6 @@ TEST(forms)
     assert_true(are_steps(one.clocks, &one.accounts));
     for (int i = 0; i < 4; i++) {
         size_t width = one.surfaces + 1;
-
         options.mode = i == 0 ? TRACE_SCALAR : i == 3 ? TRACE_KERNELS : TRACE_VECTOR;
         options.queue = i == 1 ? 37 : 2000;
         options.jobs = i == 2 ? 2 : 1;
@@ -148,7 +140,6 @@ static void assert_fails(const char *text, struct global_lines_options options,
     SCOPED(scene) *scene = read_scene(text);
     struct global_lines found;
     c205_error error = { "" };
-
     options.model = prior_model;
     assert_false(global_lines_find(scene, &options, &found, &error));
     REQUIRE(strstr(error.message, message));
@@ -157,7 +148,6 @@ static void assert_fails(const char *text, struct global_lines_options options,
 TEST(refusals)
 {
     struct global_lines_options once = usual, many = usual;
-
     once.repeats = 1;
     many.lines_log = 21;
     assert_fails("camera { location -5*z }", usual, "no surfaces");

@@ -67,7 +67,6 @@ TEST(limits)
                                       .items = (struct observation *)rows };
     char text[1000] = "";
     const struct results results = { .format = RESULTS_TEXT, .file = tmpfile() };
-
     assert_non_null(results.file);
     study.fit.observations = &all;
     study.fit.constants = &constants;

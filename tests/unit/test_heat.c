@@ -18,7 +18,6 @@ static void find(const struct scene *scene, const struct heat_request *request,
                  struct heat *heat)
 {
     c205_error error = { "" };
-
     REQUIRE(heat_begin(scene, request, heat, &error) && heat_find(heat, &error));
 }
 
@@ -27,7 +26,6 @@ static size_t drawn_of(const char *text, const struct heat_request *request,
 {
     SCOPED(scene) *scene = read_scene(text);
     SCOPED_VALUE(heat) heat;
-
     find(scene, request, &heat);
     assert_int_equal(heat_is_precise(&heat), precise);
     return heat.drawn;
@@ -37,7 +35,6 @@ static size_t drawn_of(const char *text, const struct heat_request *request,
 TEST(rounds)
 {
     struct heat_request request = usual();
-
     assert_int_equal(drawn_of(balls, &request, true), 16);
     request.tolerance = 1e-9;
     request.limit = 100;
@@ -58,7 +55,6 @@ TEST(rounds)
 TEST(no_spread)
 {
     struct heat_request request = usual();
-
     request.tolerance = .01;
     request.limit = 1000;
     assert_int_equal(drawn_of("sphere { 0, 1 }", &request, true), 64);
@@ -69,7 +65,6 @@ static void check_number(const struct heat *one, const struct heat *other,
                          double *number)
 {
     double kept = *number;
-
     *number = nextafter(kept, INFINITY);
     assert_false(heat_is_same(one, other));
     *number = kept;
@@ -82,7 +77,6 @@ TEST(same)
     SCOPED(scene) *scene = read_scene(balls);
     struct heat_request request = usual();
     struct heat one, other;
-
     request.smooth = request.exchange = true;
     request.temperatures = warm;
     request.temperature_count = 1;

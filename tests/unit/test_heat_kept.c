@@ -50,7 +50,6 @@ static void put_estimate(struct run *run, struct estimate estimate)
 static bool tell(void *context, size_t done, size_t all)
 {
     struct run *run = context;
-
     (void)all;
     run->told = done > run->told ? done : run->told;
     return run->stop == 0 || done < run->stop;
@@ -67,7 +66,6 @@ static bool run_rays(struct run *run, const struct scene *scene)
     SCOPED(factors) *factors = factors_new(scene, &options, &run->error);
     struct factor_row rows[PRIMITIVES];
     bool good = factors && factors_find(factors, all, PRIMITIVES, rows, &run->error);
-
     assert_int_equal(factors_units(factors, PRIMITIVES), UNITS);
     for (size_t i = 0; good && i < PRIMITIVES; i++) {
         run->clocks += rows[i].accounts.clocks;
@@ -91,7 +89,6 @@ static bool run_lines(struct run *run, const struct scene *scene)
                                                    .jobs = run->jobs, .farm = run->farm,
                                                    .progress = tell, .context = run);
     struct global_lines found;
-
     if (!global_lines_find(scene, &options, &found, &run->error))
         return false;
     assert_int_equal(found.units, UNITS);
@@ -100,7 +97,6 @@ static bool run_lines(struct run *run, const struct scene *scene)
     for (size_t i = 0; i <= PRIMITIVES; i++)
         for (size_t j = 0; j <= PRIMITIVES; j++) {
             uint64_t count = global_lines_count(&found, i, j);
-
             put(run, &count);
         }
     global_lines_free(&found);
@@ -111,7 +107,6 @@ static bool do_run(struct run *run)
 {
     SCOPED(scene) *scene = read_scene(text);
     bool good = run->lines ? run_lines(run, scene) : run_rays(run, scene);
-
     if (run->farm)
         farm_end(run->farm, false);
     return good;
@@ -134,7 +129,6 @@ static void assert_same(const struct run *run, const struct run *other)
 static struct run find_alone(bool lines)
 {
     struct run alone = begin(lines, NULL);
-
     assert_true(do_run(&alone));
     assert_true(alone.clocks > 0);
     return alone;
@@ -147,7 +141,6 @@ static void check_stopped(bool lines, const struct run *alone)
     struct farm first = { .paths = paths, .path_count = 1 };
     struct farm second = first;
     struct run stopped = begin(lines, &first), next = begin(lines, &second);
-
     stopped.stop = 1 + (size_t)(xorshift(&seed) % (UNITS - 1));
     assert_false(do_run(&stopped));
     assert_non_null(strstr(stopped.error.message, "stopped after"));
@@ -161,7 +154,6 @@ TEST(stopped)
 {
     for (int lines = 0; lines < 2; lines++) {
         struct run alone = find_alone(lines);
-
         for (int i = 0; i < 3; i++)
             check_stopped(lines, &alone);
     }
@@ -174,13 +166,11 @@ TEST(shares)
     for (int lines = 0; lines < 2; lines++) {
         struct run alone = find_alone(lines);
         struct farm all = { .paths = paths, .path_count = SHARES };
-
         for (size_t i = 0; i < SHARES; i++) {
             struct farm farm = {
                 .part = i + 1, .parts = SHARES, .paths = &paths[i], .path_count = 1
             };
             struct run share = begin(lines, &farm);
-
             assert_true(do_run(&share));
             assert_int_equal(share.told, (size_t)UNITS / SHARES);
         }
@@ -202,7 +192,6 @@ TEST(others)
         struct farm second = first, third = first;
         struct run run = begin(lines, &first), seeded = begin(lines, &second),
                    other = begin(!lines, &third);
-
         assert_true(do_run(&run));
         seeded.seed++;
         assert_false(do_run(&seeded));
@@ -216,7 +205,6 @@ TEST(others)
 FIXTURE(set_up)
 {
     bool good = true;
-
     for (size_t i = 0; i < SHARES; i++) {
         strcpy(path[i], "/tmp/test_heat_kept.XXXXXX");
         int file = mkstemp(path[i]);

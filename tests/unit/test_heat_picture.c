@@ -26,7 +26,6 @@ static struct scene *read_scene(void)
     const struct scene_options options = { .strict = false };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read_text("scene", text, &options, &reports);
-
     assert_non_null(scene);
     return scene;
 }
@@ -77,7 +76,6 @@ static void check_scale(const struct frame *frame, enum heat_shown shown,
                         white[3] = { .9, .9, .9 };
     bool from_zero = shown == SHOWN_FLOW && drawn->least >= 0;
     size_t bar = 0, dots = 0;
-
     assert_int_equal(frame->width, WIDTH);
     assert_true(frame->height > HEIGHT + 20);
     for (size_t i = WIDTH * HEIGHT; i < WIDTH * frame->height; i++) {
@@ -101,7 +99,6 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
     bool seen[5] = { false };
     double least = INFINITY, most = -INFINITY;
     c205_error error = { "" };
-
     REQUIRE(heat_draw(heat, &look, &drawn, &error));
     assert_true(picture_read_layer(path, heat_shown_name(shown), &frame, &why));
     for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
@@ -109,7 +106,6 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
         double expected = id == 0 ? 0
                                   : value_of(heat, shown, number,
                                              heat->surfaces.surface_of[id - 1]);
-
         seen[id] = true;
         assert_true(frame.value[i] == (double)(float)expected);
     }
@@ -130,7 +126,6 @@ TEST(values)
     SCOPED(scene) *scene = read_scene();
     SCOPED_VALUE(heat) heat;
     c205_error error = { "" };
-
     REQUIRE(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
     check_picture(&heat, SHOWN_FLOW, NULL, 0);
     check_picture(&heat, SHOWN_FACTOR, "Block", 1);
@@ -152,7 +147,6 @@ static size_t drawn_by(const char *title, double least, double most, size_t widt
     };
     size_t rows = color_scale_rows(&scale, width), count = 0;
     SCOPED_VALUE(frame) frame;
-
     assert_true(frame_allocate(&frame, width, rows + 1));
     color_scale_draw(&scale, &frame, 1);
     for (size_t i = 0; i < width * (rows + 1); i++) {
@@ -168,7 +162,6 @@ TEST(scale)
     static const char used[] = "0123456789-+.,/^Wacefhilmnoprstuw";
     char letter[2] = "";
     size_t none = drawn_by("", -1, 1, 320), twice = drawn_by("", -1, 1, 640);
-
     for (size_t i = 0; used[i]; i++) {
         letter[0] = used[i];
         assert_true(drawn_by(letter, -1, 1, 320) > none);
@@ -190,7 +183,6 @@ TEST(refused)
     SCOPED_VALUE(heat) heat;
     struct heat_drawn drawn;
     c205_error error = { "" };
-
     request.exchange = false;
     assert_true(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
     assert_false(heat_draw(&heat, &look, &drawn, &error));

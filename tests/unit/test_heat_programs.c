@@ -21,7 +21,6 @@ static size_t some_length(size_t most)
 {
     static const size_t ends[] = { 1, 2, 3, 63, 64, 65, 4095, 4096, 4097 };
     size_t length = below(3) ? 1 + below(100) : ends[below(COUNT(ends))];
-
     return length < most ? length : most;
 }
 
@@ -30,7 +29,6 @@ static struct object *assemble(const char *name)
     static const struct asm_define none[] = { { NULL, 0 } };
     c205_error error;
     struct object *program = program_assemble(name, none, &error);
-
     REQUIRE(program);
     return program;
 }
@@ -38,7 +36,6 @@ static struct object *assemble(const char *name)
 static void end(struct single_run *run, uint64_t from, c205_word *words, size_t count)
 {
     uint64_t clocks = 0;
-
     if (!single_run_end(run, from, words, count, &clocks))
         fail_msg("%s", run->error->message);
     assert_true(clocks > 0);
@@ -57,7 +54,6 @@ static void receive(const struct object *program, const struct receiving *given,
     size_t receivers = given->receivers;
     struct single_run run;
     c205_error error = { "" };
-
     single_run_begin(&run, program, prior_model, &error);
     single_run_word(&run, "received_rays", given->rays);
     single_run_word(&run, "received_receivers", receivers);
@@ -73,11 +69,9 @@ static void receive(const struct object *program, const struct receiving *given,
 static void check_received(const struct receiving *given, const c205_word *words)
 {
     double all = 0;
-
     for (size_t r = 0; r < given->receivers; r++) {
         double sum = 0;
         int64_t count = 0;
-
         for (size_t i = 0; i < given->rays; i++)
             if (c205_to_integer(given->list[i]) == (int64_t)r) {
                 sum += c205_to_double(given->weights[i]);
@@ -96,13 +90,11 @@ TEST(received)
 {
     struct object *forms[] = { assemble("heat/received_scalar.s"),
                                assemble("heat/received_vector.s") };
-
     for (int i = 0; i < 60; i++) {
         struct receiving given = { .rays = some_length(65535),
                                    .receivers = some_length(300) };
         size_t width = 2 * given.receivers + 1;
         c205_word *words[2];
-
         given.weights = calloc(given.rays, sizeof *given.weights);
         given.list = calloc(given.rays, sizeof *given.list);
         for (size_t k = 0; k < given.rays; k++) {
@@ -140,7 +132,6 @@ static void stay(const struct object *program, const struct staying *given,
     size_t count = PLANES * given->points;
     struct single_run run;
     c205_error error = { "" };
-
     single_run_begin(&run, program, prior_model, &error);
     single_run_word(&run, "faces_points", given->points);
     single_run_word(&run, "faces_planes", PLANES);
@@ -157,7 +148,6 @@ static void stay(const struct object *program, const struct staying *given,
 static void draw_crossings(const struct staying *given)
 {
     static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
-
     for (size_t i = 0; i < given->crossings; i++) {
         given->list[i] = c205_from_double(distances[below(6)]);
         given->list[given->crossings + i] = c205_from_integer(
@@ -184,7 +174,6 @@ static int64_t primitive_of(const struct staying *given, size_t i)
 static int64_t sense_of(const struct staying *given, size_t point)
 {
     int64_t sense = 0;
-
     for (size_t i = 0; i < given->crossings; i++)
         if (is_near(given, i, point) && primitive_of(given, i) == OWN)
             sense = c205_to_integer(given->list[3 * given->crossings + i]);
@@ -194,7 +183,6 @@ static int64_t sense_of(const struct staying *given, size_t point)
 static bool stays(const struct staying *given, size_t point)
 {
     int64_t sense = sense_of(given, point);
-
     for (size_t i = 0; i < given->crossings; i++)
         if (is_near(given, i, point) && primitive_of(given, i) < OWN
             && c205_to_integer(given->list[3 * given->crossings + i]) == sense)
@@ -205,7 +193,6 @@ static bool stays(const struct staying *given, size_t point)
 static void check_staying(const struct staying *given, const c205_word *words)
 {
     size_t kept = 0;
-
     for (size_t i = 0; i < given->points; i++) {
         if (!stays(given, i))
             continue;
@@ -221,10 +208,8 @@ TEST(staying)
 {
     struct object *forms[] = { assemble("heat/faces_scalar.s"),
                                assemble("heat/faces_vector.s") };
-
     for (int i = 0; i < 60; i++) {
         struct staying given = { .points = some_length(5000) };
-
         given.crossings = below(5) == 0   ? 0
                           : below(4) == 0 ? 4097 + below(5000)
                                           : some_length(5000);
@@ -236,7 +221,6 @@ TEST(staying)
         draw_crossings(&given);
         for (int form = 0; form < 2; form++) {
             FREED c205_word *made = calloc(words + 1, sizeof *made);
-
             stay(forms[form], &given, made);
             check_staying(&given, made);
         }
@@ -258,7 +242,6 @@ struct gap_ends {
 static void make_ends(struct gap_ends *given)
 {
     size_t ends = given->gaps + 1;
-
     given->planes = calloc(3 * ends, sizeof *given->planes);
     assert_non_null(given->planes);
     for (size_t k = 0; k < ends; k++) {
@@ -275,7 +258,6 @@ static void count_gaps(const struct object *program, const struct gap_ends *give
     size_t cells = given->surfaces * given->surfaces;
     struct single_run run;
     c205_error error = { "" };
-
     single_run_begin(&run, program, prior_model, &error);
     single_run_word(&run, "gaps_count", given->gaps);
     single_run_word(&run, "gaps_surfaces", given->surfaces);
@@ -290,7 +272,6 @@ static void check_gaps(const struct gap_ends *given, const c205_word *counts)
 {
     size_t ends = given->gaps + 1, n = given->surfaces;
     FREED int64_t *left = calloc(n * n, sizeof *left);
-
     assert_non_null(left);
     for (size_t i = 0; i < n * n; i++)
         left[i] = c205_to_integer(counts[i]);
@@ -299,7 +280,6 @@ static void check_gaps(const struct gap_ends *given, const c205_word *counts)
         double length = fabs(c205_to_double(end[1]) - c205_to_double(end[0]));
         size_t from = (size_t)c205_to_integer(end[ends]);
         size_t to = (size_t)c205_to_integer(end[ends + 1]);
-
         if (length >= .25 && c205_to_integer(end[2 * ends]) == 0)
             left[from * n + to]--;
     }
@@ -311,13 +291,11 @@ TEST(gaps)
 {
     struct object *forms[] = { assemble("heat/gaps_scalar.s"),
                                assemble("heat/gaps_vector.s") };
-
     for (int i = 0; i < 60; i++) {
         struct gap_ends given = { .gaps = i ? some_length(65534) : 65534,
                                   .surfaces = 1 + below(40) };
         FREED c205_word *counts = calloc(given.surfaces * given.surfaces,
                                          sizeof *counts);
-
         assert_non_null(counts);
         make_ends(&given);
         for (size_t form = 0; form < 2; form++) {

@@ -24,7 +24,6 @@ static struct grid random_grid(void)
 {
     struct grid grid = { .columns = (int)between(2, GRID_MOST + 1),
                          .rows = (int)between(2, GRID_MOST + 1) };
-
     for (int z = 0; z < grid.rows; z++)
         for (int x = 0; x < grid.columns; x++)
             grid.heights[z][x] = (int)between(0, 65536);
@@ -36,7 +35,6 @@ static void keep_grid(const struct grid *grid)
 {
     char text[2000];
     int end = sprintf(text, "P2\n# by chance\n%d %d 65535", grid->columns, grid->rows);
-
     for (int z = grid->rows - 1; z >= 0; z--)
         for (int x = 0; x < grid->columns; x++)
             end += sprintf(text + end, "\n%d", grid->heights[z][x]);
@@ -55,7 +53,6 @@ static double surface(const struct grid *grid, double x, double z)
     int i = (int)u, j = (int)v;
     double a = height_of(grid, i, j), b = height_of(grid, i + 1, j);
     double c = height_of(grid, i, j + 1), d = height_of(grid, i + 1, j + 1);
-
     u -= i;
     v -= j;
     if (u + v <= 1)
@@ -84,7 +81,6 @@ TEST(surface)
         struct grid grid = random_grid();
         double water = i % 3 ? between(-.2, .8) : 0;
         char words[50];
-
         keep_grid(&grid);
         snprintf(words, sizeof words, "water_level %.9f", water);
         if (water > surface(&grid, .5, .5))
@@ -107,7 +103,6 @@ static double slope(const struct grid *grid, int x, int z, int to_x, int to_z)
 static void normal_at(const struct grid *grid, int x, int z, double normal[3])
 {
     double sum[3] = { 0, 0, 0 }, length;
-
     for (int corner = 0; corner < 4; corner++) {
         int to_x = x + (corner & 1 ? 1 : -1), to_z = z + (corner & 2 ? 1 : -1);
         if (to_x < 0 || to_x >= grid->columns || to_z < 0 || to_z >= grid->rows)
@@ -131,7 +126,6 @@ static void make_unit(double normal[3])
 {
     double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1]
                          + normal[2] * normal[2]);
-
     for (int i = 0; i < 3; i++)
         normal[i] /= length;
 }
@@ -142,7 +136,6 @@ static void check_corner(const struct grid *grid, const double corner[3],
     int x = (int)lround(corner[0] / wide * (grid->columns - 1));
     int z = (int)lround(corner[2] * (grid->rows - 1));
     double expected[3];
-
     normal_at(grid, x, z, expected);
     expected[0] /= wide;
     expected[1] /= high;
@@ -159,7 +152,6 @@ TEST(normals)
         struct grid grid = random_grid();
         double wide = between(.5, 2), high = between(1, 4000);
         char words[80];
-
         keep_grid(&grid);
         snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide, high);
         SCOPED(scene) *scene = field_expect("", words);
@@ -185,7 +177,6 @@ TEST(known_normals)
         { { 1 / 3., 0, .5 }, { -.823625467, .558197278, -.100284039 } },
     };
     size_t found = 0;
-
     field_keep(field, strlen(field));
     SCOPED(scene) *scene = field_expect("pgm", "smooth");
     for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++) {
@@ -209,7 +200,6 @@ static void expect_height(const char *text, double x, double z, double height)
 {
     SCOPED(scene) *scene = read_scene(text);
     double met = -1;
-
     assert_int_equal(field_meet(triangles_of(scene), x, z, &met), 1);
     assert_close(met, height / 65536, 1e-8);
 }
@@ -218,7 +208,6 @@ static void expect_height(const char *text, double x, double z, double height)
 TEST(functions)
 {
     static const char slanted[] = "height_field { function 5, 3 { x*.5 + y*.25 } }";
-
     expect_height(slanted, 1e-9, 1e-9, 16383);
     expect_height(slanted, 1 - 1e-9, 1e-9, 49151);
     expect_height(slanted, .5 - 1e-9, .5 - 1e-9, 24575);
@@ -231,7 +220,6 @@ TEST(below_water)
 {
     struct scene
         *scene = read_with("height_field { function 3, 3 { x } water_level 1 }", 1);
-
     assert_int_equal(scene->primitive_count, 0);
     scene_free(scene);
 }
@@ -241,7 +229,6 @@ TEST(below_water)
 static int compare_ends(const void *a, const void *b)
 {
     const double *one = a, *other = b;
-
     for (int i = 0; i < 6; i++)
         if (one[i] != other[i])
             return one[i] < other[i] ? -1 : 1;
@@ -253,7 +240,6 @@ static void assert_is_closed(const struct triangles *triangles)
 {
     size_t count = 3 * triangles->count, same;
     double(*edges)[6] = malloc(count * sizeof *edges);
-
     assert_non_null(edges);
     for (size_t i = 0; i < count; i++) {
         const struct triangle *triangle = &triangles->list[i / 3];
@@ -283,7 +269,6 @@ TEST(bodies)
         "height_field { function 3, 3 { x } pigment { rgbt 1 } }");
     const struct primitive *p = scene->primitives;
     uint64_t random = 5;
-
     assert_int_equal(p[0].shape.mesh.triangles.count, 21);
     assert_false(shape_is_surface(&p[0]));
     assert_is_closed(&p[0].shape.mesh.body);

@@ -194,7 +194,6 @@ TEST(large_file)
 TEST(no_adapter)
 {
     struct diagnostics reports = { 0 };
-
     for (size_t i = 0; i < COUNT(known_files); i++) {
         const struct known_file *file = &known_files[i];
         bool own = *file->word == 'p' && file->word[1] != 'n';

@@ -40,7 +40,6 @@ static struct bound on_whole_numbers(size_t i)
 static struct bound smaller_and_smaller(size_t i)
 {
     double size = 1e9;
-
     for (size_t k = 0; k < i % 60; k++)
         size /= 2;
     return ball(size, 0, 0, size / 100);
@@ -73,7 +72,6 @@ enum { KINDS = COUNT(kinds) };
 static void check_order(const struct hierarchy *hierarchy, size_t count)
 {
     FREED bool *seen = calloc(count + 1, sizeof *seen);
-
     assert_int_equal(hierarchy->count, count);
     for (size_t i = 0; i < count; i++) {
         assert_true(hierarchy->order[i] < count);
@@ -86,7 +84,6 @@ static void check_order(const struct hierarchy *hierarchy, size_t count)
 static void check_loose(const struct hierarchy *hierarchy, const struct bound *bounds)
 {
     bool all = hierarchy->loose == hierarchy->count;
-
     assert_true(all == (hierarchy->node_count == 0));
     for (size_t i = 0; i < hierarchy->count; i++)
         assert_true(all
@@ -94,7 +91,6 @@ static void check_loose(const struct hierarchy *hierarchy, const struct bound *b
                            == (i < hierarchy->loose));
     for (size_t i = 1; i < hierarchy->loose; i++) {
         const size_t *order = &hierarchy->order[i];
-
         assert_true(bound_is_none(&bounds[order[-1]])
                             == bound_is_none(&bounds[order[0]])
                         ? order[-1] < order[0]
@@ -116,7 +112,6 @@ static size_t check_node(const struct hierarchy *hierarchy, const struct bound *
 {
     const struct hierarchy_node *node = &hierarchy->nodes[i];
     size_t end = place;
-
     assert_true(depth <= HIERARCHY_DEPTH);
     assert_true(node->next > i && node->next <= hierarchy->node_count);
     if (node->count > 0) {
@@ -126,7 +121,6 @@ static size_t check_node(const struct hierarchy *hierarchy, const struct bound *
     } else {
         size_t second = hierarchy->nodes[i + 1].next;
         double way[3];
-
         end = check_node(hierarchy, bounds, i + 1, place, depth + 1);
         end = check_node(hierarchy, bounds, second, end, depth + 1);
         assert_int_equal(hierarchy->nodes[second].next, node->next);
@@ -144,7 +138,6 @@ static size_t check_node(const struct hierarchy *hierarchy, const struct bound *
 static size_t check(const struct bound *bounds, size_t count)
 {
     SCOPED_VALUE(hierarchy) hierarchy;
-
     assert_true(hierarchy_build(bounds, count, &hierarchy));
     check_order(&hierarchy, count);
     check_loose(&hierarchy, bounds);
@@ -158,11 +151,9 @@ static size_t check(const struct bound *bounds, size_t count)
 TEST(random)
 {
     FREED struct bound *bounds = malloc(MOST * sizeof *bounds);
-
     for (int turn = 0; turn < 300; turn++) {
         size_t count = turn % 10 ? below(40) : below(MOST);
         size_t kind = below(KINDS), other = below(KINDS);
-
         for (size_t i = 0; i < count; i++)
             bounds[i] = kinds[below(5) ? kind : other](i);
         check(bounds, count);
@@ -173,7 +164,6 @@ TEST(random)
 TEST(nodes)
 {
     struct bound bounds[64];
-
     for (size_t i = 0; i < 64; i++)
         bounds[i] = ball(10. * (double)i, 0, 0, 1);
     assert_int_equal(check(bounds, 64), 63); /* leaves of two */
@@ -201,7 +191,6 @@ TEST(depth)
 TEST(none)
 {
     SCOPED_VALUE(hierarchy) hierarchy;
-
     assert_true(hierarchy_none(5, &hierarchy));
     assert_int_equal(hierarchy.loose, 5);
     assert_int_equal(hierarchy.node_count, 0);

@@ -26,7 +26,6 @@ struct bundle {
 static void draw_unit(double v[3])
 {
     double length = 0;
-
     while (length < .1 || length > 1) {
         length = 0;
         for (int i = 0; i < 3; i++) {
@@ -50,7 +49,6 @@ static void draw(struct bundle *bundle)
     for (size_t i = 0; i < bundle->cylinders; i++) {
         double *words = bundle->words[i];
         double radius = xorshift_real(&chance, .05, .6);
-
         for (int k = 0; k < 3; k++)
             words[k] = xorshift_real(&chance, -2, 2);
         draw_unit(words + 3);
@@ -71,7 +69,6 @@ static int strikes(const double o[3], const double d[3], const double words[WORD
 {
     const double *axis = words + 3;
     double w[3];
-
     for (int i = 0; i < 3; i++)
         w[i] = o[i] - words[i];
     double a = dot(d, axis);
@@ -97,11 +94,9 @@ static void check(const struct bundle *bundle, const c205_word *told)
 {
     for (size_t i = 0; i < bundle->rays; i++) {
         int expected = 0;
-
         for (size_t k = 0; k < bundle->cylinders && expected != 1; k++) {
             int one = strikes(bundle->origin[i], bundle->direction[i],
                               bundle->words[k]);
-
             expected = one == 0 ? expected : one;
         }
         if (expected >= 0 && c205_to_integer(told[i]) != expected)
@@ -120,7 +115,6 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     c205_error error = { "" };
     SCOPED(object) *program = program_assemble(form, defines, &error);
     uint64_t clocks = 0;
-
     assert_non_null(program);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 3; k++) {
@@ -143,7 +137,6 @@ TEST(rays)
     static const size_t queues[] = { 1, 63, 64, 65, 300, 65535 };
     static struct bundle bundle;
     static c205_word scalar[RAYS_MOST], vector[RAYS_MOST];
-
     for (int i = 0; i < 60; i++) {
         draw(&bundle);
         run(&bundle, "heat/hits_scalar.s", 1, scalar);
@@ -170,7 +163,6 @@ static void find(const struct scene *scene, const char *from, enum trace_mode mo
                                            .from = from);
     SCOPED_VALUE(named_parts) parts;
     c205_error error = { "" };
-
     assert_true(named_parts_find(scene, &parts));
     REQUIRE(hits_find(scene, &parts, &options, hits, &error));
 }
@@ -186,7 +178,6 @@ TEST(scene)
     SCOPED(factors) *factors = factors_new(scene, &options, &error);
     SCOPED_VALUE(factor_row) row;
     struct hits vector, scalar;
-
     assert_non_null(factors);
     assert_true(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     find(scene, "Burner", TRACE_VECTOR, 77, &vector);
@@ -210,7 +201,6 @@ static void refuses(const char *text, const char *from, const char *message)
     SCOPED_VALUE(named_parts) parts;
     struct hits hits;
     c205_error error = { "" };
-
     assert_true(named_parts_find(scene, &parts));
     assert_false(hits_find(scene, &parts, &options, &hits, &error));
     if (!strstr(error.message, message))

@@ -24,7 +24,6 @@ static struct scene *read_image(const char *before, const char *words,
                                 struct diagnostics *reports)
 {
     char text[1000];
-
     snprintf(text, sizeof text, "%s sphere { 0, 1 pigment { image_map { ", before);
     snprintf(text + strlen(text), sizeof text - strlen(text), words, path);
     strcat(text, " } } }");
@@ -37,7 +36,6 @@ static struct scene *expect_reports(const char *before, const char *words, size_
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_image(before, words, &reports);
-
     if (!scene || reports.count != count
         || (count > 0 && !strstr(reports.items->message, message))) {
         diagnostics_print(&reports, stderr);
@@ -51,7 +49,6 @@ static void expect_fault(const char *words, size_t column, const char *message)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_image("", words, &reports);
-
     if (scene || reports.count != 1
         || reports.items->column
                != column + sizeof "sphere { 0, 1 pigment { image_map { "
@@ -180,7 +177,6 @@ static void check_light(const struct scene *scene, const char *what,
                         const double light[SHADES])
 {
     const struct image_table *table = map_of(scene)->table;
-
     assert_int_equal(table->width, SHADES);
     assert_int_equal(table->height, 1);
     for (size_t i = 0; i < 3 * SHADES; i++) {
@@ -194,7 +190,6 @@ static void expect_light(const char *before, const char *words,
                          const double light[SHADES])
 {
     SCOPED(scene) *scene = expect_reports(before, words, 0, "");
-
     check_light(scene, words, light);
 }
 
@@ -215,7 +210,6 @@ TEST(gammas)
 {
     static const double working[SHADES] = { 0,     .0717, .0750, .2592,
                                             .4981, .7792, .9797, 1 };
-
     keep(FILE_OF("P5\n8 1\n255\n" GREYS));
     expect_light("", "\"%s\" gamma srgb", as_srgb);
     expect_light("", "\"%s\" gamma 2.2", to_the_2_2);
@@ -237,7 +231,6 @@ static void expect_map(const char *words, enum image_mapping mapping,
 {
     SCOPED(scene) *scene = expect_reports("", words, 0, "");
     const struct image_map *map = map_of(scene);
-
     assert_int_equal(map->mapping, mapping);
     assert_int_equal(map->sampling, sampling);
     assert_int_equal(map->once, once);
@@ -302,7 +295,6 @@ TEST(kinds_left_out)
     static const char *const words[] = { "hdr \"a.hdr\" once", "exr \"a.exr\" gamma 2",
                                          "function 9, 9 { x }",
                                          "pigment 9, 9 { rgb 1 }" };
-
     for (size_t i = 0; i < COUNT(words); i++) {
         char text[200];
         snprintf(text, sizeof text,
@@ -317,7 +309,6 @@ TEST(kinds_left_out)
 TEST(sky)
 {
     char text[200];
-
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     snprintf(text, sizeof text,
              "sky_sphere { pigment { image_map { \"%s\" map_type 1 once } } }", path);
@@ -386,7 +377,6 @@ TEST(limit)
 TEST(many)
 {
     char text[300];
-
     keep(FILE_OF("P5\n8 1\n255\n" GREYS));
     snprintf(text, sizeof text,
              "#for (I, 1, 1000) sphere { 0, 1 pigment { image_map { \"%s\" "

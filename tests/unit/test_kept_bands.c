@@ -30,7 +30,6 @@ struct patience {
 static bool wait_on(void *context, size_t done, size_t all)
 {
     struct patience *patience = context;
-
     (void)done;
     (void)all;
     return patience->left > 0 && --patience->left > 0;
@@ -48,7 +47,6 @@ static struct trace *begin(const struct scene *scene,
 {
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, options, &error);
-
     REQUIRE(trace);
     return trace;
 }
@@ -58,7 +56,6 @@ static struct trace *run(const struct scene *scene, enum trace_mode mode)
     struct trace_options options = how(mode);
     struct trace *trace = begin(scene, &options);
     c205_error error = { "" };
-
     REQUIRE(trace_run(trace, &error));
     return trace;
 }
@@ -93,7 +90,6 @@ static size_t check_stopped(const struct scene *scene, const struct trace *whole
     struct trace_options options = how(mode);
     c205_error error = { "" };
     size_t same = 0, done;
-
     options.jobs = jobs;
     options.progress = wait_on;
     options.context = &waiting;
@@ -117,11 +113,9 @@ static size_t check_stopped(const struct scene *scene, const struct trace *whole
 static void check_stops(const char *text, bool rows)
 {
     SCOPED(scene) *scene = read_text(text);
-
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         SCOPED(trace) *whole = run(scene, (enum trace_mode)mode);
         size_t done = 0;
-
         assert_int_equal(trace_rows_done(whole), TALL);
         assert_int_equal(trace_bands_done(whole), trace_bands(whole));
         for (size_t patience = 1; patience < 6; patience += 2) {
@@ -154,7 +148,6 @@ static void plant(struct trace *trace, struct farm *farm, uint64_t unit, size_t 
     SCOPED_VALUE(band) band = { .rows = rows };
     size_t count = FRAME_CHANNELS * rows * WIDTH;
     struct unit_words words = { .items = NULL };
-
     assert_true(trace_keep(trace, &error));
     band.words = malloc(count * sizeof *band.words);
     assert_non_null(band.words);
@@ -174,7 +167,6 @@ static void check_planted(const struct scene *scene, const struct trace *whole,
     struct farm farm = { .paths = paths, .path_count = 1 };
     struct trace_options options = how(TRACE_VECTOR);
     c205_error error = { "" };
-
     options.farm = &farm;
     SCOPED(trace) *trace = begin(scene, &options);
     plant(trace, &farm, unit, rows);
@@ -191,7 +183,6 @@ TEST(planted)
 {
     SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1 }");
     SCOPED(trace) *whole = run(scene, TRACE_VECTOR);
-
     check_planted(scene, whole, 1, ROWS, true);
     check_planted(scene, whole, 1, ROWS - 1, false);
     check_planted(scene, whole, 1, ROWS + 1, false);
@@ -205,13 +196,11 @@ static bool are_kept_for(const char *one, const char *other, enum trace_mode mod
     const char *const paths[] = { path };
     const char *const texts[] = { one, other };
     bool kept = true;
-
     for (size_t i = 0; i < 2; i++) {
         struct farm farm = { .paths = paths, .path_count = 1 };
         struct trace_options options = how(mode);
         SCOPED(scene) *scene = read_text(texts[i]);
         c205_error error = { "" };
-
         options.farm = &farm;
         SCOPED(trace) *trace = begin(scene, &options);
         if (i == 0)
@@ -255,7 +244,6 @@ TEST(other_scene)
 FIXTURE(new_name)
 {
     int file = mkstemp(path);
-
     return set_up_frames(test_state) || file < 0 || close(file) != 0
            || remove(path) != 0;
 }

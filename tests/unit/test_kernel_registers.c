@@ -41,7 +41,6 @@ static void check_assembled(const char *kernel, const struct asm_define *defines
     const struct asm_options how = { .defines = defines, .texts = texts };
     struct diagnostics found = { 0 };
     char text[100];
-
     snprintf(text, sizeof text, "        .include \"%s\"\n", kernel);
     SCOPED(object) *program = assemble_text("test", text, &how, &found);
     diagnostics_print(&found, stderr);
@@ -68,7 +67,6 @@ TEST(assembled)
         { "ADAPTIVE", 32 },
     };
     size_t programs = 0;
-
     for (const struct text *kernel = kernel_texts; kernel->name; kernel++) {
         if (!is_program(kernel))
             continue;
@@ -77,7 +75,6 @@ TEST(assembled)
             const struct asm_define defines[] = { { "QUEUE", 10 },
                                                   switches[i],
                                                   { NULL, 0 } };
-
             check_assembled(kernel->name, defines);
         }
     }
@@ -111,13 +108,11 @@ TEST(fit_programs)
     DIR *programs = opendir(folder);
     struct dirent *entry;
     size_t count = 0;
-
     assert_non_null(programs);
     while ((entry = readdir(programs)) != NULL) {
         size_t length = strlen(entry->d_name);
         struct diagnostics found = { 0 };
         char path[400];
-
         if (length < 2 || strcmp(entry->d_name + length - 2, ".s") != 0)
             continue;
         snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
@@ -138,7 +133,6 @@ static void run_watched(const struct object *program, c205 *machine, const char 
     SCOPED(register_owners) *owners = register_owners_new(program);
     struct sink sink = stream_sink(stderr);
     c205_error error = { "" };
-
     assert_non_null(owners);
     assert_int_equal(c205_loaded_program(machine),
                      c205_program_hash(&program->program));
@@ -156,7 +150,6 @@ static void trace_watched(const struct scene *scene,
     c205_error error = { "" };
     SCOPED(trace) *trace = trace_new(scene, options, &error);
     SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
-
     if (!machine)
         fail_msg("%s: %s", what, error.message);
     run_watched(trace_program(trace), machine, what);
@@ -174,7 +167,6 @@ static void follow_lines(const struct scene *scene, size_t queue, const char *wh
     draw_camera_lines(&traced.random, scene, list, LINES);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         c205_error error = { "" };
-
         options.mode = (enum trace_mode)mode;
         SCOPED(lines) *lines = lines_new(scene, &options, &error);
         SCOPED(c205) *machine = lines ? lines_machine(lines, list, LINES, &error)
@@ -194,7 +186,6 @@ static void trace_modes(const struct scene *scene, size_t queue, const char *wha
                                             .variant = traced.variant,
                                             .visible = traced.visible,
                                             .no_bounds = traced.no_bounds);
-
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = (enum trace_mode)mode;
         trace_watched(scene, &options, what);
@@ -209,7 +200,6 @@ TEST(cylinders)
         "cylinder { -x, <1, .5, .3>, .6 }"
         "cylinder { <-1, 1, -1>, <1, 1, 1>, .4 open rotate 30*x }";
     SCOPED(scene) *scene = read_text(text);
-
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         traced.historical = speedup_formulations[i].historical;
         traced.variant = speedup_formulations[i].variant;
@@ -231,7 +221,6 @@ TEST(adaptive)
                                             .queue = COLUMNS - 1);
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = scene_read(path, &reading, &reports);
-
     assert_non_null(scene);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = (enum trace_mode)mode;
@@ -247,12 +236,10 @@ TEST(scenes)
     DIR *folder = opendir("scenes");
     struct dirent *entry;
     size_t count = 0;
-
     assert_non_null(folder);
     while ((entry = readdir(folder)) != NULL) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
         char path[300];
-
         snprintf(path, sizeof path, "scenes/%s", entry->d_name);
         if (!strstr(path, ".pov"))
             continue;
@@ -311,7 +298,6 @@ static void see_restored(struct area *area, const c205 *machine)
 {
     for (unsigned i = 0; i < area->count; i++) {
         unsigned k = area->first + i;
-
         area->changed[k] |= saves.before[k] != c205_register(machine, k);
     }
 }
@@ -319,7 +305,6 @@ static void see_restored(struct area *area, const c205 *machine)
 static void listen_to_saves(void *context, const c205 *machine, const c205_event *event)
 {
     const c205_fields *fields = &event->fields;
-
     (void)context;
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
@@ -349,10 +334,8 @@ TEST(nothing_is_saved_in_vain)
     struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 4 * COLUMNS,
                                             .height = 4 * ROWS, .queue = 1);
     SCOPED(scene) *scene = read_text(text);
-
     for (int historical = 0; historical < 2; historical++) {
         c205_error error = { "" };
-
         memset(&saves, 0, sizeof saves);
         options.historical = historical;
         SCOPED(trace) *trace = trace_new(scene, &options, &error);
@@ -362,7 +345,6 @@ TEST(nothing_is_saved_in_vain)
         assert_in_range(saves.count, 6, MOST_AREAS);
         for (size_t i = 0; i < saves.count; i++) {
             const struct area *area = &saves.areas[i];
-
             for (unsigned k = 0; k < area->count; k++)
                 if (!area->changed[area->first + k])
                     fail_msg("the kernel that saves r%u to r%u at %llX does "
@@ -393,7 +375,6 @@ TEST(random_solids)
 {
     static char text[100000];
     static const size_t queues[] = { 1, COLUMNS - 1, 2000 };
-
     solids.clear = solids.patches = traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
         solids.gridded = below(2);
@@ -433,7 +414,6 @@ TEST(roots)
                                                        ? "roots/roots_scalar.s"
                                                        : "roots/roots_vector.s",
                                                    defines, &error);
-
         REQUIRE(search && program);
         run_watched(program, (c205 *)(uintptr_t)roots_machine(search), "roots");
         roots_free(search);
@@ -445,7 +425,6 @@ TEST(roots)
 TEST(points)
 {
     static const struct point_choice choice = { .seed = 3, .m = 10 };
-
     for (int i = 0; i < 2 * POINT_FORMS; i++) {
         const struct point_kind kind = {
             .form = (enum point_form)(i % POINT_FORMS),
@@ -458,7 +437,6 @@ TEST(points)
         c205_error error = { "" };
         SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
         c205 *machine = maker ? point_maker_load(maker, &choice, &error) : NULL;
-
         REQUIRE(machine);
         run_watched(point_maker_program(maker), machine, "points");
     }
@@ -469,7 +447,6 @@ TEST(points)
 static void emit_watched(const struct primitive *primitive)
 {
     static const struct emission_choice choice = { .seed = 3, .m = 10 };
-
     for (int i = 0; i < 2 * TRACE_FORMS; i++) {
         struct emission_options options = ON_PRIOR(.mode = (enum trace_mode)(
                                                        i % TRACE_FORMS),
@@ -479,7 +456,6 @@ static void emit_watched(const struct primitive *primitive)
         SCOPED(emission) *emission = emission_new(primitive, &options, &error);
         SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &error)
                                          : NULL;
-
         REQUIRE(machine);
         run_watched(emission_program(emission), machine, "emission");
     }
@@ -491,7 +467,6 @@ TEST(emission)
     SCOPED(scene) *scene = read_text(
         HEAD "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
              "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
-
     for (size_t i = 0; i < scene->primitive_count; i++)
         emit_watched(&scene->primitives[i]);
 }

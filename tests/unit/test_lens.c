@@ -21,7 +21,6 @@
 static void add_camera(char *text, size_t size)
 {
     bool orthographic = among(0, 3) == 0;
-
     add_text(text, size,
              "camera { %s location <%.3f, %.3f, -5> %s\n"
              "  aperture %.3f blur_samples %zu focal_point <%.2f, 0, %.2f>\n"
@@ -38,7 +37,6 @@ static void check_orders(const char *text)
     struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = WIDTH,
                                             .height = HEIGHT, .samples = among(1, 5));
     SCOPED(trace) *scalar = run_trace(scene, &options);
-
     options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
     options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
     options.queue = among(1, 300);
@@ -56,7 +54,6 @@ TEST(random)
 {
     for (size_t i = 0; i < share_of(10); i++) {
         char text[2000] = LIGHTS THINGS;
-
         add_camera(text, sizeof text);
         FREED struct words *words = plain_frame(text);
         check_paper_stage(text, words);
@@ -73,7 +70,6 @@ static struct frame seen(const char *camera, double distance, size_t samples)
                                             .samples = samples);
     char text[1000] = "";
     struct frame frame;
-
     add_text(text, sizeof text,
              "#version 3.7; global_settings { assumed_gamma 1 }\n"
              "plane { -z, %.9f pigment { gradient <1, 2, 0> color_map {\n"
@@ -93,7 +89,6 @@ static double difference(const char *a, const char *b, double distance, size_t s
     SCOPED_VALUE(frame) one = seen(a, distance, samples);
     SCOPED_VALUE(frame) other = seen(b, distance, samples);
     double greatest = 0;
-
     for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
         for (size_t k = 0; k < PIXELS; k++)
             greatest = fmax(greatest, fabs(one.channel[i][k] - other.channel[i][k]));
@@ -109,7 +104,6 @@ TEST(focus)
             char pinhole[64], lens[300];
             double distance = between(2, 9);
             double aside = among(0, 1) ? .6 : 0;
-
             snprintf(pinhole, sizeof pinhole, "%s right 1.3*x up y",
                      orthographic ? "orthographic" : "");
             snprintf(lens, sizeof lens,
@@ -146,7 +140,6 @@ TEST(words)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_text(rows[i].camera);
-
         assert_float_equal(scene->camera.lens_radius, rows[i].radius, 1e-12);
         assert_float_equal(scene->camera.focal_distance, rows[i].distance, 1e-12);
         assert_int_equal(scene->camera.lens_points, rows[i].points);
@@ -162,7 +155,6 @@ static size_t across(const char *camera, size_t samples)
                                             .samples = samples);
     SCOPED(trace) *trace = run_trace(scene, &options);
     size_t found = trace_samples(trace);
-
     assert_int_equal(trace_rays(trace, RAY_PRIMARY), 2 * found * found);
     return found;
 }

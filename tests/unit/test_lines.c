@@ -34,10 +34,8 @@ static void check_queues(const struct scene *scene, const char *text,
                          const struct seen_crossings *scalar)
 {
     static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
-
     for (size_t i = 0; i < COUNT(queues); i++) {
         char reason[LINE_REASON];
-
         options.mode = i % 2 ? TRACE_KERNELS : TRACE_VECTOR;
         options.queue = queues[i];
         options.packet = i == 1 ? LINES / 3 : 0;
@@ -57,7 +55,6 @@ static void check_solids(double z, double behind)
                                             .behind = behind);
     struct scene_line list[LINES];
     char camera[80], reason[LINE_REASON];
-
     snprintf(camera, sizeof camera,
              "location <%.3f, %.3f, %.3f> look_at <0, .1, .2> angle 40", between(-3, 3),
              between(-3, 3), z);
@@ -112,7 +109,6 @@ static bool is_nearest(const struct scene *scene, const struct words *words,
     bool mesh = id > 0 && scene->primitives[id - 1].kind == PRIMITIVE_MESH;
     bool same = id == seen->primitive + 1
                 && is_word(words->channel[CHANNEL_DEPTH][pixel], seen->distance, mesh);
-
     for (int i = 0; i < 3; i++)
         same = same
                && is_word(words->channel[CHANNEL_NORMAL_X + i][pixel], seen->normal[i],
@@ -132,7 +128,6 @@ static void check_nearest(const struct scene *scene, const struct words *words,
     const struct seen_crossing *seen = first < found->first[pixel + 1]
                                            ? &found->list[first]
                                            : &none;
-
     if (!is_nearest(scene, words, pixel, seen))
         fail_msg("pixel %zu: not the first along its line in\n%s", pixel, text);
 }
@@ -143,13 +138,11 @@ TEST(nearest)
     static struct scene_line list[SIDE * SIDE];
     struct lines_options options = ON_PRIOR(.queue = 300, .normals = true,
                                             .bodies = true);
-
     traced.width = traced.height = SIDE;
     traced.pixels = SIDE * SIDE;
     put_pixels(list);
     for (size_t i = 0; i < scene_count; i++) {
         char reason[LINE_REASON];
-
         write_scene(text, sizeof text, EXACT);
         SCOPED(scene) *scene = read_text(text);
         FREED struct words *words = trace_words(scene, TRACE_VECTOR, 2000);
@@ -203,7 +196,6 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
                                             .behind = behind);
     struct scene_line list[COPIES];
     SCOPED(scene) *scene = read_text(text);
-
     for (size_t i = 0; i < COPIES; i++)
         list[i] = (struct scene_line){ { 0, .125, -4 }, { 0, 0, 2 } };
     SCOPED_VALUE(seen_crossings) found = find_lines(scene, &options, list, COPIES);
@@ -220,7 +212,6 @@ static void check_line(const char *objects, double behind, size_t count,
                        const struct expected *expected)
 {
     char text[1000] = HEAD;
-
     add_text(text, sizeof text, "%s", objects);
     for (int mode = 0; mode < TRACE_MODES; mode++)
         check_form(text, (enum trace_mode)mode, behind, count, expected);
@@ -266,7 +257,6 @@ TEST(many)
     for (size_t i = 0; i < SPHERES; i++) {
         size_t at = i * 7 % SPHERES;
         double middle = (double)at + 4;
-
         add_text(text, sizeof text, "sphere { <0, .125, %zu>, .25 }\n", at);
         expected[2 * at] = (struct expected){ middle - .25, i, 0, 1, 1, 1 };
         expected[2 * at + 1] = (struct expected){ middle + .25, i, 0, -1, 0, 0 };
@@ -305,7 +295,6 @@ static void check_refused(const struct lines_options *options, const char *messa
 {
     SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
-
     assert_null(lines_new(scene, options, &error));
     assert_string_equal(error.message, message);
 }
@@ -340,7 +329,6 @@ TEST(no_lines)
     c205_error error = { "" };
     SCOPED(lines) *lines = lines_new(scene, &options, &error);
     SCOPED_VALUE(seen_crossings) found;
-
     assert_non_null(lines);
     for (size_t i = 0; i < 3; i++) {
         assert_false(lines_find(lines, bad[i], 2, &found, &error));

@@ -32,7 +32,6 @@ static size_t pixels_there(const struct band *band, size_t width)
 {
     size_t count = band->rows * width, there = 0;
     const c205_word *ids = band->words + (size_t)CHANNEL_ID * count;
-
     for (size_t i = 0; i < count; i++)
         there += c205_to_integer(ids[i]) != 0;
     return there;
@@ -42,7 +41,6 @@ static void keep_rows(struct shown *shown, const struct trace *trace,
                       const struct band *band)
 {
     struct frame part = shown->frame;
-
     part.height = band->rows;
     for (int i = 0; i < FRAME_CHANNELS; i++)
         part.channel[i] += band->first_row * part.width;
@@ -61,7 +59,6 @@ static void look(void *context, const struct trace *trace,
     struct shown *shown = context;
     size_t width = trace_how(trace)->width;
     SCOPED_VALUE(band) band;
-
     assert_true(band_look(tracer, &band));
     size_t there = pixels_there(&band, width);
     if (trace_how(trace)->jobs == 1 && band.first_row == shown->last_row)
@@ -78,7 +75,6 @@ static void check_same(const struct shown *shown, const struct trace *trace)
 {
     const struct trace_options *how = trace_how(trace);
     SCOPED_VALUE(frame) frame;
-
     assert_true(frame_allocate(&frame, how->width, how->height));
     trace_read(trace, 0, &frame);
     for (size_t row = 0; row < how->height; row++)
@@ -97,7 +93,6 @@ static void check_looks(const struct scene *scene, enum trace_mode mode)
                                             .band = among(1, 400), .jobs = among(1, 3),
                                             .progress = go_on, .look = look,
                                             .context = &shown);
-
     assert_true(frame_allocate(&shown.frame, options.width, options.height));
     SCOPED(trace) *trace = run_trace(scene, &options);
     assert_int_equal(shown.done, trace_bands(trace));
@@ -111,7 +106,6 @@ TEST(bands)
 {
     static const char *const gammas[] = { "1", "2.2" };
     char text[4000];
-
     for (int i = 0; i < 12; i++) {
         *text = '\0';
         add_text(text, sizeof text, SCENE, gammas[i % 2]);
@@ -136,7 +130,6 @@ TEST(under_way)
                                             .progress = go_on, .look = look,
                                             .context = &shown);
     char text[9000] = "";
-
     add_text(text, sizeof text, SCENE, "1");
     for (int k = 0; k < 100; k++)
         add_text(text, sizeof text, "sphere { <%d, %d, 0>, .3 pigment { rgb 1 } }",

@@ -35,7 +35,6 @@ static void measure_well(const char *text, struct columns_options options,
 static uint64_t checksum_of(const char *text, struct columns_options options)
 {
     struct measured measured;
-
     measure_well(text, options, &measured);
     return measured.checksum;
 }
@@ -48,7 +47,6 @@ static struct csv_table *read_reference(void)
     c205_error error;
     size_t length;
     FREED char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length, &error);
-
     assert_non_null(table);
     assert_non_null(text);
     csv_table(text, table);
@@ -70,7 +68,6 @@ static void check_figure(const char *solid, const struct mass_figures *found,
 {
     double off = fabs(found->value[figure] - expected);
     double most = 4 * found->error[figure] / STUDENT + 1e-9 * scale;
-
     if (off > most || off > share * scale)
         fail_msg("%s: %s is %.12g, not %.12g: %.2g of the scale, %.1f standard errors",
                  solid, figure_name(figure), found->value[figure], expected,
@@ -87,7 +84,6 @@ static void check_row(const struct csv_table *table, size_t row, size_t rays_log
     struct measured measured;
     const struct mass_figures *found = &measured.part[0];
     double volume = named(table, row, "volume"), most = 0;
-
     options.rays_log = rays_log;
     measure_well(table->cell[row][2], options, &measured);
     check_figure(id, found, FIGURE_VOLUME, volume, volume, share);
@@ -109,7 +105,6 @@ TEST(formulas)
     double rays = asked ? strtod(asked, NULL) : 1 << 15;
     size_t rays_log = (size_t)lround(log2(rays / 16));
     FREED struct csv_table *table = read_reference();
-
     assert_true(table->rows > 5);
     for (size_t row = 1; row < table->rows; row++)
         check_row(table, row, rays_log, rays >= 1 << 18 ? 1e-4 : 1e-3);
@@ -128,7 +123,6 @@ TEST(same_bits)
 {
     for (int points = 0; points < POINTS_KINDS; points++) {
         struct columns_options options = usual();
-
         options.points = (enum columns_points)points;
         options.rays_log = points == POINTS_GRID ? 7 : 6;
         options.repeats = 4;
@@ -150,7 +144,6 @@ TEST(same_packets)
 {
     struct columns_options options = usual();
     struct measured ball;
-
     options.rays_log = 13;
     options.repeats = 2;
     uint64_t expected = checksum_of(crowd, options);
@@ -181,11 +174,9 @@ static struct tried try_seeds(enum columns_points points, size_t seeds)
 {
     static const double volume = 1.2 * 1.2 * 1.2 * 20 / 27;
     struct tried tried = { 0 };
-
     for (size_t seed = 1; seed <= seeds; seed++) {
         struct columns_options options = usual();
         struct measured measured;
-
         options.points = points;
         options.rays_log = 6;
         options.seed = seed;
@@ -207,7 +198,6 @@ TEST(points)
     for (int points = 0; points < POINTS_KINDS; points++) {
         struct tried tried = try_seeds((enum columns_points)points, SEEDS);
         double bias = tried.sum / sqrt(tried.square);
-
         square[points] = tried.square;
         if (fabs(bias) > 4 || tried.covered < .75 * SEEDS)
             fail_msg("points %d: a bias of %.1f standard errors, %.0f of %d "
@@ -226,7 +216,6 @@ TEST(overlap)
     struct columns_options options = usual();
     double lens = 5 * acos(-1) / 12;
     struct measured two;
-
     options.rays_log = 11;
     measure_well("sphere { -.5*x, 1 }\nsphere { .5*x, 1 }", options, &two);
     assert_int_equal(two.parts, 2);
@@ -243,7 +232,6 @@ TEST(about)
     struct columns_options options = usual();
     struct measured box;
     const double *value = box.part[0].value;
-
     options.rays_log = 11;
     measure_well("box { <99,199,299>, <101,201,301> }", options, &box);
     assert_true(fabs(value[FIGURE_VOLUME] - 8) < 1e-3);
@@ -259,7 +247,6 @@ TEST(parallel_axes)
 {
     struct measured bored;
     const double *value = bored.part[0].value;
-
     measure_well("difference { box { <-1,-.5,-.25>, <1,.5,.25> }\n"
                  "cylinder { <.4,0,-1>, <.4,0,1>, .3 } translate <3,2,1> }",
                  usual(), &bored);
@@ -282,12 +269,10 @@ TEST(axes)
     struct columns_options options = usual();
     struct measured box;
     const struct mass_figures *figures = &box.part[0];
-
     options.rays_log = 11;
     measure_well("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }", options, &box);
     for (size_t i = 0; i < 3; i++) {
         static const double moments[] = { 5. / 48, 17. / 48, 5. / 12 };
-
         assert_true(fabs(figures->value[FIGURE_PRINCIPAL + i] - moments[i]) < 1e-3);
     }
     assert_true(figures->axes[0][0] * figures->axes[0][1] > 0);
@@ -300,7 +285,6 @@ TEST(axes)
 static void refuses(const char *text, const char *why)
 {
     struct measured measured;
-
     assert_false(measure_scene(text, usual(), &measured));
     assert_string_equal(measured.error.message, why);
 }
@@ -308,7 +292,6 @@ static void refuses(const char *text, const char *why)
 TEST(refused)
 {
     struct measured empty;
-
     refuses("sphere { 0, 1 }\ndisc { <0,0,3>, z, 2 }",
             "the disc of line 2 is an open surface: it has no volume");
     refuses("sphere { 0, 1 }\nplane { y, 0 }",
@@ -329,7 +312,6 @@ TEST(too_many_parts)
     const size_t part_of[] = { 0 };
     struct columns_sums sums;
     c205_error error;
-
     options.model = usual_model();
     options.part_of = part_of;
     options.rays_log = 0;

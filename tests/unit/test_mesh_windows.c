@@ -43,7 +43,6 @@ static struct look look_at(const double *eye, const double point[3])
 {
     int w = (int)eye[EYE_AXIS], u = (w + 1) % 3, v = (w + 2) % 3;
     double z = eye[EYE_SIGN] * (point[w] - eye[w]);
-
     return (struct look){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z, z };
 }
 
@@ -59,11 +58,9 @@ static bool comes_to(const double *table, const double *eye, const struct look *
 {
     const double *rows = table + (size_t)eye[EYE_WINDOWS];
     bool found = false;
-
     for (double at = 9; at != 0;) {
         const double *window = rows + (size_t)at;
         bool within = is_within(look, window);
-
         at = window[WINDOW_LINKS + !within];
         ++*asked;
         if (at < MET)
@@ -94,7 +91,6 @@ static void random_net(void)
 static void random_place(double place[3])
 {
     double reach = below(4) ? between(1.2, 6) : pow(10, between(-2, 2));
-
     for (int k = 0; k < 3; k++) {
         place[k] = between(-1, 1) * reach;
         if (below(3) == 0)
@@ -107,7 +103,6 @@ static void random_point(const double *corners, double point[3])
 {
     double a = between(0, 1), b = between(0, 1 - a);
     size_t sort = below(3);
-
     if (sort == 0)
         a = (double)below(2), b = 0;
     if (sort == 1)
@@ -123,10 +118,8 @@ static double check_eye(const struct primitive *mesh, const double *table,
 {
     size_t count = mesh->shape.mesh.triangles.count, asked = 0;
     double first = 25. * (double)(mesh_hierarchy_nodes(count) + 1);
-
     for (size_t i = 0; i < count; i++) {
         double place = first + row * (double)i, point[3];
-
         random_point(table + (size_t)place, point);
         struct look look = look_at(eye, point);
         assert_true(look.z > 0);
@@ -142,14 +135,11 @@ static bool is_inside(const double place[3], const double *table, double row,
                       size_t triangles)
 {
     double first = 25. * (double)(mesh_hierarchy_nodes(triangles) + 1);
-
     for (int k = 0; k < 3; k++) {
         double low = INFINITY, high = -INFINITY;
-
         for (size_t i = 0; i < 3 * triangles; i++) {
             const double *corner = table + (size_t)first + (size_t)row * (i / 3)
                                    + i % 3 * 3;
-
             low = fmin(low, corner[k]);
             high = fmax(high, corner[k]);
         }
@@ -177,7 +167,6 @@ static void check_net(size_t *seeing, size_t *within)
     struct primitive mesh;
     double scale = pow(10, between(-3, 3)), by[3];
     double row = 13;
-
     for (int k = 0; k < 3; k++)
         by[k] = below(2) ? 0 : between(-50, 50);
     random_net();
@@ -197,7 +186,6 @@ static void check_net(size_t *seeing, size_t *within)
         row = 21;
     for (size_t i = 0; i < table[TABLE_EYE_COUNT]; i++) {
         const double *eye = table + (size_t)table[TABLE_EYES] + EYE_ROW * i;
-
         assert_true(eye[EYE_WINDOWS] < (double)count);
         assert_false(is_inside(eye, table, row, mesh.shape.mesh.triangles.count));
         check_eye(&mesh, table, eye, row);
@@ -213,7 +201,6 @@ static void check_net(size_t *seeing, size_t *within)
 TEST(ways)
 {
     size_t seeing = 0, within = 0, nets = 40 * scene_count;
-
     for (size_t i = 0; i < nets; i++)
         check_net(&seeing, &within);
     assert_true(within > nets / 40);
@@ -225,7 +212,6 @@ TEST(few_are_asked)
 {
     struct eyes eyes = { 1, { { 1, 2, -9 } } };
     struct primitive mesh;
-
     net_take(&net, OCTAHEDRON);
     for (int i = 0; i < 3; i++)
         net_divide(&net);
@@ -260,7 +246,6 @@ static void add_lights(void)
         "shadowless"
     };
     double place[3];
-
     random_place(place);
     for (size_t i = among(1, 5); i > 0; i--) {
         if (below(3))
@@ -293,7 +278,6 @@ static void add_mesh(void)
 static void write_scene(const char *camera)
 {
     double place[3];
-
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
     random_place(place);
     add_vector("#declare Eye =", place);
@@ -319,7 +303,6 @@ static size_t check_frame(void)
 {
     FREED struct words *words = same_frame(text);
     size_t seen = hits(words);
-
     check_paper_stage(text, words);
     traced.variant = "MESH_BOXES";
     FREED struct words *boxes = same_frame(text);
@@ -332,7 +315,6 @@ static size_t check_frame(void)
 TEST(frames)
 {
     size_t seen = 0;
-
     traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
         write_scene(below(8) ? "" : "orthographic");
@@ -347,7 +329,6 @@ TEST(frames)
 static void write_before_camera(const char *camera)
 {
     const double by[3] = { 0, 0, 6 };
-
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
     add_text(text, sizeof text,
              "#declare Eye = <%.3f, %.3f, -2>;\n"
@@ -401,7 +382,6 @@ TEST(places)
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct eyes eyes;
-
         sprintf(text,
                 "#version 3.7; global_settings { assumed_gamma 1 }\n"
                 "camera { %s location -3*z look_at 0 }\n"
@@ -420,7 +400,6 @@ TEST(places)
 static void check_stages(void)
 {
     FREED struct words *words = same_frame(text);
-
     check_paper_stage(text, words);
     traced.no_bounds = true;
     FREED struct words *others = same_frame(text);
@@ -433,7 +412,6 @@ static void check_stages(void)
 static void add_edge_on(const double eye[3])
 {
     double corners[3][3];
-
     for (int k = 0; k < 3; k++) {
         corners[0][k] = round(between(-40, 40)) / 20;
         corners[1][k] = round(between(-40, 40)) / 20;
@@ -451,7 +429,6 @@ static void add_edge_on(const double eye[3])
 static void write_edge_on(void)
 {
     double eye[3], light[3];
-
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
     for (int k = 0; k < 3; k++) {
         eye[k] = round(between(-5, 5));
@@ -523,7 +500,6 @@ TEST(clocks)
 {
     static const char *const lights[] = { " shadowless", "" };
     uint64_t windows[2], boxes[2];
-
     net_take(&net, OCTAHEDRON);
     for (int i = 0; i < 3; i++)
         net_divide(&net);
@@ -553,12 +529,10 @@ TEST(where_they_do_not_pay)
     struct eyes eyes = { 1, { { -6, 8, -6 } } };
     struct triangle blades[100] = { { .smooth = false } };
     struct primitive mesh = { .kind = PRIMITIVE_MESH };
-
     take_primitive(&mesh);
     free(mesh.shape.mesh.triangles.list);
     for (int i = 0; i < 100; i++) {
         double x = .2 * (i % 10), z = .2 * (double)(i / 10);
-
         blades[i] = (struct triangle){
             .corners = { { x - .01, 0, z + .01 }, { x + .01, 0, z - .01 }, { x, 2, z } }
         };

@@ -56,7 +56,6 @@ static void add_motion(char *to, size_t size)
 static void add_thing(char *to, size_t size)
 {
     bool ball = below(5) == 0, clear = solids.clear;
-
     if (ball) {
         add_text(to, size, "sphere { 0, %.4f ", between(.3, .8));
     } else {
@@ -98,7 +97,6 @@ static void write_world(void)
 static void check_other_way(const struct words *words)
 {
     FREED struct words *others = same_frame(text);
-
     if (memcmp(words, others, sizeof *words) != 0)
         fail_msg("another way gives another frame of\n%s", text);
 }
@@ -106,7 +104,6 @@ static void check_other_way(const struct words *words)
 static void check_world(void)
 {
     FREED struct words *words = plain_frame(text);
-
     check_paper_stage(text, words);
     traced.visible = VISIBLE_EVERY;
     traced.no_bounds = true;
@@ -144,10 +141,8 @@ static void add_small(const double ray[3], double factor)
                                          { .35, -.2, 0 },
                                          { 0, .4, 0 } };
     size_t corners[3];
-
     for (int k = 0; k < 3; k++) {
         double point[3];
-
         add_scaled(point, ray, 1, around[k]);
         scale_by(point, factor);
         corners[k] = net_point(&net, point);
@@ -161,7 +156,6 @@ static void write_pixels(double depths[PIXELS])
     net_soup(&net, 0, false, &traced.random);
     for (size_t i = 0; i < PIXELS; i++) {
         double ray[3], factor = (double)among(64, 1024) / 256;
-
         pixel_ray(i, ray);
         add_small(ray, factor);
         depths[i] = factor * sqrt(dot(ray, ray));
@@ -175,7 +169,6 @@ static void write_pixels(double depths[PIXELS])
 TEST(every_triangle)
 {
     double depths[PIXELS];
-
     write_pixels(depths);
     FREED struct words *words = same_frame(text);
     assert_int_equal(hits(words), PIXELS);
@@ -229,7 +222,6 @@ TEST(shadow_limit)
 TEST(long_queues)
 {
     static const size_t queues[] = { 40000, TRACE_QUEUE_MOST - 4, TRACE_QUEUE_MOST };
-
     strcpy(text, HEAD "camera { location <0, 1, -2> look_at 0 }\n");
     net_random_body(&net, 1, &traced.random);
     net_mesh_text(&net, text, sizeof text);
@@ -258,7 +250,6 @@ static void check_depths(const struct words *a, const struct words *b)
 {
     for (size_t k = 0; k < PIXELS; k++) {
         double depth = c205_to_double(a->channel[CHANNEL_DEPTH][k]);
-
         assert_near(c205_to_double(b->channel[CHANNEL_DEPTH][k]), depth, 1e-10);
     }
 }
@@ -290,7 +281,6 @@ TEST(other_words)
 TEST(triangles_alone)
 {
     static const char *const triangles[] = { FLAT, LEANING };
-
     for (size_t i = 0; i < 2; i++) {
         snprintf(text, sizeof text, "%s%s", AHEAD, triangles[i]);
         FREED struct words *words = plain_frame(text);
@@ -307,7 +297,6 @@ static void check_normal(const char *scene, double x, double y, double z)
     FREED struct words *words = same_frame(scene);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
     double expected[3] = { x, y, z };
-
     normalise(expected);
     for (int i = 0; i < 3; i++)
         assert_near(c205_to_double(words->channel[CHANNEL_NORMAL_X + i][middle]),
@@ -330,10 +319,8 @@ TEST(ties)
 static void add_doubles(void)
 {
     size_t count = net.face_count;
-
     for (size_t i = 0; i < count; i++) {
         size_t points[3];
-
         for (int k = 0; k < 3; k++) {
             points[k] = net.point_count++;
             copy(net.points[points[k]], net.points[net.faces[i][k]]);
@@ -370,7 +357,6 @@ static size_t triangles_of(const char *scene)
 {
     SCOPED(scene) *read = read_text(scene);
     size_t count = read->primitives[0].shape.mesh.triangles.count;
-
     assert_int_equal(read->primitives[0].kind, PRIMITIVE_MESH);
     return count;
 }

@@ -20,7 +20,6 @@ struct forest {
 static size_t add_node(struct forest *forest, enum tree_operation operation)
 {
     size_t node = forest->scene.node_count++;
-
     assert_true(node < NODES);
     forest->nodes[node].operation = operation;
     return node;
@@ -32,7 +31,6 @@ static void add_leaf(struct forest *forest)
     size_t node = add_node(forest, TREE_LEAF);
     size_t primitive = forest->scene.primitive_count++;
     struct primitive *leaf = &forest->primitives[primitive];
-
     *leaf = (struct primitive){ .kind = below(12) ? PRIMITIVE_SPHERE
                                                   : PRIMITIVE_PLANE };
     for (int i = 0; i < 3; i++)
@@ -52,7 +50,6 @@ static void add_tree(struct forest *forest, int depth)
 {
     enum tree_operation operation = (enum tree_operation)below(4);
     size_t children = operation == TREE_NOT ? 1 : 1 + below(14);
-
     if (depth == 0 || operation == TREE_LEAF || forest->scene.node_count > NODES / 2) {
         add_leaf(forest);
         return;
@@ -63,7 +60,6 @@ static void add_tree(struct forest *forest, int depth)
     bool difference = operation == TREE_AND && below(2) == 0;
     for (size_t i = 0; i < children; i++) {
         size_t away = difference && i > 0 ? add_node(forest, TREE_NOT) : 0;
-
         add_tree(forest, children > 14 ? 0 : depth - 1);
         if (away > 0)
             forest->nodes[away].next = forest->scene.node_count;
@@ -92,7 +88,6 @@ static void check_shape(const struct scene *scene, size_t node, size_t end)
 {
     const struct tree_node *tree = &scene->nodes[node];
     size_t child = node + 1, children = 0;
-
     assert_true(tree->next > node && tree->next <= end);
     for (; child < tree->next; child = scene->nodes[child].next) {
         check_shape(scene, child, tree->next);
@@ -109,7 +104,6 @@ static void check_within(const struct nested_scene *nested, size_t node,
                          const struct bound *whole)
 {
     const struct tree_node *nodes = nested->scene.nodes;
-
     if (nodes[node].operation != TREE_OR)
         assert_true(bound_reach(&nested->bounds[node], whole->center)
                     <= 1.001 * whole->radius);
@@ -132,11 +126,9 @@ static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
     FREED bool *there = calloc(scene->primitive_count, sizeof *there);
     size_t count = 0;
-
     assert_non_null(there);
     for (size_t i = 0; i < nested->node_count; i++) {
         size_t leaf = nested->nodes[i].primitive;
-
         if (nested->nodes[i].operation != TREE_LEAF)
             continue;
         assert_true(leaf < scene->primitive_count && !there[leaf]);
@@ -153,7 +145,6 @@ static void check_values(const struct scene *scene, const struct scene *nested)
 
     for (int try = 0; try < TRIES; try++) {
         size_t few = 1 + below(try % 2 ? 400 : 4);
-
         for (size_t i = 0; i < scene->primitive_count; i++)
             inside[i] = below(few) == 0;
         assert_int_equal(tree_value(nested, nested->regions[0].first_node, inside),
@@ -169,7 +160,6 @@ TEST(random_trees)
 
     for (int i = 0; i < FORESTS; i++) {
         struct nested_scene nested;
-
         grow(&forest);
         assert_true(nesting_make(&forest.scene, &nested));
         assert_int_equal(nested.scene.regions[0].first_node, 0);
@@ -191,7 +181,6 @@ TEST(random_trees)
 static size_t depth_of(const struct scene *scene, size_t node)
 {
     size_t most = 0;
-
     for (size_t child = node + 1; child < scene->nodes[node].next;
          child = scene->nodes[child].next) {
         size_t depth = depth_of(scene, child);
@@ -205,7 +194,6 @@ static size_t depth_of(const struct scene *scene, size_t node)
 static struct scene *row_of(size_t count, const char *sphere)
 {
     char text[400];
-
     snprintf(text, sizeof text, "merge { #for (I, 1, %zu) sphere { %s } #end }", count,
              sphere);
     return read_scene(text);
@@ -228,7 +216,6 @@ TEST(depth)
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = row_of(rows[i].count, rows[i].sphere);
         struct nested_scene nested;
-
         assert_true(nesting_make(scene, &nested));
         assert_in_range(depth_of(&nested.scene, 0), rows[i].least, rows[i].most);
         check_leaves(scene, &nested.scene);
@@ -251,7 +238,6 @@ TEST(few_parts)
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED(scene) *scene = read_scene(texts[i]);
         struct nested_scene nested;
-
         assert_true(nesting_make(scene, &nested));
         assert_int_equal(nested.scene.node_count, scene->node_count);
         for (size_t k = 0; k < scene->node_count; k++) {

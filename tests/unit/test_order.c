@@ -30,7 +30,6 @@ static void check_same(const struct scene *scene, const struct trace_options *op
                        uint64_t expected)
 {
     SCOPED(trace) *trace = run_trace(scene, options);
-
     if (trace_checksum(trace) != expected)
         fail_msg("%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another frame",
                  options->width, options->height, trace_mode_name(options->mode),
@@ -41,7 +40,6 @@ static void check_same(const struct scene *scene, const struct trace_options *op
 TEST(same_frame)
 {
     SCOPED(scene) *scene = read_text(things);
-
     for (int i = 0; i < 14; i++) {
         size_t width = among(1, 50), height = among(1, 40);
         struct trace_options scalar = ON_PRIOR(.mode = TRACE_SCALAR,
@@ -49,10 +47,8 @@ TEST(same_frame)
                                                .height = height);
         SCOPED(trace) *trace = run_trace(scene, &scalar);
         uint64_t expected = trace_checksum(trace);
-
         for (int k = 0; k < 3; k++) {
             struct trace_options options = options_by_chance(width, height);
-
             options.order = k == 0 ? ORDER_ROWS : ORDER_TILES;
             options.mode = k == 2 ? TRACE_KERNELS : TRACE_VECTOR;
             check_same(scene, &options, expected);
@@ -70,7 +66,6 @@ TEST(one_large_band)
                                             .band = 75000, .order = ORDER_ROWS);
     SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t expected = trace_checksum(trace);
-
     options.order = ORDER_TILES;
     check_same(scene, &options, expected);
     options.queue = 2000;
@@ -95,7 +90,6 @@ TEST(tiles_meet_less)
                  "sphere { <I - 2.5, K - 2.5, 0> / 4, .1 } #end #end\n");
     uint64_t rows = work_of(scene, TRACE_VECTOR, ORDER_ROWS);
     uint64_t tiles = work_of(scene, TRACE_VECTOR, ORDER_TILES);
-
     assert_true(tiles < rows - rows / 8);
     assert_int_equal(work_of(scene, TRACE_VECTOR, ORDER_DEFAULT), tiles);
     assert_int_equal(work_of(scene, TRACE_KERNELS, ORDER_DEFAULT),

@@ -30,11 +30,9 @@ static void write_text(struct crowd *crowd)
 {
     size_t length;
     FILE *file = open_memstream(&crowd->text, &length);
-
     assert_non_null(file);
     for (size_t i = 0; i < crowd->box_count; i++) {
         const struct box *box = &crowd->boxes[i];
-
         fprintf(file,
                 "#declare P%zu = box { <%d, %d, %d>, <%d, %d, %d> }\n"
                 "object { P%zu }\n",
@@ -49,7 +47,6 @@ static void draw_box(struct box *box, uint64_t *random)
     for (int k = 0; k < 3; k++) {
         int a = (int)xorshift_between(random, 0, SIDE - 1);
         int b = (int)xorshift_between(random, 0, SIDE - 1);
-
         box->low[k] = a < b ? a : b;
         box->high[k] = (a < b ? b : a) + 1;
     }
@@ -59,15 +56,12 @@ static void draw_box(struct box *box, uint64_t *random)
 static void draw(struct crowd *crowd, uint64_t *random)
 {
     bool many = xorshift_between(random, 0, 3) == 0;
-
     crowd->part_count = (size_t)(many ? PARTS_MOST : xorshift_between(random, 1, 5));
     crowd->box_count = 0;
     for (size_t part = 0; part < crowd->part_count; part++) {
         int64_t count = xorshift_between(random, 1, many ? 2 : 9);
-
         for (int64_t i = 0; i < count; i++) {
             struct box *box = &crowd->boxes[crowd->box_count++];
-
             box->part = part;
             draw_box(box, random);
         }
@@ -80,7 +74,6 @@ static void draw(struct crowd *crowd, uint64_t *random)
 static bool covers(const struct box *box, const int cell[3])
 {
     bool inside = true;
-
     for (int k = 0; k < 3; k++)
         inside = inside && box->low[k] <= cell[k] && cell[k] < box->high[k];
     return inside;
@@ -94,7 +87,6 @@ static void count_cells(const struct crowd *crowd, double cells[PARTS_MOST][PART
     for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
         const int cell[3] = { i % SIDE, i / SIDE % SIDE, i / SIDE / SIDE };
         int count[PARTS_MOST] = { 0 };
-
         for (size_t k = 0; k < crowd->box_count; k++)
             count[crowd->boxes[k].part] += covers(&crowd->boxes[k], cell);
         for (size_t a = 0; a < crowd->part_count; a++)
@@ -127,7 +119,6 @@ static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
         .model = model
     };
     c205_error error;
-
     assert_true(named_parts_find(scene, &found->parts));
     assert_true(overlaps_find(scene, found->parts.part_of, found->parts.count,
                               &found->overlaps));
@@ -150,14 +141,12 @@ static void forget(struct found *found)
 static void check(const struct crowd *crowd, const struct found *found)
 {
     static double cells[PARTS_MOST][PARTS_MOST];
-
     count_cells(crowd, cells);
     assert_int_equal(found->parts.count, crowd->part_count);
     for (size_t i = 0; i < found->overlaps.count; i++) {
         const size_t *parts = found->overlaps.pairs[i].parts;
         double expected = cells[parts[0]][parts[1]], volume, error;
         bool some = mass_overlap_of(&found->sums, i, &volume, &error);
-
         if (some != (expected > 0)
             || fabs(volume - expected) > 8 * error / STUDENT + 1e-6)
             fail_msg("%sP%zu and P%zu claim both %.9g, not %.9g: the error is %.2g",
@@ -175,11 +164,9 @@ static void check(const struct crowd *crowd, const struct found *found)
 TEST(boxes)
 {
     uint64_t random = RANDOM_SEED + 11;
-
     for (int i = 0; i < SCENES; i++) {
         struct crowd crowd;
         struct found vector, scalar;
-
         draw(&crowd, &random);
         find(&crowd, TRACE_VECTOR, 2000, &vector);
         check(&crowd, &vector);
@@ -204,7 +191,6 @@ TEST(touching)
                    { 2, { 8, 8, 8 }, { 9, 9, 9 } } },
     };
     struct found found;
-
     write_text(&crowd);
     find(&crowd, TRACE_VECTOR, 77, &found);
     check(&crowd, &found);

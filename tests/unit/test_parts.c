@@ -47,7 +47,6 @@ TEST(names)
         { NULL, "Copper", false, 12 },  { "Pin", "Steel", false, 16 },
     };
     SCOPED(scene) *scene = read_scene(assembly);
-
     assert_int_equal(scene->object_count, COUNT(expected));
     for (size_t i = 0; i < COUNT(expected); i++) {
         assert_text(scene->objects[i].name, expected[i].name);
@@ -67,7 +66,6 @@ TEST(parts)
     static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 5, 2 };
     SCOPED(scene) *scene = read_scene(assembly);
     SCOPED_VALUE(named_parts) parts;
-
     assert_true(named_parts_find(scene, &parts));
     assert_int_equal(parts.count, 6);
     assert_memory_equal(parts.part_of, part_of, sizeof part_of);
@@ -84,7 +82,6 @@ TEST(choice)
     struct named_parts parts;
     struct scene bodies;
     c205_error error;
-
     assert_true(named_parts_find(scene, &parts));
     assert_true(bodies_find_endless(scene, &parts));
     assert_true(named_parts_choose(&parts, NULL, 0, &error));
@@ -124,7 +121,6 @@ TEST(densities)
     SCOPED_VALUE(named_parts) parts;
     c205_error error;
     double found[5];
-
     assert_true(named_parts_find(scene, &parts));
     assert_true(given_add(&densities, "Steel=7.8", &error));
     assert_true(given_add(&densities, "Plate=2", &error));
@@ -156,7 +152,6 @@ TEST(wrong_densities)
     struct given_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED(scene) *scene = read_scene("#declare Lead_Density = 0;\n");
     c205_error error;
-
     for (size_t i = 0; i < COUNT(wrong); i++)
         assert_false(given_add(&densities, wrong[i], &error));
     assert_false(given_add_scene(&densities, scene, &error));
@@ -169,7 +164,6 @@ static bool read_file(const char *text, struct given_values *densities,
                       struct diagnostics *reports)
 {
     static const char path[] = "densities_test.txt";
-
     write_bytes(path, text, strlen(text));
     bool good = given_read(densities, path, reports);
     remove(path);
@@ -180,7 +174,6 @@ TEST(file)
 {
     struct given_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED_VALUE(diagnostics) reports = { 0 };
-
     assert_true(read_file("# a table\n\n1 7.85 Carbon Steel\r\n"
                           "2\t8.96\t\"Copper\" # soft\n3 .5 Pine",
                           &densities, &reports));
@@ -207,7 +200,6 @@ TEST(units)
                                          "mm,x", "g,mm", "mm,g,", "m m,g" };
     struct mass_units units = { 0 };
     char text[MASS_UNIT];
-
     assert_close(mass_units_density(&units, 8.96), 8.96, 0);
     mass_units_text(&units, 1, 2, text);
     assert_string_equal(text, "");

@@ -34,7 +34,6 @@
 static void check_stages(const char *text)
 {
     FREED struct words *words = plain_frame(text);
-
     assert_true(hits(words) > 0);
     check_paper_stage(text, words);
 }
@@ -67,10 +66,8 @@ TEST(pairs_of_lines)
 {
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
                                          "rotate <30, 0, 90>" };
-
     for (size_t i = 0; i < COUNT(turns); i++) {
         char text[1024] = "";
-
         add_text(text, sizeof text,
                  "%sintersection { plane { -z, .3 }"
                  " steiner_patch { <2, 0, 1>, <0, 2, 1>, 0, <1, 1, 0>, <0, 1, -1>,"
@@ -87,7 +84,6 @@ TEST(random_patches)
         char text[4096] = HEAD "light_source { <3, 9, -6>, .5 }\n"
                                "camera { location <0, 1, -7> look_at 0 angle 50 }\n"
                                "plane { z, 4 pigment { checker rgb .9 rgb .4 } }\n";
-
         for (int k = 0; k < 2; k++) {
             add_text(text, sizeof text, "intersection { ");
             add_steiner_patch(text, sizeof text, 3);
@@ -107,7 +103,6 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
     const struct object *program = trace_program(trace);
     FREED struct leaf_plan *plans = calloc(scene->primitive_count, sizeof *plans);
     uint64_t at = program_round_up(program_end(program));
-
     assert_non_null(plans);
     at += UINT64_C(64) * plan_leaves(scene, plans)
           * (uint64_t)object_symbol(program, "CROSSING_SIZE")->value;
@@ -132,7 +127,6 @@ static void check_memory(const char *text)
     c205_error error;
     SCOPED(trace) *trace = trace_new(scene, &options, &error);
     SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
-
     REQUIRE(machine && program_run(machine, NULL, NULL, NULL, &error));
     check_behind_crossings(scene, trace, machine, text);
 }
@@ -149,10 +143,8 @@ TEST(memory)
 {
     for (int i = 0; i < 12; i++) {
         char text[4096] = HEAD "camera { location <0, 1, -7> look_at 0 angle 50 }\n";
-
         for (size_t k = among(1, 2); k > 0; k--) {
             bool before = xorshift(&traced.random) % 2;
-
             add_text(text, sizeof text, "intersection { %s",
                      before ? "sphere { 99*y, 9 inverse } " : "");
             if (xorshift(&traced.random) % 2)

@@ -19,7 +19,6 @@ static size_t resident(void)
 {
     FILE *file = fopen("/proc/self/statm", "r");
     unsigned long all = 0, pages = 0;
-
     assert_non_null(file);
     assert_int_equal(fscanf(file, "%lu %lu", &all, &pages), 2);
     fclose(file);
@@ -35,7 +34,6 @@ static void check_words(size_t words, bool in_file)
 {
     size_t before = resident(), most = 0;
     struct frame_planes planes;
-
     assert_true(planes_take(&planes, words));
     assert_int_equal(planes.file >= 0, in_file);
     for (size_t i = 0; i < words; i += PART) {

@@ -88,7 +88,6 @@ static void path_of(const char *name, char path[256])
 static void remove_file(const char *name)
 {
     char path[256];
-
     path_of(name, path);
     assert_int_equal(unlink(path), 0);
 }
@@ -104,7 +103,6 @@ static void remove_plot(void)
 FIXTURE(tear_down)
 {
     int result = rmdir(folder.name) || rmdir(folder.above);
-
     table_free(folder.table);
     return result;
 }
@@ -114,7 +112,6 @@ static char *text_of(const char *name)
     char path[256];
     size_t length;
     c205_error error = { "" };
-
     path_of(name, path);
     char *text = file_read(path, FILE_LARGEST, &length, &error);
     if (!text)
@@ -125,7 +122,6 @@ static char *text_of(const char *name)
 static bool write_plot(const struct plot *plot, const char *name, c205_error *error)
 {
     char path[256];
-
     path_of(name, path);
     return plot_write(plot, folder.table, path, error);
 }
@@ -133,14 +129,12 @@ static bool write_plot(const struct plot *plot, const char *name, c205_error *er
 static void draw(const struct plot *plot)
 {
     c205_error error = { "" };
-
     REQUIRE(write_plot(plot, "a b'c.svg", &error));
 }
 
 static void expect_error(const struct plot *plot, const char *name, const char *part)
 {
     c205_error error = { "" };
-
     assert_false(write_plot(plot, name, &error));
     if (!strstr(error.message, part))
         fail_msg("\"%s\" without \"%s\"", error.message, part);
@@ -167,7 +161,6 @@ static void expect_picture(const char *text)
 {
     static const char end[] = "</svg>";
     const char *last = strstr(text, end);
-
     assert_non_null(strstr(text, "<svg"));
     assert_non_null(last);
     assert_int_equal(strspn(last + strlen(end), "\n"), strlen(last + strlen(end)));
@@ -184,7 +177,6 @@ TEST_WITH(script_draws_again, set_up, tear_down)
 {
     char command[256];
     const enum plot_form forms[] = { PLOT_LINES, PLOT_AREAS };
-
     for (size_t i = 0; i < 2; i++) {
         struct plot plot = lines;
         plot.form = forms[i];
@@ -208,7 +200,6 @@ TEST_WITH(names_are_names, set_up, tear_down)
     static const char *const ends[] = { "svg", "dat", "gp" };
     c205_error error = { "" };
     char name[16];
-
     for (size_t i = 0; i < COUNT(names); i++) {
         snprintf(name, sizeof name, "%s.svg", names[i]);
         if (!write_plot(&lines, name, &error))
@@ -224,7 +215,6 @@ TEST_WITH(bad_paths, set_up, tear_down)
 {
     c205_error error = { "" };
     char path[256];
-
     expect_error(&lines, "plot.pdf", "ends in .svg or .png");
     expect_error(&lines, ".svg", "ends in .svg");
     expect_error(&lines, "two\nlines.svg", "one line");
@@ -241,7 +231,6 @@ TEST_WITH(name_is_taken, set_up, tear_down)
 {
     static const char *const names[] = { "plot.dat", "plot.gp", "plot.svg" };
     char path[256];
-
     for (size_t i = 0; i < 3; i++) {
         path_of(names[i], path);
         assert_int_equal(mkdir(path, 0777), 0);
@@ -255,7 +244,6 @@ TEST_WITH(bad_values, set_up, tear_down)
     const struct plot_curve remarks = { REMARK, "a text" };
     const struct plot_mark zero = { 0, "zero" };
     struct plot plot = lines;
-
     plot.marks = &zero;
     plot.mark_count = 1;
     expect_error(&plot, "x.svg", "zero: 0 is not on a logarithmic");
@@ -277,7 +265,6 @@ TEST_WITH(bad_values, set_up, tear_down)
 static void expect_kept(void)
 {
     FREED char *picture = text_of("a b'c.svg");
-
     assert_string_equal(picture, "old");
     remove_plot();
 }
@@ -285,7 +272,6 @@ static void expect_kept(void)
 static void write_file(const char *name, const char *text)
 {
     char path[256];
-
     path_of(name, path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
@@ -298,7 +284,6 @@ static void write_file(const char *name, const char *text)
 static void expect_failure(const char *part)
 {
     FREED char *path = strdup(getenv("PATH"));
-
     write_file("a b'c.svg", "old");
     setenv("PATH", folder.name, 1);
     expect_error(&lines, "a b'c.svg", part);
@@ -328,7 +313,6 @@ TEST_WITH(gnuplot_fails, set_up, tear_down)
 static double height_of(const char *script, const char *label)
 {
     const char *at = strstr(script, label);
-
     assert_non_null(at);
     at = strstr(at, "screen ");
     assert_non_null(at);
@@ -341,7 +325,6 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
                                       { 1.1, "near" },
                                       { 1, "at one" } };
     struct plot plot = lines;
-
     plot.marks = many;
     plot.mark_count = 3;
     draw(&plot);
@@ -357,7 +340,6 @@ static void expect_labels(struct axis axis, const char *expected)
     struct axis_tic tics[AXIS_TICS];
     size_t count = axis_tics(&axis, tics);
     char text[256] = "";
-
     for (size_t i = 0; i < count; i++)
         if (tics[i].label[0] != '\0')
             strcat(strcat(text, tics[i].label), " ");
@@ -386,7 +368,6 @@ TEST(axes_are_labelled)
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;
-
     draw(&plot);
     char *script = text_of("a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:35]"));
@@ -405,7 +386,6 @@ static void expect_rounded(enum plot_scale scale, double value, double more, dou
                            double high)
 {
     struct axis axis = axis_new(scale);
-
     axis_reach(&axis, value);
     axis_reach(&axis, more);
     axis_widen(&axis);

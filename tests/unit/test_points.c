@@ -37,7 +37,6 @@ static void make(const struct point_kind *kind, const struct point_choice *choic
 {
     c205_error error = { "" };
     SCOPED(point_maker) *maker = point_maker_new(kind, &error);
-
     REQUIRE(maker && point_maker_run(maker, choice, into, &error));
 }
 
@@ -47,7 +46,6 @@ static void make(const struct point_kind *kind, const struct point_choice *choic
 TEST(positions)
 {
     uint64_t x = 1;
-
     for (uint64_t p = 0; p < 10000; p++) {
         assert_int_equal(stream_state_at(p), x);
         x = (x * UINT64_C(44485709377909)) % (UINT64_C(1) << 47);
@@ -59,7 +57,6 @@ TEST(positions)
 static int by_size(const void *a, const void *b)
 {
     uint64_t first = *(const uint64_t *)a, second = *(const uint64_t *)b;
-
     return (first > second) - (first < second);
 }
 
@@ -93,7 +90,6 @@ static struct point_kind some_kind(bool lattice)
 static struct point_choice some_choice(bool lattice, size_t points)
 {
     uint64_t m = between(0, 20);
-
     if (!lattice)
         return (struct point_choice){ .seed = some_integer(45),
                                       .first = some_integer(43) };
@@ -115,11 +111,9 @@ static void compare_words(const struct point_kind *kind,
                           const struct point_choice *choice)
 {
     const c205_word *made = words[kind->form];
-
     for (unsigned j = 0; j < kind->coordinates; j++)
         for (size_t i = 0; i < kind->points; i++) {
             c205_word word = made[j * kind->points + i];
-
             if (word != defined(kind, choice, i, j))
                 fail_msg("form %d, queue %zu, seed %llu, m %d, shift %llu: "
                          "coordinate %u of point %llu + %zu is %llX",
@@ -135,7 +129,6 @@ static void compare_forms(bool lattice)
     for (size_t i = 0; i < tries; i++) {
         struct point_kind kind = some_kind(lattice);
         struct point_choice choice = some_choice(lattice, kind.points);
-
         for (int form = 0; form < POINT_FORMS; form++) {
             kind.form = (enum point_form)form;
             make(&kind, &choice, words[form]);
@@ -154,7 +147,6 @@ static void compare_numbers(bool lattice)
         struct point_kind kind = some_kind(lattice);
         struct point_choice choice = some_choice(lattice, kind.points);
         size_t count = kind.points * kind.coordinates;
-
         kind.numbers = true;
         for (int form = 0; form < POINT_FORMS; form++) {
             kind.form = (enum point_form)form;
@@ -166,7 +158,6 @@ static void compare_numbers(bool lattice)
             double number = c205_to_double(words[POINTS_VECTOR][k]);
             uint64_t word = defined(&kind, &choice, k % kind.points,
                                     (unsigned)(k / kind.points));
-
             assert_true(number == (double)word * 0x1p-47);
             assert_true(number > 0 && number < 1);
             assert_int_equal(words[POINTS_VECTOR][k], c205_from_double(number));
@@ -186,7 +177,6 @@ static void compare_cut(bool lattice)
     size_t points, pieces[2];
     const c205_word *whole = words[POINTS_SCALAR];
     c205_word *piece = words[POINTS_VECTOR];
-
     kind.form = POINTS_VECTOR;
     kind.points = points = between(2, 5000);
     struct point_choice choice = some_choice(lattice, points);
@@ -226,11 +216,9 @@ TEST(cells)
     make(&kind, &choice, words[0]);
     for (size_t j = 0; j < LATTICE_COORDINATES; j++) {
         static bool met[CELLS];
-
         memset(met, 0, sizeof met);
         for (size_t i = 0; i < CELLS; i++) {
             c205_word word = words[0][j * CELLS + i];
-
             assert_true(word % 2 == 1);
             assert_false(met[word >> (47 - LOG)]);
             met[word >> (47 - LOG)] = true;
@@ -245,10 +233,8 @@ enum { M = 10, N = 1 << M, SHIFTS = 16, DIMENSIONS = 4 };
 static double mean_of_function(const c205_word *point)
 {
     double sum = 0;
-
     for (size_t i = 0; i < N; i++) {
         double product = 1;
-
         for (size_t j = 0; j < DIMENSIONS; j++)
             product *= .5 + c205_to_double(point[j * N + i]);
         sum += product;
@@ -265,7 +251,6 @@ static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_
 {
     double value[SHIFTS], sum = 0, squares = 0;
     c205_error error = { "" };
-
     for (uint64_t k = 0; k < SHIFTS; k++) {
         struct point_choice choice = {
             .seed = seed, .first = lattice ? 0 : k * N, .m = M, .shift = k
@@ -299,12 +284,10 @@ static struct quality try_seeds(bool lattice, size_t seeds)
     double squares = 0, sum = 0, covered = 0;
     c205_error error = { "" };
     SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
-
     REQUIRE(maker);
     for (size_t seed = 0; seed < seeds; seed++) {
         struct estimate found = estimate(maker, lattice, seed);
         double off = found.mean - 1;
-
         sum += off;
         squares += off * off;
         covered += fabs(off) <= student * found.error;

@@ -32,7 +32,6 @@ static double distance(const double a[2], const double b[2], const double p[2])
 {
     double way[2] = { b[0] - a[0], b[1] - a[1] };
     double square = way[0] * way[0] + way[1] * way[1], part = 0;
-
     if (square > 0)
         part = (way[0] * (p[0] - a[0]) + way[1] * (p[1] - a[1])) / square;
     part = fmax(0, fmin(1, part));
@@ -43,7 +42,6 @@ static double distance(const double a[2], const double b[2], const double p[2])
 static bool is_inside(const struct flat_outline *outline, const double p[2])
 {
     bool inside = false;
-
     for (size_t i = 0; i + 1 < outline->count; i++) {
         const double *a = outline->points[i], *b = outline->points[i + 1];
         bool above[2] = { a[1] > p[1], b[1] > p[1] };
@@ -67,7 +65,6 @@ static bool is_near_edge(const struct flat_outline *outline, const double p[2],
 static double area_by_lines(const struct flat_outline *outline)
 {
     double sum = 0;
-
     for (int line = 0; line < LINES; line++) {
         double x = -4 + 8 * (line + .5) / LINES, crossings[POINTS_MOST];
         size_t count = 0;
@@ -93,7 +90,6 @@ static double area_by_lines(const struct flat_outline *outline)
 static void add_point(struct flat_outline *outline, double x, double y)
 {
     double *point = outline->points[outline->count++];
-
     point[0] = x;
     point[1] = y;
 }
@@ -101,7 +97,6 @@ static void add_point(struct flat_outline *outline, double x, double y)
 static void close_part(struct flat_outline *outline, size_t first)
 {
     const double *point = outline->points[first];
-
     add_point(outline, point[0], point[1]);
     outline->ends[outline->count - 1] = true;
 }
@@ -111,7 +106,6 @@ static void add_star(struct flat_outline *outline, size_t count, size_t step)
 {
     double x = between(-1, 1), y = between(-1, 1), turn = between(0, 6);
     size_t first = outline->count;
-
     for (size_t i = 0; i < count; i++) {
         double angle = turn + 2 * acos(-1) * (double)(i * step) / (double)count;
         double radius = between(.5, 2);
@@ -124,7 +118,6 @@ static void add_star(struct flat_outline *outline, size_t count, size_t step)
 static void add_grid_part(struct flat_outline *outline, size_t count)
 {
     size_t first = outline->count;
-
     for (size_t i = 0; i < count; i++) {
         double x, y;
         do {
@@ -140,7 +133,6 @@ static void add_grid_part(struct flat_outline *outline, size_t count)
 static void random_plane(struct flat_outline *outline)
 {
     double turns[3];
-
     for (int i = 0; i < 3; i++)
         turns[i] = between(-3, 3);
     double a = turns[0], b = turns[1], c = turns[2];
@@ -158,7 +150,6 @@ static void random_plane(struct flat_outline *outline)
 static void straight_plane(struct flat_outline *outline)
 {
     int first = (int)xorshift_between(&random_state, 0, 2);
-
     outline->axes[0][first] = 1;
     outline->axes[1][(first + 1) % 3] = -1;
     outline->origin[(first + 2) % 3] = 1;
@@ -169,7 +160,6 @@ static struct flat_outline random_outline(void)
     struct flat_outline outline = { .count = 0 };
     int parts = (int)xorshift_between(&random_state, 1, 3);
     bool grid = xorshift(&random_state) & 1;
-
     if (xorshift(&random_state) & 1)
         random_plane(&outline);
     else
@@ -214,7 +204,6 @@ static struct flat_triangle put_in_plane(const struct flat_outline *outline,
                                          const struct triangle *triangle)
 {
     struct flat_triangle flat;
-
     assert_false(triangle->smooth);
     for (int k = 0; k < 3; k++) {
         double away[3], back[3];
@@ -235,7 +224,6 @@ static bool covers(const struct flat_triangle *flat, const double p[2])
 {
     const double(*corners)[2] = flat->corners;
     int left = 0;
-
     for (int k = 0; k < 3; k++)
         left += side(corners[k], corners[(k + 1) % 3], p) > 0;
     return left == 0 || left == 3;
@@ -250,7 +238,6 @@ static size_t times_covered(const struct flat_triangle *flat, size_t count,
                             const double p[2])
 {
     size_t times = 0;
-
     for (size_t i = 0; i < count; i++)
         times += covers(&flat[i], p);
     return times;
@@ -284,7 +271,6 @@ static void check_outline(const struct flat_outline *outline)
     static char text[POINTS_MOST * 100];
     FREED struct flat_triangle *flat;
     double area = 0;
-
     write_outline(outline, text);
     SCOPED(scene) *scene = read_scene(text);
     const struct triangles *triangles = triangles_of(scene);
@@ -304,7 +290,6 @@ static void check_outline(const struct flat_outline *outline)
 TEST(random_polygons)
 {
     size_t checked = 0;
-
     while (checked < polygon_count) {
         struct flat_outline outline = random_outline();
         if (area_by_lines(&outline) < .1)
@@ -319,7 +304,6 @@ TEST(random_polygons)
 static double total_area(const struct triangles *triangles)
 {
     double sum = 0;
-
     for (size_t i = 0; i < triangles->count; i++) {
         double(*c)[3] = triangles->list[i].corners;
         double n[3];
@@ -336,7 +320,6 @@ static double total_area(const struct triangles *triangles)
 static void check_area(const char *text, size_t reports, double area, size_t count)
 {
     SCOPED(scene) *scene = read_with(text, reports);
-
     assert_close(total_area(triangles_of(scene)), area, CLOSE);
     assert_int_equal(triangles_of(scene)->count, count);
 }
@@ -344,7 +327,6 @@ static void check_area(const char *text, size_t reports, double area, size_t cou
 TEST(areas)
 {
     double fifth = 2 * acos(-1) / 5;
-
     check_area("polygon { 4, 0, x, y, 0 }", 0, .5, 1);
     check_area("polygon { 4.9 <0, 0> <2, 0> <0, 3> <0, 0> }", 0, 3, 1);
     check_area("polygon { 5, <0, 0>, <2, 0>, <2, 3>, <0, 3>, <0, 0> }", 0, 6, 2);

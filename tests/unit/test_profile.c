@@ -21,7 +21,6 @@ static void run(void)
     struct trace_options options = ON_PRIOR(.width = WIDTH, .height = HEIGHT,
                                             .queue = 200, .band = 5 * WIDTH, .jobs = 2);
     c205_error error = { "" };
-
     REQUIRE(profile_run(&profile, scene, &options, &error));
 }
 
@@ -35,7 +34,6 @@ TEST(stages)
     for (int i = 0; i < TRACE_MODES; i++) {
         const struct accounts *accounts = trace_accounts(profile.traces[i]);
         enum profile_part part;
-
         for (size_t k = 0; k < accounts->count; k++)
             assert_true(profile_part_of(accounts->items[k].name, &part));
         assert_true(trace_checksum(profile.traces[i])
@@ -57,7 +55,6 @@ static char *table_text_of(enum profile_table kind)
     SCOPED(table) *table = profile_table(kind, &profile);
     c205_error error = { "" };
     size_t length;
-
     assert_true(file >= 0 && close(file) == 0);
     assert_non_null(table);
     struct json *json = json_open(path, &error);
@@ -74,7 +71,6 @@ static char *table_text_of(enum profile_table kind)
 static double number_of(const char *row, const char *key)
 {
     const char *at = strstr(row, key);
-
     assert_non_null(at);
     return strtod(strchr(at, ':') + 1, NULL);
 }
@@ -89,7 +85,6 @@ static void add_row(const char *row, struct clocks *sum)
     static const char *const keys[TRACE_MODES] = { "\"scalar_clocks\"",
                                                    "\"kernels_clocks\"",
                                                    "\"vector_clocks\"" };
-
     for (int i = 0; i < TRACE_MODES; i++)
         sum->of[i] += number_of(row, keys[i]);
 }
@@ -108,10 +103,8 @@ TEST(sums)
     struct clocks frame = parts, expected;
     FREED char *text = table_text_of(PROFILE_CLOCKS);
     size_t rows = 0;
-
     for (const char *at = text; (at = strstr(at, row)) != NULL; rows++) {
         bool is_part = strncmp(strstr(at, "\"kernel\": "), "\"kernel\": \"\"", 12) == 0;
-
         at += strlen(row);
         if (strncmp(at, "the frame", 9) == 0)
             add_row(at, &frame);
@@ -138,11 +131,9 @@ static double sum_of_rows(const struct table *table, const char *text, size_t co
 {
     const char *line = strchr(text, '\n') + 1;
     double sum = 0;
-
     for (size_t row = 0; row < table_rows(table); row++) {
         bool is_member = line[0] == ' ';
         bool is_frame = strncmp(line, "the frame", 9) == 0;
-
         if (!is_frame && is_member == members)
             sum += table_value(table, row, column);
         line = strchr(line, '\n') + 1;
@@ -156,7 +147,6 @@ TEST(groups)
     static char text[8192];
     SCOPED(table) *table = profile_table(PROFILE_GROUPS, &profile);
     FILE *file = fmemopen(text, sizeof text, "w");
-
     assert_non_null(table);
     assert_true(table_print(table, file));
     fclose(file);
@@ -164,7 +154,6 @@ TEST(groups)
         for (int members = 0; members < 2; members++) {
             double sum = sum_of_rows(table, text, millions[i], members);
             double shares = sum_of_rows(table, text, millions[i] + 1, members);
-
             assert_true(fabs(sum - clocks_of_frame(i) / 1e6) < 1e-9);
             assert_true(fabs(shares - 100) < 1e-9);
         }
@@ -183,7 +172,6 @@ TEST(amdahl)
     FREED char *text = table_text_of(PROFILE_SPEEDUP);
     const char *last = text;
     double speedup = clocks_of_frame(0) / clocks_of_frame(2);
-
     for (const char *at = text; (at = strstr(at, "\"stage\"")) != NULL; at++)
         last = at;
     assert_float_equal(number_of(last, "\"share_percent\""), 100, 1e-9);

@@ -66,13 +66,11 @@ static void check_depths(const struct scene *scene, const char *text,
 {
     size_t others = 0;
     SCOPED_VALUE(frame) plain;
-
     assert_true(plain_trace(scene, WIDTH, HEIGHT, &plain));
     for (size_t k = 0; k < PIXELS; k++) {
         double found = c205_to_double(words->channel[CHANNEL_DEPTH][k]);
         double expected = plain.channel[CHANNEL_DEPTH][k];
         bool close = fabs(found - expected) <= 1e-6 * (1 + expected);
-
         others += close ? 0 : 1;
         if (others > PIXELS / 100)
             fail_msg("pixel %zu: %.9f deep, not %.9f, in\n%s", k, found, expected,
@@ -85,7 +83,6 @@ static void check_scene(const char *text)
     SCOPED(scene) *scene = read_text(text);
     FREED struct words *words = solids.gridded ? same_frame_of(scene, text)
                                                : plain_frame(text);
-
     if (solids.gridded && !along)
         check_depths(scene, text, words);
     check_paper_stage(text, words);
@@ -95,7 +92,6 @@ static void check_scene(const char *text)
 static void check_scenes(bool gridded, bool clear)
 {
     static char text[1 << 18];
-
     solids.gridded = gridded;
     solids.clear = clear;
     solids.patches = solids.meshes = true;

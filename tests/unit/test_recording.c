@@ -154,7 +154,6 @@ static double retimed(const struct run *run, const c205_setting *setting,
 {
     double clocks[REGIONS];
     c205_error error;
-
     assert_true(c205_retime(run->recording, run->model, setting, setting != NULL, ticks,
                             clocks, REGIONS, &error));
     return clocks[1];
@@ -167,7 +166,6 @@ TEST(ticks)
     static const c205_setting settings[] = { { "latency.load", 15.5 },
                                              { "latency.load", 16 } };
     struct run run;
-
     record(&run, "rt/study/fit/programs/linpack.s");
     double whole = retimed(&run, NULL, 1), fine = retimed(&run, NULL, 1000);
     double between = retimed(&run, &settings[0], 1000);
@@ -182,7 +180,6 @@ TEST(ticks)
 TEST(gather_in_ticks)
 {
     struct run run;
-
     record(&run, "rt/study/fit/programs/gather.s");
     assert_true(retimed(&run, NULL, 1) == retimed(&run, NULL, 100));
     finish(&run);

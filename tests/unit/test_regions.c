@@ -73,7 +73,6 @@ static int64_t behind_first(const struct stage *stage, size_t i, const char *nam
 {
     const char *first = strcmp(name, "P_VALUE") == 0 ? name : "P_FIRST_STATE";
     uint64_t bits = primitive(stage, i, name) - primitive(stage, 0, first);
-
     assert_int_equal(bits % (64 * symbol(stage, size)), 0);
     return (int64_t)(bits / (64 * symbol(stage, size)));
 }
@@ -83,7 +82,6 @@ static void check_kernel(const struct stage *stage, size_t i, const char *kernel
 {
     bool turned = expected && stage->scene->primitives[i].transformed
                   && stage->scene->primitives[i].kind != PRIMITIVE_PLANE;
-
     if (!expected)
         assert_int_equal(primitive(stage, i, kernel), 0);
     else if (primitive(stage, i, inner) != symbol(stage, expected)
@@ -96,7 +94,6 @@ static void check_kernel(const struct stage *stage, size_t i, const char *kernel
 static void check_shape(const struct shape_row *row, const char *how)
 {
     char text[500];
-
     snprintf(text, sizeof text, "merge { sphere { 0, 3 } %s %s } } %s %s }", row->text,
              how, row->text, how);
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
@@ -142,7 +139,6 @@ TEST(crossings)
     for (size_t i = 0; i < COUNT(rows); i++) {
         uint64_t room = 64 * 2 * rows[i].crossings;
         c205_word word;
-
         SCOPED_VALUE(stage) stage = stage_of(rows[i].text, BOUNDING_FLAT);
         uint64_t first = primitive(&stage, 0, "P_FIRST_STATE");
         assert_int_equal(behind_first(&stage, rows[i].last, "P_FIRST_EVENT",
@@ -192,7 +188,6 @@ TEST(regions)
     assert_integer(scene_word(&stage, "scene_region_count"), COUNT(rows));
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t first = (size_t)rows[i].first;
-
         assert_int_equal(way_of(&stage, i), rows[i].way);
         assert_integer(region(&stage, i, "R_SHADOW"), rows[i].shadow);
         assert_int_equal(region(&stage, i, "R_FIRST"), primitive_at(&stage, first));
@@ -205,7 +200,6 @@ TEST(regions)
 TEST(hidden)
 {
     static const int hidden_from[] = { 0, 1, 2, 3, 1, 3, 1, 0, 0 };
-
     SCOPED_VALUE(stage) stage =
         stage_of("sphere { 0, 1 } sphere { 0, 1 no_image }\n"
                  "sphere { 0, 1 no_reflection }\n"
@@ -249,7 +243,6 @@ TEST(nodes)
         uint64_t bound = symbol(&stage, "N_BOUND") + 3;
         double radius = c205_to_double(
             stage_word(&stage, nodes + size * i + 64 * bound));
-
         assert_int_equal(leaf, rows[i].leaf ? primitive_at(&stage, first) : 0);
         assert_int_equal(field_of(&stage, nodes, "N_SIZE", i, "N_NEXT"),
                          nodes + size * rows[i].next);
@@ -262,7 +255,6 @@ TEST(nodes)
 static void check_bound(const struct stage *stage, uint64_t address, const char *name)
 {
     uint64_t bound = address + 64 * symbol(stage, name);
-
     assert_int_equal(stage_word(stage, bound + 64 * 3), scene_word(stage, "k_big"));
     assert_number(stage_word(stage, bound + 64 * 4), 1e60);
 }
@@ -271,7 +263,6 @@ static void check_bound(const struct stage *stage, uint64_t address, const char 
 TEST(no_bounds)
 {
     static const char *const texts[] = { "plane { y, 0 }", "sphere { 0, 1 }" };
-
     for (size_t i = 0; i < COUNT(texts); i++) {
         SCOPED_VALUE(stage) stage = stage_of(texts[i],
                                              i == 0 ? BOUNDING_FLAT : BOUNDING_NONE);
@@ -303,7 +294,6 @@ static char *add_solid(char *end, size_t most)
     static const char *const words[] = { "union", "merge", "intersection",
                                          "difference" };
     size_t children = 2 + xorshift(&random_state) % 4;
-
     if (most > 16 && xorshift(&random_state) % 2 == 0)
         children = 8 + xorshift(&random_state) % 9;
     if (most < children || xorshift(&random_state) % 4 == 0) {
@@ -341,7 +331,6 @@ static size_t value_place(const struct evaluation *evaluation, uint64_t address)
 {
     const struct stage *stage = evaluation->stage;
     uint64_t bits = address - primitive(stage, 0, "P_VALUE");
-
     assert_true(bits < 64 * symbol(stage, "VALUE_SIZE") * PLACES);
     return (size_t)(bits / (64 * symbol(stage, "VALUE_SIZE")));
 }
@@ -349,7 +338,6 @@ static size_t value_place(const struct evaluation *evaluation, uint64_t address)
 static void tell_value(struct evaluation *evaluation, uint64_t address, bool value)
 {
     size_t place = value_place(evaluation, address);
-
     evaluation->value[place] = value;
     evaluation->known[place] = true;
 }
@@ -357,7 +345,6 @@ static void tell_value(struct evaluation *evaluation, uint64_t address, bool val
 static bool ask_value(const struct evaluation *evaluation, uint64_t address)
 {
     size_t place = value_place(evaluation, address);
-
     assert_true(evaluation->known[place]);
     return evaluation->value[place];
 }
@@ -366,7 +353,6 @@ static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
 {
     const struct stage *stage = evaluation->stage;
     uint64_t size = 64 * symbol(stage, "P_SIZE");
-
     return evaluation->inside[(leaf - primitive_at(stage, 0)) / size];
 }
 
@@ -377,10 +363,8 @@ static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
     uint64_t next = node_word(evaluation, node, "N_NEXT");
     uint64_t radius = node + 64 * (symbol(stage, "N_BOUND") + 3);
     bool may_be = stage_word(stage, radius) == scene_word(stage, "k_big");
-
     for (; node != next; node += 64 * symbol(stage, "N_SIZE")) {
         uint64_t leaf = node_word(evaluation, node, "N_PRIMITIVE");
-
         may_be = may_be || (leaf && is_inside(evaluation, leaf));
     }
     return may_be;
@@ -391,12 +375,10 @@ static void visit_nodes(struct evaluation *evaluation, size_t i)
 {
     const struct stage *stage = evaluation->stage;
     uint64_t node = region(stage, i, "R_NODES");
-
     while (node != region(stage, i, "R_NODES_END")) {
         uint64_t leaf = node_word(evaluation, node, "N_PRIMITIVE");
         uint64_t value = node_word(evaluation, node, "N_VALUE");
         bool near = may_be_inside(evaluation, node);
-
         evaluation->visited++;
         if (near && !leaf)
             evaluation->branches[evaluation->branch_count++] = node;
@@ -412,14 +394,12 @@ static void take_steps(struct evaluation *evaluation, uint64_t node)
     const struct stage *stage = evaluation->stage;
     uint64_t step = node_word(evaluation, node, "N_STEPS");
     int64_t count = c205_to_integer(node_word(evaluation, node, "N_STEP_COUNT"));
-
     for (size_t k = 0; k < (size_t)count; k++) {
         bool left = ask_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_LEFT"));
         bool right = ask_value(evaluation,
                                field_of(stage, step, "T_SIZE", k, "T_RIGHT"));
         int64_t operation = c205_to_integer(
             field_of(stage, step, "T_SIZE", k, "T_OPERATION"));
-
         tell_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_RESULT"),
                    operation == STEP_AND  ? left && right
                    : operation == STEP_OR ? left || right
@@ -431,7 +411,6 @@ static bool machine_value(const struct stage *stage, size_t i, const bool *insid
                           size_t *visited)
 {
     struct evaluation evaluation = { .stage = stage, .inside = inside };
-
     visit_nodes(&evaluation, i);
     while (evaluation.branch_count > 0)
         take_steps(&evaluation, evaluation.branches[--evaluation.branch_count]);
@@ -443,7 +422,6 @@ static bool machine_value(const struct stage *stage, size_t i, const bool *insid
 static const struct region *region_of(const struct stage *stage, size_t i)
 {
     const struct region *tree = stage->scene->regions;
-
     while (primitive_at(stage, tree->first_primitive) != region(stage, i, "R_FIRST"))
         tree++;
     return tree;
@@ -460,7 +438,6 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
 
     for (int try = 0; try < TRIES; try++) {
         uint64_t few = 1 + xorshift(&random_state) % 8;
-
         for (size_t k = tree->first_primitive; k < last; k++)
             inside[k] = xorshift(&random_state) % few == 0;
         bool value = tree_value(stage->scene, tree->first_node, inside);
@@ -477,7 +454,6 @@ TEST(steps)
 
     for (int scene = 0; scene < SCENES; scene++) {
         char text[8000];
-
         add_solid(text, MOST);
         SCOPED_VALUE(stage) stage = stage_of(text, scene % 2 ? BOUNDING_FLAT
                                                              : BOUNDING_HIERARCHY);
@@ -496,7 +472,6 @@ TEST(many_parts)
     for (size_t way = 0; way < COUNT(ways); way++) {
         char text[8000], *end = text + sprintf(text, "%s", ways[way]);
         size_t visited;
-
         end += sprintf(end, way == 1 ? " " : " { ");
         for (int i = 0; i < PARTS; i++)
             end += sprintf(end, "sphere { %d*x, .6 } ", i);
@@ -504,7 +479,6 @@ TEST(many_parts)
         SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_HIERARCHY);
         for (size_t i = 0; i < stage.scene->primitive_count; i++) {
             bool inside[PLACES] = { false };
-
             inside[0] = inside[i] = true;
             machine_value(&stage, 0, inside, &visited);
             assert_in_range(visited, 3, 50);
@@ -530,7 +504,6 @@ TEST(values)
         struct tree_join joins[16];
         struct tree_plan plan = { .steps = steps, .joins = joins };
         size_t leaves = scene->primitive_count, parts[16] = { 0 };
-
         assert_true(plan_tree(scene, scene->regions, &plan));
         assert_int_equal(plan.step_count, leaves - 1);
         for (size_t k = 0; k < plan.step_count; k++) {

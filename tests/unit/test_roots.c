@@ -60,7 +60,6 @@ static struct polynomial_roots *solve(const struct polynomial *polynomials,
     c205_error error = { "" };
     struct root_search *search = roots_new(polynomials, count, options, &error);
     struct polynomial_roots *roots = calloc(count, sizeof *roots);
-
     assert_non_null(roots);
     REQUIRE(search && roots_run(search, &error) && roots_read(search, roots, &error));
     roots_free(search);
@@ -75,7 +74,6 @@ static c205_word number(const char *text)
 static bool is_root(c205_word found, const char *text, const char **end)
 {
     double expected = strtod(text, (char **)end);
-
     return fabs(c205_to_double(found) - expected) <= 1e-10 * fabs(expected);
 }
 
@@ -84,7 +82,6 @@ static void check_known(const struct known *expected,
 {
     const char *text = expected->roots;
     int count = 0;
-
     while (*text != '\0' && !(first && count == 1)) {
         if (count == roots->count || !is_root(roots->root[count++], text, &text))
             fail_msg("polynomial %zu: not the roots %s", (size_t)(expected - known),
@@ -107,7 +104,6 @@ TEST(known)
 {
     struct roots_options options = { .queue = 10, .model = prior_model };
     struct polynomial polynomials[KNOWN];
-
     read_known(polynomials);
     for (int way = 0; way < 2 * 2 * FALSI_RULES; way++) {
         options.mode = way % 2 ? TRACE_VECTOR : TRACE_SCALAR;
@@ -123,7 +119,6 @@ TEST(known)
 static bool note_progress(void *context, size_t done, size_t all)
 {
     size_t *last = context;
-
     assert_int_equal(all, KNOWN);
     assert_in_range(done, *last, all);
     *last = done;
@@ -136,7 +131,6 @@ TEST(progress)
     struct roots_options options = ON_PRIOR(.queue = 1, .progress = note_progress,
                                             .context = &last);
     struct polynomial polynomials[KNOWN];
-
     read_known(polynomials);
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         last = 0;
@@ -172,7 +166,6 @@ TEST(refused)
     struct polynomial polynomials[2] = { { { C205_ONE, 0, C205_ONE, 0, C205_ONE },
                                            C205_MACHINE_ZERO },
                                          { { 0, 0, 0, 0, 0 }, C205_MACHINE_ZERO } };
-
     for (int i = 0; i < 5; i++)
         polynomials[1].c[i] = C205_MACHINE_ZERO;
     polynomials[0].c[1] = number("1e4000");
@@ -193,7 +186,6 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
     struct polynomial polynomials[KNOWN];
     struct iterations iterations;
     c205_error error = { "" };
-
     read_known(polynomials);
     struct root_search *search = roots_new(polynomials, KNOWN, &options, &error);
     REQUIRE(search && roots_watch(search, &iterations) && roots_run(search, &error));
@@ -207,14 +199,11 @@ TEST(iterations)
 {
     static const size_t queues[] = { 1, 7, 2000 };
     struct iterations scalar = watched(TRACE_SCALAR, 1);
-
     for (size_t i = 0; i < COUNT(queues); i++) {
         struct iterations vector = watched(TRACE_VECTOR, queues[i]);
-
         for (int k = 0; k < STAGES; k++) {
             const struct stage_count *one = &scalar.stage[k];
             const struct stage_count *many = &vector.stage[k];
-
             assert_true(one->brackets > 0);
             assert_int_equal(many->brackets, one->brackets);
             assert_int_equal(many->steps, one->steps);

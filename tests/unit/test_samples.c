@@ -22,7 +22,6 @@ static const char curved[] =
 static struct frame read_all(const struct trace *trace, size_t width, size_t height)
 {
     struct frame frame;
-
     assert_true(frame_allocate(&frame, width, height));
     trace_read(trace, 0, &frame);
     return frame;
@@ -32,7 +31,6 @@ static struct frame read_all(const struct trace *trace, size_t width, size_t hei
 static double mean(const double *samples, size_t width, size_t n)
 {
     double sum = 0;
-
     for (size_t row = 0; row < n; row++)
         for (size_t column = 0; column < n; column++)
             sum += samples[row * width * n + column];
@@ -44,11 +42,9 @@ static void check_pixel(const struct frame *pixels, const struct frame *samples,
 {
     size_t width = pixels->width;
     size_t first = row * n * width * n + column * n;
-
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         double found = pixels->channel[i][row * width + column];
         const double *all = samples->channel[i] + first;
-
         if (i <= CHANNEL_BLUE)
             assert_float_equal(found, mean(all, width, n), 1e-9);
         else
@@ -66,7 +62,6 @@ static uint64_t check_means(const struct scene *scene, size_t width, size_t heig
     SCOPED(trace) *pixels = run_trace(scene, &options);
     SCOPED_VALUE(frame) of_pixels = read_all(pixels, width, height);
     uint64_t checksum = trace_checksum(pixels);
-
     assert_int_equal(trace_rays(pixels, RAY_PRIMARY), n * n * width * height);
     options.samples = 0;
     options.width *= n;
@@ -90,7 +85,6 @@ static void check_forms(const struct scene *scene, size_t width, size_t height,
                 .queue = xorshift(&traced.random) % 2 ? among(1, 9) : among(1, 999),
                 .band = among(1, n * n * width * height), .jobs = among(1, 3));
         SCOPED(trace) *trace = run_trace(scene, &options);
-
         if (trace_checksum(trace) != expected)
             fail_msg("%zu x %zu of %zu, %s by %s, queue %zu, band %zu: another frame",
                      width, height, n, trace_mode_name(options.mode),
@@ -101,10 +95,8 @@ static void check_forms(const struct scene *scene, size_t width, size_t height,
 static void check_scene(const char *text, int times)
 {
     SCOPED(scene) *scene = read_text(text);
-
     for (int i = 0; i < times; i++) {
         size_t n = among(2, 4), width = among(1, 17), height = among(1, 9);
-
         check_forms(scene, width, height, n, check_means(scene, width, height, n));
     }
 }
@@ -121,7 +113,6 @@ TEST(one)
     struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .width = WIDTH,
                                             .height = HEIGHT, .queue = 50);
     SCOPED(trace) *none = run_trace(scene, &options);
-
     options.samples = 1;
     SCOPED(trace) *one = run_trace(scene, &options);
     assert_int_equal(trace_checksum(one), trace_checksum(none));
@@ -131,7 +122,6 @@ TEST(one)
 static bool stop_in_the_middle(void *context, size_t done, size_t all)
 {
     size_t *asked = context;
-
     assert_true(done <= all);
     assert_int_equal(all, 40 * 60);
     return ++*asked < 4;
@@ -149,7 +139,6 @@ TEST(stopped)
                                             .context = &asked);
     c205_error error = { "" };
     SCOPED(trace) *trace = trace_new(scene, &options, &error);
-
     assert_non_null(trace);
     assert_int_equal(trace_bands(trace), 3);
     assert_false(trace_run(trace, &error));

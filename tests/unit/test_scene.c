@@ -18,7 +18,6 @@ TEST(defaults)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 }");
     const struct primitive *sphere = scene->primitives;
-
     assert_vector(scene->camera.location, 0, 0, 0);
     assert_vector(scene->camera.direction, 0, 0, 1);
     assert_vector(scene->camera.right, 1.33, 0, 0); /* POV-Ray's, measured */
@@ -171,7 +170,6 @@ TEST(camera)
 {
     struct scene *scene = read_scene("camera { look_at 0 angle 90 right x*4/3"
                                      " location <0, 0, -5> }");
-
     assert_vector(scene->camera.location, 0, 0, -5);
     assert_vector(scene->camera.direction, 0, 0, 2. / 3);
     assert_vector(scene->camera.right, 4. / 3, 0, 0);
@@ -205,7 +203,6 @@ TEST(fogs)
         "fog { color rgb 1 } fog { rgb <1, 2, 3> distance 1e3 fog_offset 3 }"
         "#declare B = rgb <.5, 1, 2>; fog { B*.5 + B distance 5 }"
         "#declare F = fog { distance 7 rgb x }; fog { F } fog { F distance 8 }");
-
     assert_int_equal(scene->fog_count, 5);
     assert_close(scene->fogs[0].distance, 20, CLOSE);
     assert_vector(scene->fogs[0].color, .5, .6, .7);
@@ -262,7 +259,6 @@ TEST(primitives)
                                       "cylinder { 0, 2*y, .5 no_shadow }\n"
                                       "plane { <0, 3, 4>, 2 }\n");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(scene->primitive_count, 5);
     assert_close(p[0].shape.sphere.radius, 2, 0);
     assert_vector(p[1].shape.box.corner[0], -1, -1, -2);
@@ -282,7 +278,6 @@ static void assert_inverse(const struct primitive *primitive)
 {
     const double point[3] = { .3, -2, 5 };
     double world[3], back[3];
-
     map(&primitive->to_world, point, world);
     map(&primitive->to_local, world, back);
     assert_vector(back, point[0], point[1], point[2]);
@@ -328,7 +323,6 @@ TEST(no_transform)
     SCOPED(scene) *scene =
         read_with("sphere { 0, 1 translate x translate -x } sphere { 0, 1 scale 0 }",
                   3);
-
     assert_false(scene->primitives[0].transformed);
     assert_false(scene->primitives[1].transformed); /* 0 became 1 */
 }
@@ -339,7 +333,6 @@ static void assert_pattern_at(const struct pigment *pigment, double world_x,
 {
     const double world[3] = { world_x, 0, 0 };
     double local[3];
-
     map(&pigment->to_local, world, local);
     assert_close(local[0], pattern_x, CLOSE);
 }
@@ -353,7 +346,6 @@ TEST(textures_move)
         "sphere { 0, 1 texture { pigment { P } translate x } scale 3 }\n"
         "sphere { 0, 1 scale 3 pigment { checker } }\n");
     const struct primitive *p = scene->primitives;
-
     assert_pattern_at(&p[0].pigment, 4 + 3 * (1 + 2), 1);
     assert_pattern_at(&p[1].pigment, 1 + 2, 1);
     assert_pattern_at(&p[2].pigment, 3 * (1 + 2), 1);
@@ -380,7 +372,6 @@ TEST(unions)
     const struct primitive *p = scene->primitives;
     const double origin[3] = { 0, 0, 0 };
     double image[3];
-
     assert_int_equal(scene->primitive_count, 6);
     assert_int_equal(scene->light_count, 2);
     assert_vector(scene->lights[0].position, 0, 1, 0);
@@ -415,7 +406,6 @@ TEST(beams)
         "light_source { 2*y, 1 fade_distance 3 }\n"
         "light_source { 2*y, 1 cylinder tightness 4 spotlight }\n");
     const struct light *lights = scene->lights;
-
     assert_int_equal(scene->light_count, 7);
     assert_int_equal(lights[0].beam, BEAM_CONE);
     assert_vector(lights[0].position, -8, 0, 1);
@@ -453,7 +443,6 @@ TEST(areas)
         "light_source { y, 1 circular area_light z, y, 32768, 2 adaptive 2 }\n"
         "light_source { y, 1 spotlight }\n");
     const struct light *lights = scene->lights;
-
     assert_vector(lights[0].position, 0, 0, 1);
     assert_vector(lights[0].area_axes[0], 0, 2, 0);
     assert_vector(lights[0].area_axes[1], -4, 0, 0);
@@ -481,7 +470,6 @@ TEST(declarations)
         "sphere { 0, 1 material { texture { S } } }\n"
         "light_source { <1, 2, 3>, 2 shadowless translate x }\n");
     const struct primitive *p = scene->primitives;
-
     assert_close(p[0].shape.sphere.radius, 2, 0);
     assert_vector(p[0].pigment.color[0], 0, 1, 0);
     assert_close(p[0].finish.phong_size, 10, 0);
@@ -497,7 +485,6 @@ TEST(settings)
     SCOPED(scene) *scene = read_scene(
         "global_settings { assumed_gamma 1 ambient_light rgb <.5, 1, 2>"
         " max_trace_level 7 }");
-
     assert_close(scene->assumed_gamma, 1, 0);
     assert_vector(scene->ambient_light, .5, 1, 2);
     assert_int_equal(scene->max_trace_level, 7);
@@ -507,7 +494,6 @@ TEST(settings)
 TEST(trace_levels)
 {
     static const int levels[] = { 1, 256 };
-
     for (size_t i = 0; i < COUNT(levels); i++) {
         SCOPED(scene) *scene = read_format("global_settings { max_trace_level %d }",
                                            levels[i]);
@@ -520,7 +506,6 @@ TEST(trace_levels)
 TEST(gamma_of_srgb)
 {
     SCOPED(scene) *scene = read_with("global_settings { assumed_gamma srgb }", 1);
-
     assert_close(scene->assumed_gamma, 2.2, 0);
 }
 
@@ -547,7 +532,6 @@ TEST(gamma_of_versions)
         SCOPED(scene) *scene = scene_read_text("test.pov", rows[i].text,
                                                &reading_options, &reports);
         size_t told = 0;
-
         assert_non_null(scene);
         for (size_t k = 0; k < reports.count; k++)
             told += strstr(reports.items[k].message, "gamma correction") != NULL;
@@ -563,7 +547,6 @@ TEST(our_scenes)
                                          "scenes/hills.pov",       "scenes/roman.pov",
                                          "scenes/steiner.pov",     "scenes/car.pov",
                                          "scenes/flake.pov" };
-
     for (size_t i = 0; i < COUNT(paths); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
         SCOPED(scene) *scene = scene_read(paths[i], &strict_options, &reports);
@@ -579,7 +562,6 @@ static char *file_text(const char *path)
     c205_error error;
     size_t length;
     char *text = file_read(path, FILE_LARGEST, &length, &error);
-
     assert_non_null(text);
     return text;
 }
@@ -591,7 +573,6 @@ static size_t read_examples(const char *page)
     char *text = file_text(page), *end = text;
     char *start = strstr(text, open);
     size_t count = 0;
-
     for (; start; start = strstr(end, open), count++) {
         start += strlen(open);
         end = strstr(start, close);

@@ -32,7 +32,6 @@ TEST(components)
         " cylinder { x 2*y .5 strength -1 } component .5, 3, z"
         " sphere { 0 1, 0 } threshold .6 sphere { 0, 1, 1 } sturm 1 hierarchy off }");
     const struct blob_part *parts = parts_of(scene, 4);
-
     assert_close(scene->primitives->shape.blob.threshold, .6, 0);
     assert_part(&parts[0], false, 2, 4);
     assert_vector(parts[0].base, 1, 2, 3);
@@ -56,7 +55,6 @@ TEST(motions)
         " translate 3*y }");
     const struct blob_part *part = parts_of(scene, 1);
     double center[3] = { 1, 0, 0 }, back[3] = { 1, 2, 5 };
-
     for (int i = 0; i < 3; i++) {
         center[i] = dot3(part->to_blob.rows[i], part->base) + part->to_blob.rows[i][3];
         back[i] = dot3(part->to_local.rows[i], (double[]){ 1, 2, 5 })
@@ -75,10 +73,8 @@ TEST(looks)
         " cylinder { 0, x, 1, 1 texture { pigment { rgb y } } scale 2 }%s }";
     static const char *const own[] = { " pigment { rgb <.25, .5, .75> }", "" };
     static const char *const by[] = { "by that of the blob", "by the first" };
-
     for (int i = 0; i < 2; i++) {
         char blob[400];
-
         snprintf(blob, sizeof blob, text, own[i]);
         SCOPED(scene) *scene = read_with(blob, 1);
         parts_of(scene, 2);
@@ -96,7 +92,6 @@ TEST(one_look)
     SCOPED(scene) *scene = read_scene(
         "blob { sphere { 0, 1, 2 pigment { rgb z } translate x } scale 2 }");
     const struct pigment *pigment = &scene->primitives->pigment;
-
     assert_vector(pigment->color[0], 0, 0, 1);
     assert_close(pigment->to_local.rows[0][0], .5, 0);
     assert_close(pigment->to_local.rows[0][3], -1, 0);
@@ -156,7 +151,6 @@ TEST(rows)
     assert_close(table[LENGTH], 10, CLOSE);
     for (int end = 0; end < 2; end++) {
         double own[3], from[3];
-
         subtract3(ends[end], words.words, from);
         for (int i = 0; i < 3; i++)
             own[i] = dot3(table + MATRIX + 4 * i, from) + table[MATRIX + 4 * i + 3];

@@ -11,7 +11,6 @@ static size_t write_tree(const struct scene *scene, size_t i, FILE *out)
 {
     static const char signs[] = { ' ', '&', '|', '!' };
     const struct tree_node *node = &scene->nodes[i];
-
     if (node->operation == TREE_LEAF) {
         fprintf(out, "%zu", node->primitive);
         return i + 1;
@@ -30,7 +29,6 @@ static void check_regions(const char *text, size_t reports, const char *expected
     size_t leaf = 0, node = 0, length;
     FREED char *found = NULL;
     FILE *out = open_memstream(&found, &length);
-
     for (size_t i = 0; i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
         assert_int_equal(region->first_primitive, leaf);
@@ -145,7 +143,6 @@ TEST(clips)
         "sphere { 0, 1 translate y clipped_by { " C " } translate 2*y "
         "pigment { rgbf <1, 0, 0, .5> } interior { ior 1.5 } }");
     const struct primitive *p = scene->primitives;
-
     assert_true(!p[0].unseen && !p[0].no_shadow);
     assert_true(p[1].unseen && p[1].no_shadow);
     assert_close(p[0].to_world.rows[1][3], 3, CLOSE);
@@ -162,7 +159,6 @@ TEST(transforms)
                                       " box { 0, 1 translate x } scale 2 }\n"
                                       "object { H translate <0, 3, 0> no_shadow }");
     const struct primitive *p = scene->primitives;
-
     assert_close(p[0].to_world.rows[0][0], 2, CLOSE);
     assert_close(p[0].to_world.rows[1][3], 3, CLOSE);
     assert_close(p[1].to_world.rows[0][3], 2, CLOSE);
@@ -192,7 +188,6 @@ TEST(no_shadow)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_scene(rows[i].text);
-
         for (int k = 0; k < 2; k++)
             assert_int_equal(scene->primitives[k].no_shadow, rows[i].no_shadow[k]);
     }
@@ -227,7 +222,6 @@ TEST(hidden)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_scene(rows[i].text);
-
         for (int k = 0; k < 2; k++)
             assert_int_equal(scene->primitives[k].hidden_from, rows[i].hidden_from[k]);
     }
@@ -245,7 +239,6 @@ TEST(textures)
         "    pigment { rgb <0, 0, 1> } finish { reflection .3 }\n"
         "}");
     const struct primitive *p = scene->primitives;
-
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_vector(p[1].pigment.color[0], 0, 1, 0);
     assert_vector(p[2].pigment.color[0], 0, 1, 0);
@@ -264,7 +257,6 @@ TEST(interiors)
         "union { " A " sphere { 0, 1 interior { } }\n"
         "    material { texture { pigment { rgbf 1 } } interior { ior 3 } } }" A);
     static const double expected[] = { 1.2, 1.5, 1.2, 2, 3, 1, 1 };
-
     assert_int_equal(scene->primitive_count, COUNT(expected));
     for (size_t i = 0; i < COUNT(expected); i++)
         assert_close(scene->primitives[i].ior, expected[i], 0);
@@ -279,7 +271,6 @@ static void check_bodies(const char *text, const char *expected)
     size_t bodies[10];
     int count = 0;
     char found[30] = "";
-
     for (size_t i = 0; i < scene->primitive_count; i++) {
         int k = 0;
         assert_true(p[i].unseen || p[i].interior > 0);
@@ -344,7 +335,6 @@ TEST(objects)
     SCOPED(scene) *scene = read_scene(
         A "union { " B " union { " C D " } } difference { " A B " }"
           "#declare S = " A " object { S } object { S translate x }");
-
     assert_int_equal(scene->primitive_count, COUNT(expected));
     assert_int_equal(scene->object_count, 5);
     for (size_t i = 0; i < COUNT(expected); i++)
@@ -368,7 +358,6 @@ TEST(materials)
         "union { " A " sphere { 0, 1 interior { } } material { N } }");
     static const double iors[] = { 1.25, 1.25, 1.5, 1.75, 1.5, 1 };
     const struct primitive *p = scene->primitives;
-
     for (size_t i = 0; i < COUNT(iors); i++)
         assert_close(p[i].ior, iors[i], 0);
     assert_vector(p[0].pigment.color[0], 0, 0, 0);
@@ -462,7 +451,6 @@ TEST(settings)
     SCOPED(scene) *plain = read_scene(A);
     SCOPED(scene) *scene = read_scene("global_settings { adc_bailout 1/100 "
                                       "max_trace_level 12 } " A);
-
     assert_close(plain->adc_bailout, 1. / 255, 0);
     assert_int_equal(plain->max_trace_level, 5);
     assert_close(scene->adc_bailout, .01, CLOSE);
@@ -475,7 +463,6 @@ TEST(settings)
 static void check_error(const char *text, const char *message)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
-
     assert_null(scene_read_text("test.pov", text, &reading_options, &reports));
     assert_true(reports.errors > 0);
     assert_non_null(strstr(reports.items->message, message));
@@ -500,7 +487,6 @@ TEST(deep_text)
 TEST(large_solids)
 {
     char text[2000] = "#declare U = union { " A " " A " }";
-
     for (int i = 1; i < 14; i++)
         strcat(text, "#declare U = union { object { U } object { U } }\n");
     scene_free(read_scene(text));

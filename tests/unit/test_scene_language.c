@@ -17,7 +17,6 @@ static char *file_text(const char *path)
 {
     FILE *file = fopen(path, "r");
     char *text = calloc(1, 1 << 16);
-
     assert_non_null(file);
     assert_non_null(text);
     text[fread(text, 1, (1 << 16) - 1, file)] = '\0';
@@ -29,7 +28,6 @@ static void check_list(const char *name)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     char path[100];
-
     snprintf(path, sizeof path, "tests/language/%s.pov", name);
     SCOPED(scene) *scene = scene_read(path, &reading_options, &reports);
     snprintf(path, sizeof path, "tests/language/%s.txt", name);
@@ -188,7 +186,6 @@ TEST(debug)
         "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_versioned("test.pov", text, &strict_options, &reports);
-
     assert_non_null(scene);
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.errors, 0);
@@ -204,7 +201,6 @@ TEST(warnings)
                                "#end";
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
-
     assert_non_null(scene);
     assert_int_equal(reports.count, 3);
     assert_string_equal(reports.items[2].message, "other 1");
@@ -216,7 +212,6 @@ TEST(too_much_said)
     SCOPED(scene) *scene =
         read_versioned("test.pov", "#for (I, 1, 9999) #debug \"0123456789\" #end",
                        &reading_options, &reports);
-
     assert_non_null(scene);
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[1].message, "are said"));

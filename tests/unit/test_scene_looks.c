@@ -119,7 +119,6 @@ static unsigned put_thing(struct drawing *drawing)
     uint64_t *random = &drawing->random;
     unsigned has;
     int64_t which;
-
     switch (drawing->names ? xorshift_between(random, 0, 2) : 0) {
     case 0:
         which = xorshift_between(random, 0, LOOKS);
@@ -148,7 +147,6 @@ static unsigned draw(struct drawing *drawing)
     static const char *const words[LOOKS] = { "crand", "irid", "subsurface",
                                               "conserve_energy" };
     unsigned told = 0;
-
     drawing->names = 0;
     for (int i = 0; i < LOOKS; i++)
         fprintf(drawing->text, "#declare T%d = texture { finish { %s 1 } }\n", i,
@@ -170,7 +168,6 @@ static unsigned told_of(const char *text)
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
     unsigned told = 0;
-
     assert_non_null(scene);
     for (size_t i = 0; i < reports.count; i++)
         told |= 1u << (reports.items[i].line - 1);

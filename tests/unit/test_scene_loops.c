@@ -30,7 +30,6 @@ static bool same_primitive(const struct primitive *a, const struct primitive *b)
 static bool same_tree(const struct scene *a, const struct scene *b)
 {
     bool same = a->node_count == b->node_count && a->region_count == b->region_count;
-
     for (size_t i = 0; same && i < a->node_count; i++)
         same = a->nodes[i].operation == b->nodes[i].operation
                && a->nodes[i].next == b->nodes[i].next
@@ -46,7 +45,6 @@ static bool same_tree(const struct scene *a, const struct scene *b)
 static bool same_scene(const struct scene *a, const struct scene *b)
 {
     bool same = a->primitive_count == b->primitive_count && same_tree(a, b);
-
     for (size_t i = 0; same && i < a->primitive_count; i++)
         same = same_primitive(&a->primitives[i], &b->primitives[i]);
     return same;
@@ -65,7 +63,6 @@ static void compare(const struct text_buffer *written,
     struct diagnostics found, wanted;
     SCOPED(scene) *is = read_any(written->text, &found);
     SCOPED(scene) *should_be = read_any(carried_out->text, &wanted);
-
     if (!is != !should_be || (is && !same_scene(is, should_be))
         || (found.count > 0) != (wanted.count > 0)) {
         diagnostics_print(&found, stderr);
@@ -81,7 +78,6 @@ TEST(nests)
 {
     uint64_t seed = RANDOM_SEED;
     size_t read = 0;
-
     for (size_t i = 0; i < CASES; i++) {
         xorshift(&seed);
         SCOPED_VALUE(text_buffer) written = random_nest(seed, true);

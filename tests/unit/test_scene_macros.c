@@ -80,7 +80,6 @@ TEST(lines)
                                       "#macro T()\n  S(1)\n  S(2)\n#end\n\n"
                                       "S(3)\nT()\n");
     static const size_t lines[] = { 9, 10, 10 };
-
     assert_int_equal(scene->primitive_count, COUNT(lines));
     for (size_t i = 0; i < COUNT(lines); i++)
         assert_int_equal(scene->primitives[i].line, lines[i]);
@@ -136,7 +135,6 @@ static void check_bounded(const struct bounded *rows, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         clock_t start = clock();
-
         assert_refused(rows[i].text, 2, rows[i].message);
         if (clock() - start > 60 * CLOCKS_PER_SEC)
             fail_msg("too long: %s", rows[i].text);
@@ -203,7 +201,6 @@ TEST(stopped)
     size_t asked = 0;
     const struct scene_options stopping = { .go_on = end_at_once, .context = &asked };
     SCOPED_VALUE(diagnostics) reports = { 0 };
-
     assert_null(scene_read_text("test.pov", "#while (1) #while (1) #end #end",
                                 &stopping, &reports));
     assert_int_equal(asked, 1);

@@ -9,7 +9,6 @@
 static void check_map(const struct color_map *map, const char *expected)
 {
     char found[1024], *to = found;
-
     *to = '\0';
     for (size_t i = 0; i < map->count; i++)
         to += sprintf(to, "%g:%g,%g,%g ", map->stops[i].at, map->stops[i].color[0],
@@ -185,7 +184,6 @@ TEST(named_maps)
         "sphere { 0, 1 pigment { rgb x } }\n"
         "sphere { 0, 1 pigment { G rgb y } }\n");
     const struct primitive *p = scene->primitives;
-
     check_map(&p[0].pigment.map, TWO);
     assert_vector(p[0].pigment.axis, 0, 1, 0);
     assert_close(p[0].pigment.to_local.rows[1][1], .5, CLOSE);
@@ -230,7 +228,6 @@ TEST(other_patterns)
         "sphere { 0, 1 pigment { gradient x pigment_map { [0 rgb z] } } }\n",
         2);
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(p[0].pigment.kind, PIGMENT_COLOR);
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_int_equal(p[1].pigment.kind, PIGMENT_COLOR);
@@ -246,7 +243,6 @@ TEST(clear)
                   "sky_sphere { pigment { gradient x color_map { [0 rgb x]"
                   " [1 rgbf 1] } } }",
                   1);
-
     assert_false(pigment_is_clear(&scene->primitives[0].pigment));
     assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
 }
@@ -256,7 +252,6 @@ TEST(skies)
     struct scene *scene = read_scene(
         "background { rgb z } sky_sphere { pigment { rgb <1, .5, 0> } }");
     double up[3] = { 0, 1, 0 };
-
     assert_int_not_equal(scene->sky.kind, PIGMENT_GRADIENT);
     assert_vector(scene->background, 1, .5, 0);
     scene_free(scene);

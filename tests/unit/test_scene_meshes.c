@@ -19,7 +19,6 @@ TEST(lone_triangles)
         "object { T } union { object { T } triangle { 0, y, z } }\n");
     const struct triangle *first = triangles_of_part(scene, 0)->list;
     const struct triangle *smooth = triangles_of_part(scene, 1)->list;
-
     assert_int_equal(scene->primitive_count, 6);
     assert_int_equal(scene->region_count, 6);
     for (size_t i = 0; i < 6; i++)
@@ -58,7 +57,6 @@ TEST(meshes)
         "object { Inner inverse }");
     const struct triangles *triangles = triangles_of_part(scene, 0);
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(triangles->count, 9); /* one has no area */
     assert_vector(triangles->list[3].corners[2], 0, 0, 3);
@@ -92,7 +90,6 @@ TEST(mesh2)
              "  face_indices { 2 <3, 2, 1> <0, 1, 3> } uv_indices { 2, 0, 0 }"
              "  normal_indices { 1 <0, 2, 3> } inside_vector x inside_vector y }\n");
     const struct triangle *list = triangles_of_part(scene, 0)->list;
-
     assert_int_equal(scene->primitive_count, 4);
     assert_int_equal(triangles_of_part(scene, 0)->count, 2);
     assert_false(list[0].smooth || list[1].smooth);
@@ -125,7 +122,6 @@ TEST(nothing)
                   "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
                   1); /* of one cause */
     const struct triangle *list = triangles_of_part(scene, 0)->list;
-
     assert_int_equal(scene->primitive_count, 3);
     assert_vector(list->normals[0], 1, 0, 0);
     assert_vector(list->normals[2], 1, 0, 0);
@@ -214,7 +210,6 @@ TEST(moved_texture)
 {
     SCOPED(scene) *scene = read_scene(
         "mesh { triangle { 0, x, y texture { pigment { checker } } } translate 3*x }");
-
     assert_close(scene->primitives->pigment.to_local.rows[0][3], -3, CLOSE);
 }
 
@@ -254,7 +249,6 @@ TEST(clear)
         "object { M pigment { checker rgb 1 rgbf 1 } }\n"
         "union { object { M } sphere { 0, 1 } pigment { rgbt .5 } }\n");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(scene->primitive_count, 3);
     for (size_t i = 0; i < 3; i++)
         assert_true(pigment_is_clear(&p[i].pigment));
@@ -266,7 +260,6 @@ static void assert_nodes(const char *text, size_t reports,
                          const enum tree_operation *operations, size_t count)
 {
     SCOPED(scene) *scene = read_with(text, reports);
-
     assert_int_equal(scene->node_count, count);
     for (size_t i = 0; i < count; i++)
         assert_int_equal(scene->nodes[i].operation, operations[i]);
@@ -297,7 +290,6 @@ TEST(clipped)
     SCOPED(scene) *scene = read_scene(
         "mesh { triangle { 0, x, y } clipped_by { mesh { triangle { 0, x, y "
         "} inside_vector y } } }");
-
     assert_int_equal(scene->primitive_count, 2);
     assert_false(scene->primitives[0].shape.mesh.solid);
     assert_true(scene->primitives[1].shape.mesh.solid);
@@ -398,7 +390,6 @@ TEST(copies_count)
         "#declare M = mesh { #for (I, 1, 40000) triangle { 0, x, y } #end }\n"
         "#for (I, 1, %s) object { M } #end";
     char text[sizeof many + 8];
-
     (void)snprintf(text, sizeof text, many, "99");
     scene_free(read_scene(text));
     (void)snprintf(text, sizeof text, many, "100");
@@ -437,7 +428,6 @@ struct random_mesh {
 static struct random_mesh random_mesh(uint64_t *random)
 {
     struct random_mesh mesh;
-
     mesh.points = (int)xorshift_between(random, 3, POINTS_MOST);
     mesh.faces = (int)xorshift_between(random, 1, FACES_MOST);
     mesh.smooth = xorshift_between(random, 0, 1);
@@ -521,7 +511,6 @@ static void assert_same(const struct scene *scene)
 {
     const struct triangles *mesh = triangles_of_part(scene, 0);
     const struct triangles *mesh2 = triangles_of_part(scene, 1);
-
     assert_int_equal(mesh->count, mesh2->count);
     assert_int_equal(mesh->count + 2, scene->primitive_count);
     for (size_t i = 0; i < mesh->count; i++) {
@@ -536,7 +525,6 @@ TEST(three_ways)
     static char text[TEXT_MOST];
     uint64_t random = RANDOM_SEED;
     size_t compared = 0;
-
     for (int i = 0; i < MESHES; i++) {
         struct random_mesh mesh = random_mesh(&random);
         SCOPED_VALUE(diagnostics) reports = { 0 };

@@ -116,7 +116,6 @@ TEST(unscaled)
         "sphere { 0, 1 normal { onion no_bump_scale } }"
         "sphere { 0, 1 texture { normal { onion } no_bump_scale } }"
         "sphere { 0, 1 texture { normal { onion } } }");
-
     assert_true(scene->primitives[0].bumps.unscaled);
     assert_true(scene->primitives[1].bumps.unscaled);
     assert_false(scene->primitives[2].bumps.unscaled);
@@ -146,7 +145,6 @@ static void check_entries(const char *words, size_t count, const double *at)
 {
     SCOPED(scene) *scene = scene_with(words, 0);
     const struct bump_list *list = list_of(scene);
-
     assert_int_equal(list->count, count);
     assert_int_equal(list->bump.stop_count, 0);
     for (size_t i = 0; i < count; i++)
@@ -192,7 +190,6 @@ TEST(nested)
                             " normal_map { [0 boxed translate x] [1 leopard] }] }",
                             1);
     const struct bump *bump = &list_of(scene)->entries[1].bump;
-
     assert_int_equal(bump->pattern.pattern.function, PATTERN_BOXED);
     assert_close(bump->pattern.to_local.rows[0][0], .5, 0);
     assert_close(bump->pattern.to_local.rows[0][3], -1, 0);
@@ -204,7 +201,6 @@ TEST(quilted)
     struct scene
         *scene = scene_with("onion slope_map { [0 <0, 1>] } quilted control1 .3", 0);
     const struct bump *bump = &list_of(scene)->bump;
-
     assert_close(bump->controls[0], 1, 0);
     assert_close(bump->controls[1], .3, 0);
     assert_int_equal(bump->stop_count, 0);

@@ -30,7 +30,6 @@ TEST(reports)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_with(rows[i].text, rows[i].reports);
-
         assert_int_equal(scene->primitive_count, 2);
     }
 }
@@ -38,7 +37,6 @@ TEST(reports)
 static void assert_ior(const char *text, size_t reports, double ior)
 {
     SCOPED(scene) *scene = read_with(text, reports);
-
     assert_close(scene->primitives[0].ior, ior, 0);
 }
 

@@ -225,7 +225,6 @@ TEST(all_errors)
                                "camera { location }\n";
     static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
     SCOPED_VALUE(diagnostics) reports = { 0 };
-
     assert_null(read_versioned("test.pov", text, &reading_options, &reports));
     if (reports.count != COUNT(lines))
         diagnostics_print(&reports, stderr);
@@ -243,7 +242,6 @@ TEST(print)
     FREED char *text = NULL;
     size_t length = 0;
     FILE *out = open_memstream(&text, &length);
-
     read_versioned("test.pov", "/*\n\xc3\xa4\x01 */  \tovus { 1, 2 }\r\n",
                    &reading_options, &reports);
     diagnostics_print(&reports, out);
@@ -254,7 +252,6 @@ TEST(print)
 static void write_file(const char *folder, const char *name, const char *text)
 {
     char path[200];
-
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
@@ -265,7 +262,6 @@ static void write_file(const char *folder, const char *name, const char *text)
 static void delete_files(const char *folder, const char *const *names)
 {
     char path[200];
-
     for (; *names; names++) {
         snprintf(path, sizeof path, "%s/%s", folder, *names);
         assert_int_equal(remove(path), 0);
@@ -279,7 +275,6 @@ TEST(includes)
     char folder[] = "/tmp/scene-XXXXXX", path[200];
     struct diagnostics reports = { 0 };
     struct scene *scene;
-
     assert_non_null(mkdtemp(folder));
     write_file(folder, "main.pov",
                "#version 3.7;\n#include \"part.inc\"\nsphere { 0, R }\n");
@@ -322,7 +317,6 @@ static char *repeated(const char *head, const char *part, size_t count)
 {
     size_t start = strlen(head), length = strlen(part);
     char *text = malloc(start + count * length + 1);
-
     assert_non_null(text);
     memcpy(text, head, start + 1);
     for (size_t i = 0; i < count; i++)
@@ -440,7 +434,6 @@ TEST(libraries)
     const struct scene_options searching = { 4, 3, false, search, NULL, NULL, NULL, 0 };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene;
-
     assert_non_null(mkdtemp(folder));
     write_file(folder, "one.inc",
                "#include \"two.inc\"\n"

@@ -67,7 +67,6 @@ TEST(values_that_continue)
 static void find_place(const char *text, const char *at, size_t *line, size_t *column)
 {
     const char *start = text;
-
     *line = 1;
     for (const char *c = text; c < at; c++)
         if (*c == '\n') {
@@ -84,7 +83,6 @@ static void leave_out(char *text, char *semicolon)
     struct scene_options options = strict_options;
     SCOPED_VALUE(diagnostics) reports = { 0 };
     size_t line, column;
-
     options.read_raster = with_images.read_raster;
     find_place(text, semicolon, &line, &column);
     *semicolon = ' ';

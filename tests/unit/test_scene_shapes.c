@@ -11,7 +11,6 @@ TEST(cones)
                                       "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
                                       "cone { -x, 1.5, x, 1.5 open }\n");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(p[0].kind, PRIMITIVE_CONE);
     assert_vector(p[0].shape.cone.base, 1, 2, 3);
     assert_vector(p[0].shape.cone.cap, 0, 5, 0);
@@ -34,7 +33,6 @@ TEST(discs)
                                       "disc { y x, -1 scale 2 }\n"
                                       "disc { 0, y, 1, -.5 inverse }\n");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(p[0].kind, PRIMITIVE_DISC);
     assert_vector(p[0].shape.disc.center, 1, 2, 3);
     assert_vector(p[0].shape.disc.normal, 0, 0, -1);
@@ -54,7 +52,6 @@ TEST(tori)
                                       "torus { .5 1 sturm off pigment { rgb 1 } }\n"
                                       "elliptical_torus { 3, .4, .2 }\n");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(p[0].kind, PRIMITIVE_TORUS);
     assert_close(p[0].shape.torus.major, 2, 0);
     assert_close(p[0].shape.torus.minor, .5, 0);
@@ -75,7 +72,6 @@ TEST(polynomials)
         "  17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,\n"
         "  33, 34, -2*sqrt(4)> sturm }\n");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(p[0].kind, PRIMITIVE_QUADRIC);
     for (int i = 0; i < 9; i++)
         assert_close(p[0].shape.quadric.coefficients[i], i + 1, 0);
@@ -93,7 +89,6 @@ TEST(patches)
                                       "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
                                       "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
     const struct primitive *p = scene->primitives;
-
     assert_int_equal(p[0].kind, PRIMITIVE_STEINER_PATCH);
     assert_vector(p[0].shape.steiner_patch.points[0], 4, 0, 1);
     assert_vector(p[0].shape.steiner_patch.points[3], 1, 2, 3);
@@ -175,7 +170,6 @@ TEST(lathes)
     const struct primitive *p = scene->primitives;
     const struct outline *path = &p[0].shape.lathe.path;
     static const double expected[][2] = { { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 0 } };
-
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(p[0].kind, PRIMITIVE_LATHE);
     assert_int_equal(path->count, COUNT(expected));
@@ -292,7 +286,6 @@ TEST(many_conditions)
 {
     static const char open[] = "#ifndef (A) ";
     char text[600 * sizeof open] = "";
-
     for (size_t i = 0; i < 550; i++)
         strcat(text, open);
     assert_refused(text, 201, "more than 500");

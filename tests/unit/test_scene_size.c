@@ -66,7 +66,6 @@ static const char *const cameras[] = {
 static struct words *frame_of(size_t shape, size_t light, int decade, double *unit)
 {
     static char text[1 << 14];
-
     snprintf(text, sizeof text,
              "#version 3.7; global_settings { assumed_gamma 1 }\n"
              "#declare S = pow(10, %d);\n%s\n%s\n%s\n"
@@ -82,7 +81,6 @@ static double difference(const struct words *one, const struct words *other,
                          size_t pixel, double scale)
 {
     double most = 0;
-
     for (int i = 0; i <= CHANNEL_NORMAL_Z; i++)
         most = fmax(most, fabs(c205_to_double(one->channel[i][pixel])
                                - c205_to_double(other->channel[i][pixel])
@@ -96,7 +94,6 @@ static void compare_frames(const struct words *same, size_t shape, size_t light,
     double unit;
     FREED struct words *words = frame_of(shape, light, decade, &unit);
     size_t others = 0;
-
     unit *= pow(10, -decade);
     for (size_t pixel = 0; pixel < PIXELS; pixel++)
         others += difference(same, words, pixel, unit) > 1e-4;
@@ -113,7 +110,6 @@ TEST(pictures)
         size_t light = (i + i / 4) % (COUNT(lights));
         double unit;
         FREED struct words *same = frame_of(i, light, 0, &unit);
-
         assert_true(unit == 1);
         for (int decade = (int)(i % STEP) - DECADES; decade <= DECADES; decade += STEP)
             compare_frames(same, i, light, decade);
@@ -127,7 +123,6 @@ TEST(pictures)
 static struct scene *bodies_of(int decade)
 {
     char text[512];
-
     snprintf(text, sizeof text, BODIES, decade);
     return read_text(text);
 }
@@ -145,7 +140,6 @@ static struct mass_figures figures_of(int decade)
     struct diagnostics reports = { 0 };
     c205_error error = { "" };
     SCOPED_VALUE(mass) mass;
-
     REQUIRE(mass_begin(scene, &request, &mass, &reports, &error)
             && mass_find(&mass, &error));
     return mass.rows[mass.row_count - 1].figures;
@@ -160,10 +154,8 @@ static void assert_near(double value, double expected, double power, int decade)
 TEST(masses)
 {
     struct mass_figures same = figures_of(0);
-
     for (int decade = -DECADES; decade <= DECADES; decade += STEP - 1) {
         struct mass_figures found = figures_of(decade);
-
         assert_near(found.value[FIGURE_VOLUME], same.value[FIGURE_VOLUME], 3, decade);
         assert_near(found.value[FIGURE_AREA], same.value[FIGURE_AREA], 2, decade);
         assert_near(found.value[FIGURE_MASS], same.value[FIGURE_MASS], 3, decade);
@@ -188,7 +180,6 @@ static void heat_of(int decade, double found[3])
     SCOPED(scene) *scene = bodies_of(decade);
     c205_error error = { "" };
     SCOPED_VALUE(heat) heat;
-
     REQUIRE(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
     found[0] = heat.surfaces.list[0].area.value;
     found[1] = heat.surfaces.list[0].factor[1].value;
@@ -198,7 +189,6 @@ static void heat_of(int decade, double found[3])
 TEST(heat)
 {
     double same[3], found[3];
-
     heat_of(0, same);
     for (int decade = -DECADES; decade <= DECADES; decade += STEP - 1) {
         heat_of(decade, found);

@@ -113,7 +113,6 @@ static void scene_text(char *text, size_t size, size_t shape, size_t place)
 static struct words *frame_without(bool ball)
 {
     char text[700];
-
     snprintf(text, sizeof text,
              HEAD "camera { location <1, 2, -4> look_at 0 }\n"
                   "plane { y, -1 pigment { rgb .5 } }\n%s\n",
@@ -124,7 +123,6 @@ static struct words *frame_without(bool ball)
 static size_t count_reports(const struct diagnostics *reports)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < reports->count; i++)
         count += strstr(reports->items[i].message, "the shape is left out") != NULL;
     return count;
@@ -134,7 +132,6 @@ static void check(size_t shape, size_t place, const struct words *expected)
 {
     char text[2000];
     SCOPED_VALUE(diagnostics) reports = { 0 };
-
     scene_text(text, sizeof text, shape, place);
     SCOPED(scene) *scene = scene_read_text("unseen.pov", text, &reading_options,
                                            &reports);
@@ -186,7 +183,6 @@ TEST(without_height)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t seen[2];
-
         for (int k = 0; k < 2; k++) {
             snprintf(text, sizeof text,
                      HEAD "camera { location <1, 2, -4> look_at 0 }\n"
@@ -210,7 +206,6 @@ TEST(flat)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_with(rows[i], 1);
-
         assert_false(scene->primitives[0].transformed);
     }
 }

@@ -31,7 +31,6 @@ TEST(singular_values)
 {
     for (size_t rows = 1; rows <= SINGULAR_MOST; rows++) {
         struct singular before;
-
         fill(&before, rows, 7);
         struct singular after = before;
         singular_decompose(&after);
@@ -39,10 +38,8 @@ TEST(singular_values)
         for (size_t j = 0; j < 7; j++)
             for (size_t k = 0; k < 7; k++) {
                 double product = 0;
-
                 for (size_t i = 0; i < rows; i++) {
                     double sum = 0;
-
                     for (size_t l = 0; l < 7; l++)
                         sum += before.scaled[i][l] * after.right[l][k];
                     assert_close(after.scaled[i][k], sum, 1e-14);
@@ -58,14 +55,12 @@ TEST(least_squares)
 {
     struct singular singular;
     double x[7], b[4] = { 1, -2, .5, 3 };
-
     fill(&singular, 4, 7);
     struct singular matrix = singular;
     singular_decompose(&singular);
     singular_solve(&singular, 1e-12, b, x);
     for (size_t i = 0; i < 4; i++) {
         double sum = 0;
-
         for (size_t j = 0; j < 7; j++)
             sum += matrix.scaled[i][j] * x[j];
         assert_close(sum, b[i], 1e-13);
@@ -82,7 +77,6 @@ struct words {
 static struct words words_of(const struct primitive *primitive)
 {
     struct words words;
-
     shape_words(primitive, &words.shape);
     words.table_count = shape_table_count(primitive, NULL);
     FREED double *table = shape_table(primitive, NULL, words.table_count);
@@ -115,7 +109,6 @@ TEST(centers_of_quadrics)
 
     for (size_t k = 0; k < 3; k++) {
         struct primitive primitive;
-
         set_quadric(&primitive, terms[k]);
         struct words words = words_of(&primitive);
         assert_int_equal(words.shape.count, 13);
@@ -132,7 +125,6 @@ TEST(quadrics_keep_their_values)
         struct primitive primitive;
         struct words words;
         const double *w = words.shape.words;
-
         for (size_t i = 0; i < 10; i++)
             terms[i] = try % 3 == 0 && i % 2 == 0 ? 0 : between(-1, 1);
         set_quadric(&primitive, terms);
@@ -174,17 +166,14 @@ static void check_planes(const double points[6][4], const struct moving_planes *
 {
     for (int try = 0; try < 20; try++) {
         double p[3], h[4];
-
         for (int i = 0; i < 3; i++)
             p[i] = between(-1, 1);
         point_at(points, p, h);
         for (int which = 0; which < 2; which++) {
             double at = 0, triple = 0;
-
             for (int i = 0; i < 3; i++)
                 for (int c = 0; c < 4; c++) {
                     double l = planes->l[which][i][c];
-
                     at += p[i] * l * h[c];
                     triple += p[i] * l * planes->triple[c];
                 }
@@ -197,7 +186,6 @@ static void check_planes(const double points[6][4], const struct moving_planes *
 static enum surface_type type_of(const double points[6][4])
 {
     struct moving_planes planes;
-
     moving_planes_find(points, &planes);
     if (planes.type == SURFACE_STEINER)
         check_planes(points, &planes);
@@ -251,14 +239,12 @@ static void set_patch(struct primitive *primitive)
 static const char *historical_kernel(const struct primitive *primitive)
 {
     struct shape_words words;
-
     return shape_words_historical(primitive, &words) ? words.kernel : NULL;
 }
 
 TEST(kernels_of_patches)
 {
     struct primitive patch;
-
     set_patch(&patch);
     struct words words = words_of(&patch);
     assert_string_equal(words.shape.kernel, "rational_steiner");
@@ -288,7 +274,6 @@ TEST(sorts_of_meshes)
     struct primitive mesh = { .kind = PRIMITIVE_MESH,
                               .shape.mesh.triangles = { 3, list } };
     struct shape_words words;
-
     shape_words(&mesh, &words);
     assert_true(words.on_mesh && words.on_patch && !words.state);
     assert_int_equal(words.segments, 0);
@@ -325,7 +310,6 @@ TEST(historical_cylinders)
         .shape.cylinder = { .base = { 1, 2, 3 }, .cap = { 7, 2, 11 }, .radius = .5 },
     };
     struct shape_words words, today;
-
     assert_true(shape_words_historical(&cylinder, &words));
     assert_string_equal(words.kernel, "clipped_cylinder");
     assert_string_equal(words.normal, "normal_clipped_cylinder");
@@ -351,13 +335,11 @@ TEST(polynomials_of_patches)
         struct words words;
         const double *k = words.table;
         int corners = 0;
-
         set_patch(&patch);
         words = words_of(&patch);
         for (int i = 0; i < 3; i++) {
             const double *corner = patch.shape.steiner_patch.points[i];
             double distance = 0;
-
             for (int axis = 0; axis < 3; axis++)
                 distance += fabs(k[axis] / k[18] + words.shape.words[axis]
                                  - corner[axis]);
@@ -384,7 +366,6 @@ TEST(other_planes)
 
     for (size_t i = 0; i < COUNT(straight); i++) {
         struct primitive patch;
-
         set_patch(&patch);
         for (int j = 0; j < STEINER_POINTS; j++)
             patch.shape.steiner_patch.weights[j] = 1;
@@ -406,7 +387,6 @@ TEST(weights_of_one_patch)
     static const int ends[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
                                                  { 0, 1 }, { 1, 2 }, { 2, 0 } };
     struct primitive patch;
-
     set_patch(&patch);
     struct words words = words_of(&patch);
     for (int i = 0; i < STEINER_POINTS; i++)

@@ -63,7 +63,6 @@ static void check_program(const char *kernel, bool historical)
     };
     struct asm_define *next = &defines[3];
     c205_error error = { "" };
-
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++)
         if (shapes[i]->symbol)
             *next++ = (struct asm_define){ shapes[i]->symbol, 1 };
@@ -73,7 +72,6 @@ static void check_program(const char *kernel, bool historical)
     REQUIRE(program);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const struct shape *shape = shapes[i];
-
         check_routines(program, &shape->kernels, historical);
         if (shape->is_other)
             check_routines(program, &shape->other, historical);
@@ -101,7 +99,6 @@ static struct {
 static void look_through(const struct primitive *primitive)
 {
     struct bound bound;
-
     bound_primitive(primitive, &bound);
     if (bound_is_none(&bound))
         bound = (struct bound){ .radius = 3 };
@@ -109,7 +106,6 @@ static void look_through(const struct primitive *primitive)
         struct crossing crossings[MOST_CROSSINGS];
         struct ray ray;
         double point[3];
-
         for (int i = 0; i < 3; i++) {
             ray.direction[i] = between(-1, 1);
             point[i] = bound.center[i] + bound.radius * between(-1, 1);
@@ -128,7 +124,6 @@ static void look_at_scene(const char *path)
                                            .height = 480,
                                            .read_raster = picture_read_raster };
     SCOPED(scene) *scene = scene_read(path, &options, &reports);
-
     if (!scene)
         fail_msg("%s is not read", path);
     for (size_t i = 0; i < scene->primitive_count; i++)
@@ -146,7 +141,6 @@ TEST(scenes)
     globfree(&scenes);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const char *name = primitive_kind_name((enum primitive_kind)i);
-
         if (found[i].count == 0)
             fail_msg("no scene of the tests has a %s", name);
         if (found[i].crossings == 0)

@@ -41,7 +41,6 @@ static void draw(struct found *found, uint64_t *random)
             double flow = xorshift(random) % 4 == 0 ? 0 : xorshift_real(random, 0, 1);
             double error = xorshift(random) % 5 == 0 ? 0
                                                      : .1 * xorshift_real(random, 0, 1);
-
             found->areas[i] += flow;
             if (j < found->count && j > i)
                 found->areas[j] += flow;
@@ -80,7 +79,6 @@ static void put_equations(const struct found *found, struct system *system)
     for (size_t k = 0; k < system->flows; k++) {
         size_t i = system->from[k], j = system->to[k];
         size_t at = place(found, i, j), first = system->flows;
-
         system->words[k][k] = 1;
         system->words[k][first + i] = -found->variances[at];
         system->words[first + i][k] = 1;
@@ -98,7 +96,6 @@ static void exchange_rows(struct system *system, size_t a, size_t b)
 {
     for (size_t j = 0; a != b && j <= system->size; j++) {
         long double word = system->words[a][j];
-
         system->words[a][j] = system->words[b][j];
         system->words[b][j] = word;
     }
@@ -108,14 +105,12 @@ static void solve(struct system *system)
 {
     for (size_t k = 0; k < system->size; k++) {
         size_t best = k;
-
         for (size_t i = k; i < system->size; i++)
             if (fabsl(system->words[i][k]) > fabsl(system->words[best][k]))
                 best = i;
         exchange_rows(system, k, best);
         for (size_t i = 0; i < system->size; i++) {
             long double factor = i == k ? 0 : system->words[i][k] / system->words[k][k];
-
             for (size_t j = k; factor != 0 && j <= system->size; j++)
                 system->words[i][j] -= factor * system->words[k][j];
         }
@@ -125,7 +120,6 @@ static void solve(struct system *system)
 static void check_oracle(const struct found *found, const double *smooth)
 {
     FREED struct system *system = calloc(1, sizeof *system);
-
     assert_non_null(system);
     list_flows(found, system);
     put_equations(found, system);
@@ -134,7 +128,6 @@ static void check_oracle(const struct found *found, const double *smooth)
         double expected = (double)(system->words[k][system->size]
                                    / system->words[k][k]);
         double flow = smooth[place(found, system->from[k], system->to[k])];
-
         if (!(fabs(flow - expected) < 1e-10))
             fail_msg("%zu surfaces, from %zu to %zu: %.15g, not %.15g", found->count,
                      system->from[k] + 1, system->to[k] + 1, flow, expected);
@@ -157,7 +150,6 @@ static bool run(const struct found *found, enum trace_mode mode, double *smooth,
     struct smooth_given given = given_of(found, mode);
     SCOPED_VALUE(accounts) accounts = { .model = prior_model };
     bool good = smooth_flows(&given, smooth, &accounts, error);
-
     assert_true(accounts.clocks > 0);
     return good;
 }
@@ -167,7 +159,6 @@ static void check_rules(const struct found *found, const double *smooth)
 {
     for (size_t i = 0; i < found->count; i++) {
         double sum = 0;
-
         for (size_t j = 0; j <= found->count; j++)
             sum += smooth[place(found, i, j)];
         assert_float_equal(sum, found->areas[i], 1e-11);
@@ -179,12 +170,10 @@ static void check_rules(const struct found *found, const double *smooth)
 TEST(by_chance)
 {
     uint64_t random = 19841115;
-
     for (int i = 0; i < 60; i++) {
         struct found found;
         double scalar[MOST * (MOST + 1)], vector[MOST * (MOST + 1)];
         c205_error error = { "" };
-
         draw(&found, &random);
         REQUIRE(run(&found, TRACE_SCALAR, scalar, &error)
                 && run(&found, TRACE_VECTOR, vector, &error));
@@ -207,7 +196,6 @@ TEST(left_alone)
                                   .variances = { 0, .1, .2, .1, 0, .3 } };
     double smooth[6];
     c205_error error = { "" };
-
     assert_true(run(&exact, TRACE_VECTOR, smooth, &error));
     assert_memory_equal(smooth, exact.flows, sizeof smooth);
     assert_true(run(&closed, TRACE_SCALAR, smooth, &error));
@@ -219,13 +207,11 @@ TEST(left_alone)
 static void refuses(const struct found *found, const char *message)
 {
     static const char *const names[] = { "1", "2" };
-
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         struct smooth_given given = given_of(found, (enum trace_mode)mode);
         SCOPED_VALUE(accounts) accounts = { .model = prior_model };
         double smooth[MOST * (MOST + 1)];
         c205_error error = { "" };
-
         given.names = names;
         assert_false(smooth_flows(&given, smooth, &accounts, &error));
         if (!strstr(error.message, message))
@@ -240,7 +226,6 @@ TEST(refused)
                                 .flows = { 0, 1, 0, 1, 0, 0 },
                                 .variances = { 0, .1, 0, .1, 0, 0 } };
     struct found other = pair;
-
     refuses(&pair, "surface 2 is of some that see none but each other");
     other.areas[1] = 0;
     refuses(&other, "surface 2 has no area");

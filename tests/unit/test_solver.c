@@ -90,7 +90,6 @@ static struct object *assemble(const char *text, const char *routine)
     struct sink sink = stream_sink(stderr);
     char program[4096];
     const char *at = strstr(text, "ROUTINE");
-
     snprintf(program, sizeof program, "%.*s%s%s", (int)(at - text), text, routine,
              at + strlen("ROUTINE"));
     struct object *object = assemble_text("test.s", program, &how, &errors);
@@ -102,7 +101,6 @@ static struct object *assemble(const char *text, const char *routine)
 static uint64_t address_of(const struct object *object, const char *name)
 {
     const struct asm_symbol *symbol = object_symbol(object, name);
-
     assert_non_null(symbol);
     return (uint64_t)symbol->value;
 }
@@ -111,7 +109,6 @@ static c205 *load(const struct object *object)
 {
     c205_error error;
     c205 *machine = c205_new(prior_model, &error);
-
     assert_non_null(machine);
     assert_true(c205_load(machine, &object->program, &error));
     return machine;
@@ -120,7 +117,6 @@ static c205 *load(const struct object *object)
 static void run(c205 *machine)
 {
     c205_stop stop = c205_run(machine, C205_NO_LIMIT);
-
     assert_int_equal(stop.trap, C205_TRAP_NONE);
 }
 
@@ -128,7 +124,6 @@ static void run_scalar(struct lanes *lanes, const char *routine)
 {
     SCOPED(object) *object = assemble(scalar_program, routine);
     SCOPED(c205) *machine = load(object);
-
     assert_true(c205_write(machine, address_of(object, "inputs"), lanes->in[0],
                            LANES * INPUTS));
     run(machine);
@@ -151,7 +146,6 @@ static void run_vector(struct lanes *lanes, const char *routine)
     SCOPED(c205) *machine = load(object);
     uint64_t inputs = address_of(object, "inputs");
     c205_word plane[LANES];
-
     for (unsigned j = 0; j < INPUTS - 1; j++) {
         for (unsigned i = 0; i < LANES; i++)
             plane[i] = lanes->in[i][j];
@@ -169,7 +163,6 @@ static void run_vector(struct lanes *lanes, const char *routine)
     for (unsigned j = 0; j < OUTPUTS; j++) {
         unsigned number = j < 4 ? 76 + j : 115;
         uint64_t at = c205_register(machine, number);
-
         assert_int_equal(at >> 48, LANES);
         assert_true(c205_read(machine, at & UINT64_C(0xFFFFFFFFFFFF), plane, LANES));
         for (unsigned i = 0; i < LANES; i++)
@@ -183,7 +176,6 @@ static void fill(struct lanes *lanes, uint64_t *state)
 {
     for (int i = 0; i < LANES; i++) {
         double half = (double)xorshift_between(state, 1, 1000) / 500;
-
         for (int j = 0; j < 5; j++)
             lanes->in[i][j] = c205_from_double(
                 (double)xorshift_between(state, -100000, 100000) / 1e5);
@@ -196,7 +188,6 @@ static void fill(struct lanes *lanes, uint64_t *state)
 static double value(const c205_word *c, double t)
 {
     double f = 0;
-
     for (int i = 0; i < 5; i++)
         f = f * t + c205_to_double(c[i]);
     return f;
@@ -213,7 +204,6 @@ static void check_signs(const struct lanes *lanes, int lane, int found)
     for (int i = 0; i < STEPS && low < high; i++) {
         double a = low + (high - low) * i / STEPS;
         double b = low + (high - low) * (i + 1) / STEPS;
-
         if ((value(in, a) >= 0) == (value(in, b) >= 0))
             continue;
         assert_in_range(seen, 0, found - 1);
@@ -228,7 +218,6 @@ TEST(alone)
 {
     static struct lanes scalar, vector, first;
     uint64_t seed = RANDOM_SEED;
-
     fill(&scalar, &seed);
     vector = first = scalar;
     run_scalar(&scalar, "solve_quartic_all");
@@ -236,7 +225,6 @@ TEST(alone)
     run_scalar(&first, "solve_quartic");
     for (int i = 0; i < LANES; i++) {
         int found = (int)c205_to_double(scalar.out[i][4]);
-
         assert_int_equal(scalar.out[i][4], vector.out[i][4]);
         for (int j = 0; j < found; j++)
             assert_int_equal(scalar.out[i][j], vector.out[i][j]);
@@ -264,7 +252,6 @@ struct factors {
 static double tiny(uint64_t *state, int least)
 {
     double power = ldexp(1, -(int)xorshift_between(state, 5, least));
-
     return xorshift(state) & 1 ? power : -power;
 }
 
@@ -310,7 +297,6 @@ static void quadratic(double a, double b, double above, double c[3])
 static void expand(const struct factors *f, double scale, c205_word c[5])
 {
     double p[3], q[3], sum[5] = { 0 };
-
     quadratic(f->root[0], f->root[1], f->above[0], p);
     quadratic(f->root[2], f->root[3], f->above[1], q);
     for (int i = 0; i < 3; i++)
@@ -325,7 +311,6 @@ static bool is_positive(const c205_word *c, c205_word t)
 {
     uint64_t flags = 0;
     c205_word f = c[0];
-
     for (int i = 1; i < 5; i++)
         f = arith_add_normalised(arith_multiply_significant(f, t, &flags), c[i],
                                  &flags);
@@ -340,7 +325,6 @@ static void fill_touching(struct lanes *lanes, struct factors *factors,
     for (int i = 0; i < LANES; i++) {
         struct factors f;
         c205_word *in = lanes->in[i];
-
         draw_factors(&kinds[i % KINDS], &f, state);
         expand(&f, i & 1 ? -1 : 1, in);
         in[5] = c205_from_double(i % 16 == 7 ? 3 : -3);
@@ -356,12 +340,10 @@ static void check_order(const c205_word *in, const c205_word *out, int found)
 {
     double small = 1e-9 + 1000 * c205_to_double(in[7]);
     bool positive = is_positive(in, in[5]);
-
     for (int i = 0; i < ROOTS; i++) {
         double root = c205_to_double(out[i]);
         double next = i + 1 < found ? c205_to_double(out[i + 1]) : 3;
         double middle = value(in, (root + next) / 2);
-
         if (i >= found) {
             assert_true(root > 0.999e30);
             continue;
@@ -390,7 +372,6 @@ static void check_parity(const c205_word *in, const c205_word *out)
     int found = (int)c205_to_double(out[4]);
     bool filled = c205_to_double(in[5]) < c205_to_double(in[6]);
     bool agree = is_positive(in, in[5]) == is_positive(in, in[6]);
-
     assert_in_range(found, 0, ROOTS);
     if (!filled)
         assert_int_equal(found, 0);
@@ -405,7 +386,6 @@ TEST(signs)
     static struct factors factors[LANES];
     static const double resolutions[] = { 0, 1e-12, 1e-7, 1e-3 };
     uint64_t seed = RANDOM_SEED;
-
     for (int round = 0; round < ROUNDS; round++) {
         fill_touching(&scalar, factors, resolutions[round % 4], &seed);
         vector = scalar;
@@ -414,7 +394,6 @@ TEST(signs)
         for (int i = 0; i < LANES; i++) {
             const c205_word *out = scalar.out[i];
             bool filled = i % 16 != 7;
-
             assert_memory_equal(out, vector.out[i], sizeof scalar.out[i]);
             check_parity(scalar.in[i], out);
             if (i % KINDS == 0 && filled && are_far(&factors[i]))
@@ -436,7 +415,6 @@ TEST(signs_ascend)
                                       3,
                                       1e-3 };
     static struct lanes scalar, vector;
-
     for (int i = 0; i < LANES; i++)
         for (int j = 0; j < INPUTS; j++)
             scalar.in[i][j] = c205_from_double(c[j]);
@@ -453,7 +431,6 @@ TEST(signs_of_sharp)
 {
     static struct lanes all, signs;
     uint64_t seed = RANDOM_SEED;
-
     fill(&all, &seed);
     signs = all;
     run_scalar(&all, "solve_quartic_all");

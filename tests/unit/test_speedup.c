@@ -23,7 +23,6 @@ static void measure(const struct speedup_subject *subject,
                                          .queue = TRACE_QUEUE,
                                          .model = model };
         c205_error error = { "" };
-
         REQUIRE(speedup_measure(subject, from, &options, &measures[mode], &error));
     }
 }
@@ -32,7 +31,6 @@ static void measure(const struct speedup_subject *subject,
 static void check_sums(const struct speedup_measure *measure)
 {
     uint64_t causes = 0, regions = 0;
-
     for (int i = 0; i < C205_CAUSES; i++)
         causes += measure->clocks[i];
     for (int i = 0; i < SPEEDUP_REGIONS_MOST; i++)
@@ -45,7 +43,6 @@ TEST(subjects)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
         struct speedup_measure measures[TRACE_FORMS];
-
         measure(&speedup_subjects[i], &view, measures);
         for (int mode = 0; mode < TRACE_FORMS; mode++) {
             check_sums(&measures[mode]);
@@ -64,7 +61,6 @@ static void check_solver(const struct speedup_subject *subject,
 {
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
         const struct stage_count *count = measures[TRACE_SCALAR].iterations.stage;
-
         if (!subject->regions[i] || strcmp(subject->regions[i], speedup_solver) != 0)
             continue;
         for (int stage = 0; stage < STAGES; stage++) {
@@ -86,7 +82,6 @@ TEST(solvers)
         const struct speedup_subject *subject = &speedup_subjects[i];
         struct speedup_measure measures[TRACE_FORMS];
         bool solves = false;
-
         measure(subject, &view, measures);
         for (int k = 0; k < SPEEDUP_REGIONS_MOST; k++)
             solves |= subject->regions[k] != NULL
@@ -104,7 +99,6 @@ TEST(historical)
     for (size_t i = 0; i < speedup_subject_count; i++) {
         struct speedup_subject subject = speedup_subjects[i];
         struct speedup_measure then[TRACE_FORMS], ours[TRACE_FORMS];
-
         if (!subject.historical)
             continue;
         measure(&subject, &view, then);
@@ -123,7 +117,6 @@ TEST(view)
     static const struct speedup_view far = { .distance = 20, .angle = 37 };
     static const struct speedup_view narrow = { .distance = 5, .angle = 5 };
     struct speedup_measure measures[TRACE_FORMS];
-
     measure(&speedup_subjects[0], &far, measures);
     assert_in_range(measures[TRACE_VECTOR].hits, 50, 300);
     measure(&speedup_subjects[0], &narrow, measures);
@@ -137,7 +130,6 @@ static void check_error(const struct speedup_subject *subject, const char *messa
     };
     struct speedup_measure measured;
     c205_error error = { "" };
-
     assert_false(speedup_measure(subject, &view, &options, &measured, &error));
     assert_non_null(strstr(error.message, message));
 }
@@ -145,7 +137,6 @@ static void check_error(const struct speedup_subject *subject, const char *messa
 TEST(errors)
 {
     struct speedup_subject subject = speedup_subjects[0];
-
     subject.regions[1] = "nowhere";
     check_error(&subject, "no region nowhere");
     subject.shape = "sphere { 0 }";
@@ -156,10 +147,8 @@ TEST(errors)
 static struct speedup_report *report_all(void)
 {
     struct speedup_report *all = speedup_report_new(model);
-
     for (size_t i = 0; all && i < speedup_subject_count; i++) {
         struct speedup_measure measures[TRACE_FORMS];
-
         measure(&speedup_subjects[i], &view, measures);
         speedup_report_add(all, &speedup_subjects[i], &view, measures);
     }
@@ -174,7 +163,6 @@ static void print(bool (*print_tables)(const struct speedup_report *, enum table
                   enum table_format format)
 {
     FILE *stream = fmemopen(text, sizeof text, "w");
-
     assert_non_null(stream);
     assert_true(print_tables(report, format, stream));
     assert_int_equal(fclose(stream), 0);
@@ -206,7 +194,6 @@ static void read_detail(const char *heading, struct csv_table *table)
 TEST(times)
 {
     static struct csv_table rays, times;
-
     read_detail("# The rays\n", &rays);
     read_detail("# The kernels and their calls\n", &times);
     assert_int_equal(times.cells[0], 4);
@@ -214,7 +201,6 @@ TEST(times)
     for (size_t i = 1; i < times.rows; i++) {
         const char *subject = speedup_subjects[(i - 1) / 2].name;
         double traced = strtod(rays.cell[(i - 1) / 2 + 1][1], NULL);
-
         assert_string_equal(times.cell[i][0], subject);
         assert_string_equal(times.cell[i][1], i % 2 ? "scalar" : "vector");
         assert_true(traced > 0);
@@ -243,7 +229,6 @@ static const struct {
 static const struct csv_table *read_table1(void)
 {
     static struct csv_table table;
-
     print(speedup_report_table1, TABLE_CSV);
     assert_int_equal(strncmp(text, "\n# Table 1", 10), 0);
     assert_string_equal(csv_table(strchr(text + 1, '\n') + 1, &table), "");
@@ -263,7 +248,6 @@ static double figure(const struct csv_table *table, size_t row, int column)
     char *end;
     const char *cell = table->cell[row][2 + column];
     double value = strtod(cell, &end);
-
     if (*cell == '\0' || *end != '\0')
         fail_msg("no number: %s", cell);
     return value;
@@ -283,16 +267,13 @@ static size_t line_of(const struct csv_table *table, const char *primitive,
 TEST(paper_lines)
 {
     const struct csv_table *table = read_table1();
-
     for (size_t i = 0; i < COUNT(printed); i++) {
         size_t ours = line_of(table, printed[i].primitive, "ours");
         size_t paper = line_of(table, printed[i].primitive, "paper");
         size_t error = line_of(table, printed[i].primitive, "error %");
-
         assert_true(ours > 0 && paper > 0 && error > 0);
         for (int k = 0; k < FIGURES; k++) {
             double told = printed[i].figures[k];
-
             assert_true(figure(table, paper, k) == told);
             assert_near(figure(table, error, k),
                         100 * (figure(table, ours, k) / told - 1));
@@ -305,11 +286,9 @@ TEST(our_lines)
 {
     const struct csv_table *table = read_table1();
     size_t lines = 1 + speedup_subject_count + 2 * COUNT(printed);
-
     assert_int_equal(table->rows, lines);
     for (size_t i = 0; i < speedup_subject_count; i++) {
         size_t row = line_of(table, speedup_subjects[i].name, "ours");
-
         assert_true(row > 0);
         double vector = figure(table, row, 1);
         assert_near(figure(table, row, 3), figure(table, row, 0) / vector);
@@ -322,7 +301,6 @@ TEST(scale)
 {
     const struct csv_table *table = read_table1();
     struct speedup_measure measures[TRACE_FORMS];
-
     measure(&speedup_subjects[0], &view, measures);
     for (int mode = 0; mode < TRACE_FORMS; mode++)
         assert_near(figure(table, 1, mode), 25 * 20e-9 * (double)measures[mode].total);
@@ -336,7 +314,6 @@ TEST(width)
     print(speedup_report_table1, TABLE_PLAIN);
     for (const char *line = text; *line != '\0';) {
         size_t length = strcspn(line, "\n");
-
         assert_in_range(length, 0, 110);
         line += length + 1;
     }
@@ -351,7 +328,6 @@ TEST(formulations)
                                                             sizeof *measures);
     const struct csv_table *table1 = read_table1();
     static struct csv_table csv;
-
     assert_non_null(measures);
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         measure(&speedup_formulations[i], &view, measures[i]);
@@ -373,7 +349,6 @@ TEST(formulations)
     assert_int_equal(csv.rows, 2 + speedup_formulation_count);
     for (int i = 0; i < TRACE_FORMS + 1; i++) {
         double told = strtod(csv.cell[1][1 + 2 * i], NULL);
-
         assert_true(told == printed[1].figures[i]);
         assert_string_equal(csv.cell[1][2 + 2 * i], "");
         assert_near(strtod(csv.cell[2][1 + 2 * i], NULL),
@@ -391,7 +366,6 @@ TEST(formulations)
 TEST(csv)
 {
     static struct csv_table table;
-
     read_detail("# The rays\n", &table);
     assert_int_equal(table.rows, 1 + speedup_subject_count);
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -417,7 +391,6 @@ static void check_projection(const char *name, const char *other)
 {
     c205_error error;
     SCOPED(c205_model) *on = c205_model_find(name, &error);
-
     assert_non_null(on);
     assert_string_equal(speedup_projection_model(on, SPEEDUP_720), other);
     assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
@@ -439,7 +412,6 @@ TEST(projected)
     c205_model *priors = model;
     c205_error error;
     struct speedup_measure prior[TRACE_FORMS], fitted[TRACE_FORMS];
-
     measure(&speedup_subjects[0], &view, prior);
     model = c205_model_find("cyber205-2pipe", &error);
     measure(&speedup_subjects[0], &view, fitted);
@@ -454,7 +426,6 @@ TEST(projected)
 FIXTURE(set_up)
 {
     c205_error error;
-
     model = c205_model_find("cyber205-2pipe-prior", &error);
     if (model)
         report = report_all();

@@ -18,7 +18,6 @@ TEST(distant_patches)
     for (int i = 0; i < 4; i++) {
         char text[4096] = HEAD "camera { location -1000*z look_at 0"
                                " angle .2 }\n";
-
         add_steiner_patch(text, sizeof text, 2);
         add_text(text, sizeof text, "}");
         free(plain_frame(text));
@@ -43,10 +42,8 @@ TEST(curves_in_planes_of_rays)
 {
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
                                          "rotate <30, 0, 90>" };
-
     for (size_t i = 0; i < COUNT(turns); i++) {
         char text[1024] = "";
-
         add_text(text, sizeof text,
                  "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
                  " <1, 1, 0>, <0, 1, -1>, <1, 0, -1> translate <-.5, -.5, 0> %s }",
@@ -110,7 +107,6 @@ TEST(no_gap_at_an_edge)
               " <6, 0, .3>, <5, 4, -1>, <4, -5, 2> }"
               "steiner_patch { <9, 9, 0>, <-9, 9, 0>, <0, 0, 1>,"
               " <0, 6, .3>, <-4, 5, .2>, <5, 4, -1> }");
-
     assert_int_equal(hits(words), PIXELS);
 }
 

@@ -18,7 +18,6 @@ TEST(surfaces)
     static const double colors[6] = { 1, .5, 0, 0, .75, .75 };
     static const double reflection[4] = { .1, .3, .2, .3 };
     static const double index[2] = { 1.6, .625 };
-
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_PASSING", passing, 8);
     check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
@@ -40,7 +39,6 @@ TEST(finish)
         "sphere { 0, 1 finish { ambient .5 diffuse .25 phong .5\n"
         "  phong_size 10 specular .75 roughness .125 } }";
     static const double finish[8] = { .25, .5, 1, .25, .5, 10, .75, 8 };
-
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_FINISH", finish, 8);
 }
@@ -66,7 +64,6 @@ TEST(gloss)
     static const int kinds[] = { 1, 2, 1, 0 };
     static const double checker[] = { .5, .5, .5, 1, 1, 1 };
     static const double reflection[] = { .25, .25, .25, 1 };
-
     SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     for (size_t i = 0; i < COUNT(gloss); i++) {
         check_numbers(&stage, i, "P_GLOSS", gloss[i], 7);
@@ -116,7 +113,6 @@ TEST(stops)
     static const bool same[] = { true, false, false, false, false, true };
     SCOPED(scene) *scene = read_scene(text);
     const struct primitive *p = scene->primitives;
-
     for (size_t i = 0; i < COUNT(same); i++)
         assert_int_equal(has_stops_of(&p[i + 1].pigment, &p[i].pigment), same[i]);
     assert_int_equal(stop_count(&p[0].pigment), 4);
@@ -156,7 +152,6 @@ TEST(interiors)
                                "#for (I, 1, %d) sphere { 0, 1 pigment { rgbt .5 }\n"
                                "    interior { ior 1 + I/64 } } #end";
     char text[200];
-
     SCOPED_VALUE(stage) stage = stage_of(few, BOUNDING_FLAT);
     for (size_t i = 0; i < COUNT(numbers); i++)
         assert_number(primitive(&stage, i, "P_INTERIOR"), numbers[i]);
@@ -185,7 +180,6 @@ TEST(levels)
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
         c205_word word;
-
         snprintf(text, sizeof text,
                  "global_settings { max_trace_level 7 adc_bailout .125 } %s",
                  rows[i].text);

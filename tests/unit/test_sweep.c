@@ -31,7 +31,6 @@ static struct sweep sweep_of(const char *subject, size_t width, size_t height)
 static void run(const struct sweep_kind *kind, struct sweep *sweep)
 {
     c205_error error = { "" };
-
     REQUIRE(kind->measure(sweep, &error));
 }
 
@@ -39,7 +38,6 @@ static void run(const struct sweep_kind *kind, struct sweep *sweep)
 static void check_sums(const struct sweep_form *form)
 {
     uint64_t causes = 0, groups = 0;
-
     for (int i = 0; i < C205_CAUSES; i++)
         causes += form->clocks[i];
     for (int i = 0; i < SWEEP_GROUPS; i++)
@@ -69,7 +67,6 @@ TEST(usual_lengths)
     size_t lengths[SWEEP_LENGTHS_MOST];
     size_t count = sweep_lengths(&sweep, TRACE_QUEUE_MOST, lengths);
     bool paper = false;
-
     assert_int_equal(count, 18);
     assert_int_equal(lengths[0], 1);
     assert_int_equal(lengths[count - 1], 65535);
@@ -86,7 +83,6 @@ TEST(usual_lengths)
 TEST(queue)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("cylinder", 16, 16);
-
     sweep.lengths = few;
     sweep.length_count = 5;
     run(&sweep_queue, &sweep);
@@ -96,7 +92,6 @@ TEST(queue)
         const struct sweep_measure *measure = &sweep.measures[i];
         struct speedup_measure other;
         c205_error error;
-
         assert_true(sweep_cost(sweep_best(&sweep), SWEEP_QUEUED)
                     <= sweep_cost(measure, SWEEP_QUEUED));
         struct sweep_point point = measure->point;
@@ -122,7 +117,6 @@ static struct scene *read_balls(void)
                           "camera { location -9*z look_at 0 right x up y }\n"
                           "light_source { <-5, 9, -9> 1 }\n"
                           "difference { box { -2, 2 }\n");
-
     for (int i = 0; i < 14; i++)
         length += snprintf(text + length, sizeof text - (size_t)length,
                            "sphere { <%d*.6-2, %d-1, -2>, .7 }\n", i % 7, i / 7 * 2);
@@ -145,7 +139,6 @@ TEST(small_memory)
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     c205_error error;
     SCOPED(c205_model) *small = c205_model_change(model, settings, 3, &error);
-
     assert_non_null(small);
     sweep.subject = NULL;
     sweep.scene = scene;
@@ -172,7 +165,6 @@ TEST(memory)
     struct sweep_memory memory;
     c205_error error = { "" };
     uint64_t words;
-
     sweep.subject = NULL;
     sweep.scene = scene;
     assert_true(sweep_memory(&sweep, &memory, &error));
@@ -193,7 +185,6 @@ TEST(queue_report)
     SCOPED_VALUE(sweep_report) report = { .part_count = 0 };
     c205_error error = { "" };
     double sum = 0;
-
     run(&sweep_queue, &sweep);
     assert_int_equal(sweep.count, 14);
     assert_true(sweep_queue.report(&sweep, &report, &error));
@@ -202,7 +193,6 @@ TEST(queue_report)
     assert_int_equal(table_rows(difference), SWEEP_GROUPS + 1);
     for (size_t i = 0; i <= SWEEP_GROUPS; i++) {
         double best = table_value(difference, i, 1);
-
         assert_true(table_value(difference, i, 3)
                     == table_value(difference, i, 2) - best);
         assert_true(table_value(difference, i, 5)
@@ -222,7 +212,6 @@ TEST(queue_report)
 TEST(pipes)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
-
     sweep.base.trace.queue = 1024;
     run(&sweep_pipes, &sweep);
     assert_int_equal(sweep.count, 6);
@@ -234,7 +223,6 @@ TEST(pipes)
     }
     for (size_t i = 0; i < 2; i++) {
         double twice = 2 * (double)group(&m[i + 1], SWEEP_STREAM);
-
         assert_true(fabs(twice / (double)group(&m[i], SWEEP_STREAM) - 1) < 1e-3);
         assert_true(m[3 + i].forms[SWEEP_QUEUED].total
                     == m[i + 1].forms[SWEEP_QUEUED].total);
@@ -248,7 +236,6 @@ TEST(hits)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
         SCOPED_VALUE(sweep) sweep = sweep_of(speedup_subjects[i].name, 16, 16);
-
         run(&sweep_hits, &sweep);
         assert_int_equal(sweep.count, 11);
         check_all_sums(&sweep);
@@ -263,10 +250,8 @@ TEST(hits)
 TEST(hits_of_frames)
 {
     static const size_t sizes[][2] = { { 40, 8 }, { 8, 40 } };
-
     for (size_t i = 0; i < 2; i++) {
         SCOPED_VALUE(sweep) sweep = sweep_of("cylinder", sizes[i][0], sizes[i][1]);
-
         run(&sweep_hits, &sweep);
         assert_int_equal(sweep.measures[0].hits, 0);
         assert_int_equal(sweep.measures[10].hits, 320);
@@ -278,7 +263,6 @@ TEST(hits_out_of_view)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 16, 16);
     c205_error error = { "" };
-
     sweep.base.view.distance = 500;
     assert_false(sweep_hits.measure(&sweep, &error));
     assert_non_null(strstr(error.message, "too small"));
@@ -294,13 +278,11 @@ static void check_crossover(const struct sweep *sweep,
                             const struct sweep_lengths_found *found)
 {
     const struct sweep_measure *before = sweep_with_queue(sweep, found->crossover - 1);
-
     assert_true(found->crossover > 1);
     assert_non_null(before);
     assert_true(before->forms[SWEEP_QUEUED].total >= before->forms[SWEEP_SCALAR].total);
     for (size_t n = found->crossover; n <= found->checked; n++) {
         const struct sweep_measure *measure = sweep_with_queue(sweep, n);
-
         assert_non_null(measure);
         assert_true(measure->forms[SWEEP_QUEUED].total
                     < measure->forms[SWEEP_SCALAR].total);
@@ -316,10 +298,8 @@ TEST(length)
     static const char *const names[] = { "sphere", "Steiner", "cylinder",
                                          "torus, ours" };
     static const size_t lengths[] = { 1, 2, 4, 8, 16, 64, 256, 1024 };
-
     for (size_t i = 0; i < share_of(4); i++) {
         SCOPED_VALUE(sweep) sweep = sweep_of(names[i], 1, 1);
-
         sweep.lengths = lengths;
         sweep.length_count = 8;
         run(&sweep_length, &sweep);
@@ -344,7 +324,6 @@ TEST(no_crossover)
 {
     static const size_t shortest[] = { 1 }, longer[] = { 64, 128 };
     struct sweep sweep = sweep_of("sphere", 1, 1);
-
     sweep.lengths = shortest;
     sweep.length_count = 1;
     run(&sweep_length, &sweep);
@@ -366,7 +345,6 @@ TEST(no_crossover)
 static struct sweep_measure as_if(size_t length, uint64_t speedup)
 {
     struct sweep_measure measure = { .rays = length };
-
     measure.point.trace.queue = length;
     measure.forms[SWEEP_SCALAR].total = speedup;
     measure.forms[SWEEP_QUEUED].total = 3;
@@ -381,7 +359,6 @@ TEST(left_out)
                                         as_if(8192, 42) };
     struct sweep sweep = { .measures = measures, .count = 7 };
     struct sweep_lengths_found found = sweep_find_lengths(&sweep);
-
     assert_int_equal(found.crossover, 400);
     assert_int_equal(found.checked, 0);
     assert_int_equal(found.half, 901);
@@ -404,7 +381,6 @@ struct watcher {
 static bool watch(void *context, size_t done, size_t all)
 {
     struct watcher *watcher = context;
-
     watcher->fell |= done < watcher->last;
     watcher->last = done;
     watcher->ended |= done == all;
@@ -419,7 +395,6 @@ TEST(progress)
         SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
         struct watcher watcher = { .stop_at = stop_at };
         c205_error error = { "" };
-
         sweep.lengths = few;
         sweep.length_count = 5;
         sweep.base.trace.progress = watch;
@@ -435,7 +410,6 @@ TEST(progress)
 FIXTURE(find_model)
 {
     c205_error error;
-
     model = c205_model_find("cyber205-2pipe", &error);
     return !model;
 }

@@ -21,17 +21,14 @@ static void check_prism(const struct primitive *prism, bool tangled)
 {
     size_t count = shape_table_count(prism, NULL);
     FREED double *table = shape_table(prism, NULL, count);
-
     (void)tangled;
     assert_non_null(table);
     for (double *row = table; row < table + count; row += 8) {
         double outside[3], inside[3];
-
         if (row[2] == 1)
             continue;
         for (int k = 0; k < 2; k++) {
             double middle = row[k] + row[3 + k] * row[5] / 2;
-
             outside[2 * k] = middle + 1e-7 * row[6 + k];
             inside[2 * k] = middle - 1e-7 * row[6 + k];
         }
@@ -59,7 +56,6 @@ static void check_point(const struct primitive *prism, const double *corner,
 {
     double point[2], normal[2], share = 0, outside[3] = { 0 };
     double inside[3] = { 0 };
-
     for (int k = 0; k < 2; k++) {
         point[k] = corner[k] + (row[BEND + k] * w + 2 * row[LEAD + k]) * w;
         share += row[SHARE + k] * (point[k] - row[FOOT + k]);
@@ -86,7 +82,6 @@ static void check_quadratic_prism(const struct primitive *prism, bool tangled)
 {
     size_t count = shape_table_count(prism, NULL);
     FREED double *table = shape_table(prism, NULL, count);
-
     assert_non_null(table);
     for (double *row = table; row < table + count; row += 16)
         if (row[BEGINS] == 0)
@@ -101,7 +96,6 @@ static bool is_closed(const struct primitive *lathe)
     const struct outline *path = &lathe->shape.lathe.path;
     const double *first = path->points[0];
     const double *last = path->points[path->count - 1];
-
     return (first[0] == 0 && last[0] == 0)
            || (first[0] == last[0] && first[1] == last[1]);
 }
@@ -113,19 +107,16 @@ static void check_lathe(const struct primitive *lathe, bool tangled)
     size_t count = shape_table_count(lathe, NULL);
     FREED double *table = shape_table(lathe, NULL, count);
     struct shape_words words;
-
     (void)tangled;
     shape_words(lathe, &words);
     assert_non_null(table);
     for (double *row = table; row < table + 16 * (size_t)words.words[3]; row += 16) {
         double outside[3] = { 0 }, inside[3] = { 0 };
-
         if (row[BEGINS_WORD] == 1)
             continue;
         for (int k = 0; k < 2; k++) {
             double corner = k ? words.words[0] + row[HEIGHT_WORD] : row[RADIUS_WORD];
             double middle = corner + row[11 + k] * row[13] / 2;
-
             outside[k] = middle + 1e-7 * row[14 + k];
             inside[k] = middle - 1e-7 * row[14 + k];
         }
@@ -195,7 +186,6 @@ static size_t segments_of(const struct swept *shape, const char *path)
 {
     char text[2000];
     struct shape_words words;
-
     snprintf(text, sizeof text, "%s%s }", shape->begin, path);
     SCOPED(scene) *scene = read_text(text);
     shape_words(scene->primitives, &words);
@@ -259,12 +249,10 @@ TEST(segments)
 static void check_crossings(const struct primitive *shape, double reach)
 {
     struct shape_words words;
-
     shape_words(shape, &words);
     for (int try = 0; try < 100; try++) {
         struct crossing crossings[MOST_CROSSINGS];
         struct ray ray;
-
         for (int k = 0; k < 3; k++) {
             ray.origin[k] = between(-reach, reach);
             ray.direction[k] = between(-1, 1);
@@ -277,7 +265,6 @@ static void check_paths(const struct swept *shape)
 {
     for (int try = 0; try < 600; try++) {
         char text[8000] = "";
-
         shape->add(text, sizeof text, try % 2);
         add_text(text, sizeof text, "}");
         SCOPED(scene) *scene = read_text(text);
@@ -305,10 +292,8 @@ TEST(known_normals)
         "7, <-3, 0>, <0, 0>, <1, 0>, <1.2, 0>, <.6, .9>, <.6, .9>, <0, 0>",
     };
     size_t count = COUNT(paths);
-
     for (size_t i = 0; i < count; i++) {
         char text[1000];
-
         snprintf(text, sizeof text, "prism { quadratic_spline -1, 1, %s }", paths[i]);
         SCOPED(scene) *scene = read_text(text);
         check_quadratic_prism(scene->primitives, i + 1 == count);
@@ -332,7 +317,6 @@ TEST(along)
 
     for (size_t i = 0; i < COUNT(lathes); i++) {
         char text[1000];
-
         snprintf(text, sizeof text, STRAIGHT "%s", lathes[i]);
         free(same_frame(text));
         snprintf(text, sizeof text, STRAIGHT "difference { box { -2, 2 } %s }",

@@ -24,7 +24,6 @@ struct bench {
 static bool watch(void *context, size_t done, size_t all)
 {
     struct bench *bench = context;
-
     bench->falls |= done < bench->last || bench->ends > 0;
     bench->last = done;
     bench->all = all;
@@ -36,7 +35,6 @@ static bool run(void *context, const struct task *task, c205_error *error)
 {
     const struct timespec while_others_fail = { 0, 2000000 };
     struct bench *bench = context;
-
     bench->times[task->number]++;
     if (bench->slow && task->number == bench->bad)
         nanosleep(&while_others_fail, NULL);
@@ -72,7 +70,6 @@ static bool go(struct bench *bench, size_t jobs, bool watched, c205_error *error
                                  .context = bench,
                                  .progress = watched ? watch : NULL,
                                  .progress_context = bench };
-
     return tasks_run(&tasks, error);
 }
 
@@ -85,13 +82,11 @@ TEST(each_once)
 {
     uint64_t random = RANDOM_SEED + 1;
     c205_error error;
-
     for (int i = 0; i < 200; i++) {
         struct bench bench = { .count = below(&random, MOST + 1),
                                .bad = MOST,
                                .stop_at = SIZE_MAX };
         bool watched = below(&random, 2) > 0;
-
         assert_true(go(&bench, below(&random, 9), watched, &error));
         for (size_t k = 0; k < MOST; k++)
             assert_int_equal(bench.times[k], k < bench.count);
@@ -104,12 +99,10 @@ TEST(a_bad_one)
 {
     uint64_t random = RANDOM_SEED + 2;
     c205_error error;
-
     for (int i = 0; i < 100; i++) {
         struct bench bench = { .count = 1 + below(&random, MOST), .stop_at = SIZE_MAX };
         size_t jobs = below(&random, 5);
         char expected[32];
-
         bench.bad = below(&random, bench.count);
         snprintf(expected, sizeof expected, "bad %zu", bench.bad);
         assert_false(go(&bench, jobs, below(&random, 2) > 0, &error));
@@ -125,13 +118,11 @@ TEST(the_lowest_of_many)
 {
     uint64_t random = RANDOM_SEED + 3;
     c205_error error;
-
     for (int i = 0; i < 100; i++) {
         struct bench bench = { .count = 1 + below(&random, MOST),
                                .slow = true,
                                .stop_at = SIZE_MAX };
         char expected[32];
-
         bench.bad = below(&random, bench.count);
         snprintf(expected, sizeof expected, "bad %zu", bench.bad);
         assert_false(go(&bench, 2 + below(&random, 7), i % 2, &error));
@@ -142,11 +133,9 @@ TEST(the_lowest_of_many)
 TEST(told_to_stop)
 {
     c205_error error;
-
     for (size_t jobs = 0; jobs < 5; jobs++) {
         struct bench bench = { .count = MOST, .bad = MOST, .stop_at = 500000 };
         int ran = 0;
-
         assert_false(go(&bench, jobs, true, &error));
         assert_string_equal(error.message, "stopped");
         for (size_t k = 0; k < MOST; k++)
@@ -159,7 +148,6 @@ TEST(told_to_stop)
 TEST(jobs_wanted)
 {
     size_t online = (size_t)sysconf(_SC_NPROCESSORS_ONLN);
-
     assert_int_equal(jobs_wanted(0, SIZE_MAX), online);
     assert_int_equal(jobs_wanted(0, 1), 1);
     assert_int_equal(jobs_wanted(3, 256), 3);

@@ -32,7 +32,6 @@ static void widen(const struct primitive *primitive, double x, double height, do
                   double low[3], double high[3])
 {
     double point[3] = { x, height, z };
-
     transform_point(&primitive->to_world, point);
     for (int k = 0; k < 3; k++) {
         low[k] = fmin(low[k], point[k]);
@@ -44,7 +43,6 @@ static void widen(const struct primitive *primitive, double x, double height, do
 static double along(const double *points, size_t k, double w)
 {
     double s = 1 - w;
-
     return s * s * points[k] + 2 * s * w * points[2 + k] + w * w * points[4 + k];
 }
 
@@ -53,7 +51,6 @@ static double turning(const double *points, size_t k)
 {
     double lead = points[2 + k] - points[k];
     double bend = points[k] - 2 * points[2 + k] + points[4 + k];
-
     return bend == 0 ? 0 : fmax(0, fmin(1, -lead / bend));
 }
 
@@ -132,7 +129,6 @@ static double area_of(const double from[2], const double handle[2], const double
 {
     double way[2] = { to[0] - from[0], to[1] - from[1] };
     double lead[2] = { handle[0] - from[0], handle[1] - from[1] };
-
     return (from[0] * to[1] - to[0] * from[1]) / 2
            + (lead[0] * way[1] - lead[1] * way[0]) / 3;
 }
@@ -144,7 +140,6 @@ TEST(curves)
     struct character dot = character_of(scene->primitives);
     const double(*points)[2] = (const double(*)[2])dot.path->points;
     double low[3], high[3], area = 0;
-
     assert_int_equal(dot.apart, 2);
     extent_of(scene, low, high);
     double ellipse = atan(1) * (high[0] - low[0]) * (high[1] - low[1]);
@@ -161,7 +156,6 @@ TEST(slanted)
     struct character letter = character_of(scene->primitives);
     struct path_walk walk = { .path = letter.path, .apart = letter.apart };
     double bows = 0, area = 0;
-
     assert_int_equal(letter.apart, 2);
     while (path_next(&walk)) {
         const double *from = walk.from;
@@ -177,7 +171,6 @@ TEST(slanted)
 TEST(straight)
 {
     SCOPED(scene) *scene = read_scene("text { ttf \"cyrvetic.ttf\" \"TI\" 1, 0 }");
-
     assert_int_equal(scene->primitive_count, 2);
     for (size_t i = 0; i < 2; i++)
         assert_int_equal(character_of(&scene->primitives[i]).apart, 1);
@@ -199,7 +192,6 @@ static size_t four_bytes(const unsigned char *at)
 static unsigned char *table_of(unsigned char *font, const char *name)
 {
     unsigned count = two_bytes(font + 4);
-
     for (unsigned char *row = font + 12; count > 0; count--, row += 16)
         if (!memcmp(row, name, 4))
             return font + four_bytes(row + 8);
@@ -215,7 +207,6 @@ static void leave_points(unsigned char *font)
     unsigned char *glyphs = table_of(font, "glyf");
     bool is_long = two_bytes(table_of(font, "head") + 50) != 0;
     unsigned count = two_bytes(table_of(font, "maxp") + 4);
-
     for (size_t i = 0; i < count; i++) {
         size_t begin = is_long ? four_bytes(places + 4 * i)
                                : 2 * two_bytes(places + 2 * i);
@@ -233,7 +224,6 @@ static void check_outline(const struct glyph *glyph)
     const struct outline path = { glyph->count, glyph->points };
     struct path_walk walk = { .path = &path, .apart = glyph->apart };
     size_t used = 0;
-
     while (path_next(&walk)) {
         const double *from = walk.from;
         used += 1 + (size_t)walk.begins;
@@ -253,7 +243,6 @@ static void check_font(const char *name, bool points)
     char path[100];
     c205_error error;
     size_t length;
-
     snprintf(path, sizeof path, "/usr/share/povray-3.7/include/%s.ttf", name);
     FREED char *bytes = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(bytes);
@@ -272,7 +261,6 @@ static void check_font(const char *name, bool points)
 TEST(outlines)
 {
     static const char *const names[] = { "timrom", "cyrvetic", "crystal", "povlogo" };
-
     for (size_t i = 0; i < 2 * COUNT(names); i++)
         check_font(names[i / 2], i % 2);
 }
@@ -288,7 +276,6 @@ static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
     size_t count = corners * apart, begin = 0;
     double before[LOOP_MOST][2] = { { 0 } }, after[LOOP_MOST][2];
     size_t times[LOOP_MOST] = { 0 };
-
     for (size_t j = 0; j < count; j++)
         for (int k = 0; k < 2; k++)
             before[j][k] = (double)xorshift_between(random, 0, 2);
@@ -306,7 +293,6 @@ static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
 TEST(touching_loops)
 {
     uint64_t random = RANDOM_SEED;
-
     for (size_t i = 0; i < 2000; i++)
         check_touching_loop((size_t)xorshift_between(&random, 1, 12), 1 + i % 2,
                             &random);
@@ -318,7 +304,6 @@ TEST(modifiers)
         "text { ttf concat(\"cyrvetic\", \".ttf\"), \"I I\" -.5, 0"
         " scale 2 translate <1, 2, 3> pigment { rgb x } no_shadow }");
     double low[3], high[3];
-
     extent_of(scene, low, high);
     assert_int_equal(scene->primitive_count, 2);
     assert_true(scene->primitives[1].no_shadow);
@@ -332,7 +317,6 @@ TEST(modifiers)
 TEST(blank)
 {
     SCOPED(scene) *scene = read_with("text { ttf \"timrom.ttf\" \" \" 1, 0 }", 1);
-
     assert_int_equal(scene->primitive_count, 0);
 }
 

@@ -34,7 +34,6 @@ static void find_rows(struct study *study)
     c205_error error = { "" };
     SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
     const char **refusals = source_refusals(study->scene);
-
     assert_non_null(factors);
     assert_non_null(refusals);
     study->rows = calloc(count + 1, sizeof *study->rows);
@@ -48,7 +47,6 @@ static void find_rows(struct study *study)
 static struct study begin(const char *text, enum surfaces_by by)
 {
     struct study study = { .scene = read_scene(text) };
-
     assert_true(named_parts_find(study.scene, &study.parts));
     assert_true(surfaces_find(study.scene, &study.parts, by, &study.surfaces));
     find_rows(&study);
@@ -71,7 +69,6 @@ static void give(const struct study *study, const struct value_kind *kind,
 {
     char copy[200];
     c205_error error = { "" };
-
     given_begin(given, kind);
     snprintf(copy, sizeof copy, "%s", texts);
     for (char *text = strtok(copy, " "); text; text = strtok(NULL, " "))
@@ -84,7 +81,6 @@ static bool exchange(const struct study *study, const char *temperatures,
                      c205_error *error)
 {
     struct given_values temperature, emissivity;
-
     give(study, &temperature_kind, temperatures, &temperature);
     give(study, &emissivity_kind, emissivities, &emissivity);
     bool good = thermal_find(&study->surfaces, &study->parts, &emissivity, &temperature,
@@ -113,7 +109,6 @@ TEST(parts)
     double pi = acos(-1);
     struct study study = begin(ball, BY_PART);
     const struct surface *shell = &study.surfaces.list[1];
-
     assert_int_equal(study.surfaces.count, 2);
     assert_string_equal(study.surfaces.list[0].name, "Ball");
     assert_string_equal(shell->name, "Shell");
@@ -133,7 +128,6 @@ TEST(parts)
 TEST(groups)
 {
     struct study study = begin(ball, BY_MATERIAL);
-
     assert_int_equal(study.surfaces.count, 2);
     assert_string_equal(study.surfaces.list[0].name, "Copper");
     assert_string_equal(study.surfaces.list[1].name, "none");
@@ -153,7 +147,6 @@ TEST(flows)
     struct study study = begin(ball, BY_PRIMITIVE);
     SCOPED_VALUE(thermal) thermal;
     c205_error error;
-
     assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
     assert_int_equal(thermal.count, 3);
     assert_flow(thermal.exchange.flow[0], 25842.18560027);
@@ -174,7 +167,6 @@ TEST(lines)
     SCOPED_VALUE(global_lines) found;
     SCOPED_VALUE(thermal) thermal;
     c205_error error = { "" };
-
     assert_true(named_parts_find(study.scene, &study.parts));
     assert_true(surfaces_find(study.scene, &study.parts, BY_PART, &study.surfaces));
     by_part.surface_of = study.surfaces.surface_of;
@@ -197,7 +189,6 @@ TEST(adiabatic)
     struct study study = begin(ball, BY_PART);
     SCOPED_VALUE(thermal) thermal;
     c205_error error;
-
     assert_true(exchange(&study, "Shell=adiabatic environment=300", "Ball=1", &thermal,
                          &error));
     assert_close(thermal.outside, 300, 0);
@@ -215,7 +206,6 @@ static void refuses(const struct study *study, const char *temperatures,
 {
     struct thermal thermal;
     c205_error error = { "" };
-
     assert_false(exchange(study, temperatures, emissivities, &thermal, &error));
     if (!strstr(error.message, message))
         fail_msg("%s: %s", message, error.message);
@@ -224,7 +214,6 @@ static void refuses(const struct study *study, const char *temperatures,
 TEST(refused)
 {
     struct study study = begin(ball, BY_PART);
-
     refuses(&study, "", "",
             "no temperature is known of: Shell; --temperature NAME=KELVINS, "
             "or default=300");
@@ -249,7 +238,6 @@ TEST(wrong_values)
     static const char *const wrong[] = { "a=-1", "a=nan", "a=x", "=3", "a" };
     struct given_values given;
     c205_error error;
-
     given_begin(&given, &temperature_kind);
     for (size_t i = 0; i < COUNT(wrong); i++)
         assert_false(given_add(&given, wrong[i], &error));

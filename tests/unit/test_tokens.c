@@ -15,7 +15,6 @@ static void draw_text(char *text)
                                           "=",  ">",    "!",    "/", "*",   "/*", "*/",
                                           "//", "\n",   " ",    "a", "end", "#",  "\"",
                                           "\\", "\x01", "1e+5", "{", "}" };
-
     text[0] = '\0';
     for (size_t i = 0; i < PIECES; i++)
         strcat(text, pieces[below(COUNT(pieces))]);
@@ -24,7 +23,6 @@ static void draw_text(char *text)
 static struct text_place place_of(const struct scene_source *source, size_t at)
 {
     struct text_place place = { 0, 1, 0 };
-
     for (; place.at < at; place.at++)
         if (source->text[place.at] == '\n') {
             place.line++;
@@ -51,11 +49,9 @@ static void compare(struct lexer *keeping, struct lexer *fresh,
 {
     struct text_place place = place_of(source, from);
     struct scene_token call = { .kind = TOKEN_WORD }, kept;
-
     assert_true(lexer_call(keeping, source, place, end, &call));
     do {
         struct text_place back = lexer_top(keeping)->place;
-
         memset(fresh->kept, 0, sizeof fresh->kept);
         assert_true(lexer_call(fresh, source, back, end, &call));
         kept = lexer_next(keeping);
@@ -78,13 +74,11 @@ TEST(any_cut)
     FREED struct lexer *keeping = calloc(1, sizeof *keeping);
     FREED struct lexer *fresh = calloc(1, sizeof *fresh);
     struct scene_source *sources = NULL;
-
     assert_non_null(keeping);
     assert_non_null(fresh);
     for (size_t i = 0; i < TEXTS; i++) {
         char text[TEXT_MOST];
         c205_error error;
-
         draw_text(text);
         struct scene_source *source = source_add(&sources, "drawn", text, strlen(text),
                                                  &error);
@@ -95,7 +89,6 @@ TEST(any_cut)
         }
         for (size_t k = 0; k < CUTS; k++) {
             size_t from = below(source->length);
-
             compare(keeping, fresh, source, from,
                     from + below(source->length - from + 1));
         }

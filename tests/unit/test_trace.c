@@ -64,7 +64,6 @@ static void add_quadric_or_cone(char *text, size_t size)
 static void add_torus(char *text, size_t size)
 {
     bool elliptical = xorshift(&traced.random) % 2;
-
     add_text(text, size, "%storus { %.9f, %.9f", elliptical ? "elliptical_" : "",
              between(.5, 1.2), between(.1, .6));
     if (elliptical)
@@ -76,7 +75,6 @@ static void add_quartic(char *text, size_t size)
 {
     static const int fourth_powers[] = { 0, 20, 30 };
     double terms[35];
-
     for (int i = 0; i < 35; i++)
         terms[i] = xorshift(&traced.random) % 3 == 0 ? between(-.5, .5) : 0;
     for (int i = 0; i < 3; i++)
@@ -104,7 +102,6 @@ static void add_quartic_or_torus(char *text, size_t size)
 static void add_discs(char *text, size_t size)
 {
     size_t count = 12 + below(40);
-
     add_text(text, size, "union { ");
     for (size_t i = 0; i < count; i++) {
         add_text(text, size, "disc { ");
@@ -135,7 +132,6 @@ TEST(light_straight_behind)
         "right 4e-10*x up 1e-8*y }\n"
         "plane { x, 0 pigment { rgb 1 } finish { ambient .25 diffuse 0\n"
         "specular 1 roughness .33 } }\n");
-
     for (size_t i = 0; i < PIXELS; i++) {
         assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][i]), 1);
         assert_float_equal(c205_to_double(words->channel[CHANNEL_RED][i]), .25, 1e-3);
@@ -146,7 +142,6 @@ static void check_normal_z(const char *text, double expected)
 {
     FREED struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
-
     assert_float_equal(c205_to_double(words->channel[CHANNEL_NORMAL_Z][middle]),
                        expected, 1e-12);
 }
@@ -175,7 +170,6 @@ TEST(numbers_beyond_doubles)
                                            "interior { ior 1e-310 } }");
     struct trace_options options = { .width = 1, .height = 1, .model = prior_model };
     c205_error error = { "" };
-
     assert_null(trace_new(scene, &options, &error));
     assert_non_null(strstr(error.message, "line 5"));
 }
@@ -201,7 +195,6 @@ TEST(apex_normals)
 TEST(empty_scene)
 {
     FREED struct words *words = same_frame(AHEAD "background { rgb <.5, .25, 1> }");
-
     assert_int_equal(hits(words), 0);
     assert_float_equal(c205_to_double(words->channel[CHANNEL_GREEN][7]), .25, 0);
 }

@@ -32,7 +32,6 @@ static void write_scene(char *text, size_t size, size_t count)
 static void check_scenes(size_t scenes)
 {
     static char text[65536];
-
     for (size_t i = 0; i < scenes; i++) {
         write_scene(text, sizeof text, 3);
         FREED struct words *words = plain_frame(text);
@@ -57,7 +56,6 @@ static void check_every(const char *text)
 {
     static const size_t queues[] = QUEUES;
     SCOPED(scene) *scene = read_text(text);
-
     for (size_t i = 0; i < COUNT(queues); i++) {
         traced.visible = VISIBLE_STEPPING;
         FREED struct words *expected = trace_words(scene, TRACE_VECTOR, queues[i]);
@@ -87,7 +85,6 @@ static const char patches[] = HEAD
 TEST(every)
 {
     static char text[65536];
-
     check_every(coincident);
     check_every(patches);
     for (int i = 0; i < 8; i++) {

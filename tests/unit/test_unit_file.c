@@ -16,7 +16,6 @@ static char paths[FILES][40];
 FIXTURE(set_up)
 {
     bool good = true;
-
     for (size_t i = 0; i < FILES; i++) {
         strcpy(paths[i], "/tmp/test_unit_file.XXXXXX");
         int file = mkstemp(paths[i]);
@@ -40,7 +39,6 @@ static struct unit_words words_of(uint64_t number)
     struct unit_words words = { .items = NULL };
     uint64_t one = number + 1;
     size_t count = number % 5 * 7;
-
     for (size_t i = 0; i < count; i++)
         words_put(&words, xorshift(&one));
     return words;
@@ -50,7 +48,6 @@ static void add(struct unit_file *file, uint64_t number)
 {
     struct unit_words words = words_of(number);
     c205_error error = { "" };
-
     REQUIRE(unit_file_add(file, number, &words, &error));
     words_free(&words);
 }
@@ -58,7 +55,6 @@ static void add(struct unit_file *file, uint64_t number)
 static void assert_unit(struct unit_file *file, uint64_t number)
 {
     struct unit_words expected = words_of(number), found = { .items = NULL };
-
     assert_true(unit_file_read(file, number, &found));
     assert_int_equal(found.count, expected.count);
     for (size_t i = 0; i < found.count; i++)
@@ -71,7 +67,6 @@ static struct unit_file *open_file(size_t i)
 {
     c205_error error = { "" };
     struct unit_file *file = unit_file_open(paths[i], KEY, &error);
-
     REQUIRE(file);
     return file;
 }
@@ -80,7 +75,6 @@ static struct unit_file *open_file(size_t i)
 static void assert_units(struct unit_file *file, const bool *there)
 {
     size_t count = 0;
-
     for (uint64_t number = 0; number < UNITS; number++) {
         assert_int_equal(unit_file_has(file, number), there[number]);
         if (there[number])
@@ -93,7 +87,6 @@ static void assert_units(struct unit_file *file, const bool *there)
 static void expect(size_t i, const bool *there)
 {
     struct unit_file *file = open_file(i);
-
     assert_units(file, there);
     unit_file_close(file, false);
 }
@@ -103,7 +96,6 @@ static void expect(size_t i, const bool *there)
 static long size_of(const char *path)
 {
     FILE *file = fopen(path, "rb");
-
     assert_non_null(file);
     assert_int_equal(fseek(file, 0, SEEK_END), 0);
     long size = ftell(file);
@@ -114,7 +106,6 @@ static long size_of(const char *path)
 static void turn_bit(const char *path, long at, int bit)
 {
     FILE *file = fopen(path, "r+b");
-
     assert_non_null(file);
     assert_int_equal(fseek(file, at, SEEK_SET), 0);
     int byte = getc(file);
@@ -134,11 +125,9 @@ static void write_some(size_t i, struct written *written)
 {
     bool there[UNITS] = { false };
     struct unit_file *file = open_file(i);
-
     written->count = 1 + below(8);
     for (size_t k = 0; k < written->count;) {
         uint64_t number = below(UNITS);
-
         if (there[number])
             continue;
         there[number] = true;
@@ -163,7 +152,6 @@ static void whole_before(const struct written *written, long at, bool *there)
 static void expect_and_mend(const struct written *written, long at)
 {
     bool there[UNITS];
-
     whole_before(written, at, there);
     struct unit_file *file = open_file(0);
     assert_units(file, there);
@@ -183,7 +171,6 @@ static long somewhere(const struct written *written)
 TEST_WITH(cut_off, set_up, tear_down)
 {
     struct written written;
-
     for (int i = 0; i < TRIES; i++) {
         write_some(0, &written);
         long size = somewhere(&written);
@@ -197,7 +184,6 @@ TEST_WITH(cut_off, set_up, tear_down)
 TEST_WITH(harmed, set_up, tear_down)
 {
     struct written written;
-
     for (int i = 0; i < TRIES; i++) {
         write_some(0, &written);
         long at = somewhere(&written);
@@ -215,7 +201,6 @@ static void check_merge(void)
     struct written written;
     c205_error error = { "" };
     size_t count = 2 + below(FILES - 1);
-
     for (size_t i = 0; i < count; i++) {
         write_some(i, &written);
         for (size_t k = 0; k < written.count; k++)
@@ -240,7 +225,6 @@ TEST_WITH(merged, set_up, tear_down)
 static void refuse_merge(struct unit_file *file, const char *path, const char *message)
 {
     c205_error error = { "" };
-
     assert_false(unit_file_merge(file, path, &error));
     assert_non_null(strstr(error.message, message));
 }
@@ -249,7 +233,6 @@ TEST_WITH(not_merged, set_up, tear_down)
 {
     struct written written;
     c205_error error;
-
     write_some(0, &written);
     struct unit_file *file = open_file(0);
     refuse_merge(file, paths[0], "named twice");
@@ -267,7 +250,6 @@ TEST_WITH(not_merged, set_up, tear_down)
 static void refuse(uint64_t key, const char *message)
 {
     c205_error error = { "" };
-
     assert_null(unit_file_open(paths[0], key, &error));
     assert_non_null(strstr(error.message, message));
 }
@@ -275,7 +257,6 @@ static void refuse(uint64_t key, const char *message)
 TEST_WITH(of_something_else, set_up, tear_down)
 {
     struct written written;
-
     write_some(0, &written);
     refuse(KEY + 1, "of another run");
     turn_bit(paths[0], 0, 0);
@@ -300,7 +281,6 @@ static pid_t open_elsewhere(void)
     assert_true(child >= 0);
     if (child == 0) {
         c205_error error;
-
         if (unit_file_open(paths[0], KEY, &error) && write(ready[1], "", 1) == 1)
             pause();
         _exit(1);

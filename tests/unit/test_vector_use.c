@@ -13,7 +13,6 @@ struct hearing {
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     const struct hearing *hearing = context;
-
     hearing->observer->listen(hearing->use, machine, event);
 }
 
@@ -29,7 +28,6 @@ static struct vector_use use_of(const char *instruction)
     struct hearing hearing = { &observer, NULL };
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
     SCOPED(c205) *machine = c205_new(model, &error);
-
     snprintf(text, sizeof text,
              " .include \"core.s\"\n .data\n"
              "bits: .word X'FFFFFFFFFF3FFFFF', X'FFFFFFFFFFFFFFFF'\n"
@@ -52,7 +50,6 @@ static struct vector_use use_of(const char *instruction)
 static void check(const char *instruction, uint64_t controlled, uint64_t wanted)
 {
     struct vector_use use = use_of(instruction);
-
     assert_int_equal(use.instructions, 1);
     assert_int_equal(use.elements, 150);
     assert_int_equal(use.controlled, controlled);

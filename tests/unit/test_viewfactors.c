@@ -154,7 +154,6 @@ FIXTURE(read_table)
     c205_error error;
     FREED char *text = file_read("tests/unit/viewfactors.csv", 1 << 20, &length,
                                  &error);
-
     assert_non_null(text);
     csv_table(text, &table);
     return set_up_model(test_state);
@@ -166,7 +165,6 @@ static double known(const struct factor_case *which, double *off)
     for (size_t row = 1; row < table.rows; row++) {
         const char *text = table.cell[row][3];
         char *end;
-
         if (strcmp(table.cell[row][0], which->id) != 0)
             continue;
         seen[row] = true;
@@ -194,7 +192,6 @@ struct study {
 static size_t named(const struct surfaces *surfaces, const char *name)
 {
     size_t i = 0;
-
     while (name && i < surfaces->count && strcmp(surfaces->list[i].name, name) != 0)
         i++;
     if (!name)
@@ -223,7 +220,6 @@ static void find_rows(const struct factor_scene *what, struct study *study,
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
     SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
-
     assert_non_null(factors);
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
@@ -237,7 +233,6 @@ static struct study begin(const struct factor_scene *what, enum surfaces_by by,
                           enum trace_mode mode, size_t points)
 {
     struct study study = { .scene = read_scene(what->text) };
-
     assert_true(named_parts_find(study.scene, &study.parts));
     assert_true(surfaces_find(study.scene, &study.parts, by, &study.surfaces));
     find_rows(what, &study, mode, points);
@@ -259,7 +254,6 @@ static void check_case(const struct factor_case *which, const struct surfaces *s
     double off = 0, expected = known(which, &off);
     struct estimate found = surfaces->list[named(surfaces, which->from)]
                                 .factor[named(surfaces, which->to)];
-
     if (!(fabs(found.value - expected)
           <= SIGMAS * (found.error + off) + 1e-5 * expected))
         fail_msg("%s: %.7g +- %.2g is not %.7g", which->id, found.value, found.error,
@@ -272,12 +266,10 @@ static void check_form(const struct factor_scene *what, enum surfaces_by by,
 {
     struct study study = begin(what, by, mode, points);
     struct study vector = begin(what, by, TRACE_VECTOR, points);
-
     for (const struct factor_case *which = what->cases; which->id; which++) {
         size_t from = named(&study.surfaces, which->from);
         const struct surface *one = &study.surfaces.list[from];
         const struct surface *other = &vector.surfaces.list[from];
-
         assert_memory_equal(&one->area, &other->area, sizeof one->area);
         assert_memory_equal(one->factor, other->factor,
                             (study.surfaces.count + 1) * sizeof *one->factor);
@@ -291,7 +283,6 @@ static void check_scene(const struct factor_scene *what, enum surfaces_by by)
     const char *asked = getenv("HEAT_POINTS");
     size_t points = asked ? strtoul(asked, NULL, 10) : 64;
     struct study study = begin(what, by, TRACE_VECTOR, points);
-
     for (const struct factor_case *which = what->cases; which->id; which++)
         check_case(which, &study.surfaces);
     end(&study);

@@ -48,7 +48,6 @@ static void add_tube(char *text, size_t size)
 static void add_hidden(char *text, size_t size, size_t rarity)
 {
     static const char *const words[] = { "no_shadow", "no_image", "no_reflection" };
-
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (below(rarity) == 0)
             add_text(text, size, "%s ", words[i]);
@@ -61,7 +60,6 @@ static void add_thing(char *text, size_t size)
                                                      add_block, add_bitten, add_tube };
     size_t kind = below(6), copies = below(5) ? 1 : 2 + below(2);
     uint64_t state = traced.random;
-
     for (size_t i = 0; i < copies; i++) {
         traced.random = state;
         kinds[kind](text, size);
@@ -81,13 +79,10 @@ static void add_spheres(char *text)
 {
     double size = between(.05, .2);
     size_t copy = 1 + below(9);
-
     for (size_t i = 50 + below(250); i > 0; i--) {
         uint64_t state = traced.random;
-
         for (size_t k = below(copy) == 0 ? 2 : 1; k > 0; k--) {
             uint64_t before = traced.random;
-
             traced.random = state;
             add_text(text, TEXT_ROOM, "sphere { 0, %.3f ",
                      solids.gridded ? .25 : size * between(.5, 2));
@@ -128,7 +123,6 @@ static void check(const struct scene *scene, const char *text,
                   const char *what)
 {
     FREED struct words *found = trace_words(scene, mode, queue);
-
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
             if (found->channel[channel][k] != expected->channel[channel][k])
@@ -140,7 +134,6 @@ static void check_ways(const char *text)
 {
     SCOPED(scene) *scene = read_text(text);
     static const size_t queues[] = { 1, 7, 77, 2000, 65535 };
-
     traced.no_bounds = true;
     FREED struct words *expected = trace_words(scene, TRACE_VECTOR, 2000);
     traced.no_bounds = false;
@@ -160,7 +153,6 @@ static void check_ways(const char *text)
 static void check_scenes(bool gridded, bool clear, bool spheres)
 {
     FREED char *text = malloc(TEXT_ROOM);
-
     assert_non_null(text);
     solids.gridded = gridded;
     solids.clear = clear;

@@ -21,7 +21,6 @@ static const struct sink *report;
 static void *begin(void *context, const struct object *program, c205_error *error)
 {
     struct watched *watched = calloc(1, sizeof *watched);
-
     (void)context;
     (void)error;
     assert_non_null(watched);
@@ -33,7 +32,6 @@ static void *begin(void *context, const struct object *program, c205_error *erro
 static void listen(void *band, const c205 *machine, const c205_event *event)
 {
     struct watched *watched = band;
-
     if (!watched->began)
         watch_begin(watched->watch, machine);
     watched->began = true;
@@ -43,7 +41,6 @@ static void listen(void *band, const c205 *machine, const c205_event *event)
 static void merge(void *context, const void *band)
 {
     const struct watched *watched = band;
-
     assert_true(watched->began);
     *(warning_set *)context |= watch_warned(watched->watch);
 }
@@ -51,7 +48,6 @@ static void merge(void *context, const void *band)
 static void end(void *band)
 {
     FREED struct watched *watched = band;
-
     watch_free(watched->watch);
 }
 
@@ -105,7 +101,6 @@ TEST(kernels)
     struct sink sink = stream_sink(stderr);
     c205_error error;
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
-
     report = &sink;
     assert_non_null(model);
     for (size_t i = 0; i < COUNT(scenes); i++) {

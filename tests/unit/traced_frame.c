@@ -9,7 +9,6 @@ struct scene *read_text(const char *text)
     const struct scene_options options = { .strict = !traced.reported };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test", text, &options, &reports);
-
     if (!scene)
         diagnostics_print(&reports, stderr);
     assert_non_null(scene);
@@ -20,7 +19,6 @@ struct trace *run_trace(const struct scene *scene, const struct trace_options *o
 {
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, options, &error);
-
     REQUIRE(trace && trace_run(trace, &error));
     return trace;
 }
@@ -38,7 +36,6 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode, size_
                                             .flat = traced.flat);
     SCOPED(trace) *trace = run_trace(scene, &options);
     struct words *words = calloc(1, sizeof *words);
-
     assert_non_null(words);
     for (int i = 0; i < FRAME_CHANNELS; i++)
         memcpy(words->channel[i], trace_channel(trace, (enum frame_channel)i),
@@ -50,7 +47,6 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
 {
     const size_t *queue = traced.queues;
     struct words *scalar = trace_words(scene, TRACE_SCALAR, 1);
-
     for (size_t i = 0; i < MOST_QUEUES && queue[i]; i++) {
         traced.order = i % 2 ? ORDER_ROWS : ORDER_TILES;
         FREED struct words *vector = trace_words(scene, TRACE_VECTOR, queue[i]);
@@ -83,7 +79,6 @@ static int other_channel(const struct words *words, const struct frame *plain, s
         double found = channel == CHANNEL_ID ? (double)c205_to_integer(word)
                                              : c205_to_double(word);
         double expected = plain->channel[channel][k];
-
         if (!(fabs(found - expected) <= 1e-7 * (1 + fabs(expected))))
             return channel;
     }
@@ -96,11 +91,9 @@ struct words *plain_frame(const char *text)
     struct words *words = same_frame_of(scene, text);
     SCOPED_VALUE(frame) plain;
     size_t others = 0;
-
     assert_true(plain_trace(scene, traced.width, traced.height, &plain));
     for (size_t k = 0; k < traced.pixels; k++) {
         int channel = other_channel(words, &plain, k);
-
         others += channel != FRAME_CHANNELS;
         if (others > 3 * traced.pixels / 1000)
             fail_msg("channel %d, pixel %zu: not what the plain tracer sees in\n%s",
@@ -113,7 +106,6 @@ void check_paper_stage(const char *text, const struct words *expected)
 {
     SCOPED(scene) *scene = read_text(text);
     FREED struct words *found = trace_words(scene, TRACE_KERNELS, traced.width + 1);
-
     if (memcmp(found, expected, sizeof *found) != 0)
         fail_msg("the paper's stage gives another frame of\n%s", text);
 }
@@ -121,7 +113,6 @@ void check_paper_stage(const char *text, const struct words *expected)
 size_t hits(const struct words *words)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < traced.pixels; i++)
         count += c205_to_integer(words->channel[CHANNEL_ID][i]) != 0;
     return count;
@@ -184,7 +175,6 @@ void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
 {
     static char text[1 << 18];
     size_t found = 0;
-
     scenes = share_of(scenes);
     for (size_t scene = 0; scene < scenes; scene++) {
         strcpy(text, HEAD "camera { location <0, 1, -6> look_at 0 }\n");
@@ -203,7 +193,6 @@ void check_middle_within(const char *text, int64_t id, double depth, double tole
 {
     FREED struct words *words = same_frame(text);
     size_t middle = traced.height / 2 * traced.width + traced.width / 2;
-
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), id);
     /* assert_float_equal rounds to single precision. */
     assert_true(fabs(c205_to_double(words->channel[CHANNEL_DEPTH][middle]) - depth)

@@ -4,7 +4,6 @@ bool tree_value(const struct scene *scene, size_t node, const bool *inside)
 {
     const struct tree_node *tree = &scene->nodes[node];
     bool value = tree->operation == TREE_AND;
-
     if (tree->operation == TREE_LEAF)
         return inside[tree->primitive];
     for (size_t child = node + 1; child < tree->next;
