@@ -7,6 +7,12 @@
 
 extern c205_model *prior_model;
 
+/* Initialises options with the model and these members. */
+#define ON_PRIOR(...) \
+    { \
+        .model = prior_model, __VA_ARGS__ \
+    }
+
 /* For a group of tests: the model, the arithmetic of the oracle, or both. */
 int set_up_model(void **state);
 int tear_down_model(void **state);

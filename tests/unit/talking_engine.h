@@ -40,7 +40,7 @@ const char *text_of(const struct json_value *object, const char *key);
 size_t items_of(const struct json_value *list);
 
 /* Members of requests: a model of its own; two programs against a constant. */
-#define ON_PRIOR ", 'model': 'cyber205-2pipe-prior'"
+#define AND_PRIOR ", 'model': 'cyber205-2pipe-prior'"
 #define SWEEP \
     "'constant': 'n', 'from': 1, 'to': 300, 'text': ' .include \\\"vectors.s\\\"\\n " \
     ".regs r16, a\\n .data\\nx: .space n\\n .code\\n descriptor a, x, n\\n ADDNV [a], " \

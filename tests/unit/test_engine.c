@@ -75,7 +75,7 @@ TEST(instructions)
               " .include \"vectors.s\"\n .regs r16, a, b, z\n words a, 1.0, "
               "-2.0\n words b\n bits z, \"10\"\n ADDNV [a], [a], [b] ? [z]\n "
               "EXIT\n",
-              ON_PRIOR);
+              AND_PRIOR);
     talk_ask(&talk, "{'do': 'breaks', 'lines': [6]}");
     talk_ask(&talk, "{'do': 'go', 'how': 'continue'}");
     talk_ask(&talk, "{'do': 'view'}");

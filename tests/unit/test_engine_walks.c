@@ -334,7 +334,7 @@ static void walk_begin(struct walk *walk)
     walk->plain = run_plainly(assemble_text("program.s", text.text, NULL, &said),
                               &random_state);
     talk_begin(&walk->talk);
-    talk_load(&walk->talk, text.text, ON_PRIOR);
+    talk_load(&walk->talk, text.text, AND_PRIOR);
     text_buffer_free(&text);
     diagnostics_free(&said);
 }
@@ -470,7 +470,7 @@ TEST(changed)
     talk_load(&talk,
               "        ES r10, 100\n        EX r11, on\non:     IS r12, 1\n"
               "        DBNZ r10, [r11]\n        EXIT\n",
-              ON_PRIOR);
+              AND_PRIOR);
     talk_ask(&talk, "{'do': 'go', 'how': 'step', 'n': 10}");
     talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 5'}");
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
@@ -514,7 +514,7 @@ TEST(changed_prints)
     struct talk talk;
 
     talk_begin(&talk);
-    talk_load(&talk, text, ON_PRIOR);
+    talk_load(&talk, text, AND_PRIOR);
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     talk_ask(&talk, "{'do': 'go', 'how': 'step-to', 'n': 6}");
     talk_ask(&talk, "{'do': 'view'}");
