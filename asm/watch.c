@@ -60,7 +60,7 @@ static bool is_new(struct program_watch *watch, struct told told)
             && watch->told[i].warning == told.warning
             && strcmp(watch->told[i].file, told.file) == 0)
             return false;
-    if (watch->told_count == TOLD_MOST)
+    if (watch->told_count == MAX_TOLD)
         return false;
     watch->told[watch->told_count++] = told;
     return true;

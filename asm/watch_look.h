@@ -23,7 +23,7 @@ struct spot {
     uint8_t hands_over, is_handed;
 };
 
-enum { SPOTS = 1 << 12, TOLD_MOST = 200 };
+enum { SPOTS = 1 << 12, MAX_TOLD = 200 };
 
 struct told {
     const char *file; /* "": the number is an address */
@@ -39,7 +39,7 @@ struct program_watch {
     struct storage_map *storage;
     warning_set meant, warned;
     size_t errors, told_count;
-    struct told told[TOLD_MOST];
+    struct told told[MAX_TOLD];
     /* What ES or EX entered in a register, and what was there when ELEN gave
      * it the length 0: a register that still holds it got no other length. */
     bool is_entered[C205_REGISTERS], is_emptied[C205_REGISTERS];

@@ -119,7 +119,7 @@ bool diagnostics_say(struct diagnostics *diagnostics, const char *text)
     size_t length = strlen(text);
     char *message;
 
-    if (!item || length > SAID_MOST - before)
+    if (!item || length > MAX_SAID - before)
         return false;
     message = realloc(item->message, before + length + 1);
     if (!message)

@@ -51,8 +51,8 @@ struct position {
 void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
                      const struct position *position, const char *message);
 /* Text that is to be printed as it is, after what was said so far.  False: it
- * is more than SAID_MOST bytes in all, or there is no memory. */
-enum { SAID_MOST = 1 << 16 };
+ * is more than MAX_SAID bytes in all, or there is no memory. */
+enum { MAX_SAID = 1 << 16 };
 bool diagnostics_say(struct diagnostics *diagnostics, const char *text);
 
 /* An error that points to a word with an invisible character names it.  Names and

@@ -56,7 +56,7 @@ static size_t plain_length(const char *text)
 {
     size_t length = 0, step;
     while ((unsigned char)text[length] >= ' ' && text[length] != '"'
-           && text[length] != '\\' && (step = utf8_length(text + length, UTF8_MOST)) > 0
+           && text[length] != '\\' && (step = utf8_length(text + length, MAX_UTF8)) > 0
            && !is_hidden(text + length, step)) {
         length += step;
     }
@@ -71,7 +71,7 @@ static void put_string(const struct sink *sink, const char *text)
         sink->put(sink->context, text, length);
         text += length;
         unsigned long code;
-        size_t hidden = invisible_length(text, UTF8_MOST, &code);
+        size_t hidden = invisible_length(text, MAX_UTF8, &code);
         unsigned char c = (unsigned char)*text++;
         if (!c) {
             break;

@@ -9,7 +9,7 @@
 
 #include "base/utf8.h"
 
-#define DIGITS_MOST 400
+#define MAX_DIGITS 400
 
 struct json_reading {
     struct arena *arena;
@@ -176,14 +176,14 @@ static bool skip_number(struct json_reading *reading)
 static bool read_number(struct json_reading *reading, struct json_value *value)
 {
     const char *from = reading->at;
-    char digits[DIGITS_MOST];
+    char digits[MAX_DIGITS];
     size_t length;
 
     if (!skip_number(reading))
         return fail(reading, "no value");
     length = (size_t)(reading->at - from);
     if (length >= sizeof digits)
-        return fail(reading, "a number of " LIMIT_TEXT(DIGITS_MOST) " digits or more");
+        return fail(reading, "a number of " LIMIT_TEXT(MAX_DIGITS) " digits or more");
     memcpy(digits, from, length);
     digits[length] = '\0';
     value->kind = JSON_NUMBER;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Longer words are never near one another. */
-enum { LETTERS_MOST = 40 };
+enum { MAX_LETTERS = 40 };
 
 static size_t least(size_t a, size_t b)
 {
@@ -22,7 +22,7 @@ static bool equal(char a, char b)
  * b. */
 static size_t distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
-    size_t rows[LETTERS_MOST + 1][LETTERS_MOST + 1];
+    size_t rows[MAX_LETTERS + 1][MAX_LETTERS + 1];
     for (size_t i = 0; i <= a_length; i++) {
         for (size_t k = 0; k <= b_length; k++) {
             if (i == 0 || k == 0) {
@@ -42,15 +42,15 @@ static size_t distance(const char *a, size_t a_length, const char *b, size_t b_l
 
 size_t nearest_distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
-    return a_length > LETTERS_MOST || b_length > LETTERS_MOST
-               ? 2 * LETTERS_MOST
+    return a_length > MAX_LETTERS || b_length > MAX_LETTERS
+               ? 2 * MAX_LETTERS
                : distance(a, a_length, b, b_length);
 }
 
 void nearest_try(struct nearest *nearest, const char *name)
 {
     size_t length = strlen(nearest->word), name_length = strlen(name);
-    if (length > LETTERS_MOST || name_length > LETTERS_MOST) {
+    if (length > MAX_LETTERS || name_length > MAX_LETTERS) {
         return;
     }
     size_t wrong = distance(nearest->word, length, name, name_length);

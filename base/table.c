@@ -140,15 +140,15 @@ void table_signed(struct table *table, double value, int decimals)
 
 void table_rounded(struct table *table, double value, int decimals)
 {
-    enum { DECIMALS_MOST = 15 };
+    enum { MAX_DECIMALS = 15 };
     double size = value != 0 ? floor(log10(fabs(value))) : 0;
 
-    if (value == 0 || (decimals <= DECIMALS_MOST && size < DECIMALS_MOST))
+    if (value == 0 || (decimals <= MAX_DECIMALS && size < MAX_DECIMALS))
         add_number(table, "%.*f", value,
-                   decimals < 0 || decimals > DECIMALS_MOST ? 0 : decimals);
+                   decimals < 0 || decimals > MAX_DECIMALS ? 0 : decimals);
     else
         add_number(table, "%.*e", value,
-                   (int)fmax(0, fmin(decimals + size, DECIMALS_MOST)));
+                   (int)fmax(0, fmin(decimals + size, MAX_DECIMALS)));
 }
 
 void table_number(struct table *table, double value)

@@ -38,7 +38,7 @@ size_t utf8_length(const char *text, size_t most)
     return length;
 }
 
-size_t utf8_put(char text[UTF8_MOST], unsigned long code)
+size_t utf8_put(char text[MAX_UTF8], unsigned long code)
 {
     static const unsigned char lead[] = { 0, 0, 0xC0, 0xE0, 0xF0 };
     size_t length = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;

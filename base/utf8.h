@@ -7,8 +7,8 @@
 /* How many of so many bytes are one character; 0: they begin with none. */
 size_t utf8_length(const char *text, size_t most);
 
-enum { UTF8_MOST = 4 };
+enum { MAX_UTF8 = 4 };
 /* The bytes of a code below 110000 hex, and how many. */
-size_t utf8_put(char text[UTF8_MOST], unsigned long code);
+size_t utf8_put(char text[MAX_UTF8], unsigned long code);
 
 #endif

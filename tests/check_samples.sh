@@ -4,13 +4,13 @@
 # pixels differ from POV-Ray's picture; how long the traces take.
 #
 # SAMPLES: folders or scenes, all unless told.  WIDTH, HEIGHT: of the pictures.
-# SECONDS_MOST: for one scene.  JOBS: scenes at a time.  The list stays in
+# MAX_SECONDS: for one scene.  JOBS: scenes at a time.  The list stays in
 # BUILD/samples.txt.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
 samples=${SAMPLES:-/usr/share/doc/povray/examples}
-width=${WIDTH:-160} height=${HEIGHT:-120} seconds=${SECONDS_MOST:-300}
+width=${WIDTH:-160} height=${HEIGHT:-120} seconds=${MAX_SECONDS:-300}
 list=$build/samples.txt
 # What holds: scenes that are read, those of them without a report, those of these
 # that have no more than .1 % of their pixels beyond .02.

@@ -14,7 +14,7 @@
  * instructions are long: what is run again takes some milliseconds. */
 enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
 /* The distances are doubled up to here. */
-#define STEPS_APART_MOST (UINT64_C(1) << 50)
+#define MAX_STEPS_APART (UINT64_C(1) << 50)
 
 struct snapshot {
     uint64_t step, clock;
@@ -81,7 +81,7 @@ static void drop(struct c205_history *history, size_t i)
 
 static void double_distances(struct c205_history *history)
 {
-    if (history->steps >= STEPS_APART_MOST)
+    if (history->steps >= MAX_STEPS_APART)
         return;
     history->steps *= 2;
     history->clocks *= 2;

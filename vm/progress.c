@@ -4,7 +4,7 @@
 #include "vm/tape.h"
 
 /* The longest search makes so many comparisons. */
-#define MOST_COMPARED ((size_t)C205_MAX_LENGTH * C205_MAX_LENGTH)
+#define MAX_COMPARED ((size_t)C205_MAX_LENGTH * C205_MAX_LENGTH)
 
 /* ---- The instruction itself --------------------------------------------- */
 
@@ -70,7 +70,7 @@ void progress_walk(struct package *progress, struct tape *tape)
     walk_flag(&progress->found, tape);
     tape_size(tape, &progress->first, C205_MAX_LENGTH);
     for (size_t i = 0; i < 2; i++)
-        tape_size(tape, &progress->count[i], MOST_COMPARED);
+        tape_size(tape, &progress->count[i], MAX_COMPARED);
     tape_word(tape, &progress->word);
     tape_word(tape, &progress->lower);
     tape_word(tape, &progress->flags);

@@ -145,7 +145,7 @@ static bool recurs(const struct vector *result, size_t i,
 void tell_recurrence(struct c205 *machine, const struct vector *result, size_t n,
                      const struct source *const *sources, size_t count)
 {
-    struct elements some[SOURCES_MOST];
+    struct elements some[MAX_SOURCES];
     bool overlap = false, alike = true;
     for (size_t k = 0; k < count; k++) {
         const struct vector *read = &sources[k]->vector;

@@ -48,8 +48,8 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
                            const struct decoded *decoded);
 
 /* Tell the clock of n elements of a result how many must wait for an earlier
- * one, which one of these sources reads; SOURCES_MOST of them, a pair's. */
-enum { SOURCES_MOST = 4 };
+ * one, which one of these sources reads; MAX_SOURCES of them, a pair's. */
+enum { MAX_SOURCES = 4 };
 void tell_recurrence(struct c205 *machine, const struct vector *result, size_t n,
                      const struct source *const *sources, size_t count);
 

@@ -11,7 +11,7 @@ import { readCourse, readExamples } from "./course.mjs";
 import { notice } from "./notice.mjs";
 import { readScenes } from "./scenes.mjs";
 
-const MOST = 1 << 20; // bytes of the one file, without the tracer
+const MAX = 1 << 20; // bytes of the one file, without the tracer
 
 const web = dirname(fileURLToPath(import.meta.url));
 const root = dirname(web);
@@ -91,7 +91,7 @@ const both = (bytes) => `${kb(packed(bytes).length)} (${kb(bytes.length)})`;
 console.log(`${basename(out)}/web/c205.html: ${kb(size)}, and ${kb(packed(tracer).length)} of the tracer
     in the page (and unpacked): script ${kb(script.text.length)}, style ${kb(style.text.length)}, \
 engine ${both(engine)}, course ${both(course)}, scenes ${both(scenes)}, tracer ${both(tracer)}`);
-if (size > MOST) {
-  console.error(`it is larger than ${kb(MOST)}`);
+if (size > MAX) {
+  console.error(`it is larger than ${kb(MAX)}`);
   process.exit(1);
 }

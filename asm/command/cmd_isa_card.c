@@ -8,7 +8,7 @@
 #include "asm/command/cmd_isa.h"
 
 /* Operands of more characters may reach beyond their column. */
-enum { OPERANDS_MOST = 14 };
+enum { MAX_OPERANDS = 14 };
 
 /* What a printer has a sign for. */
 static const struct {
@@ -81,7 +81,7 @@ static const char *usual_operands(const c205_insn *insn)
     while (++insn < end && !isa_family(insn)) {
         const char *operands = c205_format_syntax(insn->format);
         size_t length = strlen(operands);
-        if (length > strlen(usual) && length <= OPERANDS_MOST) {
+        if (length > strlen(usual) && length <= MAX_OPERANDS) {
             usual = operands;
         }
     }

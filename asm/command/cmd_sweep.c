@@ -256,7 +256,7 @@ static bool is_fixed_too(const struct cmd_swept *swept)
 static int check_values(const struct c205_arguments *arguments)
 {
     const struct cmd_swept *swept = &arguments->swept;
-    uint64_t values[SWEPT_POINTS_MOST];
+    uint64_t values[MAX_SWEPT_POINTS];
     size_t count;
     if (swept->ranges != 1) {
         return cmd_usage(arguments->command,
@@ -278,7 +278,7 @@ static int check_values(const struct c205_arguments *arguments)
     count = swept_values(&swept->range, arguments->point_count, values);
     if (count == 0) {
         return cmd_usage(arguments->command, "the range has more than %d values",
-                         SWEPT_POINTS_MOST);
+                         MAX_SWEPT_POINTS);
     }
     return count > 1
                ? CMD_DONE
@@ -318,7 +318,7 @@ static const struct command_option options[] = {
       .kind = COMMAND_COUNT,
       .offset = CMD_PLACE(point_count),
       .least = 2,
-      .most = SWEPT_POINTS_MOST,
+      .most = MAX_SWEPT_POINTS,
       .preset_text = "8 an octave, 25 at most",
       .help = "values of FROM:TO, each as many times the one before" },
     { .name = "output",

@@ -53,7 +53,7 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
         return cmd_failed(arguments->command,
                           "these are more than %d instructions: choose some "
                           "by --from CLOCK and --to CLOCK",
-                          TIMELINE_MOST);
+                          MAX_TIMELINE);
     }
     if (timeline->insn_count == 0) {
         return cmd_failed(arguments->command,

@@ -8,12 +8,12 @@
 #include "asm/dap/parts.h"
 
 enum kind { TEXT, TRUTH, WHOLE, OBJECT, SOURCE, LIST, TEXTS, WHOLES };
-enum { KEYS_MOST = 8 };
+enum { MAX_KEYS = 8 };
 
 static const struct {
     const char *owner; /* a request, or a type of the protocol */
     enum kind kind;
-    const char *keys[KEYS_MOST];
+    const char *keys[MAX_KEYS];
 } rows[] = {
     { "initialize",
       TEXT,
@@ -154,7 +154,7 @@ bool dap_check(struct dap *dap, const char *owner, const struct json_value *obje
         return dap_fault(dap, "'%s' takes an object", owner);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (size_t k = 0;
-             strcmp(rows[i].owner, owner) == 0 && k < KEYS_MOST && rows[i].keys[k]; k++)
+             strcmp(rows[i].owner, owner) == 0 && k < MAX_KEYS && rows[i].keys[k]; k++)
             if (!check(dap, object, rows[i].keys[k], rows[i].kind))
                 return false;
     return true;

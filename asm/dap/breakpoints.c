@@ -120,7 +120,7 @@ static bool has_code(const struct dap *dap, const char *file, size_t number)
 bool request_breakpoint_locations(struct dap *dap, const struct json_value *arguments,
                                   struct json *body)
 {
-    enum { LINES_MOST = 1000 };
+    enum { MAX_LINES = 1000 };
     const char *file = source_file(dap, json_member(arguments, "source"));
     int64_t line = 0, end;
 
@@ -129,8 +129,8 @@ bool request_breakpoint_locations(struct dap *dap, const struct json_value *argu
     end = line;
     if (!dap_whole(dap, arguments, "endLine", &end))
         return false;
-    if (end - line >= LINES_MOST)
-        return dap_fault(dap, "more than %d lines", LINES_MOST);
+    if (end - line >= MAX_LINES)
+        return dap_fault(dap, "more than %d lines", MAX_LINES);
     json_array(body, "breakpoints");
     for (; file && line <= end; line++)
         if (has_code(dap, file, line_of(dap, line))) {
@@ -162,7 +162,7 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
                             const char *file, struct stop_point *stop)
 {
     const char *name = json_member_text(wanted, "name");
-    char text[TEXT_MOST];
+    char text[MAX_TEXT];
     struct rest rest = { text };
 
     (void)file;
@@ -170,7 +170,7 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
         return dap_fault(dap,
                          "a name is missing, or has more than %d "
                          "characters",
-                         TEXT_MOST - (int)sizeof "region ");
+                         MAX_TEXT - (int)sizeof "region ");
     snprintf(text, sizeof text, "%s%s", kind_of(dap, name), name);
     return place_read(dap->debugger, &rest, stop) && rest_finish(dap->debugger, &rest);
 }

@@ -62,7 +62,7 @@ static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
 
 /* ---- Bytes --------------------------------------------------------------------------- */
 
-enum { BYTES_MOST = 1 << 20 };
+enum { MAX_BYTES = 1 << 20 };
 
 static bool read_place(struct dap *dap, const struct json_value *arguments,
                        uint64_t *address)
@@ -96,8 +96,8 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     if (!read_place(dap, arguments, &address)
         || !dap_whole(dap, arguments, "count", &count))
         return false;
-    if (count < 0 || count > BYTES_MOST)
-        return dap_fault(dap, "'count' is 0 to %d bytes", BYTES_MOST);
+    if (count < 0 || count > MAX_BYTES)
+        return dap_fault(dap, "'count' is 0 to %d bytes", MAX_BYTES);
     bytes = malloc((size_t)count + 1);
     if (!bytes)
         return dap_fault(dap, "no memory");
@@ -241,7 +241,7 @@ static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t add
 bool request_disassemble(struct dap *dap, const struct json_value *arguments,
                          struct json *body)
 {
-    enum { INSTRUCTIONS_MOST = 10000 };
+    enum { MAX_INSTRUCTIONS = 10000 };
     int64_t from = 0, count = -1;
     uint64_t address;
 
@@ -251,9 +251,9 @@ bool request_disassemble(struct dap *dap, const struct json_value *arguments,
         return false;
     if (address % 32 != 0)
         return dap_fault(dap, "no instruction begins there");
-    if (count < 0 || count > INSTRUCTIONS_MOST || from > INSTRUCTIONS_MOST
-        || from < -INSTRUCTIONS_MOST)
-        return dap_fault(dap, "'instructionCount' is 0 to %d", INSTRUCTIONS_MOST);
+    if (count < 0 || count > MAX_INSTRUCTIONS || from > MAX_INSTRUCTIONS
+        || from < -MAX_INSTRUCTIONS)
+        return dap_fault(dap, "'instructionCount' is 0 to %d", MAX_INSTRUCTIONS);
     address = move_address(dap, address, from);
     json_array(body, "instructions");
     for (; count > 0; count--)

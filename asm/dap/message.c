@@ -23,7 +23,7 @@ static bool read_length(const char *at, const char *end, size_t *length)
         if (!isdigit((unsigned char)*at))
             return false;
         *length = *length * 10 + (size_t)(*at - '0');
-        if (*length > MESSAGE_MOST)
+        if (*length > MAX_MESSAGE)
             return false;
     }
     return true;
@@ -56,7 +56,7 @@ enum message_state message_find(const struct text_buffer *bytes,
     for (;;) {
         const char *newline = memchr(line, '\n', (size_t)(end - line));
 
-        if ((size_t)((newline ? newline : end) - bytes->text) > MESSAGE_HEADER_MOST)
+        if ((size_t)((newline ? newline : end) - bytes->text) > MAX_MESSAGE_HEADER)
             return broken(error, "it has no end");
         if (!newline)
             return MESSAGE_PART;

@@ -7,7 +7,7 @@
 #include "base/sink.h"
 #include "vm/c205.h"
 
-enum { MESSAGE_MOST = 1 << 22, MESSAGE_HEADER_MOST = 4096 }; /* bytes */
+enum { MAX_MESSAGE = 1 << 22, MAX_MESSAGE_HEADER = 4096 }; /* bytes */
 
 enum message_state {
     MESSAGE_WHOLE,

@@ -37,17 +37,17 @@ enum stop_kind {
     STOP_WATCH  /* what memory holds changes */
 };
 
-enum { WATCHED_WORDS = 64, TEXT_MOST = 200 };
+enum { WATCHED_WORDS = 64, MAX_TEXT = 200 };
 
 struct stop_point {
     size_t number;
     size_t group; /* those of one group go together; 0: of nobody */
     enum stop_kind kind;
     bool once;
-    char text[TEXT_MOST];      /* as it was written */
-    char condition[TEXT_MOST]; /* "": none */
-    char wanted[TEXT_MOST];    /* of the number of hits: "> 4", "% 3"; or "" */
-    bool met;                  /* where the program stands */
+    char text[MAX_TEXT];      /* as it was written */
+    char condition[MAX_TEXT]; /* "": none */
+    char wanted[MAX_TEXT];    /* of the number of hits: "> 4", "% 3"; or "" */
+    bool met;                 /* where the program stands */
     uint64_t address;
     const char *file; /* STOP_LINE; STOP_AT, if it is known */
     size_t line;
@@ -78,7 +78,7 @@ struct debugger {
     bool searching; /* it is run again to find a stop: hits do not count */
     size_t stop_count, stop_number;
     struct stop_point *stops;
-    char again[TEXT_MOST]; /* the last movement */
+    char again[MAX_TEXT]; /* the last movement */
     size_t faults;
 };
 
@@ -109,7 +109,7 @@ bool rest_begin(struct rest *rest, const char *word);
 /* Nothing may be left. */
 bool rest_finish(struct debugger *debugger, struct rest *rest);
 /* What was read from there on, as far as there is room, without spaces at its end. */
-void rest_text(const char *from, const struct rest *rest, char text[TEXT_MOST]);
+void rest_text(const char *from, const struct rest *rest, char text[MAX_TEXT]);
 
 /* An expression. */
 bool debug_value(struct debugger *debugger, struct rest *rest, struct value_of *value);

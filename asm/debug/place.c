@@ -130,7 +130,7 @@ static bool read_line(struct debugger *debugger, struct rest *rest,
                       struct line_place *found, bool *good)
 {
     const char *at = rest->at, *colon = at;
-    char name[TEXT_MOST];
+    char name[MAX_TEXT];
     size_t length;
 
     if (*at == '-') {
@@ -175,13 +175,13 @@ bool place_address(struct debugger *debugger, struct rest *rest, uint64_t *addre
     return good;
 }
 
-static size_t take_name(struct rest *rest, char name[TEXT_MOST])
+static size_t take_name(struct rest *rest, char name[MAX_TEXT])
 {
     size_t length = 0;
 
     rest_skip(rest);
     while (rest->at[length] && !isspace((unsigned char)rest->at[length])
-           && length + 1 < TEXT_MOST) {
+           && length + 1 < MAX_TEXT) {
         name[length] = rest->at[length];
         length++;
     }
@@ -336,7 +336,7 @@ static bool read_address(struct debugger *debugger, struct rest *rest,
 static bool read_place(struct debugger *debugger, struct rest *rest,
                        struct stop_point *stop, bool *moved)
 {
-    char name[TEXT_MOST];
+    char name[MAX_TEXT];
 
     if (rest_take(rest, "insn")) {
         size_t length = take_name(rest, name);

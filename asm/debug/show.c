@@ -100,13 +100,13 @@ static bool read_count(struct debugger *debugger, struct rest *rest, uint64_t *c
 /* disassemble [PLACE] [, COUNT] */
 bool verb_disassemble(struct debugger *debugger, struct rest *rest)
 {
-    enum { MOST = 100000 };
+    enum { MAX = 100000 };
     uint64_t address, count = 10;
 
     if (!read_start(debugger, rest, &address) || !read_count(debugger, rest, &count))
         return false;
-    if (count > MOST)
-        return debug_fault(debugger, "at most %d instructions are shown", MOST);
+    if (count > MAX)
+        return debug_fault(debugger, "at most %d instructions are shown", MAX);
     for (; count > 0 && address >> 48 == 0; count--) {
         struct instruction_view view;
         bool at = address == c205_pc(machine_of(debugger));

@@ -61,7 +61,7 @@ static bool holds(struct debugger *debugger, const struct stop_point *stop)
            || debug_is_true(&value);
 }
 
-enum { WANTED_TEXT = TEXT_MOST + 40 };
+enum { WANTED_TEXT = MAX_TEXT + 40 };
 
 /* What must hold, for so many hits. */
 static void wanted_text(char text[WANTED_TEXT], const char *wanted, uint64_t hits)
@@ -167,14 +167,14 @@ void stops_pass(struct debugger *debugger, bool told)
 
 /* ---- Made and deleted ----------------------------------------------------- */
 
-static bool read_text(struct debugger *debugger, char kept[TEXT_MOST], const char *text)
+static bool read_text(struct debugger *debugger, char kept[MAX_TEXT], const char *text)
 {
     struct rest rest = { text };
 
     rest_skip(&rest);
-    if (strlen(rest.at) >= TEXT_MOST)
+    if (strlen(rest.at) >= MAX_TEXT)
         return debug_fault(debugger, "a condition has at most %d characters",
-                           TEXT_MOST - 1);
+                           MAX_TEXT - 1);
     text = rest.at;
     rest.at += strlen(text);
     rest_text(text, &rest, kept);

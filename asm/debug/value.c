@@ -19,7 +19,7 @@
 #include "asm/debug/parts.h"
 #include "base/visible.h"
 
-enum { DEPTH_MOST = 100, LENGTH_SHIFT = 48, HALF_DIGITS = 8 };
+enum { MAX_DEPTH = 100, LENGTH_SHIFT = 48, HALF_DIGITS = 8 };
 
 bool debug_fault(struct debugger *debugger, const char *format, ...)
 {
@@ -89,13 +89,13 @@ bool rest_take(struct rest *rest, const char *word)
     return name_length(rest->at) == strlen(word) && rest_begin(rest, word);
 }
 
-void rest_text(const char *from, const struct rest *rest, char text[TEXT_MOST])
+void rest_text(const char *from, const struct rest *rest, char text[MAX_TEXT])
 {
     size_t length = (size_t)(rest->at - from);
 
     while (length > 0 && isspace((unsigned char)from[length - 1]))
         length--;
-    snprintf(text, TEXT_MOST, "%.*s", (int)length, from);
+    snprintf(text, MAX_TEXT, "%.*s", (int)length, from);
 }
 
 bool rest_finish(struct debugger *debugger, struct rest *rest)
@@ -315,7 +315,7 @@ static bool read_special(const struct debugger *debugger, const char *name,
 static bool read_symbol(const struct debugger *debugger, const char *name,
                         size_t length, struct value_of *value)
 {
-    char text[TEXT_MOST];
+    char text[MAX_TEXT];
     const struct asm_symbol *symbol;
 
     if (length >= sizeof text)
@@ -464,10 +464,10 @@ static bool read_signed(struct reading *reading, struct value_of *value)
 {
     bool good;
 
-    if (reading->depth++ > DEPTH_MOST)
+    if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
                            "more than %d operators or brackets within each other",
-                           DEPTH_MOST);
+                           MAX_DEPTH);
     if (take(reading, "-")) {
         good = read_signed(reading, value);
         if (good)
@@ -598,10 +598,10 @@ static bool read_any(struct reading *reading, struct value_of *value)
 {
     struct value_of other;
 
-    if (reading->depth++ > DEPTH_MOST)
+    if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
                            "more than %d operators or brackets within each other",
-                           DEPTH_MOST);
+                           MAX_DEPTH);
     if (!read_both(reading, value))
         return false;
     while (take(reading, "||")) {

@@ -15,7 +15,7 @@
 /* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
  * endless loop; one that prints more characters than this never comes to an end either. */
 static const uint64_t patience_least = 20000000;
-enum { PATIENCE = 10, PRINTED_MOST = 1 << 16 };
+enum { PATIENCE = 10, MAX_PRINTED = 1 << 16 };
 
 /* An answer before a test. */
 struct sitting {
@@ -151,7 +151,7 @@ static void listen(void *context, const c205 *machine, const c205_event *event)
     struct sitting *sitting = context;
 
     printer_listen(&sitting->printer, machine, event);
-    if (sitting->printed.length > PRINTED_MOST)
+    if (sitting->printed.length > MAX_PRINTED)
         c205_pause(sitting->machine);
 }
 
@@ -212,8 +212,7 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
         tell_endless(sitting, stop);
     else if (stop->trap == C205_TRAP_PAUSED)
         report_say(&sitting->trial->report,
-                   "It printed more than %d characters, and was stopped.",
-                   PRINTED_MOST);
+                   "It printed more than %d characters, and was stopped.", MAX_PRINTED);
     else if (stop->trap != C205_TRAP_NONE && !expects_trap(sitting->test))
         tell_trap(sitting, stop);
     else if (stop->status != 0)

@@ -15,7 +15,7 @@ static uint64_t operations_of(const c205_account *account)
 static struct straight_line fit(const struct program_sweep *sweep, int which,
                                 figure_of *figure)
 {
-    struct weighted_point points[SWEPT_POINTS_MOST];
+    struct weighted_point points[MAX_SWEPT_POINTS];
 
     for (size_t i = 0; i < sweep->count; i++) {
         double y = (double)figure(&sweep->points[i].runs[which]);

@@ -23,9 +23,9 @@ enum {
     BELOW = 52
 };
 /* Labelled lines across, at the most. */
-enum { TICKS_MOST = 14, LABEL = 32 };
+enum { MAX_TICKS = 14, LABEL = 32 };
 /* Half lengths, and as many crossings as have room. */
-enum { MARKS_MOST = SWEPT_PROGRAMS + 4 };
+enum { MAX_MARKS = SWEPT_PROGRAMS + 4 };
 
 static const char *const colors[SWEPT_PROGRAMS] = { "#2f6fb0", "#c0561c" };
 
@@ -45,7 +45,7 @@ struct swept_picture {
         double x, y;
         const char *color;
         char label[3 * LABEL];
-    } marks[MARKS_MOST];
+    } marks[MAX_MARKS];
 };
 
 static double place_on(const struct log_axis *axis, double value)
@@ -134,7 +134,7 @@ static void put_ticks(const struct swept_picture *picture, bool upright)
 {
     const struct log_axis *axis = upright ? &picture->x : &picture->y;
     static const unsigned parts[] = { 1, 2, 5 };
-    bool all = 3 * log10(axis->high / axis->low) <= TICKS_MOST;
+    bool all = 3 * log10(axis->high / axis->low) <= MAX_TICKS;
 
     if (axis->high < 4 * axis->low) {
         put_even_ticks(picture, upright, axis);
@@ -244,7 +244,7 @@ static struct swept_mark *new_mark(struct swept_picture *picture, double value,
 {
     struct swept_mark *mark = &picture->marks[picture->mark_count];
 
-    if (picture->mark_count == MARKS_MOST)
+    if (picture->mark_count == MAX_MARKS)
         return NULL;
     picture->mark_count++;
     mark->x = place_on(&picture->x, value);

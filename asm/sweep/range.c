@@ -36,13 +36,13 @@ bool swept_take_range(const char *text, struct swept_range *range)
 }
 
 static size_t given_values(const struct swept_range *range,
-                           uint64_t values[SWEPT_POINTS_MOST])
+                           uint64_t values[MAX_SWEPT_POINTS])
 {
     uint64_t value = range->from;
     size_t count = 0;
 
     while (value <= range->to) {
-        if (count == SWEPT_POINTS_MOST)
+        if (count == MAX_SWEPT_POINTS)
             return 0;
         values[count++] = value;
         if (range->factor > range->to / value)
@@ -60,7 +60,7 @@ static size_t usual_points(const struct swept_range *range)
 }
 
 static size_t spread_values(const struct swept_range *range, size_t points,
-                            uint64_t values[SWEPT_POINTS_MOST])
+                            uint64_t values[MAX_SWEPT_POINTS])
 {
     double ratio = (double)range->to / (double)range->from;
     size_t count = 0;
@@ -76,7 +76,7 @@ static size_t spread_values(const struct swept_range *range, size_t points,
 }
 
 size_t swept_values(const struct swept_range *range, size_t points,
-                    uint64_t values[SWEPT_POINTS_MOST])
+                    uint64_t values[MAX_SWEPT_POINTS])
 {
     if (range->step > 0 || range->factor > 0)
         return given_values(range, values);

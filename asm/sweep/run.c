@@ -31,7 +31,7 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
     const struct asm_define *defines = sweep->options->defines;
     const char *name = sweep->used[0] ? NULL : sweep->constant;
 
-    for (size_t i = 0; !name && i < SWEPT_DEFINES_MOST && defines && defines[i].name;
+    for (size_t i = 0; !name && i < MAX_SWEPT_DEFINES && defines && defines[i].name;
          i++)
         if (!sweep->used[i + 1])
             name = defines[i].name;
@@ -44,14 +44,14 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
 static struct object *assemble_at(struct program_sweep *sweep,
                                   const struct swept_program *program, uint64_t value)
 {
-    struct asm_define defines[SWEPT_DEFINES_MOST + 2] = { { sweep->constant,
-                                                            (int64_t)value } };
+    struct asm_define defines[MAX_SWEPT_DEFINES + 2] = { { sweep->constant,
+                                                           (int64_t)value } };
     struct asm_options options = *sweep->options;
     struct diagnostics said = { 0 };
     struct object *object;
 
     for (size_t i = 0;
-         i < SWEPT_DEFINES_MOST && options.defines && options.defines[i].name; i++)
+         i < MAX_SWEPT_DEFINES && options.defines && options.defines[i].name; i++)
         defines[i + 1] = options.defines[i];
     options.defines = defines;
     object = assemble_bytes(program->path, program->text, program->length, &options,
@@ -220,7 +220,7 @@ static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
 
 static bool begin(struct program_sweep *sweep, c205_error *error)
 {
-    uint64_t values[SWEPT_POINTS_MOST];
+    uint64_t values[MAX_SWEPT_POINTS];
 
     sweep->point_count = swept_values(&sweep->range, sweep->asked, values);
     sweep->points = calloc(sweep->point_count, sizeof *sweep->points);

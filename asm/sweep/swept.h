@@ -14,7 +14,7 @@
 
 /* ---- Values ---------------------------------------------------------------- */
 
-enum { SWEPT_POINTS_MOST = 1000 };
+enum { MAX_SWEPT_POINTS = 1000 };
 /* What the 48 bits of an index hold. */
 #define SWEPT_LARGEST ((UINT64_C(1) << 47) - 1)
 
@@ -32,11 +32,11 @@ bool swept_take_range(const char *text, struct swept_range *range);
  * same factor above the one before, but for rounding; 0: 8 an octave, but no more than 25.
  * Returns how many; 0: there are more than fit. */
 size_t swept_values(const struct swept_range *range, size_t points,
-                    uint64_t values[SWEPT_POINTS_MOST]);
+                    uint64_t values[MAX_SWEPT_POINTS]);
 
 /* ---- Runs ------------------------------------------------------------------ */
 
-enum { SWEPT_DEFINES_MOST = 100, SWEPT_HEADING = 64 };
+enum { MAX_SWEPT_DEFINES = 100, SWEPT_HEADING = 64 };
 enum { SWEPT_FIRST, SWEPT_SECOND, SWEPT_PROGRAMS };
 
 struct swept_point {
@@ -70,7 +70,7 @@ struct program_sweep {
     bool (*goes_on)(void *context, size_t done, size_t all);
     void *context;
 
-    bool used[SWEPT_DEFINES_MOST
+    bool used[MAX_SWEPT_DEFINES
               + 1]; /* by a program: the constant, the options' names */
 
     /* How far it is, where each run takes as long as its value is large. */

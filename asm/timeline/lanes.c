@@ -14,13 +14,13 @@ const char *lane_name(enum lane lane)
 }
 
 /* The first row that is free at its beginning; ends has the end of each row. */
-enum { ROWS_MOST = 64 };
+enum { MAX_ROWS = 64 };
 
-static unsigned find_row(const struct timed_span *span, uint64_t ends[ROWS_MOST])
+static unsigned find_row(const struct timed_span *span, uint64_t ends[MAX_ROWS])
 {
     unsigned row = 0;
 
-    while (row + 1 < ROWS_MOST && ends[row] > span->begin)
+    while (row + 1 < MAX_ROWS && ends[row] > span->begin)
         row++;
     ends[row] = span->end;
     return row;
@@ -37,7 +37,7 @@ struct making {
     const struct timeline *timeline;
     struct arena *arena;
     struct lanes *lanes;
-    uint64_t ends[LANES][ROWS_MOST];
+    uint64_t ends[LANES][MAX_ROWS];
 };
 
 static bool add(struct making *making, struct timed_span span)

@@ -114,7 +114,7 @@ void timeline_listen(void *context, const c205 *machine, const c205_event *event
     if (!event->record || event->record->arrived >= timeline->to
         || done_of(event) <= timeline->from)
         return;
-    if (timeline->insn_count == (timeline->most > 0 ? timeline->most : TIMELINE_MOST))
+    if (timeline->insn_count == (timeline->most > 0 ? timeline->most : MAX_TIMELINE))
         timeline->full = true;
     else
         add_insn(timeline, machine, event);

@@ -13,7 +13,7 @@
 #include "base/sink.h"
 #include "vm/c205.h"
 
-enum { TIMELINE_MOST = 50000 }; /* instructions */
+enum { MAX_TIMELINE = 50000 }; /* instructions */
 
 /* One piece of time that was charged, or one phase of a vector instruction. */
 struct timed_piece {
@@ -39,7 +39,7 @@ struct timeline {
     struct timed_piece *pieces, *phases;
     size_t insn_capacity, piece_capacity, phase_capacity;
     struct arena kept;
-    size_t most; /* instructions that are kept; 0: TIMELINE_MOST */
+    size_t most; /* instructions that are kept; 0: MAX_TIMELINE */
     bool full;   /* there were more, which are left out */
 };
 

@@ -35,7 +35,7 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
     const struct cmd_heat *wishes = &arguments->heat;
     const struct trace_options *trace = &arguments->trace;
     bool by_lines = wishes->lines > 0;
-    size_t most = by_lines ? (size_t)1 << GLOBAL_LINES_LOG_MOST : FACTORS_POINTS_MOST;
+    size_t most = by_lines ? (size_t)1 << MAX_GLOBAL_LINES_LOG : MAX_FACTORS_POINTS;
 
     return (struct heat_request){
         .mode = trace->mode,
@@ -79,8 +79,7 @@ static void warn_of_receivers(const struct rt205_arguments *arguments,
 /* ---- Three stages ------------------------------------------------------------ */
 
 static bool find_stage(const void *found, enum trace_mode mode,
-                       uint64_t clocks[STAGES_STEPS_MOST], bool *same,
-                       c205_error *error)
+                       uint64_t clocks[MAX_STAGES_STEPS], bool *same, c205_error *error)
 {
     const struct heat *heat = found;
     struct heat_request request = *heat->request;
@@ -410,7 +409,7 @@ static const struct command_option options[] = {
     { CMD_COUNT("lines", heat.lines, 0, 1 << 30, 0,
                 "through all of the scene, in all repeats at least, in place "
                 "of rays") },
-    { CMD_COUNT("rays", heat.rays, 1, FACTORS_POINTS_MOST, 1024,
+    { CMD_COUNT("rays", heat.rays, 1, MAX_FACTORS_POINTS, 1024,
                 "points of a surface in each repeat, and rays of those that "
                 "are seen") },
     { CMD_COUNT("repeats", heat.repeats, 2, 1000, 16,
@@ -423,7 +422,7 @@ static const struct command_option options[] = {
       .preset_text = "none",
       .help = "four times the rays, or lines, until no factor's standard "
               "error is larger" },
-    { CMD_COUNT("limit", heat.limit, 1, 1 << GLOBAL_LINES_LOG_MOST, 32768,
+    { CMD_COUNT("limit", heat.limit, 1, 1 << MAX_GLOBAL_LINES_LOG, 32768,
                 "of each repeat at the most, where there is a tolerance") },
     { .name = "points",
       .value = "KIND",

@@ -51,8 +51,7 @@ static void take_clocks(const struct mass *mass, uint64_t *clocks)
 }
 
 static bool find_stage(const void *found, enum trace_mode mode,
-                       uint64_t clocks[STAGES_STEPS_MOST], bool *same,
-                       c205_error *error)
+                       uint64_t clocks[MAX_STAGES_STEPS], bool *same, c205_error *error)
 {
     const struct mass *mass = found;
     struct mass_request request = *mass->request;
@@ -290,7 +289,7 @@ static bool take_units(char *text, void *value)
     return mass_units_take(text, value);
 }
 
-enum { RAYS_MOST = 1 << 24, REPEATS_MOST = 256 };
+enum { MAX_RAYS = 1 << 24, MAX_REPEATS = 256 };
 
 static const struct command_option options[] = {
     { .name = "part",
@@ -336,9 +335,9 @@ static const struct command_option options[] = {
       .help = "what is added up" },
     CMD_FLAG("overlaps", mass.overlaps,
              "also the volumes that several objects claim, pair by pair"),
-    { CMD_COUNT("rays", mass.rays, 1, RAYS_MOST, 65536,
+    { CMD_COUNT("rays", mass.rays, 1, MAX_RAYS, 65536,
                 "of a view, in all shifts; made a power of two in each") },
-    { CMD_COUNT("repeats", mass.repeats, 4, REPEATS_MOST, 16,
+    { CMD_COUNT("repeats", mass.repeats, 4, MAX_REPEATS, 16,
                 "shifts of the points, of which errors are found") },
     { .name = "tolerance",
       .value = "SHARE",
@@ -347,7 +346,7 @@ static const struct command_option options[] = {
       .most = 1,
       .preset_text = "none",
       .help = "four times the rays until no error is larger" },
-    { CMD_COUNT("limit", mass.limit, 1, RAYS_MOST, 1 << 19,
+    { CMD_COUNT("limit", mass.limit, 1, MAX_RAYS, 1 << 19,
                 "rays of a view at the most, where there is a tolerance") },
     { .name = "points",
       .value = "KIND",

@@ -40,8 +40,8 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     c205_model *model;
     int code;
 
-    if (trace->height > 0 && trace->width > TRACE_PIXELS_MOST / trace->height)
-        return cmd_usage(arguments->command, "at most %zu pixels", TRACE_PIXELS_MOST);
+    if (trace->height > 0 && trace->width > MAX_TRACE_PIXELS / trace->height)
+        return cmd_usage(arguments->command, "at most %zu pixels", MAX_TRACE_PIXELS);
     if (trace->threshold > 0 && trace->samples < 2)
         return cmd_usage(arguments->command,
                          "--threshold goes with --samples 2 or more");
@@ -49,7 +49,7 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     if (!model)
         return CMD_FAILED;
     arguments->trace.model = model;
-    arguments->trace.jobs = jobs_wanted(arguments->trace.jobs, TRACE_JOBS_MOST);
+    arguments->trace.jobs = jobs_wanted(arguments->trace.jobs, MAX_TRACE_JOBS);
     code = open_and_work(arguments, work);
     c205_model_free(model);
     return code;

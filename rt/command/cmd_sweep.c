@@ -280,8 +280,8 @@ static bool take_points(char *text, void *value)
         char *end;
         unsigned long length = strtoul(text, &end, 10);
 
-        if (*text < '0' || *text > '9' || length <= last || length > TRACE_QUEUE_MOST
-            || points->count == SWEEP_LENGTHS_MOST || (*end != ',' && *end != '\0'))
+        if (*text < '0' || *text > '9' || length <= last || length > MAX_TRACE_QUEUE
+            || points->count == MAX_SWEEP_LENGTHS || (*end != ',' && *end != '\0'))
             return false;
         points->items[points->count++] = last = (size_t)length;
         text = end;

@@ -54,7 +54,7 @@ static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
                          "--region NAME, --from CLOCK and --to CLOCK, or a "
                          "shorter --queue; the queue is at work in clocks "
                          "%" PRIu64 " to %" PRIu64,
-                         TIMELINE_MOST, timeline->from, timeline->to);
+                         MAX_TIMELINE, timeline->from, timeline->to);
     return timeline->insn_count > 0
            || error_say(error, "no instruction is at work then");
 }

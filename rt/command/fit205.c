@@ -116,7 +116,7 @@ static bool check_files(const struct arguments *arguments, const struct study *s
 static bool tell(const struct arguments *arguments, const struct study *study,
                  const struct results *results, c205_error *error)
 {
-    double written[FIT_OBSERVATIONS_MOST];
+    double written[MAX_FIT_OBSERVATIONS];
 
     if (!write_models(arguments, study, written, error))
         return false;
@@ -133,7 +133,7 @@ static bool work(const struct arguments *arguments, struct sources *sources,
     study->brief = arguments->brief;
     study->fit.observations = &sources->observations;
     study->fit.constants = &sources->constants;
-    study->fit.jobs = jobs_wanted(arguments->jobs, FIT_JOBS_MOST);
+    study->fit.jobs = jobs_wanted(arguments->jobs, MAX_FIT_JOBS);
     return read_sources(arguments, sources, error)
            && hold_out(arguments, &sources->observations, study, error)
            && check_files(arguments, study, error) && study_make(study, error)
@@ -218,7 +218,7 @@ static const struct command_option options[] = {
       .kind = COMMAND_COUNT,
       .offset = PLACE(jobs),
       .least = 1,
-      .most = FIT_JOBS_MOST,
+      .most = MAX_FIT_JOBS,
       .preset_text = "one for each processor",
       .help = "threads" },
     { .name = "write",

@@ -23,7 +23,7 @@ extern const struct command render_command, profile_command, speedup_command,
 /* Lengths of the queue, rising. */
 struct cmd_points {
     size_t count;
-    size_t items[SWEEP_LENGTHS_MOST];
+    size_t items[MAX_SWEEP_LENGTHS];
 };
 
 /* What is asked of a solid's mass. */
@@ -123,15 +123,15 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
     .preset = usual, .help = text
 
 #define CMD_SIZE(across, down) \
-    { CMD_COUNT("width", trace.width, 1, TRACE_PIXELS_MOST, across, \
+    { CMD_COUNT("width", trace.width, 1, MAX_TRACE_PIXELS, across, \
                 "pixels across"), .letter = 'W' }, \
-    { CMD_COUNT("height", trace.height, 1, TRACE_PIXELS_MOST, down, \
+    { CMD_COUNT("height", trace.height, 1, MAX_TRACE_PIXELS, down, \
                 "pixels down"), .letter = 'H' }
 #define CMD_QUEUE(what) \
-    { CMD_COUNT("queue", trace.queue, 1, TRACE_QUEUE_MOST, TRACE_QUEUE, \
+    { CMD_COUNT("queue", trace.queue, 1, MAX_TRACE_QUEUE, TRACE_QUEUE, \
                 what) }
 #define CMD_JOBS(what) \
-    { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 0, what), \
+    { CMD_COUNT("jobs", trace.jobs, 1, MAX_TRACE_JOBS, 0, what), \
       .preset_text = "one for each processor" }
 #define CMD_RESUME(what) \
     { .name = "resume", .value = "FILE", .kind = COMMAND_FILE, \
@@ -144,7 +144,7 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .wants = "two numbers, the first not above the second: 1/4", \
       .help = "the K-th of N shares of the " what " alone, kept by --resume" }
 #define CMD_RANKS \
-    { CMD_COUNT("ranks", units.ranks, 1, RANKS_MOST, 0, "processes, by MPI"), \
+    { CMD_COUNT("ranks", units.ranks, 1, MAX_RANKS, 0, "processes, by MPI"), \
       .preset_text = "this one" }
 #define CMD_VIEW(usual, usual_text) \
     { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
@@ -170,7 +170,7 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .offset = CMD_PLACE(trace.visible), .choice = cmd_visible_choice, \
       .help = "crossings of solids, vector form" }
 #define CMD_SAMPLES \
-    { CMD_COUNT("samples", trace.samples, 1, TRACE_SAMPLES_MOST, 1, \
+    { CMD_COUNT("samples", trace.samples, 1, MAX_TRACE_SAMPLES, 1, \
                 "N x N rays a pixel, averaged") }
 #define CMD_THRESHOLD \
     { .name = "threshold", .value = "T", .kind = COMMAND_NUMBER, \
@@ -212,7 +212,7 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work);
 int cmd_with_farm(struct rt205_arguments *arguments, cmd_work *work);
 /* What a share of so many units comes to: CMD_DONE. */
 int cmd_tell_share(const struct rt205_arguments *arguments, size_t units);
-enum { RANKS_MOST = 4096 };
+enum { MAX_RANKS = 4096 };
 bool cmd_take_part(char *text, void *farm);
 /* "1/4".  False: it is no share. */
 bool cmd_is_part(const char *text, struct farm *farm);

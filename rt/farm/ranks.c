@@ -77,13 +77,13 @@ bool ranks_hear(const struct ranks *ranks, size_t *from, struct unit_words *mess
 
 void ranks_wait(struct ranks_pause *pause)
 {
-    enum { LEAST = 50000, MOST = 4000000 }; /* nanoseconds */
+    enum { LEAST = 50000, MAX = 4000000 }; /* nanoseconds */
     struct timespec moment = { 0, LEAST };
 
     if (pause->nanoseconds > 0)
         moment.tv_nsec = pause->nanoseconds;
     nanosleep(&moment, NULL);
-    pause->nanoseconds = 2 * moment.tv_nsec < MOST ? 2 * moment.tv_nsec : MOST;
+    pause->nanoseconds = 2 * moment.tv_nsec < MAX ? 2 * moment.tv_nsec : MAX;
 }
 
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)

@@ -136,12 +136,12 @@ static bool check_options(const struct emission_options *options, c205_error *er
 {
     if (options->mode >= TRACE_FORMS)
         return error_say(error, "emission is scalar or vector");
-    if (options->points < 1 || options->points > EMISSION_MOST)
-        return error_say(error, "%zu points: 1 .. %d", options->points, EMISSION_MOST);
+    if (options->points < 1 || options->points > MAX_EMISSION)
+        return error_say(error, "%zu points: 1 .. %d", options->points, MAX_EMISSION);
     if (options->mode == TRACE_VECTOR
-        && (options->queue < 1 || options->queue > EMISSION_MOST))
+        && (options->queue < 1 || options->queue > MAX_EMISSION))
         return error_say(error, "a queue of %zu points: 1 .. %d", options->queue,
-                         EMISSION_MOST);
+                         MAX_EMISSION);
     return true;
 }
 

@@ -14,12 +14,12 @@
 #include "rt/shapes/primitive.h"
 #include "rt/trace/trace.h"
 
-enum { EMISSION_MOST = 65535 }; /* points of a run */
+enum { MAX_EMISSION = 65535 }; /* points of a run */
 
 struct emission_options {
     enum trace_mode mode;    /* TRACE_SCALAR or TRACE_VECTOR */
-    size_t queue;            /* points; vector mode only; 1 .. EMISSION_MOST */
-    size_t points;           /* of each run; 1 .. EMISSION_MOST */
+    size_t queue;            /* points; vector mode only; 1 .. MAX_EMISSION */
+    size_t points;           /* of each run; 1 .. MAX_EMISSION */
     bool lattice;            /* made of the lattice's points, not of the random
                              stream (docs/points.md) */
     const c205_model *model; /* must outlive the emission */

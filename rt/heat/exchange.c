@@ -27,9 +27,9 @@ static bool check_surface(const struct exchange_given *given, size_t i,
 
 static bool check(const struct exchange_given *given, c205_error *error)
 {
-    if (given->count == 0 || given->count > EXCHANGE_MOST)
+    if (given->count == 0 || given->count > MAX_EXCHANGE)
         return error_say(error, "%zu surfaces: 1 .. %d exchange", given->count,
-                         EXCHANGE_MOST);
+                         MAX_EXCHANGE);
     if (!(given->outside >= 0))
         return error_say(error, "the environment has no temperature");
     for (size_t i = 0; i < given->count; i++)

@@ -7,11 +7,11 @@
 #include "base/accounts.h"
 #include "rt/trace/trace.h"
 
-enum { EXCHANGE_MOST = 4096 }; /* surfaces */
+enum { MAX_EXCHANGE = 4096 }; /* surfaces */
 
 struct exchange_given {
     enum trace_mode mode;
-    size_t count;             /* surfaces, 1 .. EXCHANGE_MOST */
+    size_t count;             /* surfaces, 1 .. MAX_EXCHANGE */
     const char *const *names; /* for errors */
     const double *area;
     const double *emissivity;  /* 0 .. 1; 0: it is adiabatic, or reflects all */

@@ -17,8 +17,8 @@ struct factors *factors_new(const struct scene *scene,
 {
     struct factors *factors;
 
-    if (options->points < 1 || options->points > FACTORS_POINTS_MOST) {
-        error_say(error, "%zu points: 1 .. %d", options->points, FACTORS_POINTS_MOST);
+    if (options->points < 1 || options->points > MAX_FACTORS_POINTS) {
+        error_say(error, "%zu points: 1 .. %d", options->points, MAX_FACTORS_POINTS);
         return NULL;
     }
     if (options->repeats < 2) {
@@ -70,12 +70,12 @@ void factor_row_free(struct factor_row *row)
 /* ---- Pieces --------------------------------------------------------------- */
 
 /* Packets of a repeat.  Lines cross a shape several times: four times on average
- * may still be fewer than EMISSION_MOST. */
+ * may still be fewer than MAX_EMISSION. */
 enum { PIECE = 1 << 14 };
 
 static size_t piece_count(const struct factors_options *options)
 {
-    return options->points > EMISSION_MOST ? (options->points - 1) / PIECE + 1 : 1;
+    return options->points > MAX_EMISSION ? (options->points - 1) / PIECE + 1 : 1;
 }
 
 static size_t packet_count(const struct factors_options *options)

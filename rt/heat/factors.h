@@ -19,12 +19,12 @@
 #include "rt/trace/lines.h"
 
 /* Of a repeat; more than a vector holds are found in pieces. */
-enum { FACTORS_POINTS_MOST = 1 << 20 };
+enum { MAX_FACTORS_POINTS = 1 << 20 };
 
 struct factors_options {
     enum trace_mode mode;
     size_t queue;   /* in vector mode: of points and of rays */
-    size_t points;  /* of each repeat: 1 .. FACTORS_POINTS_MOST; of the
+    size_t points;  /* of each repeat: 1 .. MAX_FACTORS_POINTS; of the
                              lattice a power of two is best */
     size_t repeats; /* 2 or more: their spread gives the errors */
     bool lattice;   /* .. under independent shifts; else random */

@@ -18,7 +18,7 @@ static const double least_gap = 1e-7;
 /* The sphere is larger than the box about the scene. */
 static const double larger = 1.001;
 
-enum { SURFACES_MOST = 1023, ENDS_MOST = 65535 };
+enum { MAX_SURFACES = 1023, MAX_ENDS = 65535 };
 
 struct global_work {
     const struct scene *scene;
@@ -97,16 +97,16 @@ static bool check(const struct scene *scene, const struct global_lines_options *
 {
     if (scene->primitive_count == 0)
         return error_say(error, "the scene has no surfaces");
-    if (surface_count(scene, options) > SURFACES_MOST)
+    if (surface_count(scene, options) > MAX_SURFACES)
         return error_say(error,
                          "lines count for at most %d surfaces, the scene "
                          "has %zu",
-                         SURFACES_MOST, surface_count(scene, options));
+                         MAX_SURFACES, surface_count(scene, options));
     if (options->repeats < 2)
         return error_say(error, "errors come of two repeats or more");
-    if (options->lines_log > GLOBAL_LINES_LOG_MOST)
+    if (options->lines_log > MAX_GLOBAL_LINES_LOG)
         return error_say(error, "a repeat has at most 2^%d lines",
-                         GLOBAL_LINES_LOG_MOST);
+                         MAX_GLOBAL_LINES_LOG);
     return true;
 }
 
@@ -288,7 +288,7 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
 static bool count_all(struct global_packet *packet)
 {
     struct ends ends = { .count = 0 };
-    size_t most = ENDS_MOST - 1, gaps;
+    size_t most = MAX_ENDS - 1, gaps;
     bool good = lay_ends(packet, &ends) || error_say(packet->error, "no memory");
 
     gaps = good ? ends.count - 1 : 0;

@@ -22,7 +22,7 @@
 #include "rt/heat/step.h"
 #include "rt/trace/trace.h"
 
-enum { GLOBAL_LINES_LOG_MOST = 20, GLOBAL_LINES_PACKET = 4096 };
+enum { MAX_GLOBAL_LINES_LOG = 20, GLOBAL_LINES_PACKET = 4096 };
 
 struct global_lines_options {
     enum trace_mode mode;

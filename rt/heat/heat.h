@@ -10,7 +10,7 @@ struct heat_request {
     enum trace_mode mode;
     size_t queue, jobs;
     enum surfaces_by by;
-    /* Of each repeat: points of each primitive, 1 .. FACTORS_POINTS_MOST, or lines through all of
+    /* Of each repeat: points of each primitive, 1 .. MAX_FACTORS_POINTS, or lines through all of
      * the scene, a power of two.  By lines no primitive is without emission. */
     bool by_lines;
     size_t drawn;

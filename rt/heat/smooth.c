@@ -18,8 +18,8 @@ static bool check(const struct smooth_given *given, c205_error *error)
 {
     size_t n = given->count;
 
-    if (n == 0 || n > SMOOTH_MOST)
-        return error_say(error, "%zu surfaces: 1 .. %d are smoothed", n, SMOOTH_MOST);
+    if (n == 0 || n > MAX_SMOOTH)
+        return error_say(error, "%zu surfaces: 1 .. %d are smoothed", n, MAX_SMOOTH);
     for (size_t i = 0; i < n; i++) {
         if (!(given->areas[i] > 0) || !isfinite(given->areas[i]))
             return error_say(error, "surface %s has no area", given->names[i]);

@@ -6,13 +6,13 @@
 
 #include "rt/heat/surfaces.h"
 
-enum { SMOOTH_MOST = 1024 }; /* surfaces */
+enum { MAX_SMOOTH = 1024 }; /* surfaces */
 
 /* Of each surface a row: flows x_ij = A_i F_ij to all of them and, as the last one, to the
  * environment, with their variances v_ij; x_ij = x_ji, v_ij = v_ji. */
 struct smooth_given {
     enum trace_mode mode;
-    size_t count;                    /* surfaces, 1 .. SMOOTH_MOST */
+    size_t count;                    /* surfaces, 1 .. MAX_SMOOTH */
     const double *flows, *variances; /* [count][count + 1]; not below 0 */
     const double *areas;
     const char *const *names; /* for errors */

@@ -245,12 +245,12 @@ static bool make_spots(const struct heat_source *source, const c205_word *lines,
     bool good;
 
     made->count = found->first[found->line_count];
-    if (made->count > EMISSION_MOST)
+    if (made->count > MAX_EMISSION)
         return error_say(error,
                          "the %s of line %zu is crossed %zu times: %d at the "
                          "most; take fewer rays",
                          primitive_kind_name(source->primitive.kind),
-                         source->primitive.line, made->count, EMISSION_MOST);
+                         source->primitive.line, made->count, MAX_EMISSION);
     crossings = lay_crossings(found);
     made->planes = malloc((EMITTED_PLANES * made->count + 1) * sizeof *made->planes);
     good = (crossings && made->planes) || error_say(error, "no memory");

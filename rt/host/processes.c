@@ -107,9 +107,9 @@ static char **own_words(char *text, size_t size)
 
 void process_become(char *const words[])
 {
-    enum { MOST = 1024 };
+    enum { MAX = 1024 };
     char text[1 << 17], program[4096];
-    char **own = own_words(text, sizeof text), *all[MOST + 1];
+    char **own = own_words(text, sizeof text), *all[MAX + 1];
     ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     size_t count = 0;
 
@@ -117,7 +117,7 @@ void process_become(char *const words[])
     while (*words)
         all[count++] = *words++;
     all[count++] = program;
-    for (char **next = own; next && next[0] && next[1] && count < MOST;)
+    for (char **next = own; next && next[0] && next[1] && count < MAX;)
         all[count++] = *++next;
     all[count] = NULL;
     free(own);

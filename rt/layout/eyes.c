@@ -15,7 +15,7 @@ static bool is_there(const struct eyes *eyes, const double place[3])
 
 static void add(struct eyes *eyes, const double place[3])
 {
-    if (eyes->count < EYES_MOST && !is_there(eyes, place))
+    if (eyes->count < MAX_EYES && !is_there(eyes, place))
         copy3(place, eyes->places[eyes->count++]);
 }
 

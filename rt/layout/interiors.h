@@ -9,7 +9,7 @@
 
 /* So many rays that go straight on may be in a chain besides max_trace_level: they
  * are of the level of the ray before. */
-enum { STRAIGHT_MOST = 64 };
+enum { MAX_STRAIGHT = 64 };
 
 /* Whether light passes through anything: the kernels need light/interior.s. */
 bool scene_has_interiors(const struct scene *scene);

@@ -19,7 +19,7 @@
 static size_t count_levels(const struct scene *scene)
 {
     if (scene_has_interiors(scene))
-        return (size_t)scene->max_trace_level + STRAIGHT_MOST;
+        return (size_t)scene->max_trace_level + MAX_STRAIGHT;
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (surface_is_mirror(&scene->primitives[i].finish))
             return (size_t)scene->max_trace_level;

@@ -332,7 +332,7 @@ static void layout_hierarchy(struct record_layout *layout, struct places *places
     struct record record;
     struct row row;
 
-    find_spheres(places, (size_t)layout_symbol(layout, "SPHERES_MOST"));
+    find_spheres(places, (size_t)layout_symbol(layout, "MAX_SPHERES"));
     record_begin(&record, layout, "H_SIZE", hierarchy->node_count, 0);
     row = record_row(&record);
     for (size_t i = 0; i < hierarchy->node_count && !layout->failed; i++)

@@ -483,20 +483,20 @@ static void add_accounts(const struct columns_work *work)
 static bool check_options(const struct scene *scene,
                           const struct columns_options *options, c205_error *error)
 {
-    if (options->rays_log > COLUMNS_LOG_MOST)
+    if (options->rays_log > MAX_COLUMNS_LOG)
         return error_say(error, "at most 2^20 rays of a view under a shift");
     if (options->repeats == 0)
         return error_say(error, "one shift at the least");
     if (scene->region_count == 0)
         return error_say(error, "the scene has no bodies");
-    if (options->part_count > COLUMNS_PARTS_MOST)
+    if (options->part_count > MAX_COLUMNS_PARTS)
         return error_say(error, "%zu parts are too many: there may be %d",
-                         options->part_count, COLUMNS_PARTS_MOST);
-    if (options->overlaps && options->overlaps->count > COLUMNS_PAIRS_MOST)
+                         options->part_count, MAX_COLUMNS_PARTS);
+    if (options->overlaps && options->overlaps->count > MAX_COLUMNS_PAIRS)
         return error_say(
             error,
             "%zu pairs of parts may overlap: of %d at the most it is found how much",
-            options->overlaps->count, COLUMNS_PAIRS_MOST);
+            options->overlaps->count, MAX_COLUMNS_PAIRS);
     return true;
 }
 

@@ -14,7 +14,7 @@
 #include "rt/mass/overlaps.h"
 #include "rt/trace/trace.h"
 
-enum { VIEWS = 3, COLUMNS_PACKET = 4096, COLUMNS_LOG_MOST = 20 };
+enum { VIEWS = 3, COLUMNS_PACKET = 4096, MAX_COLUMNS_LOG = 20 };
 
 enum columns_points { POINTS_RANDOM, POINTS_LATTICE, POINTS_GRID, POINTS_KINDS };
 
@@ -36,8 +36,8 @@ enum moment {
 };
 /* All sums of a packet, of the parts, of all together and of the pairs, are one vector. */
 enum {
-    COLUMNS_PAIRS_MOST = 16384,
-    COLUMNS_PARTS_MOST = (65535 - COLUMNS_PAIRS_MOST) / MOMENTS - 1
+    MAX_COLUMNS_PAIRS = 16384,
+    MAX_COLUMNS_PARTS = (65535 - MAX_COLUMNS_PAIRS) / MOMENTS - 1
 };
 
 /* What the machines do one after another. */
@@ -56,11 +56,11 @@ struct columns_options {
     size_t queue; /* rays at a time; not in scalar mode */
     enum columns_points points;
     size_t rays_log; /* 2^rays_log rays of a view under a shift, at the most
-                        2^COLUMNS_LOG_MOST */
+                        2^MAX_COLUMNS_LOG */
     size_t repeats;  /* shifts, each with rays of its own */
     size_t seed;
     size_t jobs;                     /* packets at a time; 0: one */
-    size_t part_count;               /* 1 .. COLUMNS_PARTS_MOST */
+    size_t part_count;               /* 1 .. MAX_COLUMNS_PARTS */
     const size_t *part_of;           /* of each of the scene's objects, its part */
     const struct overlaps *overlaps; /* .. of these parts; NULL: not asked */
     const c205_model *model;

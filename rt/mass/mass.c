@@ -149,7 +149,7 @@ static size_t log_of_rays(size_t rays, size_t repeats)
 {
     size_t log = 0;
 
-    while (log < COLUMNS_LOG_MOST && (repeats << log) < rays)
+    while (log < MAX_COLUMNS_LOG && (repeats << log) < rays)
         log++;
     return log;
 }

@@ -72,7 +72,7 @@ static void count_pass(struct iterations *iterations, struct stage_count *count,
     count->passes++;
     count->steps += iterations->active;
     count->lanes += lanes;
-    if (pass < ITERATIONS_MOST) {
+    if (pass < MAX_ITERATIONS) {
         count->active[pass] += iterations->active;
         count->in_loop[pass] += lanes;
     }
@@ -124,7 +124,7 @@ static void add_stage(struct stage_count *sum, const struct stage_count *band)
     sum->steps += band->steps;
     sum->lanes += band->lanes;
     sum->halvings += band->halvings;
-    for (size_t i = 0; i < ITERATIONS_MOST; i++) {
+    for (size_t i = 0; i < MAX_ITERATIONS; i++) {
         sum->active[i] += band->active[i];
         sum->in_loop[i] += band->in_loop[i];
     }

@@ -12,7 +12,7 @@
 enum stage { STAGE_SLOPE, STAGE_VALUE, STAGES };
 const char *stage_name(enum stage stage);
 
-enum { ITERATIONS_MOST = 128 };
+enum { MAX_ITERATIONS = 128 };
 
 /* Of one stage: roots of f' (knots), or of f. */
 struct stage_count {
@@ -22,7 +22,7 @@ struct stage_count {
     uint64_t lanes;    /* in the loop, summed over the passes */
     uint64_t halvings; /* of exponents, of wide brackets, before that */
     /* By pass of a refinement, from 0: active brackets, lanes in the loop. */
-    uint64_t active[ITERATIONS_MOST], in_loop[ITERATIONS_MOST];
+    uint64_t active[MAX_ITERATIONS], in_loop[MAX_ITERATIONS];
 };
 
 struct iterations {

@@ -141,7 +141,7 @@ static bool lay_out(struct root_search *search, const struct polynomial *polynom
     return write_symbol(search, "roots_polynomials", c205_from_integer((int64_t)count),
                         error)
            && write_symbol(search, "roots_wanted",
-                           c205_from_integer(search->options.first ? 1 : ROOTS_MOST),
+                           c205_from_integer(search->options.first ? 1 : MAX_ROOTS),
                            error)
            && write_symbol(search, "roots_inputs", search->inputs, error)
            && write_symbol(search, "roots_results", search->results, error);
@@ -246,7 +246,7 @@ bool roots_read(const struct root_search *search, struct polynomial_roots *roots
            && (search->count == 0 || read_plane(search, search->planes.count, words));
     for (size_t i = 0; good && i < search->count; i++)
         roots[i].count = (int)c205_to_double(words[i]);
-    for (uint64_t k = 0; good && search->count > 0 && k < ROOTS_MOST; k++) {
+    for (uint64_t k = 0; good && search->count > 0 && k < MAX_ROOTS; k++) {
         good = read_plane(search, search->planes.roots + k, words);
         for (size_t i = 0; good && i < search->count; i++)
             roots[i].root[k] = words[i];

@@ -18,12 +18,12 @@ struct polynomial {
 };
 
 enum {
-    ROOTS_MOST = 4,
+    MAX_ROOTS = 4,
     ROOTS_REFUSED = -1 /* a number of roots: see scaling_vector.s */
 };
 struct polynomial_roots {
-    int count;                  /* or ROOTS_REFUSED */
-    c205_word root[ROOTS_MOST]; /* ascending, each once */
+    int count;                 /* or ROOTS_REFUSED */
+    c205_word root[MAX_ROOTS]; /* ascending, each once */
 };
 
 struct roots_options {

@@ -17,8 +17,8 @@ struct twofold {
     double high, low;
 };
 
-#define REDUCED_MOST 0x1p30 /* radians */
-#define EXP_MOST 700.       /* beyond it the C library rounds */
+#define MAX_REDUCED 0x1p30 /* radians */
+#define MAX_EXP 700.       /* beyond it the C library rounds */
 enum { HALVINGS = 8 };
 
 static const struct twofold one = { 1, 0 };
@@ -263,12 +263,12 @@ static bool is_tiny(double x)
 
 static bool is_angle(double x)
 {
-    return isfinite(x) && !is_tiny(x) && fabs(x) <= REDUCED_MOST;
+    return isfinite(x) && !is_tiny(x) && fabs(x) <= MAX_REDUCED;
 }
 
 double elementary_exp(double x)
 {
-    return is_plain(x) && fabs(x) < EXP_MOST
+    return is_plain(x) && fabs(x) < MAX_EXP
                ? rounded(power_of_e((struct twofold){ x, 0 }))
                : exp(x);
 }
@@ -291,7 +291,7 @@ double elementary_pow(double x, double y)
     if (!is_plain(x) || !is_plain(y) || fabs(x) == 1 || (x < 0 && y != floor(y)))
         return pow(x, y);
     power = by(log_of(fabs(x)), y);
-    if (!(fabs(power.high) < EXP_MOST))
+    if (!(fabs(power.high) < MAX_EXP))
         return pow(x, y);
     return (x < 0 && fmod(y, 2) != 0 ? -1 : 1) * rounded(power_of_e(power));
 }
@@ -342,16 +342,15 @@ double elementary_atan2(double y, double x)
 
 double elementary_sinh(double x)
 {
-    return isfinite(x) && !is_tiny(x) && fabs(x) < EXP_MOST
+    return isfinite(x) && !is_tiny(x) && fabs(x) < MAX_EXP
                ? rounded(sinh_of((struct twofold){ x, 0 }))
                : sinh(x);
 }
 
 double elementary_cosh(double x)
 {
-    return is_plain(x) && fabs(x) < EXP_MOST
-               ? rounded(cosh_of((struct twofold){ x, 0 }))
-               : cosh(x);
+    return is_plain(x) && fabs(x) < MAX_EXP ? rounded(cosh_of((struct twofold){ x, 0 }))
+                                            : cosh(x);
 }
 
 double elementary_tanh(double x)
@@ -366,7 +365,7 @@ double elementary_asinh(double x)
 {
     struct twofold y = { asinh(x), 0 }, off;
 
-    if (!isfinite(x) || is_tiny(x) || fabs(y.high) >= EXP_MOST)
+    if (!isfinite(x) || is_tiny(x) || fabs(y.high) >= MAX_EXP)
         return y.high;
     off = add((struct twofold){ x, 0 }, minus(sinh_of(y)));
     return rounded(add(y, divide(off, cosh_of(y))));
@@ -377,7 +376,7 @@ double elementary_acosh(double x)
 {
     struct twofold y = { acosh(x), 0 }, half, off;
 
-    if (!isfinite(x) || !(x > 1) || y.high >= EXP_MOST)
+    if (!isfinite(x) || !(x > 1) || y.high >= MAX_EXP)
         return y.high;
     half = sinh_of(by(y, .5));
     off = add(sum(x, -1), by(multiply(half, half), -2));

@@ -24,7 +24,7 @@
 #include "rt/scene/vector.h"
 
 #define FLATNESS 1e-5 /* em */
-enum { PARTS_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
+enum { MAX_PARTS = 64 /* of one curve */, MAX_TURNS = 100 };
 
 /* ---- The library --------------------------------------------------------- */
 
@@ -145,10 +145,10 @@ void font_turn_loop(double (*points)[2], size_t count, size_t apart)
     const double(*fixed)[2] = (const double(*)[2])points;
     size_t turns = 0;
 
-    while (turns < TURNS_MOST * apart && turns < count
+    while (turns < MAX_TURNS * apart && turns < count
            && is_repeated(fixed, count, apart, turns))
         turns += apart;
-    if (turns == TURNS_MOST * apart || turns == count)
+    if (turns == MAX_TURNS * apart || turns == count)
         return;
     for (; turns; turns--)
         turn_by_one(points, count);
@@ -269,7 +269,7 @@ static int cubic_parts(const double points[2][4])
     parts = ceil(
         elementary_pow(sqrt(3) / 36 * elementary_hypot(third[0], third[1]) / FLATNESS,
                        1. / 3));
-    return parts < 1 ? 1 : parts > PARTS_MOST ? PARTS_MOST : (int)parts;
+    return parts < 1 ? 1 : parts > MAX_PARTS ? MAX_PARTS : (int)parts;
 }
 
 static int cubic_to(const FT_Vector *by, const FT_Vector *and_by, const FT_Vector *to,

@@ -16,7 +16,7 @@ struct image_table {
     const double *light;     /* what the samples 0 .. most stand for */
 };
 /* Of a scene: images, and pixels of all of them. */
-enum { IMAGES_MOST = 1000, IMAGE_PIXELS_MOST = 1 << 23 };
+enum { MAX_IMAGES = 1000, MAX_IMAGE_PIXELS = 1 << 23 };
 
 /* How a point becomes a place of the image: rt/kernels/light/image.s has the
  * formulas. */

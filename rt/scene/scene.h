@@ -34,14 +34,14 @@ struct camera {
 };
 
 /* Of a lens. */
-enum { LENS_POINTS_MOST = 256 };
+enum { MAX_LENS_POINTS = 256 };
 
 /* Where a light shines: all around, or in a beam about the way from it to a
  * point. */
 enum light_beam { BEAM_NONE, BEAM_CONE, BEAM_CYLINDER };
 
 /* Points of a light's area. */
-enum { AREA_POINTS_MOST = 65536 };
+enum { MAX_AREA_POINTS = 65536 };
 
 struct light {
     double position[3];
@@ -207,7 +207,7 @@ struct fog {
     double distance; /* above 0 */
     double color[3], filter, transmit;
 };
-enum { FOGS_MOST = 16 };
+enum { MAX_FOGS = 16 };
 
 struct primitive; /* rt/shapes/primitive.h */
 
@@ -258,7 +258,7 @@ struct scene {
                            background; any other kind: there is none */
     size_t image_count; /* of the tables of images */
     size_t fog_count;
-    struct fog fogs[FOGS_MOST];
+    struct fog fogs[MAX_FOGS];
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
     bool gamma_off;       /* colours are displayed as they are: version < 3.7 */

@@ -6,7 +6,7 @@
 
 /* In a region of cylinders the vector form takes most of the 67,108,864 words
  * that a program can have. */
-enum { BLOB_PARTS_MOST = 1500 };
+enum { MAX_BLOB_PARTS = 1500 };
 
 /* The pieces of which its field is made along a ray: a ball is one, a cylinder
  * three. */

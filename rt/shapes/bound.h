@@ -32,10 +32,10 @@ void bound_primitive(const struct primitive *primitive, struct bound *bound);
 /* ---- For the descriptors of shapes --------------------------------------- */
 
 /* Points whose hull a shape does not leave, in the world. */
-enum { RING = 16, HULL_MOST = 2 * RING };
+enum { RING = 16, MAX_HULL = 2 * RING };
 struct hull {
     size_t count;
-    struct bound points[HULL_MOST];
+    struct bound points[MAX_HULL];
 };
 
 /* A point of the primitive's own space. */

@@ -70,7 +70,7 @@ void emitter_add_triangle(struct emitter *emitter, const double a[3], const doub
 
 /* ---- Shapes that have much in common -------------------------------------- */
 
-enum { FRUSTA_MOST = 3 };
+enum { MAX_FRUSTA = 3 };
 
 bool emitter_about_axis(struct emitter *emitter, const double base[3],
                         const double cap[3], double *half_length)
@@ -86,7 +86,7 @@ bool emitter_about_axis(struct emitter *emitter, const double base[3],
         row[2] = words[6 + i];
         row[3] = words[i];
     }
-    return emitter_begin(emitter, "emit_frustum", FRUSTA_MOST, FRUSTUM_WORDS);
+    return emitter_begin(emitter, "emit_frustum", MAX_FRUSTA, FRUSTUM_WORDS);
 }
 
 const char *emitter_cone(const double base[3], double base_radius, const double cap[3],

@@ -5,11 +5,11 @@
 #include <stddef.h>
 
 /* The first ones of a scene; for each a large mesh takes room in memory. */
-enum { EYES_MOST = 4 };
+enum { MAX_EYES = 4 };
 
 struct eyes {
     size_t count;
-    double places[EYES_MOST][3];
+    double places[MAX_EYES][3];
 };
 
 #endif

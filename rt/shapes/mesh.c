@@ -154,7 +154,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
                                             : &primitive->shape.mesh.triangles;
     struct hull hull = { .count = 0 };
 
-    if (triangles->count > HULL_MOST / 3) {
+    if (triangles->count > MAX_HULL / 3) {
         bound_many(primitive, triangles, bound);
         return;
     }

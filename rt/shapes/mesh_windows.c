@@ -29,16 +29,16 @@ enum {
 
 /* In sizes of the greatest coordinate: windows are wider by MARGIN, where their corners
  * are, which is eight times what is rounded of a ray that comes from no farther than
- * FAR_MOST, and of a triangle that it meets.  An eye that is nearer than NEAR_LEAST would
+ * MAX_FAR, and of a triangle that it meets.  An eye that is nearer than NEAR_LEAST would
  * see little else than that. */
 #define MARGIN 0x1p-31
 #define NEAR_LEAST 0x1p-20
-enum { FAR_MOST = 512 };
+enum { MAX_FAR = 512 };
 /* Points stand no farther beside the eye's axis, in depths. */
-enum { SLOPE_MOST = 64 };
+enum { MAX_SLOPE = 64 };
 /* Words of an eye's windows: more would not stay in the real memory of the machine, and
  * each ray would wait for pages. */
-enum { WINDOWS_MOST = 1 << 20 };
+enum { MAX_WINDOWS = 1 << 20 };
 
 struct eye {
     const double *place;
@@ -73,8 +73,8 @@ static bool eye_find(const double place[3], const struct box *whole, struct eye 
     eye->size = fmax(greatest3(place),
                      fmax(greatest3(whole->low), greatest3(whole->high)));
     return eye->near > NEAR_LEAST * eye->size
-           && greatest_side(whole, place) <= SLOPE_MOST * eye->near
-           && isfinite(FAR_MOST * eye->size);
+           && greatest_side(whole, place) <= MAX_SLOPE * eye->near
+           && isfinite(MAX_FAR * eye->size);
 }
 
 size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole, size_t nodes,
@@ -84,7 +84,7 @@ size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole, size_
     struct eye eye;
 
     *seeing = 0;
-    if (words > WINDOWS_MOST)
+    if (words > MAX_WINDOWS)
         return 0;
     for (size_t i = 0; eyes && i < eyes->count; i++)
         *seeing += eye_find(eyes->places[i], whole, &eye);
@@ -254,7 +254,7 @@ static void put_eye(const struct eye *eye, double windows, double *row)
     copy3(eye->place, row + EYE_PLACE);
     row[EYE_AXIS] = eye->axis;
     row[EYE_SIGN] = eye->sign;
-    row[EYE_FAR] = FAR_MOST * eye->size;
+    row[EYE_FAR] = MAX_FAR * eye->size;
     row[EYE_WINDOWS] = windows;
 }
 

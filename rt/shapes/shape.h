@@ -67,7 +67,7 @@ struct shape_kernels {
 
 /* ---- The descriptor ------------------------------------------------------ */
 
-enum { SHAPE_WORDS_MOST = 16, PATH_MOST = 2000 };
+enum { MAX_SHAPE_WORDS = 16, MAX_PATH = 2000 };
 
 struct shape {
     /* Up to TAKES_END; of a mesh, for which the language has a file, none. */

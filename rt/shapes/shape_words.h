@@ -13,7 +13,7 @@
 enum { PATCH_CROSSINGS = 4 };
 
 struct shape_words {
-    double words[SHAPE_WORDS_MOST];
+    double words[MAX_SHAPE_WORDS];
     size_t count;
     bool transformed;            /* it stands in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */

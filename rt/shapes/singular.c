@@ -45,13 +45,13 @@ static bool make_square(struct singular *singular, size_t p, size_t q)
 
 void singular_decompose(struct singular *singular)
 {
-    enum { SWEEPS_MOST = 60 };
+    enum { MAX_SWEEPS = 60 };
     bool turned = true;
 
     memset(singular->right, 0, sizeof singular->right);
     for (size_t i = 0; i < singular->columns; i++)
         singular->right[i][i] = 1;
-    for (int sweep = 0; turned && sweep < SWEEPS_MOST; sweep++) {
+    for (int sweep = 0; turned && sweep < MAX_SWEEPS; sweep++) {
         turned = false;
         for (size_t p = 0; p < singular->columns; p++)
             for (size_t q = p + 1; q < singular->columns; q++)

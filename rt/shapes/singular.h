@@ -9,14 +9,14 @@
 
 #include <stddef.h>
 
-enum { SINGULAR_MOST = 12 };
-typedef double singular_matrix[SINGULAR_MOST][SINGULAR_MOST];
+enum { MAX_SINGULAR = 12 };
+typedef double singular_matrix[MAX_SINGULAR][MAX_SINGULAR];
 
 struct singular {
-    size_t rows, columns;         /* each SINGULAR_MOST at the most */
-    singular_matrix scaled;       /* the columns of U, each by its value */
-    singular_matrix right;        /* V: columns x columns */
-    double values[SINGULAR_MOST]; /* not sorted, none below 0 */
+    size_t rows, columns;        /* each MAX_SINGULAR at the most */
+    singular_matrix scaled;      /* the columns of U, each by its value */
+    singular_matrix right;       /* V: columns x columns */
+    double values[MAX_SINGULAR]; /* not sorted, none below 0 */
 };
 
 /* Of the matrix in scaled; the other members are results. */

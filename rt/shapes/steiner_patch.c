@@ -42,7 +42,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
 static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
                         double *table)
 {
-    double found[STEINER_TABLE_MOST];
+    double found[MAX_STEINER_TABLE];
     size_t count = steiner_table(primitive, found);
 
     (void)eyes;
@@ -61,7 +61,7 @@ static bool is_historical(const struct primitive *primitive)
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };
-    double shape[STEINER_SHAPE], table[STEINER_TABLE_MOST];
+    double shape[STEINER_SHAPE], table[MAX_STEINER_TABLE];
 
     steiner_shape(primitive, shape);
     steiner_table(primitive, table);

@@ -34,7 +34,7 @@ size_t iterations_passes(const struct iterations *iterations, enum stage stage)
 {
     size_t passes = 0;
 
-    while (passes < ITERATIONS_MOST && iterations->stage[stage].in_loop[passes] > 0)
+    while (passes < MAX_ITERATIONS && iterations->stage[stage].in_loop[passes] > 0)
         passes++;
     return passes;
 }

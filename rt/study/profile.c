@@ -46,7 +46,7 @@ static const struct profile_region regions[] = {
 };
 enum {
     REGIONS = sizeof regions / sizeof *regions,
-    REGIONS_MOST = REGIONS + PRIMITIVE_KINDS
+    MAX_REGIONS = REGIONS + PRIMITIVE_KINDS
 };
 
 /* Some shapes share one. */
@@ -58,7 +58,7 @@ static bool is_first_of_region(size_t kind)
     return true;
 }
 
-static size_t list_regions(struct profile_region list[REGIONS_MOST])
+static size_t list_regions(struct profile_region list[MAX_REGIONS])
 {
     size_t count = 0;
 
@@ -80,7 +80,7 @@ const char *profile_part_name(enum profile_part part)
 
 bool profile_part_of(const char *region, enum profile_part *part)
 {
-    struct profile_region list[REGIONS_MOST];
+    struct profile_region list[MAX_REGIONS];
     size_t count = list_regions(list);
 
     for (size_t i = 0; i < count; i++)
@@ -102,7 +102,7 @@ static uint64_t clocks_of_region(const struct trace *trace, const char *region)
 
 static uint64_t clocks_of_part(const struct trace *trace, enum profile_part part)
 {
-    struct profile_region list[REGIONS_MOST];
+    struct profile_region list[MAX_REGIONS];
     size_t count = list_regions(list);
     uint64_t clocks = 0;
 
@@ -171,7 +171,7 @@ static void add_region(struct table *table, const struct profile *profile,
 static void add_part(struct table *table, const struct profile *profile,
                      enum profile_part part)
 {
-    struct profile_region list[REGIONS_MOST];
+    struct profile_region list[MAX_REGIONS];
     size_t count = list_regions(list);
     uint64_t clocks[TRACE_MODES];
 
@@ -254,7 +254,7 @@ static bool find_clocks(const struct profile *profile, enum profile_part part,
 static void add_members(struct table *table, const struct profile *profile,
                         enum profile_part part)
 {
-    struct profile_region list[REGIONS_MOST];
+    struct profile_region list[MAX_REGIONS];
     uint64_t clocks[TRACE_MODES];
     size_t count;
 

@@ -145,7 +145,7 @@ static bool sum_accounts(const struct accounts *accounts,
                          const struct speedup_subject *subject,
                          struct speedup_measure *measure, c205_error *error)
 {
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
+    for (size_t i = 0; i < MAX_SPEEDUP_REGIONS; i++) {
         const char *region = subject->regions[i];
         const c205_account *account;
 
@@ -211,7 +211,7 @@ static void hear_projection(void *state, const c205 *machine, const c205_event *
 
 static bool is_of(const struct speedup_subject *subject, const char *region)
 {
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i]; i++)
+    for (size_t i = 0; i < MAX_SPEEDUP_REGIONS && subject->regions[i]; i++)
         if (strcmp(subject->regions[i], region) == 0)
             return true;
     return false;

@@ -12,7 +12,7 @@
 #include "rt/roots/iterations.h"
 #include "rt/trace/trace.h"
 
-enum { SPEEDUP_REGIONS_MOST = 4 };
+enum { MAX_SPEEDUP_REGIONS = 4 };
 
 /* The machines on which the scalar program is projected. */
 enum speedup_projection { SPEEDUP_720, SPEEDUP_6600, SPEEDUP_PROJECTIONS };
@@ -41,7 +41,7 @@ struct speedup_subject {
     double from[3];      /* the eye, seen from the origin; of length one */
     bool historical;     /* by the paper's methods */
     const char *variant; /* as in trace_options; or NULL */
-    const char *regions[SPEEDUP_REGIONS_MOST]; /* NULL after the last */
+    const char *regions[MAX_SPEEDUP_REGIONS]; /* NULL after the last */
     struct speedup_paper paper;
 };
 
@@ -71,7 +71,7 @@ struct speedup_view {
 
 struct speedup_measure {
     uint64_t clocks[C205_CAUSES];
-    uint64_t regions[SPEEDUP_REGIONS_MOST]; /* clocks, as in the subject */
+    uint64_t regions[MAX_SPEEDUP_REGIONS]; /* clocks, as in the subject */
     uint64_t total;
     double projected[SPEEDUP_PROJECTIONS]; /* seconds; of the scalar form */
     size_t rays, hits;

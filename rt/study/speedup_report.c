@@ -261,7 +261,7 @@ static void add_projected(struct speedup_report *report,
 static void add_shares(struct table *table, const struct speedup_subject *subject,
                        int mode, const struct speedup_measure *measure)
 {
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
+    for (size_t i = 0; i < MAX_SPEEDUP_REGIONS; i++) {
         const char *region = subject->regions[i];
 
         if (!region)

@@ -6,19 +6,19 @@
 #include "base/table.h"
 #include "rt/trace/trace.h"
 
-enum { STAGES_STEPS_MOST = 8 };
+enum { MAX_STAGES_STEPS = 8 };
 
 /* Clocks of each stage, which its mode is the number of, by steps. */
 struct stages {
     size_t step_count;
-    const char *steps[STAGES_STEPS_MOST];
-    uint64_t clocks[TRACE_MODES][STAGES_STEPS_MOST];
+    const char *steps[MAX_STAGES_STEPS];
+    uint64_t clocks[TRACE_MODES][MAX_STAGES_STEPS];
 };
 
 /* What a computation takes in another mode, step by step; *same: it finds the same as the one
  * whose clocks are there.  False: it fails; the error says why. */
 typedef bool stages_function(const void *found, enum trace_mode mode,
-                             uint64_t clocks[STAGES_STEPS_MOST], bool *same,
+                             uint64_t clocks[MAX_STAGES_STEPS], bool *same,
                              c205_error *error);
 
 /* All stages but that of one mode, whose clocks are there.  False: one fails, or finds

@@ -106,10 +106,10 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
     for (; observers && *observers; observers++) {
         struct band_watch *watch = &tracer->watches[tracer->watch_count];
 
-        if (tracer->watch_count == BAND_OBSERVERS_MOST
+        if (tracer->watch_count == MAX_BAND_OBSERVERS
             || !c205_listen(tracer->machine, hear, watch)) {
             snprintf(error->message, sizeof error->message, "more than %d observers",
-                     BAND_OBSERVERS_MOST);
+                     MAX_BAND_OBSERVERS);
             return false;
         }
         watch->observer = *observers;

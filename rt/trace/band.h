@@ -47,7 +47,7 @@ c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
                    struct frame_layout *layout, c205_error *error);
 
 /* Observers of one machine: so many may listen. */
-enum { BAND_OBSERVERS_MOST = C205_LISTENERS };
+enum { MAX_BAND_OBSERVERS = C205_LISTENERS };
 
 /* Traces bands, one after another. */
 struct band_tracer {
@@ -56,7 +56,7 @@ struct band_tracer {
     struct band_watch {
         const struct observer *observer;
         void *band; /* its state of the band that the tracer is at */
-    } watches[BAND_OBSERVERS_MOST];
+    } watches[MAX_BAND_OBSERVERS];
     size_t watch_count;
     struct frame_layout layout; /* of the band that it is at */
     struct lock *lock;          /* held while observers begin, merge and end */

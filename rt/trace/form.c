@@ -126,7 +126,7 @@ static void define_scene(struct defines *defines, const struct scene *scene)
     if (pieces > 0)
         define(defines, "BLOB_PIECES", pieces);
     if (crossings > CROSSINGS_USUAL)
-        define(defines, "CROSSINGS_MOST", crossings);
+        define(defines, "MAX_CROSSINGS", crossings);
 }
 
 struct object *form_assemble(const struct trace_options *options,

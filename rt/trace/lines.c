@@ -84,7 +84,7 @@ static bool check_options(const struct lines_options *options, c205_error *error
         return error_say(error, "lines have a scalar form, a vector form and "
                                 "the one of 1984");
     if (options->mode != TRACE_SCALAR
-        && (options->queue == 0 || options->queue > TRACE_QUEUE_MOST))
+        && (options->queue == 0 || options->queue > MAX_TRACE_QUEUE))
         return error_say(error, "a queue has from 1 to 65535 lines");
     if (!(options->behind >= 0) || !isfinite(options->behind))
         return error_say(error, "lines begin at their origins or behind them");

@@ -114,7 +114,7 @@ static bool check_threshold(const struct trace_options *options,
               "its pixels need their samples";
     else if (options->samples < 2)
         why = "a threshold needs samples, 2 across a pixel at the least";
-    else if (options->width > TRACE_COLUMNS_MOST)
+    else if (options->width > MAX_TRACE_COLUMNS)
         why = "with a threshold a frame has 65534 columns at the most";
     if (why)
         snprintf(error->message, sizeof error->message, "%s", why);

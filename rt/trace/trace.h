@@ -30,23 +30,23 @@ bool trace_mode_named(const char *name, enum trace_mode *mode);
 enum trace_mode trace_mode_besides(enum trace_mode mode);
 
 enum {
-    TRACE_QUEUE = 2000,       /* rays, as in the paper */
-    TRACE_QUEUE_MOST = 65535, /* the longest vector */
+    TRACE_QUEUE = 2000,      /* rays, as in the paper */
+    MAX_TRACE_QUEUE = 65535, /* the longest vector */
     /* Pixels; a band is as many whole rows.  Its planes fill 4 of the 16 pages
      * that are in memory: with twice as many the scalar form, which writes
      * them pixel by pixel, would wait for pages. */
     TRACE_BAND = 32768,
-    TRACE_JOBS_MOST = 256
+    MAX_TRACE_JOBS = 256
 };
 
 /* With a threshold a pixel has one ray, and the samples besides only if it differs
  * so much from a neighbour (rt/kernels/frame/adaptive.s).  That is so in blocks of
  * pixels, across and down; a band is as many whole rows of them, one at the least. A row
  * and the pixel to the left of it are one vector. */
-enum { TRACE_BLOCK = 32, TRACE_COLUMNS_MOST = 65534 };
+enum { TRACE_BLOCK = 32, MAX_TRACE_COLUMNS = 65534 };
 /* Pixels of a frame: what fits the memory that hosts commonly have. */
-enum { TRACE_SAMPLES_MOST = 16 };
-#define TRACE_PIXELS_MOST ((size_t)1 << 26)
+enum { MAX_TRACE_SAMPLES = 16 };
+#define MAX_TRACE_PIXELS ((size_t)1 << 26)
 
 struct farm;
 struct trace;

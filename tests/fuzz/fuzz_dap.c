@@ -40,11 +40,11 @@ struct talk {
 
 static void frame_lines(struct talk *talk, const uint8_t *data, size_t size)
 {
-    enum { LINES_MOST = 14 };
+    enum { MAX_LINES = 14 };
     struct sink sink = text_buffer_sink(&talk->said);
     size_t from = 0, lines = 0;
 
-    for (size_t i = 0; i <= size && lines < LINES_MOST; i++) {
+    for (size_t i = 0; i <= size && lines < MAX_LINES; i++) {
         struct text_buffer line = { 0 };
         struct sink filling = text_buffer_sink(&line);
         if (i < size && data[i] != '\n')

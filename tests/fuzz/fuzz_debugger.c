@@ -7,7 +7,7 @@
 
 bool fuzz_accepted;
 
-enum { LINES_MOST = 8, ASKED_MOST = 20 };
+enum { MAX_LINES = 8, MAX_ASKED = 20 };
 
 static const char text[] = "        .include \"vectors.s\"\n"
                            "        .regs r16, a, b, turns, to\n"
@@ -38,7 +38,7 @@ static unsigned asked;
 static bool is_enough(void *unused)
 {
     (void)unused;
-    return ++asked > ASKED_MOST;
+    return ++asked > MAX_ASKED;
 }
 
 static void check_clock(struct debugger *debugger)
@@ -55,7 +55,7 @@ static void check_clock(struct debugger *debugger)
 static void obey_lines(struct debugger *debugger, char *lines)
 {
     size_t count = 0;
-    for (char *line = strtok(lines, "\n"); line && count < LINES_MOST;
+    for (char *line = strtok(lines, "\n"); line && count < MAX_LINES;
          line = strtok(NULL, "\n"), count++) {
         asked = 0;
         if (!debugger_obey(debugger, line))

@@ -27,13 +27,13 @@ static void ask(struct engine *engine, const char *line, size_t length)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    enum { MOST = 6 }; /* requests */
+    enum { MAX = 6 }; /* requests */
     struct engine *engine = engine_new();
     const char *line = (const char *)data, *end = line + size;
 
     must(engine);
     engine_bound(engine, 100000);
-    for (int i = 0; i < MOST && line < end; i++) {
+    for (int i = 0; i < MAX && line < end; i++) {
         const char *newline = memchr(line, '\n', (size_t)(end - line));
         const char *next = newline ? newline : end;
         ask(engine, line, (size_t)(next - line));

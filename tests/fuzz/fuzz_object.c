@@ -6,7 +6,7 @@
 bool fuzz_accepted;
 
 #define CLOCKS 10000
-#define WORDS_MOST ((size_t)1 << 20) /* more is only slower */
+#define MAX_WORDS ((size_t)1 << 20) /* more is only slower */
 
 static size_t words_of(const c205_program *program)
 {
@@ -32,7 +32,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     c205_error error;
     struct object *object = object_read((const char *)data, size, &error);
-    if (object && words_of(&object->program) <= WORDS_MOST)
+    if (object && words_of(&object->program) <= MAX_WORDS)
         load_and_run(&object->program);
     object_free(object);
     return 0;

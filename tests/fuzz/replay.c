@@ -5,11 +5,11 @@
 
 #include "tests/fuzz/fuzz.h"
 
-enum { SIZE_MOST = 1 << 20, ALL_REFUSED = 3 };
+enum { MAX_SIZE = 1 << 20, ALL_REFUSED = 3 };
 
 int main(int argc, char **argv)
 {
-    uint8_t *data = malloc(SIZE_MOST);
+    uint8_t *data = malloc(MAX_SIZE);
     for (int i = 1; data && i < argc; i++) {
         FILE *file = fopen(argv[i], "rb");
         size_t size;
@@ -17,7 +17,7 @@ int main(int argc, char **argv)
             perror(argv[i]);
             return 1;
         }
-        size = fread(data, 1, SIZE_MOST, file);
+        size = fread(data, 1, MAX_SIZE, file);
         fclose(file);
         LLVMFuzzerTestOneInput(data, size);
     }

@@ -44,11 +44,11 @@ enum {
     WIDTH = LANGUAGE_WIDTH,
     HEIGHT = LANGUAGE_HEIGHT,
     PIXELS = WIDTH * HEIGHT,
-    OTHERS_MOST = PIXELS / 1000,
-    FORGIVEN_MOST = PIXELS / 50,
-    AHEAD = 8,         /* runs of POV-Ray that are begun */
-    TRIALS_MOST = 400, /* to make a scene smaller */
-    SMALLER_MOST = 3,  /* scenes that are made so */
+    MAX_OTHERS = PIXELS / 1000,
+    MAX_FORGIVEN = PIXELS / 50,
+    AHEAD = 8,        /* runs of POV-Ray that are begun */
+    MAX_TRIALS = 400, /* to make a scene smaller */
+    MAX_SMALLER = 3,  /* scenes that are made so */
     REASON = 400,
     PATH = 80
 };
@@ -268,7 +268,7 @@ static bool same_picture(const char *text, const struct camera *camera, size_t n
     double greatest;
     size_t count = others(ours, theirs, other, &greatest), forgiven = 0;
     size_t left = 0, worst = 0;
-    if (count <= OTHERS_MOST)
+    if (count <= MAX_OTHERS)
         return true;
     if (!find_edges(text, camera, number, edge))
         return blame(judgement, NOT_BY_POVRAY, "not from a side");
@@ -278,7 +278,7 @@ static bool same_picture(const char *text, const struct camera *camera, size_t n
         if (other[k] && !edge[k])
             worst = k;
     }
-    if (left <= OTHERS_MOST && forgiven <= FORGIVEN_MOST)
+    if (left <= MAX_OTHERS && forgiven <= MAX_FORGIVEN)
         return true;
     blame(judgement, OTHER_PICTURE, "");
     judgement->pixel = worst;
@@ -421,10 +421,10 @@ static bool check_scene(size_t number, bool first)
     struct judgement judgement = judge(place->text, number, &place->sitting);
     if (judgement.fault)
         printf("scene %zu: %s\n", number, judgement.reason);
-    if (judgement.fault && !first && failed++ < SMALLER_MOST) {
+    if (judgement.fault && !first && failed++ < MAX_SMALLER) {
         fflush(stdout);
         struct failure failure = { number, judgement };
-        place->text = text_shrunk(place->text, TRIALS_MOST, fails_as, &failure);
+        place->text = text_shrunk(place->text, MAX_TRIALS, fails_as, &failure);
         show(place->text, number);
     }
     free(place->text);

@@ -63,12 +63,12 @@ enum { OPERATION_COUNT = sizeof operations / sizeof operations[0] };
 enum {
     EXPONENTS = 1 << NARROW_EXPONENT_BITS,
     COEFFICIENTS = 2 << NARROW_DIGITS,
-    MOST_WORDS = EXPONENTS * COEFFICIENTS
+    MAX_WORDS = EXPONENTS * COEFFICIENTS
 };
 
 struct words {
     size_t n;
-    c205_word at[MOST_WORDS];
+    c205_word at[MAX_WORDS];
 };
 
 static void add_words(struct words *words, int64_t exponent)

@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { POLYNOMIALS = 600, SHOWN_MOST = 20 };
+enum { POLYNOMIALS = 600, MAX_SHOWN = 20 };
 
 static unsigned long shown;
 
@@ -26,7 +26,7 @@ static void show(const struct polynomial *polynomial,
                  const struct polynomial_roots *roots, const char *why)
 {
     char text[C205_TEXT_SIZE];
-    if (shown++ >= SHOWN_MOST)
+    if (shown++ >= MAX_SHOWN)
         return;
     printf("%s:\n   ", why);
     for (int i = 0; i < 5; i++) {
@@ -87,7 +87,7 @@ static unsigned long compare(const struct polynomial *polynomials, size_t count,
     unsigned long differ = 0;
     solve(roots, polynomials, count, options);
     for (size_t i = 0; i < count; i++)
-        if (!same_roots(&expected[i], &roots[i], options->first ? 1 : ROOTS_MOST)) {
+        if (!same_roots(&expected[i], &roots[i], options->first ? 1 : MAX_ROOTS)) {
             show(&polynomials[i], &roots[i], "scalar, all");
             show(&polynomials[i], &roots[i], trace_mode_name(options->mode));
             differ++;

@@ -45,7 +45,7 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
     static const size_t queues[] = { 1, 2, 7, 7, 77, 77, 77, TRACE_QUEUE };
     struct trace_options way = { .queue = queues[below(state, 8)] };
     if (one_in(state, 20))
-        way.queue = TRACE_QUEUE_MOST;
+        way.queue = MAX_TRACE_QUEUE;
     way.mode = (enum trace_mode)below(state, TRACE_MODES);
     way.no_bounds = one_in(state, 6);
     way.flat = one_in(state, 4);

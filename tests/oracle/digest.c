@@ -18,7 +18,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { HALF_WORD = 32, TRAPS_MOST = 100 };
+enum { HALF_WORD = 32, MAX_TRAPS = 100 };
 #define CLOCKS 400000
 #define FIRST_SEED UINT64_C(1205)
 
@@ -90,7 +90,7 @@ static void run_texts(struct digest *digest, char **paths)
 /* What traps is skipped, so that the program goes on. */
 static void run_on(c205 *machine)
 {
-    for (int i = 0; i < TRAPS_MOST; i++) {
+    for (int i = 0; i < MAX_TRAPS; i++) {
         c205_stop stop = c205_run(machine, CLOCKS);
         unsigned halves = stop.insn ? c205_format_halves(stop.insn->format) : 1;
         if (stop.trap == C205_TRAP_NONE || stop.trap == C205_TRAP_CLOCK_LIMIT)

@@ -1,6 +1,6 @@
 #include "exact_roots.h"
 
-enum { NEWTON_MOST = 80, CLOSE_BITS = EXACT_BITS - 40 };
+enum { MAX_NEWTON = 80, CLOSE_BITS = EXACT_BITS - 40 };
 
 void exact_init(struct exact_roots *roots)
 {
@@ -103,7 +103,7 @@ static void step_from(struct search *s, int steps)
     mpfr_div(s->step, s->f, s->slope, MPFR_RNDN);
     mpfr_sub(s->step, s->x, s->step, MPFR_RNDN);
     if (!mpfr_number_p(s->step) || mpfr_lessequal_p(s->step, s->a)
-        || mpfr_greaterequal_p(s->step, s->b) || steps > NEWTON_MOST) {
+        || mpfr_greaterequal_p(s->step, s->b) || steps > MAX_NEWTON) {
         mpfr_add(s->step, s->a, s->b, MPFR_RNDN);
         mpfr_div_2ui(s->step, s->step, 1, MPFR_RNDN);
     }

@@ -8,21 +8,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum {
-    PARTS_MOST = 3,
-    SOLIDS_MOST = 2,
-    LAMPS_MOST = 2,
-    DEPTH = 4,
-    WORDS = SOLID_WORDS
-};
+enum { MAX_PARTS = 3, MAX_SOLIDS = 2, MAX_LAMPS = 2, DEPTH = 4, WORDS = SOLID_WORDS };
 
 struct grid {
     char view[WORDS];
     bool aslant;
     double scale; /* of everything but the lamps */
     size_t lamp_count, solid_count;
-    char lamps[LAMPS_MOST][WORDS];
-    struct solid *solids[SOLIDS_MOST + 1]; /* with a ground */
+    char lamps[MAX_LAMPS][WORDS];
+    struct solid *solids[MAX_SOLIDS + 1]; /* with a ground */
 };
 
 /* --- by chance ------------------------------------------------------------ */
@@ -216,7 +210,7 @@ static void random_motion(uint64_t *state, char *motion)
 static struct solid *random_joining(uint64_t *state)
 {
     enum solid_joining joining = UNION + (enum solid_joining)below(state, 4);
-    return solid_new(joining, 2 + below(state, PARTS_MOST - 1));
+    return solid_new(joining, 2 + below(state, MAX_PARTS - 1));
 }
 
 /* One in eight solids is clipped.  What else is drawn does not depend on it. */
@@ -363,10 +357,10 @@ static void draw_scene(uint64_t *state, struct grid *scene)
     for (int i = 0; i < 8; i++)
         xorshift(state);
     random_view(state, scene);
-    scene->lamp_count = below(state, LAMPS_MOST + 1);
+    scene->lamp_count = below(state, MAX_LAMPS + 1);
     for (size_t i = 0; i < scene->lamp_count; i++)
         random_lamp(state, scene->lamps[i]);
-    scene->solid_count = 1 + below(state, SOLIDS_MOST);
+    scene->solid_count = 1 + below(state, MAX_SOLIDS);
     for (size_t i = 0; i < scene->solid_count; i++)
         scene->solids[i] = below(state, 10) == 0
                                ? random_mesh(state)

@@ -5,14 +5,14 @@ enum { SHORES = 2 * EXACT_DEGREE };
 void islands_init(struct islands *islands)
 {
     islands->count = 0;
-    for (int i = 0; i < ISLANDS_MOST; i++)
+    for (int i = 0; i < MAX_ISLANDS; i++)
         mpfr_inits2(EXACT_BITS, islands->island[i].low, islands->island[i].high,
                     (mpfr_ptr)NULL);
 }
 
 void islands_clear(struct islands *islands)
 {
-    for (int i = 0; i < ISLANDS_MOST; i++)
+    for (int i = 0; i < MAX_ISLANDS; i++)
         mpfr_clears(islands->island[i].low, islands->island[i].high, (mpfr_ptr)NULL);
 }
 

@@ -11,13 +11,13 @@
 
 #include "exact_roots.h"
 
-enum { ISLAND_BITS = 43, ISLANDS_MOST = 2 * EXACT_DEGREE };
+enum { ISLAND_BITS = 43, MAX_ISLANDS = 2 * EXACT_DEGREE };
 
 struct islands {
     size_t count;
     struct island {
         mpfr_t low, high;
-    } island[ISLANDS_MOST];
+    } island[MAX_ISLANDS];
 };
 
 void islands_init(struct islands *islands);

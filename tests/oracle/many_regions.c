@@ -7,14 +7,14 @@
 
 #include <stdlib.h>
 
-enum { LAMPS_MOST = 3, GROUPS_MOST = 3, JOINED_MOST = 24, WORDS = SOLID_WORDS };
+enum { MAX_LAMPS = 3, MAX_GROUPS = 3, MAX_JOINED = 24, WORDS = SOLID_WORDS };
 
 struct regions {
     size_t width, height;
     char settings[WORDS], view[WORDS];
     size_t lamp_count, solid_count;
-    char lamps[LAMPS_MOST][WORDS];
-    struct solid *solids[MANY_REGIONS_MOST];
+    char lamps[MAX_LAMPS][WORDS];
+    struct solid *solids[MAX_MANY_REGIONS];
     int levels;
     enum mood mood;
     enum certainty certainty;
@@ -23,9 +23,9 @@ struct regions {
 struct drawing {
     uint64_t *state;
     struct regions *scene;
-    struct place places[MANY_REGIONS_MOST]; /* of the scene's solids */
-    bool whole;                             /* on whole numbers */
-    bool endless;                           /* some things are */
+    struct place places[MAX_MANY_REGIONS]; /* of the scene's solids */
+    bool whole;                            /* on whole numbers */
+    bool endless;                          /* some things are */
 };
 
 /* --- groups --------------------------------------------------------------- */
@@ -165,7 +165,7 @@ static void add_solid(struct drawing *drawing, const struct group *group, size_t
 static void add_groups(struct drawing *drawing, size_t count)
 {
     uint64_t *state = drawing->state;
-    size_t groups = 1 + below(state, GROUPS_MOST);
+    size_t groups = 1 + below(state, MAX_GROUPS);
     for (size_t i = 0; i < groups; i++) {
         struct group group = { .count = (count + i) / groups };
         random_group(state, drawing->whole, &group);
@@ -182,7 +182,7 @@ static void add_ground(struct drawing *drawing)
 {
     uint64_t state = stream_beside(*drawing->state, 7, 1);
     struct regions *scene = drawing->scene;
-    if (!drawing->whole || below(&state, 3) || scene->solid_count == MANY_REGIONS_MOST)
+    if (!drawing->whole || below(&state, 3) || scene->solid_count == MAX_MANY_REGIONS)
         return;
     struct solid *ground = solid_new(SHAPE, 0);
     solid_words(ground->shape, "plane { y, %g ", (double)below(&state, 5) - 2.5);
@@ -195,8 +195,8 @@ static void add_ground(struct drawing *drawing)
 static void join_some(struct drawing *drawing)
 {
     struct regions *scene = drawing->scene;
-    bool all = one_in(drawing->state, 3) || scene->solid_count < JOINED_MOST;
-    size_t most = all ? scene->solid_count : JOINED_MOST;
+    bool all = one_in(drawing->state, 3) || scene->solid_count < MAX_JOINED;
+    size_t most = all ? scene->solid_count : MAX_JOINED;
     size_t count = 1 + below(drawing->state, most);
     enum solid_joining joining = random_joining(drawing->state);
     struct solid *whole = solid_new(joining, count);
@@ -365,7 +365,7 @@ static size_t random_count(uint64_t *state)
 {
     if (one_in(state, 8))
         return below(state, 2);
-    return (size_t)of_any_size(state, 2, MANY_REGIONS_MOST + .5);
+    return (size_t)of_any_size(state, 2, MAX_MANY_REGIONS + .5);
 }
 
 static void draw_scene(uint64_t *state, struct regions *scene)
@@ -381,7 +381,7 @@ static void draw_scene(uint64_t *state, struct regions *scene)
     scene->mood = (enum mood)below(state, MOODS);
     add_groups(drawing, random_count(state));
     random_settings(drawing);
-    scene->lamp_count = below(state, LAMPS_MOST + 1);
+    scene->lamp_count = below(state, MAX_LAMPS + 1);
     for (size_t i = 0; i < scene->lamp_count; i++)
         random_lamp(drawing, scene->lamps[i]);
     random_size(drawing);

@@ -11,7 +11,7 @@
 
 #include "tests/oracle/many_scenes.h"
 
-enum { MANY_REGIONS_MOST = 400 };
+enum { MAX_MANY_REGIONS = 400 };
 
 /* All from the state, which is never 0; the more there is to see, the smaller the frame. */
 struct random_scene many_regions(uint64_t *state);

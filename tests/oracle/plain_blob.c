@@ -202,7 +202,7 @@ static size_t cross_between(const struct primitive *primitive, const struct ray 
 }
 
 size_t cross_blob(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MOST_CROSSINGS])
+                  struct crossing crossings[MAX_CROSSINGS])
 {
     struct places places = { 0, malloc((8 * primitive->shape.blob.parts.count + 1)
                                        * sizeof *places.at) };
@@ -213,7 +213,7 @@ size_t cross_blob(const struct primitive *primitive, const struct ray *ray,
     for (size_t i = 0; i + 1 < places.count; i++)
         if (places.at[i] < places.at[i + 1])
             count += cross_between(primitive, ray, places.at[i], places.at[i + 1],
-                                   &crossings[count], MOST_CROSSINGS - count);
+                                   &crossings[count], MAX_CROSSINGS - count);
     free(places.at);
     return count;
 }

@@ -115,11 +115,11 @@ static size_t cross_segment(const double from[2], const double to[2],
 }
 
 size_t cross_lathe(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MOST_CROSSINGS])
+                   struct crossing crossings[MAX_CROSSINGS])
 {
     const struct outline *path = &primitive->shape.lathe.path;
     size_t count = 0;
-    for (size_t i = 1; i < path->count && count < MOST_CROSSINGS - 1; i++)
+    for (size_t i = 1; i < path->count && count < MAX_CROSSINGS - 1; i++)
         count += cross_segment(path->points[i - 1], path->points[i], ray,
                                &crossings[count]);
     return count;

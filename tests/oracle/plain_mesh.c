@@ -134,9 +134,9 @@ static size_t keep(struct crossing *crossings, size_t count,
     size_t at = count;
     while (at > 0 && goes_before(found->distance, crossings[at - 1].distance))
         at--;
-    if (at == MOST_CROSSINGS)
+    if (at == MAX_CROSSINGS)
         return count;
-    size_t last = count < MOST_CROSSINGS ? count : MOST_CROSSINGS - 1;
+    size_t last = count < MAX_CROSSINGS ? count : MAX_CROSSINGS - 1;
     for (size_t i = last; i > at; i--)
         crossings[i] = crossings[i - 1];
     crossings[at] = *found;
@@ -144,7 +144,7 @@ static size_t keep(struct crossing *crossings, size_t count,
 }
 
 size_t cross_mesh(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MOST_CROSSINGS])
+                  struct crossing crossings[MAX_CROSSINGS])
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
     size_t count = 0;

@@ -80,13 +80,13 @@ static bool cross_cap(const struct primitive *primitive, double height,
 }
 
 size_t cross_prism(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MOST_CROSSINGS])
+                   struct crossing crossings[MAX_CROSSINGS])
 {
     struct edges edges = { .path = &primitive->shape.prism.path };
     double low = primitive->shape.prism.low;
     double high = primitive->shape.prism.high;
     size_t count = 0;
-    while (take_edge(&edges) && count < MOST_CROSSINGS - 2)
+    while (take_edge(&edges) && count < MAX_CROSSINGS - 2)
         count += cross_side(&edges, low, high, ray, &crossings[count]);
     if (primitive->shape.prism.open)
         return count;

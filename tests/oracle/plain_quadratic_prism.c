@@ -113,12 +113,12 @@ static size_t cross_cap(const struct primitive *primitive, double height,
 }
 
 size_t cross_quadratic_prism(const struct primitive *primitive, const struct ray *ray,
-                             struct crossing crossings[MOST_CROSSINGS])
+                             struct crossing crossings[MAX_CROSSINGS])
 {
     struct arcs arcs = { .path = &primitive->shape.quadratic_prism.path };
     struct arc arc;
     size_t count = 0;
-    while (count < MOST_CROSSINGS - 3 && take_arc(&arcs, &arc))
+    while (count < MAX_CROSSINGS - 3 && take_arc(&arcs, &arc))
         count += cross_sides(primitive, &arc, ray, &crossings[count]);
     if (primitive->shape.quadratic_prism.open)
         return count;

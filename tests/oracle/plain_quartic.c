@@ -53,7 +53,7 @@ static void add_times(struct along *sum, long double factor, const struct along 
 /* Distances and points of the roots; the caller adds the normals. */
 static size_t cross_surface(const struct along *surface,
                             const struct centred_line *line,
-                            struct crossing crossings[MOST_CROSSINGS])
+                            struct crossing crossings[MAX_CROSSINGS])
 {
     long double roots[HIGHEST_DEGREE];
     size_t count = plain_roots(surface->c, HIGHEST_DEGREE, roots);
@@ -103,7 +103,7 @@ static void torus_normal(const struct torus *torus, const double point[3],
 }
 
 static size_t cross_any_torus(const struct torus *torus, const struct ray *ray,
-                              struct crossing crossings[MOST_CROSSINGS])
+                              struct crossing crossings[MAX_CROSSINGS])
 {
     struct centred_line line = centre(ray);
     struct along surface = torus_along(torus, line.coordinate);
@@ -117,7 +117,7 @@ static size_t cross_any_torus(const struct torus *torus, const struct ray *ray,
 }
 
 size_t cross_torus(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MOST_CROSSINGS])
+                   struct crossing crossings[MAX_CROSSINGS])
 {
     double minor = primitive->shape.torus.minor;
     const struct torus torus = { primitive->shape.torus.major, minor, minor };
@@ -125,7 +125,7 @@ size_t cross_torus(const struct primitive *primitive, const struct ray *ray,
 }
 
 size_t cross_elliptical_torus(const struct primitive *primitive, const struct ray *ray,
-                              struct crossing crossings[MOST_CROSSINGS])
+                              struct crossing crossings[MAX_CROSSINGS])
 {
     const struct torus torus = { primitive->shape.elliptical_torus.major,
                                  primitive->shape.elliptical_torus.radial,
@@ -190,7 +190,7 @@ static void quartic_normal(const double *coefficients, const double point[3],
 }
 
 size_t cross_quartic(const struct primitive *primitive, const struct ray *ray,
-                     struct crossing crossings[MOST_CROSSINGS])
+                     struct crossing crossings[MAX_CROSSINGS])
 {
     const double *c = primitive->shape.quartic.coefficients;
     struct centred_line line = centre(ray);

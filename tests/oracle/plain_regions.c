@@ -54,7 +54,7 @@ struct crossing_list *crossing_list_new(const struct scene *scene)
     for (size_t i = 0; i < scene->region_count; i++)
         if (scene->regions[i].primitive_count > most)
             most = scene->regions[i].primitive_count;
-    list = malloc(sizeof *list + most * MOST_CROSSINGS * sizeof *list->places);
+    list = malloc(sizeof *list + most * MAX_CROSSINGS * sizeof *list->places);
     return list;
 }
 
@@ -75,7 +75,7 @@ static void insert(struct crossing_list *list, const struct place *place)
 static void cross_primitive(struct crossing_list *list,
                             const struct primitive *primitive)
 {
-    struct crossing crossings[MOST_CROSSINGS];
+    struct crossing crossings[MAX_CROSSINGS];
     struct ray local;
     to_other_space(&primitive->to_local, list->ray->origin, local.origin);
     turn(&primitive->to_local, list->ray->direction, local.direction);

@@ -14,7 +14,7 @@ static size_t quadratic(double a, double b, double c, double roots[2])
 }
 
 size_t cross_sphere(const struct primitive *primitive, const struct ray *ray,
-                    struct crossing crossings[MOST_CROSSINGS])
+                    struct crossing crossings[MAX_CROSSINGS])
 {
     const double *center = primitive->shape.sphere.center;
     double radius = primitive->shape.sphere.radius;
@@ -40,7 +40,7 @@ static void face_crossing(struct crossing *crossing, double distance, int axis)
 /* The part of the line between each pair of faces; the box is what all three
  * have in common. */
 size_t cross_box(const struct primitive *primitive, const struct ray *ray,
-                 struct crossing crossings[MOST_CROSSINGS])
+                 struct crossing crossings[MAX_CROSSINGS])
 {
     const double(*const corner)[3] = primitive->shape.box.corner;
     crossings[0].distance = -INFINITY;
@@ -128,7 +128,7 @@ static size_t cross_disks(const struct axial_view *view, struct crossing *crossi
 }
 
 size_t cross_cylinder(const struct primitive *primitive, const struct ray *ray,
-                      struct crossing crossings[MOST_CROSSINGS])
+                      struct crossing crossings[MAX_CROSSINGS])
 {
     struct axial_view view;
     view_along(primitive->shape.cylinder.base, primitive->shape.cylinder.cap, ray,
@@ -142,7 +142,7 @@ size_t cross_cylinder(const struct primitive *primitive, const struct ray *ray,
 }
 
 size_t cross_cone(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MOST_CROSSINGS])
+                  struct crossing crossings[MAX_CROSSINGS])
 {
     struct axial_view view;
     view_along(primitive->shape.cone.base, primitive->shape.cone.cap, ray, &view);
@@ -154,7 +154,7 @@ size_t cross_cone(const struct primitive *primitive, const struct ray *ray,
 }
 
 size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MOST_CROSSINGS])
+                   struct crossing crossings[MAX_CROSSINGS])
 {
     const double *normal = primitive->shape.plane.normal;
     double along = dot(normal, ray->direction);
@@ -168,7 +168,7 @@ size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
 
 /* Where it crosses the plane, if that is on the ring. */
 size_t cross_disc(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MOST_CROSSINGS])
+                  struct crossing crossings[MAX_CROSSINGS])
 {
     const double *normal = primitive->shape.disc.normal;
     double along = dot(normal, ray->direction), from[3], away;
@@ -196,7 +196,7 @@ static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
 /* f(o + t d) = f(o) + t d.grad f(o) + t^2 / 2 d.H d, the Hessian H being
  * constant; and f(o) by Euler's rule for its quadratic and linear parts. */
 size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
-                     struct crossing crossings[MOST_CROSSINGS])
+                     struct crossing crossings[MAX_CROSSINGS])
 {
     const double *c = primitive->shape.quadric.coefficients;
     double at[3], along[3], roots[2], point[3];
@@ -215,7 +215,7 @@ size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
 }
 
 size_t plain_crossings(const struct primitive *primitive, const struct ray *ray,
-                       struct crossing crossings[MOST_CROSSINGS])
+                       struct crossing crossings[MAX_CROSSINGS])
 {
     static cross_shape *const cross[PRIMITIVE_KINDS] = {
 #define SHAPE(KIND, name, ...) cross_##name,

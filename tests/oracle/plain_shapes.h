@@ -23,11 +23,11 @@ struct crossing {
 
 /* Of a prism; a quartic has 4.  Of a mesh with more these are the first ahead
  * of the origin. */
-enum { MOST_CROSSINGS = 40 };
+enum { MAX_CROSSINGS = 40 };
 
 /* Every crossing of the whole line, in no order; returns how many. */
 typedef size_t cross_shape(const struct primitive *primitive, const struct ray *ray,
-                           struct crossing crossings[MOST_CROSSINGS]);
+                           struct crossing crossings[MAX_CROSSINGS]);
 cross_shape plain_crossings;
 
 /* Is a point of the primitive's own space inside of it?  A patch has no

@@ -31,7 +31,7 @@ struct place {
 struct search {
     struct conic conics[2];
     size_t count;
-    struct place found[MOST_CROSSINGS];
+    struct place found[MAX_CROSSINGS];
 };
 
 static const int first_index[STEINER_POINTS] = { 0, 1, 2, 0, 1, 0 };
@@ -105,7 +105,7 @@ static void note(struct search *search, const struct place *place)
         if (fabsl(p[0] - place->p[0]) + fabsl(p[1] - place->p[1]) < SAME)
             return;
     }
-    if (search->count < MOST_CROSSINGS)
+    if (search->count < MAX_CROSSINGS)
         search->found[search->count++] = *place;
 }
 
@@ -236,7 +236,7 @@ static struct crossing crossing_at(const struct primitive *primitive,
 }
 
 size_t cross_steiner_patch(const struct primitive *primitive, const struct ray *ray,
-                           struct crossing crossings[MOST_CROSSINGS])
+                           struct crossing crossings[MAX_CROSSINGS])
 {
     static const struct place corners[3] = { { { 1, 0, 0 } },
                                              { { 0, 1, 0 } },

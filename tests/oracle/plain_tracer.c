@@ -16,11 +16,11 @@
 
 /* The interiors that a ray is in, the outermost first: of each a primitive
  * that has it. */
-enum { INTERIORS_MOST = 64 };
+enum { MAX_INTERIORS = 64 };
 struct interiors {
     bool known; /* those of a ray from the eye are not */
     size_t count;
-    const struct primitive *of[INTERIORS_MOST];
+    const struct primitive *of[MAX_INTERIORS];
 };
 
 /* A ray on its way: how many rays led to it, itself counted, but those that
@@ -137,7 +137,7 @@ static double cross(struct interiors *in, const struct primitive *surface)
     double from = innermost_index(in);
     size_t at = find(in, surface->interior);
     if (at == in->count) {
-        assert(in->count < INTERIORS_MOST);
+        assert(in->count < MAX_INTERIORS);
         in->of[in->count++] = surface;
     } else {
         in->count--;

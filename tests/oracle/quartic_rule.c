@@ -2,7 +2,7 @@
 
 #include "arithmetic_oracle.h"
 
-#define ERROR_MOST 1e-10
+#define MAX_ERROR 1e-10
 #define CLUSTER_LEAST 1e-5
 
 /* ---- One side of zero --------------------------------------------------- */
@@ -191,13 +191,13 @@ static const char *check_island(struct half *half, const struct island *island,
     tally->at_bound += facts.bounded && facts.above > found;
     tally->joined += !facts.bounded && facts.above > found;
     tally->touched += facts.above < found;
-    if (facts.above != 1 || found != 1 || !is_narrower(half, island, ERROR_MOST))
+    if (facts.above != 1 || found != 1 || !is_narrower(half, island, MAX_ERROR))
         return NULL;
     double error = error_of_only_root(half, facts.root);
     tally->sharp++;
     if (error > tally->error)
         tally->error = error;
-    return error <= ERROR_MOST ? NULL : "not exact enough";
+    return error <= MAX_ERROR ? NULL : "not exact enough";
 }
 
 static const char *check_half(struct half *half, struct tally *tally)

@@ -5,7 +5,7 @@
 
 enum {
     CODE_WORDS = PROGRAM_INSNS + 2,
-    AREA_MOST = 4096 /* words, more than any area has */
+    MAX_AREA = 4096 /* words, more than any area has */
 };
 
 /* Long instructions may begin in the middle of a word. */
@@ -26,7 +26,7 @@ static void put_code(c205 *machine, const struct random_program *program)
 
 static void put_data(c205 *machine, const struct random_program *program)
 {
-    c205_word words[AREA_MOST];
+    c205_word words[MAX_AREA];
     for (size_t i = 0; i < random_area_count; i++) {
         program_data(program, random_areas + i, words);
         c205_write(machine, random_areas[i].address, words, random_areas[i].words);
@@ -92,7 +92,7 @@ static bool map_page(c205 *machine, size_t i, const struct random_shared *shared
 
 static void put_own_data(c205 *machine, const struct random_program *program)
 {
-    c205_word words[AREA_MOST];
+    c205_word words[MAX_AREA];
     for (size_t i = 0; i < random_area_count; i++)
         if (random_areas[i].access != C205_READ_WRITE) {
             program_data(program, random_areas + i, words);

@@ -7,7 +7,7 @@
 #include "tests/oracle/operand_letters.h"
 #include "tests/oracle/reference.h"
 
-enum { ANYONE = -1, KEPT_WORDS = 1 << 12, MOST_FOUND = 1000, MOST_NAMES = 16 };
+enum { ANYONE = -1, KEPT_WORDS = 1 << 12, MAX_FOUND = 1000, MAX_NAMES = 16 };
 
 /* A word that a SWAP put into memory. */
 struct kept {
@@ -38,7 +38,7 @@ struct register_owners {
     long owner[C205_REGISTERS]; /* index of a name, or ANYONE */
     uint64_t written[C205_REGISTERS];
     struct kept kept[KEPT_WORDS];
-    struct found found[MOST_FOUND];
+    struct found found[MAX_FOUND];
     size_t found_count;
     uint64_t read;
 };
@@ -155,7 +155,7 @@ static void find(struct register_owners *owners, uint64_t address, size_t name,
                  unsigned number)
 {
     long owner = owners->owner[number];
-    if (owners->found_count < MOST_FOUND && !is_known(owners, address, name, owner))
+    if (owners->found_count < MAX_FOUND && !is_known(owners, address, name, owner))
         owners->found[owners->found_count++] = (struct found){
             address, name, owner, owners->written[number]
         };

@@ -151,10 +151,10 @@ void mesh_box_words(uint64_t state, double corner[2][3], char words[SOLID_WORDS]
 
 void mesh_star_words(uint64_t state, char words[SOLID_WORDS])
 {
-    enum { ROUND_MOST = 8 };
+    enum { MAX_ROUND = 8 };
     char points[SOLID_WORDS] = "", faces[SOLID_WORDS] = "";
     state = stream_beside(state, 7, 1);
-    int round = 3 + (int)below(&state, ROUND_MOST - 2);
+    int round = 3 + (int)below(&state, MAX_ROUND - 2);
     for (int i = 0; i < round; i++) {
         size_t used = strlen(points);
         double angle = 6.2832 * i / round;

@@ -5,7 +5,7 @@
 #include "tests/oracle/scene_words.h"
 #include "tests/oracle/solid_text.h"
 
-enum { WORDS = SOLID_WORDS, BODIES_MOST = 5 };
+enum { WORDS = SOLID_WORDS, MAX_BODIES = 5 };
 
 /* Where a body stands; its half width and height. */
 struct stand {
@@ -188,8 +188,8 @@ char *standing_scene_text(uint64_t seed, double lift)
     put_view(&drawing);
     bool ground_first = one_in(&drawing.state, 2);
     size_t least = drawing.kind == STANDING_CLEAR ? 1 : 3;
-    size_t count = least + below(&drawing.state, BODIES_MOST + 1 - least);
-    size_t opaque = below(&drawing.state, 2 * BODIES_MOST);
+    size_t count = least + below(&drawing.state, MAX_BODIES + 1 - least);
+    size_t opaque = below(&drawing.state, 2 * MAX_BODIES);
     if (ground_first)
         put_ground(&drawing, lift);
     for (size_t i = 0; i < count; i++)

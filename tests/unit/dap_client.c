@@ -10,13 +10,13 @@
 
 /* ---- The process --------------------------------------------------------------- */
 
-enum { ARGUMENTS_MOST = 20, SECONDS_MOST = 60 };
+enum { MAX_ARGUMENTS = 20, MAX_SECONDS = 60 };
 
 static void become_adapter(int in, int out, const char *const *arguments)
 {
     const char *folder = getenv("RT205_LIBDIR");
     char program[1000];
-    const char *words[ARGUMENTS_MOST] = { program, "debug", "--dap" };
+    const char *words[MAX_ARGUMENTS] = { program, "debug", "--dap" };
 
     for (size_t i = 0; arguments && arguments[i]; i++)
         words[3 + i] = arguments[i];
@@ -35,7 +35,7 @@ void client_begin(struct dap_client *client, const char *const *arguments)
 
     *client = (struct dap_client){ .process = 0 };
     signal(SIGPIPE, SIG_IGN);
-    alarm(SECONDS_MOST);
+    alarm(MAX_SECONDS);
     assert_int_equal(pipe(to), 0);
     assert_int_equal(pipe(from), 0);
     client->process = fork();

@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORDS = 4, WORD = 400, LANES_MOST = 2, STAGE = 16 };
+enum { WORDS = 4, WORD = 400, MAX_LANES = 2, STAGE = 16 };
 
 struct alive {
     bool is;
-    char stage[LANES_MOST][STAGE]; /* in which it is; "": in none */
+    char stage[MAX_LANES][STAGE]; /* in which it is; "": in none */
 };
 
 struct kanata_log {
@@ -89,7 +89,7 @@ static char *lane_of(const struct kanata_log *log)
 {
     uint64_t lane = number_of(log, 2);
 
-    return lane < LANES_MOST ? find_alive(log, 1)->stage[lane] : NULL;
+    return lane < MAX_LANES ? find_alive(log, 1)->stage[lane] : NULL;
 }
 
 static const char *enter(struct kanata_log *log)

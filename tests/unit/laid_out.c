@@ -7,9 +7,9 @@
 #include "vm/text.h"
 
 /* For a program that has the records and, as places only, the kernels. */
-enum { PLACES_MOST = 8 * PRIMITIVE_KINDS + 2 };
+enum { MAX_PLACES = 8 * PRIMITIVE_KINDS + 2 };
 struct places {
-    const char *names[PLACES_MOST];
+    const char *names[MAX_PLACES];
     size_t count;
 };
 

@@ -21,14 +21,14 @@ struct plain run_plainly(struct object *object, uint64_t *random_state)
     const c205_segment *last = &object->program
                                     .segments[object->program.segment_count - 1];
     plain.watched = last->address + 64 * (xorshift(random_state) % last->length);
-    plain.moments = malloc((PLAIN_STEPS_MOST + 1) * sizeof *plain.moments);
+    plain.moments = malloc((MAX_PLAIN_STEPS + 1) * sizeof *plain.moments);
     assert_true(c205_load(machine, &object->program, &error));
     plain.moments[0] = moment_of(machine, plain.watched);
-    for (bool goes_on = true; goes_on && plain.end < PLAIN_STEPS_MOST;) {
+    for (bool goes_on = true; goes_on && plain.end < MAX_PLAIN_STEPS;) {
         goes_on = c205_step(machine, &stop);
         plain.moments[++plain.end] = moment_of(machine, plain.watched);
     }
-    assert_true(plain.end < PLAIN_STEPS_MOST);
+    assert_true(plain.end < MAX_PLAIN_STEPS);
     return plain;
 }
 

@@ -6,7 +6,7 @@
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/prior_model.h"
 
-enum { PLAIN_STEPS_MOST = 3000 };
+enum { MAX_PLAIN_STEPS = 3000 };
 
 /* Before each step. */
 struct moment {

@@ -27,9 +27,9 @@ struct nearest shoot(const struct surface *surface, const struct ray *ray)
 {
     struct nearest nearest = { INFINITY, { 0 } };
     for (size_t i = 0; i < surface->count; i++) {
-        struct crossing crossings[MOST_CROSSINGS];
+        struct crossing crossings[MAX_CROSSINGS];
         size_t count = plain_crossings(&surface->parts[i], ray, crossings);
-        assert_true(count <= MOST_CROSSINGS);
+        assert_true(count <= MAX_CROSSINGS);
         for (size_t k = 0; k < count; k++)
             if (crossings[k].distance > START
                 && crossings[k].distance < nearest.distance) {
@@ -82,7 +82,7 @@ static int compare_distances(const void *a, const void *b)
  * inside of a closed surface. */
 static double inside(const struct surface *surface, const struct ray *ray)
 {
-    struct crossing crossings[MOST_CROSSINGS];
+    struct crossing crossings[MAX_CROSSINGS];
     size_t count = plain_crossings(&surface->parts[0], ray, crossings);
     double sum = 0;
     assert_int_equal(count % 2, 0);

@@ -17,10 +17,10 @@ void random_direction(uint64_t *random, double direction[3]);
 
 /* --- crossings of a surface of many parts -------------------------------- */
 
-enum { MOST_PARTS = 16 };
+enum { MAX_PARTS = 16 };
 struct surface {
     size_t count;
-    struct primitive parts[MOST_PARTS];
+    struct primitive parts[MAX_PARTS];
 };
 
 struct nearest {

@@ -3,7 +3,7 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-enum { VARIABLES_MOST = 100, DEPTH = 4 };
+enum { MAX_VARIABLES = 100, DEPTH = 4 };
 
 /* What stands in a list; NUMBER: one number and no more. */
 enum place { OBJECTS, MODIFIERS, LAYER, FINISH, TERMS, NUMBER };
@@ -12,8 +12,8 @@ struct making {
     bool written;   /* or carried out */
     uint64_t state; /* of the choices */
     struct text_buffer text;
-    size_t silent;                 /* 0: what is put goes to the text */
-    double values[VARIABLES_MOST]; /* of V0, V1 .. that are in sight */
+    size_t silent;                /* 0: what is put goes to the text */
+    double values[MAX_VARIABLES]; /* of V0, V1 .. that are in sight */
     size_t variables;
     size_t macros;  /* written */
     bool breakable; /* a #break does not leave half a block */
@@ -79,7 +79,7 @@ static double direct_number(struct making *making, size_t depth)
 
 static size_t new_variable(struct making *making, double value)
 {
-    assert_true(making->variables < VARIABLES_MOST);
+    assert_true(making->variables < MAX_VARIABLES);
     making->values[making->variables] = value;
     return making->variables++;
 }
@@ -426,9 +426,9 @@ static void put_elements(struct making *making, size_t count, size_t depth,
 
 static void put_array(struct making *making, size_t depth)
 {
-    enum { MOST = 3 };
-    double values[2 * MOST];
-    size_t count = 1 + below(making, MOST), turns = 1 + below(making, 2);
+    enum { MAX = 3 };
+    double values[2 * MAX];
+    size_t count = 1 + below(making, MAX), turns = 1 + below(making, 2);
     size_t variable = new_variable(making, 0);
     uint64_t seed = new_seed(making);
 

@@ -65,11 +65,11 @@ void add_prism(char *text, size_t size, bool tangles)
 
 /* ---- Prisms of quadratic splines ----------------------------------------- */
 
-enum { CORNERS_MOST = 9 };
+enum { MAX_CORNERS = 9 };
 
 /* The last corner once more before the first, as a smooth loop has it. */
 static size_t add_spline_corners(char *text, size_t size,
-                                 double corners[CORNERS_MOST][2], size_t count)
+                                 double corners[MAX_CORNERS][2], size_t count)
 {
     add_text(text, size, ", <%.6f, %.6f>", corners[count - 1][0],
              corners[count - 1][1]);
@@ -83,7 +83,7 @@ static size_t add_spline_corners(char *text, size_t size,
  * from it to the first. */
 static size_t add_spline_loop(char *text, size_t size, double x, double z, double reach)
 {
-    double corners[CORNERS_MOST][2];
+    double corners[MAX_CORNERS][2];
     size_t count = 3 + below(5);
     for (size_t i = 0; i < count; i++) {
         double angle = 2 * acos(-1) * ((double)i + between(-.3, .3)) / (double)count;
@@ -106,8 +106,8 @@ static size_t add_spline_loop(char *text, size_t size, double x, double z, doubl
 /* Corners anywhere. */
 static size_t add_spline_tangle(char *text, size_t size)
 {
-    double corners[CORNERS_MOST][2];
-    size_t count = 3 + below(CORNERS_MOST - 2);
+    double corners[MAX_CORNERS][2];
+    size_t count = 3 + below(MAX_CORNERS - 2);
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 2; k++)
             corners[i][k] = between(-1, 1);

@@ -7,7 +7,7 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/unit.h"
 
-enum { REGIONS_MOST = 20, TRIES = 300 };
+enum { MAX_REGIONS = 20, TRIES = 300 };
 
 static unsigned seed = 205;
 
@@ -22,7 +22,7 @@ static unsigned any(unsigned below)
 static struct accounts random_accounts(void)
 {
     struct accounts accounts = { .model = prior_model };
-    unsigned regions = 1 + any(REGIONS_MOST), scale = 1u << any(24);
+    unsigned regions = 1 + any(MAX_REGIONS), scale = 1u << any(24);
     unsigned causes = any(1u << C205_CAUSES);
     for (unsigned i = 0; i < regions; i++) {
         char name[C205_TEXT_SIZE] = "";
@@ -119,7 +119,7 @@ static void check_place(struct view view, const struct accounts *accounts,
 static void check_matrix(const struct accounts *accounts, enum accounts_rows rows)
 {
     c205_account sum = accounts_together(accounts);
-    struct table *table = accounts_matrix(accounts, rows, 0, REGIONS_MOST);
+    struct table *table = accounts_matrix(accounts, rows, 0, MAX_REGIONS);
     size_t regions = accounts_regions(accounts), place = 0;
     struct view view = { table, rows == ACCOUNTS_CAUSES };
     size_t figures = 1u + (sum.vector_instructions > 0 ? 1u : 0u)

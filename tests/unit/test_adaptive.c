@@ -311,7 +311,7 @@ TEST(refused)
     check_refused(shades, 9, 3, -.3, "above 0");
     check_refused(shades, 9, 3, NAN, "above 0");
     check_refused(shades, 9, 3, INFINITY, "above 0");
-    check_refused(shades, TRACE_COLUMNS_MOST + 1, 2, .3, "65534 columns");
+    check_refused(shades, MAX_TRACE_COLUMNS + 1, 2, .3, "65534 columns");
     check_refused(lens, 9, 3, .3, "has a lens");
 }
 

@@ -228,7 +228,7 @@ static bool assemble_one(FILE *out, c205_error *error)
 
 /* A label as long as that moves all that comes after it in its block of
  * memory, so that another one of them needs the next block. */
-enum { LABEL_MOST = 65000, LABEL_STEP = 47 };
+enum { MAX_LABEL = 65000, LABEL_STEP = 47 };
 static const char more_text[] =
     "        .regs   r40, one, two, three\n"
     "        .macro  fill value, count=2\n"
@@ -265,7 +265,7 @@ static const char more_text[] =
     "; expect-flags: 0\n"
     "; expect-clocks: 5\n"
     "; expect-trap: bad-link\n";
-static char long_text[LABEL_MOST + sizeof program_text + sizeof more_text];
+static char long_text[MAX_LABEL + sizeof program_text + sizeof more_text];
 
 static void begin_with_label(size_t length)
 {
@@ -659,7 +659,7 @@ TEST(snapshots)
 
 TEST(any_block)
 {
-    for (size_t length = 0; length < LABEL_MOST; length += LABEL_STEP) {
+    for (size_t length = 0; length < MAX_LABEL; length += LABEL_STEP) {
         begin_with_label(length);
         exhaust(assemble_long, true);
     }

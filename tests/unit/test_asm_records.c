@@ -51,10 +51,10 @@ TEST(places)
 }
 
 /* A record with the text that makes it. */
-enum { MOST_FIELDS = 30 };
+enum { MAX_FIELDS = 30 };
 struct random_record {
     size_t count;
-    int64_t place[MOST_FIELDS], size;
+    int64_t place[MAX_FIELDS], size;
     char text[4096];
 };
 
@@ -72,7 +72,7 @@ static void make_record(struct random_record *record, uint64_t *seed)
 
     memset(record, 0, sizeof *record);
     say(record, " .record R\n", 0, 0);
-    while (record->count < MOST_FIELDS) {
+    while (record->count < MAX_FIELDS) {
         int64_t words = xorshift_between(seed, 0, 19);
         int64_t choice = xorshift_between(seed, 0, 7);
 

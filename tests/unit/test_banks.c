@@ -5,13 +5,13 @@
 
 #include <fenv.h>
 
-enum { LISTS = 2000, LENGTH_MOST = 1500, BANKS_MOST = 70, AGAIN = 4 };
+enum { LISTS = 2000, MAX_LENGTH = 1500, MAX_BANKS = 70, AGAIN = 4 };
 
 /* An access begins one access after the one before, or when its bank is free. */
 static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned step,
                             const c205_word *indices, size_t count)
 {
-    uint64_t free_at[BANKS_MOST] = { 0 }, next = 0;
+    uint64_t free_at[MAX_BANKS] = { 0 }, next = 0;
 
     for (size_t i = 0; i < count; i++) {
         uint64_t address = (table + indices[i] * step) & UINT64_C(0xFFFFFFFFFFFF);
@@ -55,16 +55,16 @@ static void change(c205_word *indices, size_t count, uint64_t *table, unsigned *
 
 static void check_list(uint64_t *seed)
 {
-    static c205_word indices[LENGTH_MOST];
-    size_t count = (size_t)xorshift_between(seed, 0, LENGTH_MOST);
+    static c205_word indices[MAX_LENGTH];
+    size_t count = (size_t)xorshift_between(seed, 0, MAX_LENGTH);
     uint64_t access = 1 + xorshift(seed) % 3;
     uint64_t table = xorshift(seed) >> 16, busy = xorshift(seed) % 16;
     unsigned step = xorshift(seed) % 4 ? 64 : 32;
     struct banks banks;
     struct index_list list = { 0 };
 
-    assert_true(banks_init(&banks, (size_t)xorshift_between(seed, 1, BANKS_MOST),
-                           access, busy));
+    assert_true(
+        banks_init(&banks, (size_t)xorshift_between(seed, 1, MAX_BANKS), access, busy));
     fill(indices, count, banks.count, seed);
     for (int i = 0; i < AGAIN; i++) {
         index_list_meet(&list, indices, count);

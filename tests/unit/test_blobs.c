@@ -125,7 +125,7 @@ TEST(humps)
 {
     static const char *const cuts[] = { "-1.06", "-.9", "0", ".9", "1.06" };
     static const struct ray ray = { { 0, 0, -5 }, { 0, 0, 1 } };
-    struct crossing crossings[MOST_CROSSINGS];
+    struct crossing crossings[MAX_CROSSINGS];
     SCOPED(scene) *scene = read_text(HUMPS "}");
     struct shape_words words;
     shape_words(scene->primitives, &words);
@@ -147,7 +147,7 @@ TEST(inside)
         char text[4000] = "";
         const struct ray ray = { { between(-1, 1), between(-1, 1), -9 },
                                  { between(-.1, .1), between(-.1, .1), 1 } };
-        struct crossing crossings[MOST_CROSSINGS];
+        struct crossing crossings[MAX_CROSSINGS];
         add_any_blob(text, sizeof text);
         add_text(text, sizeof text, "}");
         SCOPED(scene) *scene = read_text(text);

@@ -141,7 +141,7 @@ TEST(known_boxes)
 static size_t count_crossings(const struct primitive *primitive,
                               const struct bound *bound)
 {
-    struct crossing crossings[MOST_CROSSINGS];
+    struct crossing crossings[MAX_CROSSINGS];
     struct ray ray;
     for (int i = 0; i < 3; i++) {
         ray.origin[i] = between(-3, 3);

@@ -6,7 +6,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
 
-enum { PROGRAMS = 120, STEPS_MOST = 300, STOPPED = 60, PLACES = 3 };
+enum { PROGRAMS = 120, MAX_STEPS = 300, STOPPED = 60, PLACES = 3 };
 
 /* ---- Changes ------------------------------------------------------------- */
 
@@ -85,7 +85,7 @@ static void check_changes(const struct random_program *program, size_t *dense)
     assert_true(random_area_count <= 16);
     assert_true(c205_listen(machine, take_event, &event));
     take(&before, machine);
-    for (int i = 0; i < STEPS_MOST && goes_on; i++) {
+    for (int i = 0; i < MAX_STEPS && goes_on; i++) {
         struct contents other = before;
 
         event.kind = C205_EVENT_STOP;
@@ -173,7 +173,7 @@ TEST(pages)
         c205_stop stop;
 
         assert_true(c205_listen(machine, check_pages, &faults));
-        for (int k = 0; k < STEPS_MOST && c205_step(machine, &stop); k++)
+        for (int k = 0; k < MAX_STEPS && c205_step(machine, &stop); k++)
             continue;
         c205_free(machine);
         c205_model_free(model);

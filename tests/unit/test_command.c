@@ -139,16 +139,16 @@ static int run(int argc, char **argv)
 
 /* ---- Right ones ---------------------------------------------------------- */
 
-enum { WORDS_MOST = 64, WORD_SIZE = 40 };
+enum { MAX_WORDS = 64, WORD_SIZE = 40 };
 
 /* A command line as it grows, and what should come of it. */
 struct line {
     uint64_t random;
-    char words[WORDS_MOST][WORD_SIZE];
-    char *argv[WORDS_MOST + 1];
+    char words[MAX_WORDS][WORD_SIZE];
+    char *argv[MAX_WORDS + 1];
     int argc;
     struct arguments expected;
-    const char *texts[2][WORDS_MOST]; /* of words and files */
+    const char *texts[2][MAX_WORDS]; /* of words and files */
 };
 
 static size_t below(struct line *line, size_t most)

@@ -107,10 +107,9 @@ static void move(struct walk *walk)
 /* The instructions before a place are those that come to it from the beginning. */
 static void check_disassembly(struct walk *walk)
 {
-    enum { MOST = 60 };
-    const struct json_value *all = client_disassembled(&walk->client, 0x400000, 0,
-                                                       MOST);
-    int here = (int)below(MOST), before = (int)below((uint64_t)here + 1);
+    enum { MAX = 60 };
+    const struct json_value *all = client_disassembled(&walk->client, 0x400000, 0, MAX);
+    int here = (int)below(MAX), before = (int)below((uint64_t)here + 1);
     const struct json_value *item = all->first, *from = all->first, *part;
 
     for (int i = 0; i < here; i++)

@@ -146,11 +146,11 @@ TEST(faults)
 
 #define ONE_NUMBER "        ES  r10, 5\n        EXIT r10, r0, 2\n        EXIT\n"
 
-enum { LINES_MOST = 20 };
+enum { MAX_LINES = 20 };
 
 static const struct {
     const char *program;
-    struct line_said lines[LINES_MOST];
+    struct line_said lines[MAX_LINES];
     size_t faults;
 } sessions[] = {
     /* What a program prints is printed once, however often it is gone through. */
@@ -281,7 +281,7 @@ TEST(sessions)
     for (size_t i = 0; i < COUNT(sessions); i++) {
         size_t count = 0;
 
-        while (count < LINES_MOST && sessions[i].lines[count].line)
+        while (count < MAX_LINES && sessions[i].lines[count].line)
             count++;
         check_session(sessions[i].program, sessions[i].lines, count,
                       sessions[i].faults);

@@ -50,7 +50,7 @@ static void run(const struct emission *emission, size_t count,
                 const struct emission_choice *choice, struct emitted_point *points,
                 struct accounts *accounts)
 {
-    static c205_word planes[EMITTED_PLANES * EMISSION_MOST];
+    static c205_word planes[EMITTED_PLANES * MAX_EMISSION];
     c205_error error = { "" };
     REQUIRE(emission_run(emission, choice, planes, accounts, &error));
     for (size_t i = 0; i < count; i++) {
@@ -72,7 +72,7 @@ static void emit(const struct primitive *primitive, struct emission_options opti
 }
 
 enum { POINTS = 4000 };
-static struct emitted_point emitted[2][EMISSION_MOST];
+static struct emitted_point emitted[2][MAX_EMISSION];
 
 static struct emission_choice some_choice(void)
 {
@@ -95,7 +95,7 @@ static void read_vector(const c205_word words[3], double vector[3])
 static bool meets(const struct primitive *primitive, const double spot[3],
                   const double face[3])
 {
-    struct crossing found[MOST_CROSSINGS];
+    struct crossing found[MAX_CROSSINGS];
     struct ray ray;
     copy(ray.direction, face);
     scale_by(ray.direction, -1);
@@ -479,9 +479,9 @@ TEST(options)
 
 static void check_alias(size_t count)
 {
-    enum { MOST = 50 };
-    double weights[MOST], share[MOST], found[MOST] = { 0 }, sum = 0;
-    size_t alias[MOST];
+    enum { MAX = 50 };
+    double weights[MAX], share[MAX], found[MAX] = { 0 }, sum = 0;
+    size_t alias[MAX];
 
     for (size_t i = 0; i < count; i++)
         sum += weights[i] = between(0, 4) == 0 ? 0 : some(0, 1);
@@ -511,19 +511,19 @@ static double clocks_a_point(const struct accounts *accounts, const char *region
                                   : accounts_together(accounts);
     uint64_t waits = account.clocks[C205_TRANSLATION_MISS]
                      + account.clocks[C205_PAGE_FAULT];
-    return (double)(accounts_clocks(&account) - waits) / EMISSION_MOST;
+    return (double)(accounts_clocks(&account) - waits) / MAX_EMISSION;
 }
 
 /* Of a run of the longest, without what pages cost. */
 static double print_clocks(const struct primitive *primitive, enum trace_mode mode,
                            size_t queue, c205_model *model)
 {
-    struct emission_options options = { mode, queue, EMISSION_MOST, false, model };
+    struct emission_options options = { mode, queue, MAX_EMISSION, false, model };
     SCOPED_VALUE(accounts) accounts = { .model = model };
     c205_error error = { "" };
     SCOPED(emission) *emission = emission_new(primitive, &options, &error);
     assert_non_null(emission);
-    run(emission, EMISSION_MOST, &(struct emission_choice){ .seed = 1 }, emitted[0],
+    run(emission, MAX_EMISSION, &(struct emission_choice){ .seed = 1 }, emitted[0],
         &accounts);
     double all = clocks_a_point(&accounts, NULL);
     print_message("%-13s  %-6s  %5zu  %5.1f  %5.1f  %9.1f  %5.1f\n",
@@ -547,7 +547,7 @@ TEST(clocks)
         double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
 
         assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model) < scalar);
-        print_clocks(&primitive, TRACE_VECTOR, EMISSION_MOST, model);
+        print_clocks(&primitive, TRACE_VECTOR, MAX_EMISSION, model);
     }
 }
 

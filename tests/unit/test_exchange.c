@@ -9,13 +9,13 @@
 #include "tests/unit/unit.h"
 
 #define SIGMA 5.670374419e-8
-enum { MOST = 70 };
+enum { MAX = 70 };
 
 /* Surfaces, and the factors between them. */
 struct enclosure {
     size_t count;
-    double area[MOST], emissivity[MOST], temperature[MOST];
-    double factors[MOST * (MOST + 1)], outside;
+    double area[MAX], emissivity[MAX], temperature[MAX];
+    double factors[MAX * (MAX + 1)], outside;
 };
 
 static struct exchange_given given_of(const struct enclosure *enclosure,
@@ -128,8 +128,8 @@ TEST(finned_bay)
 /* Of exchange areas that are alike both ways; of areas, what closes the rows. */
 static void draw(struct enclosure *enclosure, uint64_t *random)
 {
-    size_t n = enclosure->count = (size_t)xorshift_between(random, 1, MOST);
-    double shared[MOST][MOST + 1];
+    size_t n = enclosure->count = (size_t)xorshift_between(random, 1, MAX);
+    double shared[MAX][MAX + 1];
     enclosure->outside = xorshift_real(random, 0, 500);
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j <= i; j++)
@@ -152,9 +152,9 @@ static void draw(struct enclosure *enclosure, uint64_t *random)
 }
 
 /* Radiosities by elimination with pivots, row by row. */
-static void eliminate(const struct enclosure *enclosure, long double radiosity[MOST])
+static void eliminate(const struct enclosure *enclosure, long double radiosity[MAX])
 {
-    static long double rows[MOST][MOST + 1];
+    static long double rows[MAX][MAX + 1];
     size_t n = enclosure->count;
     for (size_t i = 0; i < n; i++) {
         const double *factors = enclosure->factors + i * (n + 1);
@@ -188,7 +188,7 @@ static void eliminate(const struct enclosure *enclosure, long double radiosity[M
 static void check_enclosure(const struct enclosure *enclosure)
 {
     size_t n = enclosure->count;
-    long double radiosity[MOST], o = enclosure->outside, all = 0;
+    long double radiosity[MAX], o = enclosure->outside, all = 0;
     long double outside = SIGMA * o * o * o * o, out = 0;
     double scale = SIGMA * 1.6e13;
     SCOPED_VALUE(exchange) exchange;

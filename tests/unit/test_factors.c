@@ -402,7 +402,7 @@ TEST(refused)
     assert_null(factors_new(scene, &options, &error));
     assert_non_null(strstr(error.message, "two repeats"));
     options.repeats = 2;
-    options.points = FACTORS_POINTS_MOST + 1;
+    options.points = MAX_FACTORS_POINTS + 1;
     assert_null(factors_new(scene, &options, &error));
     assert_non_null(strstr(error.message, "1048576"));
 }

@@ -11,7 +11,7 @@
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
-enum { MOST = 50, TRIES = 80, KILLS = 20, SHARES = 5, KEY = 205 };
+enum { MAX = 50, TRIES = 80, KILLS = 20, SHARES = 5, KEY = 205 };
 
 static uint64_t state = RANDOM_SEED;
 static char path[SHARES][40];
@@ -22,7 +22,7 @@ struct bench {
     size_t count;
     size_t bad; /* the lowest that fails; count: none */
     bool slow;
-    int run[MOST], taken[MOST];
+    int run[MAX], taken[MAX];
     uint64_t sum; /* of what units come to, by number */
 };
 
@@ -92,7 +92,7 @@ static struct bench new_bench(size_t count)
 TEST(threads)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct bench bench = new_bench(between(0, MOST));
+        struct bench bench = new_bench(between(0, MAX));
         struct farm farm = { .parts = 0 };
         c205_error error = { "" };
         assert_true(do_farm(&farm, &bench, between(0, 5), &error));
@@ -106,7 +106,7 @@ TEST(threads)
 TEST(bad)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct bench bench = new_bench(between(1, MOST));
+        struct bench bench = new_bench(between(1, MAX));
         struct farm farm = { .parts = 0 };
         c205_error error = { "" };
         char text[24];
@@ -124,7 +124,7 @@ TEST(bad)
 TEST(shares)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct bench bench = new_bench(between(0, MOST));
+        struct bench bench = new_bench(between(0, MAX));
         size_t parts = between(1, SHARES), first = between(0, parts - 1);
         struct farm all = { .paths = paths, .path_count = parts };
         c205_error error = { "" };
@@ -157,7 +157,7 @@ static void kill_one(void)
 
     assert_true(child >= 0);
     if (child == 0) {
-        struct bench bench = new_bench(MOST);
+        struct bench bench = new_bench(MAX);
         struct farm farm = { .paths = paths, .path_count = 1 };
         c205_error error;
         bench.slow = true;
@@ -171,13 +171,13 @@ static void kill_one(void)
 
 TEST(killed)
 {
-    struct bench whole = new_bench(MOST);
+    struct bench whole = new_bench(MAX);
     struct farm alone = { .parts = 0 };
     c205_error error = { "" };
     size_t kept = 0;
     assert_true(do_farm(&alone, &whole, 1, &error));
     for (int i = 0; i < KILLS; i++) {
-        struct bench bench = new_bench(MOST);
+        struct bench bench = new_bench(MAX);
         struct farm farm = { .paths = paths, .path_count = 1 };
         kill_one();
         assert_true(do_farm(&farm, &bench, 2, &error));
@@ -186,7 +186,7 @@ TEST(killed)
         kept += farm.kept;
         farm_end(&farm, true);
     }
-    assert_true(kept > 0 && kept < KILLS * MOST);
+    assert_true(kept > 0 && kept < KILLS * MAX);
 }
 
 FIXTURE(set_up)

@@ -47,8 +47,8 @@ static const char *file_of(const char *text)
 
 static double clocks_of_rows(const struct fit_run *run)
 {
-    bool chosen[RUN_REGIONS_MOST];
-    double clocks[RUN_REGIONS_MOST], sum = 0;
+    bool chosen[MAX_RUN_REGIONS];
+    double clocks[MAX_RUN_REGIONS], sum = 0;
     c205_error error = { "" };
     assert_true(run_select(run, "", chosen, &error));
     REQUIRE(run_time(run, model, NULL, 0, RUN_FINE, clocks, &error));
@@ -98,7 +98,7 @@ static double predicted(const char *row)
     struct diagnostics found = { 0 };
     c205_error error = { "" };
     char text[512];
-    double(*clocks)[RUN_REGIONS_MOST], value;
+    double(*clocks)[MAX_RUN_REGIONS], value;
     snprintf(text, sizeof text, HEAD "# a remark\n\n%s\n", row);
     if (!observations_read(&all, file_of(text), &how, &found))
         fail_msg("%s", found.items[0].message);
@@ -173,9 +173,9 @@ TEST(refused)
     assert_refused(HEAD "a,b,c,d,e,f,g,h,fit\n",
                    "test_fit.csv:2:7: a positive number is expected");
     assert_refused(HEAD "a,b,c,1 to,e,f,,g,range\n",
-                   "test_fit.csv:2:7: a positive number or LEAST to MOST is expected");
+                   "test_fit.csv:2:7: a positive number or LEAST to MAX is expected");
     assert_refused(HEAD "a,b,c,2 to 1,e,f,,g,range\n",
-                   "test_fit.csv:2:7: a positive number or LEAST to MOST is expected");
+                   "test_fit.csv:2:7: a positive number or LEAST to MAX is expected");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,,s,fit\n",
                    "test_fit.csv:2:33: vector_add.s has no rays");
     assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
@@ -216,8 +216,8 @@ static double photon_draws(void)
 static double region_clocks(const struct fit_run *run, const char *region,
                             const c205_setting *setting)
 {
-    bool chosen[RUN_REGIONS_MOST];
-    double clocks[RUN_REGIONS_MOST];
+    bool chosen[MAX_RUN_REGIONS];
+    double clocks[MAX_RUN_REGIONS];
     c205_error error = { "" };
     assert_true(run_select(run, region, chosen, &error));
     REQUIRE(run_time(run, model, setting, 1, RUN_FINE, clocks, &error));
@@ -315,8 +315,8 @@ TEST(ranges)
 TEST(constants)
 {
     static struct constants constants;
-    c205_setting settings[SETTINGS_MOST];
-    double places[FREE_MOST] = { .5 };
+    c205_setting settings[MAX_SETTINGS];
+    double places[MAX_FREE] = { .5 };
     struct diagnostics found = { 0 };
     const struct free_constant *first = &constants.items[0];
     c205_error error;

@@ -187,7 +187,7 @@ TEST(queues)
 
 /* ---- Its rays ------------------------------------------------------------ */
 
-enum { POINTS_MOST = 400 };
+enum { MAX_POINTS = 400 };
 
 /* What is known of a pixel while its band is traced. */
 struct following {
@@ -196,7 +196,7 @@ struct following {
     size_t ray_count;
     bool shaded; /* the hits have their points, directions and colours */
     size_t lists[3], near, hits; /* so much has been told of */
-    c205_word points[POINTS_MOST][3], colour[3];
+    c205_word points[MAX_POINTS][3], colour[3];
     size_t point_count;
     bool crossed; /* a kernel has found a crossing where the picture has the hit */
 };
@@ -250,7 +250,7 @@ static void keep_point(struct following *following, const struct pixel_element *
     }
     if (following->shaded && strcmp(element->vector, "pz") == 0) {
         following->point_count++;
-        assert_true(following->point_count < POINTS_MOST);
+        assert_true(following->point_count < MAX_POINTS);
     }
 }
 

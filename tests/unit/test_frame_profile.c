@@ -14,17 +14,17 @@ static uint64_t random_state = RANDOM_SEED;
 
 /* ---- Models, and frames by chance ---------------------------------------- */
 
-enum { MODELS_MOST = 16 };
+enum { MAX_MODELS = 16 };
 static struct {
     size_t count;
-    c205_model *list[MODELS_MOST]; /* on which programs run */
+    c205_model *list[MAX_MODELS]; /* on which programs run */
 } models;
 
 FIXTURE(find_models)
 {
     const char *const *name = c205_model_names();
     c205_error error;
-    for (; *name && models.count < MODELS_MOST; name++) {
+    for (; *name && models.count < MAX_MODELS; name++) {
         c205_model *model = c205_model_find(*name, &error);
         if (model && !c205_model_is_projection(model))
             models.list[models.count++] = model;

@@ -13,7 +13,7 @@
 #include <limits.h>
 #include <math.h>
 
-enum { STRIP = 48, MOST = 60000, DIGITS = 200, EXPONENTS = 28672, AT_END = 60 };
+enum { STRIP = 48, MAX = 60000, DIGITS = 200, EXPONENTS = 28672, AT_END = 60 };
 
 static size_t tries = 6000;
 static uint64_t state = RANDOM_SEED;
@@ -136,8 +136,8 @@ static const char text[] = "        .equ    F_STRIP, %d\n"
 /* Computes count results of each form: of numbers, and of vectors, which go to a label. */
 struct both {
     size_t count;
-    c205_word x[MOST], y[MOST];
-    c205_word number[MOST], rest[MOST], vector[MOST], other[MOST];
+    c205_word x[MAX], y[MAX];
+    c205_word number[MAX], rest[MAX], vector[MAX], other[MAX];
 };
 
 static struct both both;
@@ -518,7 +518,7 @@ ARGUMENTS(argc, argv)
 {
     if (argc > 1) {
         tries = (size_t)strtoul(argv[1], NULL, 10);
-        tries = tries < MOST ? tries : MOST;
+        tries = tries < MAX ? tries : MAX;
     }
     if (argc > 2)
         state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);

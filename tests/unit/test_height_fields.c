@@ -10,20 +10,20 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/field_reading.h"
 
-enum { GRID_MOST = 9, SAMPLES = 100 };
+enum { MAX_GRID = 9, SAMPLES = 100 };
 
 static size_t field_count = 200;
 /* ---- The surface --------------------------------------------------------- */
 
 struct grid {
     int columns, rows;
-    int heights[GRID_MOST][GRID_MOST]; /* [z][x] */
+    int heights[MAX_GRID][MAX_GRID]; /* [z][x] */
 };
 
 static struct grid random_grid(void)
 {
-    struct grid grid = { .columns = (int)between(2, GRID_MOST + 1),
-                         .rows = (int)between(2, GRID_MOST + 1) };
+    struct grid grid = { .columns = (int)between(2, MAX_GRID + 1),
+                         .rows = (int)between(2, MAX_GRID + 1) };
     for (int z = 0; z < grid.rows; z++)
         for (int x = 0; x < grid.columns; x++)
             grid.heights[z][x] = (int)between(0, 65536);

@@ -6,7 +6,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 
-enum { MOST = 3000 };
+enum { MAX = 3000 };
 
 /* --- rows of bounds ------------------------------------------------------- */
 
@@ -150,9 +150,9 @@ static size_t check(const struct bound *bounds, size_t count)
 
 TEST(random)
 {
-    FREED struct bound *bounds = malloc(MOST * sizeof *bounds);
+    FREED struct bound *bounds = malloc(MAX * sizeof *bounds);
     for (int turn = 0; turn < 300; turn++) {
-        size_t count = turn % 10 ? below(40) : below(MOST);
+        size_t count = turn % 10 ? below(40) : below(MAX);
         size_t kind = below(KINDS), other = below(KINDS);
         for (size_t i = 0; i < count; i++)
             bounds[i] = kinds[below(5) ? kind : other](i);

@@ -6,7 +6,7 @@
 
 #include "base/hash.h"
 
-enum { PROGRAMS = 50, TARGETS = 40, STEPS_MOST = 2500, CHANGES = 2 };
+enum { PROGRAMS = 50, TARGETS = 40, MAX_STEPS = 2500, CHANGES = 2 };
 static size_t jumps = 100;
 /* What somebody does to the machine at a step. */
 struct change {
@@ -68,7 +68,7 @@ static uint64_t run_plainly(struct story *story, bool hashes)
         for (size_t i = 0; hashes && i < TARGETS; i++)
             if (story->target[i] == step)
                 story->hash[i] = hash_of(machine);
-        goes_on = step < STEPS_MOST && c205_step(machine, &stop);
+        goes_on = step < MAX_STEPS && c205_step(machine, &stop);
         step += goes_on;
     }
     c205_free(machine);

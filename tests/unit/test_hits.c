@@ -11,7 +11,7 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-enum { WORDS = 8, RAYS_MOST = 700, CYLINDERS_MOST = 9 };
+enum { WORDS = 8, MAX_RAYS = 700, MAX_CYLINDERS = 9 };
 
 static uint64_t chance = RANDOM_SEED + 41;
 
@@ -19,8 +19,8 @@ static uint64_t chance = RANDOM_SEED + 41;
 
 struct bundle {
     size_t rays, cylinders;
-    double origin[RAYS_MOST][3], direction[RAYS_MOST][3];
-    double words[CYLINDERS_MOST][WORDS];
+    double origin[MAX_RAYS][3], direction[MAX_RAYS][3];
+    double words[MAX_CYLINDERS][WORDS];
 };
 
 static void draw_unit(double v[3])
@@ -39,8 +39,8 @@ static void draw_unit(double v[3])
 
 static void draw(struct bundle *bundle)
 {
-    bundle->rays = (size_t)xorshift_between(&chance, 1, RAYS_MOST);
-    bundle->cylinders = (size_t)xorshift_between(&chance, 1, CYLINDERS_MOST);
+    bundle->rays = (size_t)xorshift_between(&chance, 1, MAX_RAYS);
+    bundle->cylinders = (size_t)xorshift_between(&chance, 1, MAX_CYLINDERS);
     for (size_t i = 0; i < bundle->rays; i++) {
         for (int k = 0; k < 3; k++)
             bundle->origin[i][k] = xorshift_real(&chance, -3, 3);
@@ -109,7 +109,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
                 c205_word *told)
 {
     const struct asm_define defines[] = { { "QUEUE", (int64_t)queue }, { NULL, 0 } };
-    static c205_word planes[6 * RAYS_MOST], words[WORDS * CYLINDERS_MOST];
+    static c205_word planes[6 * MAX_RAYS], words[WORDS * MAX_CYLINDERS];
     size_t n = bundle->rays;
     struct single_run run;
     c205_error error = { "" };
@@ -136,7 +136,7 @@ TEST(rays)
 {
     static const size_t queues[] = { 1, 63, 64, 65, 300, 65535 };
     static struct bundle bundle;
-    static c205_word scalar[RAYS_MOST], vector[RAYS_MOST];
+    static c205_word scalar[MAX_RAYS], vector[MAX_RAYS];
     for (int i = 0; i < 60; i++) {
         draw(&bundle);
         run(&bundle, "heat/hits_scalar.s", 1, scalar);

@@ -289,7 +289,7 @@ TEST(bytes)
 /* Every code that there is, and what lies beside it. */
 TEST(utf8)
 {
-    char text[UTF8_MOST];
+    char text[MAX_UTF8];
 
     for (unsigned long code = 0; code < 0x110000; code++) {
         size_t length = utf8_put(text, code);

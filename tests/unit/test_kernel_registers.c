@@ -254,7 +254,7 @@ TEST(scenes)
 
 /* ---- What is saved in vain ---------------------------------------------- */
 
-enum { MOST_AREAS = 16 };
+enum { MAX_AREAS = 16 };
 
 /* Where a kernel saves registers as it loads its constants. */
 struct area {
@@ -264,7 +264,7 @@ struct area {
 };
 
 static struct saves {
-    struct area areas[MOST_AREAS];
+    struct area areas[MAX_AREAS];
     size_t count;
     c205_word before[C205_REGISTERS]; /* the instruction */
 } saves;
@@ -286,7 +286,7 @@ static void see_saved(c205_word to, unsigned first)
 {
     if (area_at(address_of(to)))
         return;
-    assert_true(saves.count < MOST_AREAS);
+    assert_true(saves.count < MAX_AREAS);
     saves.areas[saves.count++] = (struct area){
         .address = address_of(to),
         .first = first,
@@ -342,7 +342,7 @@ TEST(nothing_is_saved_in_vain)
         SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
         REQUIRE(machine && c205_listen(machine, listen_to_saves, NULL)
                 && program_run(machine, NULL, NULL, NULL, &error));
-        assert_in_range(saves.count, 6, MOST_AREAS);
+        assert_in_range(saves.count, 6, MAX_AREAS);
         for (size_t i = 0; i < saves.count; i++) {
             const struct area *area = &saves.areas[i];
             for (unsigned k = 0; k < area->count; k++)

@@ -17,7 +17,7 @@ struct shown {
     size_t last_row;        /* of the band before */
     uint64_t clocks;        /* of that band, as it stood last */
     struct frame frame;     /* of bands that were done */
-    bool rows[MOST_PIXELS]; /* that are in it */
+    bool rows[MAX_PIXELS];  /* that are in it */
     uint64_t all;           /* clocks, of the last band that was done */
     size_t some;            /* views with pixels, not all of them */
 };

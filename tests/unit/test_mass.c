@@ -306,7 +306,7 @@ TEST(refused)
 
 TEST(too_many_parts)
 {
-    const struct overlaps many = { .count = COLUMNS_PAIRS_MOST + 1 };
+    const struct overlaps many = { .count = MAX_COLUMNS_PAIRS + 1 };
     struct columns_options options = usual();
     SCOPED(scene) *scene = scene_of("sphere { 0, 1 }");
     const size_t part_of[] = { 0 };
@@ -316,7 +316,7 @@ TEST(too_many_parts)
     options.part_of = part_of;
     options.rays_log = 0;
     options.repeats = 1;
-    options.part_count = COLUMNS_PARTS_MOST + 1;
+    options.part_count = MAX_COLUMNS_PARTS + 1;
     assert_false(columns_sum(scene, &options, &sums, &error));
     assert_string_equal(error.message, "4468 parts are too many: there may be 4467");
     options.part_count = 1;

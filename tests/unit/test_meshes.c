@@ -221,7 +221,7 @@ TEST(shadow_limit)
 /* As many rays in a queue as a vector has elements, nearly. */
 TEST(long_queues)
 {
-    static const size_t queues[] = { 40000, TRACE_QUEUE_MOST - 4, TRACE_QUEUE_MOST };
+    static const size_t queues[] = { 40000, MAX_TRACE_QUEUE - 4, MAX_TRACE_QUEUE };
     strcpy(text, HEAD "camera { location <0, 1, -2> look_at 0 }\n");
     net_random_body(&net, 1, &traced.random);
     net_mesh_text(&net, text, sizeof text);

@@ -3,7 +3,7 @@
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
-enum { MOST = 40, TRIES = 300 };
+enum { MAX = 40, TRIES = 300 };
 
 TEST(few)
 {
@@ -45,7 +45,7 @@ TEST(random)
     uint64_t random = RANDOM_SEED;
 
     for (int try = 0; try < TRIES; try++) {
-        size_t numbers[MOST], count = xorshift(&random) % (MOST + 1);
+        size_t numbers[MAX], count = xorshift(&random) % (MAX + 1);
         struct numbering numbering;
 
         assert_true(numbering_begin(&numbering, count));

@@ -10,7 +10,7 @@
 #include "tests/unit/unit.h"
 
 #define STUDENT 2.3646 /* with 7 degrees of freedom */
-enum { SIDE = 9, PARTS_MOST = 50, BOXES_MOST = 160, SCENES = 8 };
+enum { SIDE = 9, MAX_PARTS = 50, MAX_BOXES = 160, SCENES = 8 };
 
 /* ---- Boxes by chance ----------------------------------------------------- */
 
@@ -21,7 +21,7 @@ struct box {
 
 struct crowd {
     size_t part_count, box_count;
-    struct box boxes[BOXES_MOST];
+    struct box boxes[MAX_BOXES];
     char *text;
 };
 
@@ -56,7 +56,7 @@ static void draw_box(struct box *box, uint64_t *random)
 static void draw(struct crowd *crowd, uint64_t *random)
 {
     bool many = xorshift_between(random, 0, 3) == 0;
-    crowd->part_count = (size_t)(many ? PARTS_MOST : xorshift_between(random, 1, 5));
+    crowd->part_count = (size_t)(many ? MAX_PARTS : xorshift_between(random, 1, 5));
     crowd->box_count = 0;
     for (size_t part = 0; part < crowd->part_count; part++) {
         int64_t count = xorshift_between(random, 1, many ? 2 : 9);
@@ -81,12 +81,12 @@ static bool covers(const struct box *box, const int cell[3])
 
 /* Of each pair of parts the cells that both claim; of a part with itself, that several of
  * its boxes do. */
-static void count_cells(const struct crowd *crowd, double cells[PARTS_MOST][PARTS_MOST])
+static void count_cells(const struct crowd *crowd, double cells[MAX_PARTS][MAX_PARTS])
 {
-    memset(cells, 0, sizeof(double[PARTS_MOST][PARTS_MOST]));
+    memset(cells, 0, sizeof(double[MAX_PARTS][MAX_PARTS]));
     for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
         const int cell[3] = { i % SIDE, i / SIDE % SIDE, i / SIDE / SIDE };
-        int count[PARTS_MOST] = { 0 };
+        int count[MAX_PARTS] = { 0 };
         for (size_t k = 0; k < crowd->box_count; k++)
             count[crowd->boxes[k].part] += covers(&crowd->boxes[k], cell);
         for (size_t a = 0; a < crowd->part_count; a++)
@@ -140,7 +140,7 @@ static void forget(struct found *found)
 /* Every pair that claims something is there, and what is told is that. */
 static void check(const struct crowd *crowd, const struct found *found)
 {
-    static double cells[PARTS_MOST][PARTS_MOST];
+    static double cells[MAX_PARTS][MAX_PARTS];
     count_cells(crowd, cells);
     assert_int_equal(found->parts.count, crowd->part_count);
     for (size_t i = 0; i < found->overlaps.count; i++) {

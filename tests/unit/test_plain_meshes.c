@@ -149,7 +149,7 @@ TEST(there_and_back)
 static void assert_two(const struct primitive *mesh, const double from[3],
                        const double to[3])
 {
-    struct crossing crossings[MOST_CROSSINGS];
+    struct crossing crossings[MAX_CROSSINGS];
     struct ray ray;
     copy(ray.origin, from);
     add_scaled(ray.direction, to, -1, from);
@@ -245,7 +245,7 @@ TEST(no_room)
     enum { COUNT = 151, FROM = 70 };
     static struct triangle triangles[COUNT];
     struct surface surface = mesh_of(triangles, COUNT);
-    struct crossing crossings[MOST_CROSSINGS];
+    struct crossing crossings[MAX_CROSSINGS];
     const struct ray ray = { { .1, .1, FROM + .5 }, { 0, 0, 1 } };
     const struct ray back = { { .1, .1, 19.5 }, { 0, 0, -1 } };
     for (int i = 0; i < COUNT; i++) {
@@ -254,11 +254,11 @@ TEST(no_room)
             .corners = { { -1, -1, z }, { 2, -1, z }, { -1, 2, z } }
         };
     }
-    assert_int_equal(plain_crossings(surface.parts, &ray, crossings), MOST_CROSSINGS);
-    for (int i = 0; i < MOST_CROSSINGS; i++)
+    assert_int_equal(plain_crossings(surface.parts, &ray, crossings), MAX_CROSSINGS);
+    for (int i = 0; i < MAX_CROSSINGS; i++)
         assert_near(crossings[i].distance, .5 + i, 1e-12);
-    assert_int_equal(plain_crossings(surface.parts, &back, crossings), MOST_CROSSINGS);
-    for (int i = 0; i < MOST_CROSSINGS; i++)
+    assert_int_equal(plain_crossings(surface.parts, &back, crossings), MAX_CROSSINGS);
+    for (int i = 0; i < MAX_CROSSINGS; i++)
         assert_near(crossings[i].distance, i < 19 ? .5 + i : 18.5 - i, 1e-12);
 }
 

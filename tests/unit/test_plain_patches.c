@@ -185,7 +185,7 @@ static void assert_round_trip(uint64_t *random, const struct primitive *patch)
     double s = number_between(random, 0, 1);
     double t = number_between(random, 0, 1 - s);
     const double p[3] = { s, t, 1 - s - t };
-    struct crossing crossings[MOST_CROSSINGS];
+    struct crossing crossings[MAX_CROSSINGS];
     double point[3];
     struct ray ray;
     bool found = false;

@@ -67,12 +67,12 @@ static struct primitive floor_at(double height)
     return plane;
 }
 
-enum { MOST_PRIMITIVES = 3 };
+enum { MAX_PRIMITIVES = 3 };
 
 /* Each primitive a region of its own. */
-static void each_alone(struct scene *scene, struct region regions[MOST_PRIMITIVES])
+static void each_alone(struct scene *scene, struct region regions[MAX_PRIMITIVES])
 {
-    assert_true(scene->primitive_count <= MOST_PRIMITIVES);
+    assert_true(scene->primitive_count <= MAX_PRIMITIVES);
     scene->region_count = scene->primitive_count;
     scene->regions = regions;
     scene->max_trace_level = 1;
@@ -88,7 +88,7 @@ struct sample {
 static struct sample look(struct scene *scene, double x, double y, double z, double dx,
                           double dy, double dz)
 {
-    struct region regions[MOST_PRIMITIVES];
+    struct region regions[MAX_PRIMITIVES];
     SCOPED_VALUE(frame) frame;
     struct sample sample;
     each_alone(scene, regions);
@@ -198,7 +198,7 @@ TEST(nearest)
 
 TEST(pixel_centres)
 {
-    struct region regions[MOST_PRIMITIVES];
+    struct region regions[MAX_PRIMITIVES];
     struct primitive plane = floor_at(0);
     SCOPED_VALUE(frame) frame;
     struct scene scene = {

@@ -10,11 +10,11 @@
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
-enum { POINTS_MOST = 65535, WORDS_MOST = POINTS_MOST * LATTICE_COORDINATES };
+enum { MAX_POINTS = 65535, MAX_WORDS = MAX_POINTS * LATTICE_COORDINATES };
 
 static size_t tries = 40;
 static uint64_t state = RANDOM_SEED;
-static c205_word words[POINT_FORMS][WORDS_MOST];
+static c205_word words[POINT_FORMS][MAX_WORDS];
 
 static size_t between(size_t low, size_t high)
 {
@@ -29,7 +29,7 @@ static uint64_t some_integer(unsigned bits)
 
 static size_t some_length(void)
 {
-    return (size_t)(1 + some_integer(16) % POINTS_MOST);
+    return (size_t)(1 + some_integer(16) % MAX_POINTS);
 }
 
 static void make(const struct point_kind *kind, const struct point_choice *choice,

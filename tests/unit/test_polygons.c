@@ -8,7 +8,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 
-enum { POINTS_MOST = 64, SAMPLES = 200, LINES = 4000 };
+enum { MAX_POINTS = 64, SAMPLES = 200, LINES = 4000 };
 
 static size_t polygon_count = 400;
 /* ---- The oracle ---------------------------------------------------------- */
@@ -18,8 +18,8 @@ static size_t polygon_count = 400;
 struct flat_outline {
     double origin[3], axes[2][3];
     size_t count;
-    double points[POINTS_MOST][2];
-    bool ends[POINTS_MOST];
+    double points[MAX_POINTS][2];
+    bool ends[MAX_POINTS];
 };
 
 /* The side of a line from a to b. */
@@ -66,7 +66,7 @@ static double area_by_lines(const struct flat_outline *outline)
 {
     double sum = 0;
     for (int line = 0; line < LINES; line++) {
-        double x = -4 + 8 * (line + .5) / LINES, crossings[POINTS_MOST];
+        double x = -4 + 8 * (line + .5) / LINES, crossings[MAX_POINTS];
         size_t count = 0;
         for (size_t i = 0; i + 1 < outline->count; i++) {
             const double *a = outline->points[i];
@@ -268,7 +268,7 @@ static void check_samples(const struct flat_outline *outline,
 
 static void check_outline(const struct flat_outline *outline)
 {
-    static char text[POINTS_MOST * 100];
+    static char text[MAX_POINTS * 100];
     FREED struct flat_triangle *flat;
     double area = 0;
     write_outline(outline, text);

@@ -274,7 +274,7 @@ TEST(steps)
 static void make_points(struct program_sweep *sweep, double startup, double slope,
                         double noise)
 {
-    uint64_t values[SWEPT_POINTS_MOST];
+    uint64_t values[MAX_SWEPT_POINTS];
 
     sweep->program_count = 1;
     sweep->count = swept_values(&sweep->range, 0, values);
@@ -424,14 +424,14 @@ static size_t usual_points(const struct swept_range *range)
 /* Either each is as far from the one before as was asked, or both ends are there. */
 TEST(values)
 {
-    static uint64_t values[SWEPT_POINTS_MOST];
+    static uint64_t values[MAX_SWEPT_POINTS];
     struct swept_range far = { UINT64_C(1) << 40, UINT64_C(1) << 46, 0,
                                UINT64_C(1) << 40 };
 
     assert_int_equal(swept_values(&far, 0, values), 1);
     for (int i = 0; i < 2000; i++) {
         struct swept_range range = { .from = 1 + below(UINT64_C(1) << below(20)) };
-        size_t points = 2 + below(SWEPT_POINTS_MOST - 1);
+        size_t points = 2 + below(MAX_SWEPT_POINTS - 1);
 
         range.to = range.from + 1 + below(UINT64_C(1) << below(46));
         check_spread(values, swept_values(&range, points, values), &range, points);
@@ -440,7 +440,7 @@ TEST(values)
         range.step = 1 + below(range.to - range.from);
         size_t count = swept_values(&range, 0, values);
         assert_int_equal(count == 0,
-                         (range.to - range.from) / range.step + 1 > SWEPT_POINTS_MOST);
+                         (range.to - range.from) / range.step + 1 > MAX_SWEPT_POINTS);
         for (size_t k = 0; k < count; k++)
             assert_int_equal(values[k], range.from + k * range.step);
         range.step = 0;

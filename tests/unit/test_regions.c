@@ -450,11 +450,11 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
  * is met they need none that is below it. */
 TEST(steps)
 {
-    enum { SCENES = 300, MOST = 40 };
+    enum { SCENES = 300, MAX = 40 };
 
     for (int scene = 0; scene < SCENES; scene++) {
         char text[8000];
-        add_solid(text, MOST);
+        add_solid(text, MAX);
         SCOPED_VALUE(stage) stage = stage_of(text, scene % 2 ? BOUNDING_FLAT
                                                              : BOUNDING_HIERARCHY);
         for (size_t i = 0; i < stage.scene->region_count; i++)

@@ -224,8 +224,8 @@ static void check_accounts(const c205 *machine, const c205 *other)
 
 static void check_memory(const c205 *machine, const c205 *other)
 {
-    enum { AREA_MOST = 4096 };
-    static c205_word one[AREA_MOST], two[AREA_MOST];
+    enum { MAX_AREA = 4096 };
+    static c205_word one[MAX_AREA], two[MAX_AREA];
 
     for (size_t i = 0; i < random_area_count; i++) {
         const struct random_area *area = random_areas + i;

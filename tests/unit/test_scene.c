@@ -449,7 +449,7 @@ TEST(areas)
     assert_int_equal(lights[0].area_size[0], 3);
     assert_int_equal(lights[0].area_size[1], 2);
     assert_false(lights[0].circular);
-    assert_int_equal(lights[1].area_size[0], AREA_POINTS_MOST / 2);
+    assert_int_equal(lights[1].area_size[0], MAX_AREA_POINTS / 2);
     assert_true(lights[1].circular);
     assert_int_equal(lights[2].area_size[0], 0);
 }

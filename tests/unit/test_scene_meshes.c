@@ -414,12 +414,12 @@ TEST(recovery)
 
 /* --- three ways to say the same ------------------------------------------- */
 
-enum { POINTS_MOST = 12, FACES_MOST = 20, MESHES = 300, TEXT_MOST = 40000 };
+enum { MAX_POINTS = 12, MAX_FACES = 20, MESHES = 300, MAX_TEXT = 40000 };
 
 struct random_mesh {
     int points, faces;
-    double vertices[POINTS_MOST][3], normals[POINTS_MOST][3];
-    int indices[FACES_MOST][3], directions[FACES_MOST][3];
+    double vertices[MAX_POINTS][3], normals[MAX_POINTS][3];
+    int indices[MAX_FACES][3], directions[MAX_FACES][3];
     bool smooth;
 };
 
@@ -428,8 +428,8 @@ struct random_mesh {
 static struct random_mesh random_mesh(uint64_t *random)
 {
     struct random_mesh mesh;
-    mesh.points = (int)xorshift_between(random, 3, POINTS_MOST);
-    mesh.faces = (int)xorshift_between(random, 1, FACES_MOST);
+    mesh.points = (int)xorshift_between(random, 3, MAX_POINTS);
+    mesh.faces = (int)xorshift_between(random, 1, MAX_FACES);
     mesh.smooth = xorshift_between(random, 0, 1);
     for (int i = 0; i < mesh.points; i++)
         for (int k = 0; k < 3; k++) {
@@ -522,7 +522,7 @@ static void assert_same(const struct scene *scene)
 /* Those without a triangle are errors. */
 TEST(three_ways)
 {
-    static char text[TEXT_MOST];
+    static char text[MAX_TEXT];
     uint64_t random = RANDOM_SEED;
     size_t compared = 0;
     for (int i = 0; i < MESHES; i++) {

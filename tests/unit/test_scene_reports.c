@@ -364,7 +364,7 @@ TEST(many_places)
 
 TEST(many_reports)
 {
-    enum { MOST_TOLD = 200 };
+    enum { MAX_TOLD = 200 };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_versioned(
         "test.pov", "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
@@ -372,9 +372,9 @@ TEST(many_reports)
 
     assert_non_null(scene);
     assert_int_equal(reports.errors, 0);
-    assert_int_equal(reports.count, MOST_TOLD + 1);
-    assert_string_equal(reports.items[MOST_TOLD - 1].message, "no 200");
-    assert_non_null(strstr(reports.items[MOST_TOLD].message, "left out"));
+    assert_int_equal(reports.count, MAX_TOLD + 1);
+    assert_string_equal(reports.items[MAX_TOLD - 1].message, "no 200");
+    assert_non_null(strstr(reports.items[MAX_TOLD].message, "left out"));
 }
 
 /* More places than are kept are no reason to pass over the rest in silence. */

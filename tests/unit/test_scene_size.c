@@ -6,7 +6,7 @@
 #include "rt/mass/mass.h"
 #include "tests/unit/traced_frame.h"
 
-enum { DECADES = 8, STEP = 6, OTHERS_MOST = 2 };
+enum { DECADES = 8, STEP = 6, MAX_OTHERS = 2 };
 
 /* Shapes that fill a picture about the origin, each in a scene of its own. */
 static const char *const shapes[] = {
@@ -97,7 +97,7 @@ static void compare_frames(const struct words *same, size_t shape, size_t light,
     unit *= pow(10, -decade);
     for (size_t pixel = 0; pixel < PIXELS; pixel++)
         others += difference(same, words, pixel, unit) > 1e-4;
-    if (others > OTHERS_MOST)
+    if (others > MAX_OTHERS)
         fail_msg("shape %zu, light %zu, 10^%d: %zu pixels of %d differ", shape, light,
                  decade, others, PIXELS);
 }

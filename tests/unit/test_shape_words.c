@@ -29,7 +29,7 @@ static void fill(struct singular *singular, size_t rows, size_t columns)
  * values say. */
 TEST(singular_values)
 {
-    for (size_t rows = 1; rows <= SINGULAR_MOST; rows++) {
+    for (size_t rows = 1; rows <= MAX_SINGULAR; rows++) {
         struct singular before;
         fill(&before, rows, 7);
         struct singular after = before;
@@ -71,7 +71,7 @@ TEST(least_squares)
 struct words {
     struct shape_words shape;
     size_t table_count;
-    double table[STEINER_TABLE_MOST];
+    double table[MAX_STEINER_TABLE];
 };
 
 static struct words words_of(const struct primitive *primitive)
@@ -80,7 +80,7 @@ static struct words words_of(const struct primitive *primitive)
     shape_words(primitive, &words.shape);
     words.table_count = shape_table_count(primitive, NULL);
     FREED double *table = shape_table(primitive, NULL, words.table_count);
-    assert_true(table && words.table_count <= STEINER_TABLE_MOST);
+    assert_true(table && words.table_count <= MAX_STEINER_TABLE);
     memcpy(words.table, table, words.table_count * sizeof *table);
     return words;
 }

@@ -103,7 +103,7 @@ static void look_through(const struct primitive *primitive)
     if (bound_is_none(&bound))
         bound = (struct bound){ .radius = 3 };
     for (int try = 0; try < 200; try++) {
-        struct crossing crossings[MOST_CROSSINGS];
+        struct crossing crossings[MAX_CROSSINGS];
         struct ray ray;
         double point[3];
         for (int i = 0; i < 3; i++) {

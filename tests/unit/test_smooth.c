@@ -8,12 +8,12 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/unit.h"
 
-enum { MOST = 12, UNKNOWNS = MOST * (MOST + 1) / 2 + MOST + MOST };
+enum { MAX = 12, UNKNOWNS = MAX * (MAX + 1) / 2 + MAX + MAX };
 
 /* Flows as they were found, their variances and the areas. */
 struct found {
     size_t count;
-    double areas[MOST], flows[MOST * (MOST + 1)], variances[MOST * (MOST + 1)];
+    double areas[MAX], flows[MAX * (MAX + 1)], variances[MAX * (MAX + 1)];
 };
 
 static size_t place(const struct found *found, size_t i, size_t j)
@@ -35,7 +35,7 @@ static void put(struct found *found, size_t i, size_t j, double flow, double var
 static void draw(struct found *found, uint64_t *random)
 {
     memset(found, 0, sizeof *found);
-    found->count = 1 + (size_t)xorshift_between(random, 0, MOST - 1);
+    found->count = 1 + (size_t)xorshift_between(random, 0, MAX - 1);
     for (size_t i = 0; i < found->count; i++)
         for (size_t j = i; j <= found->count; j++) {
             double flow = xorshift(random) % 4 == 0 ? 0 : xorshift_real(random, 0, 1);
@@ -172,7 +172,7 @@ TEST(by_chance)
     uint64_t random = 19841115;
     for (int i = 0; i < 60; i++) {
         struct found found;
-        double scalar[MOST * (MOST + 1)], vector[MOST * (MOST + 1)];
+        double scalar[MAX * (MAX + 1)], vector[MAX * (MAX + 1)];
         c205_error error = { "" };
         draw(&found, &random);
         REQUIRE(run(&found, TRACE_SCALAR, scalar, &error)
@@ -210,7 +210,7 @@ static void refuses(const struct found *found, const char *message)
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         struct smooth_given given = given_of(found, (enum trace_mode)mode);
         SCOPED_VALUE(accounts) accounts = { .model = prior_model };
-        double smooth[MOST * (MOST + 1)];
+        double smooth[MAX * (MAX + 1)];
         c205_error error = { "" };
         given.names = names;
         assert_false(smooth_flows(&given, smooth, &accounts, &error));

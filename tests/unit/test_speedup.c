@@ -33,7 +33,7 @@ static void check_sums(const struct speedup_measure *measure)
     uint64_t causes = 0, regions = 0;
     for (int i = 0; i < C205_CAUSES; i++)
         causes += measure->clocks[i];
-    for (int i = 0; i < SPEEDUP_REGIONS_MOST; i++)
+    for (int i = 0; i < MAX_SPEEDUP_REGIONS; i++)
         regions += measure->regions[i];
     assert_true(causes == measure->total);
     assert_true(regions == measure->total);
@@ -59,7 +59,7 @@ TEST(subjects)
 static void check_solver(const struct speedup_subject *subject,
                          const struct speedup_measure measures[TRACE_FORMS])
 {
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
+    for (size_t i = 0; i < MAX_SPEEDUP_REGIONS; i++) {
         const struct stage_count *count = measures[TRACE_SCALAR].iterations.stage;
         if (!subject->regions[i] || strcmp(subject->regions[i], speedup_solver) != 0)
             continue;
@@ -83,7 +83,7 @@ TEST(solvers)
         struct speedup_measure measures[TRACE_FORMS];
         bool solves = false;
         measure(subject, &view, measures);
-        for (int k = 0; k < SPEEDUP_REGIONS_MOST; k++)
+        for (int k = 0; k < MAX_SPEEDUP_REGIONS; k++)
             solves |= subject->regions[k] != NULL
                       && strcmp(subject->regions[k], speedup_solver) == 0;
         for (int mode = 0; mode < TRACE_FORMS; mode++)

@@ -64,8 +64,8 @@ static uint64_t group(const struct sweep_measure *measure, enum sweep_group whic
 TEST(usual_lengths)
 {
     struct sweep sweep = { .count = 0 };
-    size_t lengths[SWEEP_LENGTHS_MOST];
-    size_t count = sweep_lengths(&sweep, TRACE_QUEUE_MOST, lengths);
+    size_t lengths[MAX_SWEEP_LENGTHS];
+    size_t count = sweep_lengths(&sweep, MAX_TRACE_QUEUE, lengths);
     bool paper = false;
     assert_int_equal(count, 18);
     assert_int_equal(lengths[0], 1);

@@ -251,7 +251,7 @@ static void check_crossings(const struct primitive *shape, double reach)
     struct shape_words words;
     shape_words(shape, &words);
     for (int try = 0; try < 100; try++) {
-        struct crossing crossings[MOST_CROSSINGS];
+        struct crossing crossings[MAX_CROSSINGS];
         struct ray ray;
         for (int k = 0; k < 3; k++) {
             ray.origin[k] = between(-reach, reach);

@@ -9,13 +9,13 @@
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
-enum { MOST = 40, STEPS = 5 };
+enum { MAX = 40, STEPS = 5 };
 
 struct bench {
     size_t count;
-    int times[MOST]; /* that each ran */
-    size_t bad;      /* the one that fails; MOST: none */
-    bool slow;       /* it takes its time, and all after it fail at once */
+    int times[MAX]; /* that each ran */
+    size_t bad;     /* the one that fails; MAX: none */
+    bool slow;      /* it takes its time, and all after it fail at once */
     size_t last, all, ends;
     size_t stop_at; /* progress says to stop at so much; SIZE_MAX: never */
     bool falls;     /* progress went back */
@@ -83,12 +83,12 @@ TEST(each_once)
     uint64_t random = RANDOM_SEED + 1;
     c205_error error;
     for (int i = 0; i < 200; i++) {
-        struct bench bench = { .count = below(&random, MOST + 1),
-                               .bad = MOST,
+        struct bench bench = { .count = below(&random, MAX + 1),
+                               .bad = MAX,
                                .stop_at = SIZE_MAX };
         bool watched = below(&random, 2) > 0;
         assert_true(go(&bench, below(&random, 9), watched, &error));
-        for (size_t k = 0; k < MOST; k++)
+        for (size_t k = 0; k < MAX; k++)
             assert_int_equal(bench.times[k], k < bench.count);
         assert_false(bench.falls);
         assert_int_equal(bench.ends, watched);
@@ -100,7 +100,7 @@ TEST(a_bad_one)
     uint64_t random = RANDOM_SEED + 2;
     c205_error error;
     for (int i = 0; i < 100; i++) {
-        struct bench bench = { .count = 1 + below(&random, MOST), .stop_at = SIZE_MAX };
+        struct bench bench = { .count = 1 + below(&random, MAX), .stop_at = SIZE_MAX };
         size_t jobs = below(&random, 5);
         char expected[32];
         bench.bad = below(&random, bench.count);
@@ -119,7 +119,7 @@ TEST(the_lowest_of_many)
     uint64_t random = RANDOM_SEED + 3;
     c205_error error;
     for (int i = 0; i < 100; i++) {
-        struct bench bench = { .count = 1 + below(&random, MOST),
+        struct bench bench = { .count = 1 + below(&random, MAX),
                                .slow = true,
                                .stop_at = SIZE_MAX };
         char expected[32];
@@ -134,13 +134,13 @@ TEST(told_to_stop)
 {
     c205_error error;
     for (size_t jobs = 0; jobs < 5; jobs++) {
-        struct bench bench = { .count = MOST, .bad = MOST, .stop_at = 500000 };
+        struct bench bench = { .count = MAX, .bad = MAX, .stop_at = 500000 };
         int ran = 0;
         assert_false(go(&bench, jobs, true, &error));
         assert_string_equal(error.message, "stopped");
-        for (size_t k = 0; k < MOST; k++)
+        for (size_t k = 0; k < MAX; k++)
             ran += bench.times[k];
-        assert_true(ran < MOST * 3 / 4);
+        assert_true(ran < MAX * 3 / 4);
         assert_int_equal(bench.ends, 0);
     }
 }

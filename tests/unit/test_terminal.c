@@ -13,7 +13,7 @@
 #include "base/sink.h"
 #include "tests/unit/draw.h"
 
-enum { ROUNDS = 10, MILLISECONDS_MOST = 20000 };
+enum { ROUNDS = 10, MAX_MILLISECONDS = 20000 };
 
 /* An endless program; and a folder whose libedit cannot be opened. */
 static char folder[] = "/tmp/terminal.XXXXXX", program[40];
@@ -98,7 +98,7 @@ static bool hears(struct terminal *terminal, const char *text, int milliseconds)
 
 static void expect(struct terminal *terminal, const char *text)
 {
-    if (!hears(terminal, text, MILLISECONDS_MOST))
+    if (!hears(terminal, text, MAX_MILLISECONDS))
         fail_msg("not '%s': %s", text, terminal->said.text);
 }
 
@@ -118,7 +118,7 @@ static int end(struct terminal *terminal)
 {
     int status = 0;
 
-    while (listen_on(terminal, MILLISECONDS_MOST))
+    while (listen_on(terminal, MAX_MILLISECONDS))
         continue;
     close(terminal->master);
     assert_int_equal(waitpid(terminal->process, &status, 0), terminal->process);

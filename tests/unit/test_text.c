@@ -267,15 +267,15 @@ TEST(outlines)
 
 /* ---- Loops that touch themselves --------------------------------------------- */
 
-enum { LOOP_MOST = 24 };
+enum { MAX_LOOP = 24 };
 
 /* Loops by chance on a small grid, so that they touch themselves: the same loop
  * from another point, which is there once if any is. */
 static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
 {
     size_t count = corners * apart, begin = 0;
-    double before[LOOP_MOST][2] = { { 0 } }, after[LOOP_MOST][2];
-    size_t times[LOOP_MOST] = { 0 };
+    double before[MAX_LOOP][2] = { { 0 } }, after[MAX_LOOP][2];
+    size_t times[MAX_LOOP] = { 0 };
     for (size_t j = 0; j < count; j++)
         for (int k = 0; k < 2; k++)
             before[j][k] = (double)xorshift_between(random, 0, 2);

@@ -7,7 +7,7 @@
 #include "tests/unit/kanata_log.h"
 #include "tests/unit/prior_model.h"
 
-enum { INSNS_MOST = 3000, TEXT_LENGTH = 300 };
+enum { MAX_INSNS = 3000, TEXT_LENGTH = 300 };
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -22,7 +22,7 @@ static c205 *run(const struct object *object, struct timeline *timeline)
 
     assert_true(c205_load(machine, &object->program, &error)
                 && c205_listen(machine, timeline_listen, timeline));
-    for (size_t i = 0; i < INSNS_MOST && c205_step(machine, &stop); i++)
+    for (size_t i = 0; i < MAX_INSNS && c205_step(machine, &stop); i++)
         continue;
     assert_true(timeline_is_good(timeline) && !timeline->full);
     return machine;
@@ -86,7 +86,7 @@ struct reader {
         char stage[16]; /* in which it is; "": none */
         uint64_t since, worked;
         unsigned labels;
-    } shown[INSNS_MOST + 2];
+    } shown[MAX_INSNS + 2];
 };
 
 static void take_stage(struct reader *reader, struct shown *shown, char kind,
@@ -117,7 +117,7 @@ static void take_command(struct reader *reader, const char *line)
         reader->clock += id;
         return;
     }
-    assert_true(id < INSNS_MOST + 2);
+    assert_true(id < MAX_INSNS + 2);
     shown = &reader->shown[id];
     if (kind == 'I') {
         assert_int_equal(sscanf(line, "I\t%lu\t%lu\t0%15s", &id, &second, word), 2);

@@ -14,7 +14,7 @@
 
 #include <math.h>
 
-enum { MODELS = 3, USUAL_CASES = 20, BANKS_MOST = 64 };
+enum { MODELS = 3, USUAL_CASES = 20, MAX_BANKS = 64 };
 
 static const char *const model_names[MODELS] = { "cyber205-1pipe-prior",
                                                  "cyber205-2pipe-prior",
@@ -211,7 +211,7 @@ static uint64_t conflicts(const struct vector_case *one, const c205_model *model
 {
     uint64_t banks = (uint64_t)constant(model, "memory", "banks");
     uint64_t busy = (uint64_t)constant(model, "memory", "bank_busy");
-    uint64_t free_at[BANKS_MOST] = { 0 }, t = 0, accesses = 0;
+    uint64_t free_at[MAX_BANKS] = { 0 }, t = 0, accesses = 0;
 
     for (size_t i = 0; has_indices(one->row) && i < one->n; i++) {
         uint64_t word = indexed(one, i) / WORD;

@@ -6,7 +6,7 @@
 
 #include "tests/unit/draw.h"
 
-enum { TEXTS = 200, CUTS = 60, PIECES = 40, TEXT_MOST = 200 };
+enum { TEXTS = 200, CUTS = 60, PIECES = 40, MAX_TEXT = 200 };
 
 /* Pieces that are other tokens with others behind them, or none. */
 static void draw_text(char *text)
@@ -77,7 +77,7 @@ TEST(any_cut)
     assert_non_null(keeping);
     assert_non_null(fresh);
     for (size_t i = 0; i < TEXTS; i++) {
-        char text[TEXT_MOST];
+        char text[MAX_TEXT];
         c205_error error;
         draw_text(text);
         struct scene_source *source = source_add(&sources, "drawn", text, strlen(text),

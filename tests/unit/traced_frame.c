@@ -47,7 +47,7 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
 {
     const size_t *queue = traced.queues;
     struct words *scalar = trace_words(scene, TRACE_SCALAR, 1);
-    for (size_t i = 0; i < MOST_QUEUES && queue[i]; i++) {
+    for (size_t i = 0; i < MAX_QUEUES && queue[i]; i++) {
         traced.order = i % 2 ? ORDER_ROWS : ORDER_TILES;
         FREED struct words *vector = trace_words(scene, TRACE_VECTOR, queue[i]);
         traced.order = ORDER_DEFAULT;

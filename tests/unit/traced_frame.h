@@ -37,17 +37,17 @@ enum { WIDTH = 41, HEIGHT = 31 };
 /* clang-format on */
 #endif
 
-enum { PIXELS = WIDTH * HEIGHT, MOST_PIXELS = 41 * 31, MOST_QUEUES = 4 };
+enum { PIXELS = WIDTH * HEIGHT, MAX_PIXELS = 41 * 31, MAX_QUEUES = 4 };
 
 /* Beyond the last pixel they are zero. */
 struct words {
-    c205_word channel[FRAME_CHANNELS][MOST_PIXELS];
+    c205_word channel[FRAME_CHANNELS][MAX_PIXELS];
 };
 
 /* How frames are traced. */
 struct traced {
     size_t width, height, pixels;
-    size_t queues[MOST_QUEUES];       /* as long as those of QUEUES; then 0 */
+    size_t queues[MAX_QUEUES];        /* as long as those of QUEUES; then 0 */
     uint64_t random;                  /* of the scenes */
     bool historical, no_bounds, flat; /* as in trace_options */
     const char *variant;              /* likewise */
@@ -61,7 +61,7 @@ extern struct traced traced;
 /* For a group of tests: the model, and the size of its frames. */
 static inline int set_up_frames(void **state)
 {
-    const size_t queues[MOST_QUEUES] = QUEUES;
+    const size_t queues[MAX_QUEUES] = QUEUES;
 
     traced.width = WIDTH;
     traced.height = HEIGHT;

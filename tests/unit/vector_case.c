@@ -200,7 +200,7 @@ static void place_scalar(struct vector_case *one, enum role role, uint64_t *rand
 static size_t draw_offset(struct vector_case *one, uint64_t *random, uint8_t *field,
                           enum role role)
 {
-    size_t offset = draw(random, 0, OFFSET_MOST);
+    size_t offset = draw(random, 0, MAX_OFFSET);
 
     *field = (uint8_t)(role_register[role] + 1);
     define(one, *field, offset, ADDRESS_BITS);

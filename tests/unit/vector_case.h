@@ -21,7 +21,7 @@ enum {
     MEMORY_WORDS = (ROLES + 1) * ZONE_WORDS, /* one zone is nobody's */
     LEAD = 40,                               /* words of a zone before its operand */
     LENGTH = 700,                            /* the longest operand */
-    OFFSET_MOST = 9
+    MAX_OFFSET = 9
 };
 
 /* A vector without its offset: where its first element is and how many. */

@@ -76,8 +76,8 @@ struct clock {
     uint64_t results_done; /* all registers are ready */
     uint64_t loads_done;   /* all loads are */
     uint64_t free_at[C205_UNITS];
-    uint64_t load_end[LOADS_MOST]; /* of the last loads_in_flight loads */
-    size_t load;                   /* the oldest of them */
+    uint64_t load_end[MAX_LOADS]; /* of the last loads_in_flight loads */
+    size_t load;                  /* the oldest of them */
 
     uint64_t issued;           /* the latest instruction did then .. */
     struct c205_times *record; /* .. and this is all about its time; NULL:

@@ -77,7 +77,7 @@ static bool add_pending(struct flight *flight, size_t *count, size_t place,
     size_t i = flight->registers + flight->units + flight->loads;
     if (clocks == 0)
         return true;
-    if (i == PENDING_MOST || clocks > UINT32_MAX)
+    if (i == MAX_PENDING || clocks > UINT32_MAX)
         return false;
     struct pending pending = { (uint32_t)clocks, (uint16_t)place, (uint16_t)awaits };
     flight->pending[i] = pending;

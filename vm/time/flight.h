@@ -7,7 +7,7 @@
 #include "vm/decode.h"
 #include "vm/time/clock.h"
 
-enum { PENDING_MOST = 48, FLIGHTS = 1 << (TABLE_BITS - 3) };
+enum { MAX_PENDING = 48, FLIGHTS = 1 << (TABLE_BITS - 3) };
 
 /* A register, a unit or a load, and how long it takes yet. */
 struct pending {
@@ -19,11 +19,11 @@ struct pending {
 /* In clocks from now. */
 struct flight {
     uint64_t results_done, loads_done;
-    uint64_t latest;                      /* when the last of it is done */
-    size_t registers, units, loads;       /* so many of each are pending .. */
-    struct pending pending[PENDING_MOST]; /* .. in this order, each by its
+    uint64_t latest;                     /* when the last of it is done */
+    size_t registers, units, loads;      /* so many of each are pending .. */
+    struct pending pending[MAX_PENDING]; /* .. in this order, each by its
                                              place, loads from the oldest */
-    struct flight *chained;               /* the next with the same hash */
+    struct flight *chained;              /* the next with the same hash */
 };
 
 struct flights {

@@ -24,7 +24,7 @@ enum projection_constant {
     PROJECTION_CONSTANTS
 };
 
-enum { MILLION = 1000000, LOADS_MOST = 64 };
+enum { MILLION = 1000000, MAX_LOADS = 64 };
 
 /* As c205_model_change, and with all times in ticks, so many of them a clock:
  * the values need not be whole then. */

@@ -94,12 +94,12 @@ bool named_pages_find(struct named_pages *named, const struct index_list *list,
                       uint64_t table, unsigned places, unsigned shift)
 {
     struct page_walk walk = { .shift = shift, .places = places, .table = table };
-    uint32_t last[NAMED_MOST] = { 0 };
+    uint32_t last[MAX_NAMED] = { 0 };
     if (is_known(named, list, table, places))
         return true;
     named->number = 0;
     find_range(&walk, list->indices, list->count);
-    if (list->count == 0 || walk.high - walk.low >= NAMED_MOST)
+    if (list->count == 0 || walk.high - walk.low >= MAX_NAMED)
         return false;
     find_last(&walk, list, last);
     named->count = 0;

@@ -6,7 +6,7 @@
 
 #include "vm/time/index_list.h"
 
-enum { NAMED_MOST = 64 };
+enum { MAX_NAMED = 64 };
 
 /* Those of the list met last, and of a table of elements of 2^places bits; they are
  * the same for one that begins up to `slack` bits behind it. */
@@ -15,7 +15,7 @@ struct named_pages {
     unsigned places;
     uint64_t table, slack;
     size_t count;
-    uint64_t page[NAMED_MOST];
+    uint64_t page[MAX_NAMED];
 };
 
 /* For pages of 2^shift bits.  False: they lie too far apart to be told. */

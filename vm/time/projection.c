@@ -14,7 +14,7 @@ enum unit_kind {
     UNITS_LOGICAL,
     UNIT_KINDS
 };
-enum { UNITS_MOST = 4 };
+enum { MAX_UNITS = 4 };
 
 /* What each timing class takes; classes of the vector unit take nothing, as
  * there is no such thing. */
@@ -37,7 +37,7 @@ struct c205_projection {
     bool overlap;
 
     size_t units[UNIT_KINDS];
-    uint64_t free_at[UNIT_KINDS][UNITS_MOST];
+    uint64_t free_at[UNIT_KINDS][MAX_UNITS];
     uint64_t ready[SLOTS]; /* when a register has its value .. */
     uint64_t read[SLOTS];  /* .. and when the last reader has read */
     uint64_t done;         /* all that is in flight */

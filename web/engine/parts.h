@@ -32,7 +32,7 @@ struct slice {
 
 /* ---- What a program has printed ---------------------------------------------- */
 
-enum { PRINTED_MOST = 1 << 20 }; /* bytes that are kept */
+enum { MAX_PRINTED = 1 << 20 }; /* bytes that are kept */
 
 /* So many bytes had been printed behind a step. */
 struct printed_mark {

@@ -68,7 +68,7 @@ static bool is_object(const struct json_value *value)
     return !value || value->kind == JSON_OBJECT;
 }
 
-enum { DEFINES_MOST = 100 }; /* as many as a sweep takes */
+enum { MAX_DEFINES = 100 }; /* as many as a sweep takes */
 
 /* "defines": { "n": 100 } */
 static bool take_defines(const struct json_value *request, struct arena *arena,
@@ -81,9 +81,9 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
     options->defines = list;
     if (!list)
         return refuse(error, "no memory");
-    if (!is_object(defines) || count > DEFINES_MOST)
+    if (!is_object(defines) || count > MAX_DEFINES)
         return refuse(error, "\"defines\" has at most %d names with integers",
-                      DEFINES_MOST);
+                      MAX_DEFINES);
     for (const struct json_value *item = defines ? defines->first : NULL; item;
          item = item->next, list++) {
         if (item->kind != JSON_NUMBER
@@ -213,7 +213,7 @@ static void print(void *context, const char *text, size_t length)
     printed_forget(printed, step);
     if (printed->cut)
         return;
-    printed->cut = length > PRINTED_MOST - printed->text.length;
+    printed->cut = length > MAX_PRINTED - printed->text.length;
     if (!printed->cut)
         sink.put(sink.context, text, length);
     keep_mark(printed, step);
@@ -250,7 +250,7 @@ static void forget_printed(struct printed *printed)
 
 /* ---- Its debugger ------------------------------------------------------------------------ */
 
-enum { HISTORY_MOST = 64 << 20 }; /* bytes: it lives in a page of a browser */
+enum { MAX_HISTORY = 64 << 20 }; /* bytes: it lives in a page of a browser */
 
 /* With an ear for who wants to hear a run again. */
 static c205 *make_machine(void *context, c205_error *error)
@@ -275,7 +275,7 @@ static bool make_debugger(struct engine *engine, c205_error *error)
                                     .printed = { print, engine },
                                     .printed_apart = true,
                                     .clocks_most = UINT64_MAX,
-                                    .history = HISTORY_MOST,
+                                    .history = MAX_HISTORY,
                                     .interrupted = slice_is_over,
                                     .asked = engine,
                                     .machine = make_machine,

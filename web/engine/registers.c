@@ -131,7 +131,7 @@ void put_registers(const struct engine *engine, bool all, struct json *reply)
 
 /* ---- Vectors ------------------------------------------------------------------------ */
 
-enum { VECTORS_MOST = 256, ELEMENTS_MOST = 65536 };
+enum { MAX_VECTORS = 256, MAX_ELEMENTS = 65536 };
 
 /* 0: that is no data, or of no kind with elements. */
 static unsigned width_of(const struct asm_symbol *symbol)
@@ -250,13 +250,13 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
         return false;
     if (first && first->kind != JSON_OBJECT)
         return refuse(error, "\"first\" has names with integers");
-    if (window.most > ELEMENTS_MOST)
-        return refuse(error, "\"elements\" is %d at the most", ELEMENTS_MOST);
+    if (window.most > MAX_ELEMENTS)
+        return refuse(error, "\"elements\" is %d at the most", MAX_ELEMENTS);
     json_array(reply, "vectors");
     for (size_t i = 0; good && i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
 
-        if (width_of(symbol) == 0 || count++ >= VECTORS_MOST)
+        if (width_of(symbol) == 0 || count++ >= MAX_VECTORS)
             continue;
         good = take_window(request, symbol->name, &window, error)
                && (put_symbol(engine, symbol, &window, reply)

@@ -89,7 +89,7 @@ static bool take_values(const struct engine *engine, const struct json_value *re
                         struct program_sweep *sweep, c205_error *error)
 {
     struct swept_range *range = &sweep->range;
-    uint64_t values[SWEPT_POINTS_MOST], points = 0;
+    uint64_t values[MAX_SWEPT_POINTS], points = 0;
 
     if (!take_count(request, "from", &range->from, error)
         || !take_count(request, "to", &range->to, error)
@@ -103,9 +103,9 @@ static bool take_values(const struct engine *engine, const struct json_value *re
         || range->factor == 1 || (range->step > 0 && range->factor > 0))
         return refuse(error, "the range goes from 1 or more up, by a "
                              "\"step\", a \"factor\" or neither");
-    if (points == 1 || points > SWEPT_POINTS_MOST
+    if (points == 1 || points > MAX_SWEPT_POINTS
         || swept_values(range, sweep->asked, values) < 2)
-        return refuse(error, "a sweep has 2 to %d points", SWEPT_POINTS_MOST);
+        return refuse(error, "a sweep has 2 to %d points", MAX_SWEPT_POINTS);
     return true;
 }
 

@@ -173,7 +173,7 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
         return false;
     if (timeline->from >= timeline->to)
         return refuse(error, "\"from\" is before \"to\"");
-    timeline->most = most < TIMELINE_MOST ? (size_t)most : TIMELINE_MOST;
+    timeline->most = most < MAX_TIMELINE ? (size_t)most : MAX_TIMELINE;
     if (!replay_begin(engine, NULL, timeline, debugger_known(engine->debugger), error))
         return false;
     engine->replay.form = form;

@@ -10,7 +10,7 @@ import { Decoration, EditorView, GutterMarker, drawSelection, gutter, highlightA
   hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { count, el, fixed, some } from "./dom.js";
-import { PROGRAM_MOST } from "./share.js";
+import { MAX_PROGRAM } from "./share.js";
 
 const TAB = 8;
 const MARGIN = 2; // lines above and below the line that is brought into sight
@@ -166,7 +166,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
   // However it comes: pasted, dropped, typed.  A text that is longer already may become shorter.
   const limit = EditorState.transactionFilter.of((change) => {
     const length = change.changes.newLength;
-    if (length <= Math.max(PROGRAM_MOST, change.startState.doc.length)) return change;
+    if (length <= Math.max(MAX_PROGRAM, change.startState.doc.length)) return change;
     tooLong(length);
     return [];
   });

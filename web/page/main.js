@@ -15,7 +15,7 @@ import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerS
 import { OWN, Programs } from "./programs.js";
 import { makeRegisters } from "./registers.js";
 import { Session } from "./session.js";
-import { PROGRAM_MOST, fromHash, toHash } from "./share.js";
+import { MAX_PROGRAM, fromHash, toHash } from "./share.js";
 import { makeSplit } from "./split.js";
 import { makeTabs } from "./tabs.js";
 import { switchTheme } from "./theme.js";
@@ -47,7 +47,7 @@ const editor = makeEditor($("source"), about, {
   },
   breaks: (lines) => session.setBreaks(lines),
   tooLong: (length) => say(`The text was rejected: the program would have ${some(length, "character")}, `
-    + `and the limit is ${count(PROGRAM_MOST)}.`, "bad"),
+    + `and the limit is ${count(MAX_PROGRAM)}.`, "bad"),
   at: (told) => fill($("source-note"), told && [el("code", {}, told.name), ` ${told.effect}`]),
 });
 makeBar(session);

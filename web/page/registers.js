@@ -2,11 +2,11 @@
 
 import { count, el, fill, heading, table } from "./dom.js";
 
-const MOST = 64; // rows; a program that uses more is rare
+const MAX = 64; // rows; a program that uses more is rare
 
 export function makeRegisters(panel, session) {
   session.on("view", ({ registers }) => {
-    const shown = registers.slice(0, MOST);
+    const shown = registers.slice(0, MAX);
     fill(panel,
       heading("registers", "Registers"),
       shown.length === 0

@@ -3,7 +3,7 @@
 // by lines), "moved" (how a movement ended), "busy", "progress", "breaks".
 
 const PATIENCE = 2000; // milliseconds that a line of the debugger may take
-const ELEMENTS = 64, ELEMENTS_MOST = 4096; // of each vector that are looked at
+const ELEMENTS = 64, MAX_ELEMENTS = 4096; // of each vector that are looked at
 
 export class Session {
   #listeners = {};
@@ -112,7 +112,7 @@ export class Session {
 
   /** More elements of vectors, up to a most. */
   lookFurther() {
-    this.elements = Math.min(4 * this.elements, ELEMENTS_MOST);
+    this.elements = Math.min(4 * this.elements, MAX_ELEMENTS);
     return this.look();
   }
 

@@ -5,8 +5,8 @@ import { count } from "./dom.js";
 
 /** Limits, checked where a link is made and where it is opened: bytes of a program (a link may hold
  * very many that are packed well), and characters of a link, which every browser opens. */
-export const PROGRAM_MOST = 1 << 20;
-const LINK_MOST = 1 << 19;
+export const MAX_PROGRAM = 1 << 20;
+const MAX_LINK = 1 << 19;
 
 const tooLong = (most, what) => new RangeError(`is too long for a link: the limit is ${count(most)} ${what}.`);
 
@@ -41,23 +41,23 @@ function check(length, most, what) {
 /** The # part for {text, model, warm, lesson}; throws a RangeError if that is too long. */
 export async function toHash({ text, model, warm, lesson }) {
   const bytes = new TextEncoder().encode(text);
-  check(bytes.length, PROGRAM_MOST, "bytes");
+  check(bytes.length, MAX_PROGRAM, "bytes");
   const packed = await through(new CompressionStream("deflate-raw"), bytes);
   const words = new URLSearchParams({ ...(lesson && { lesson }), model, ...(warm && { pages: warm }),
     program: toText(packed) });
   const hash = `#${words}`;
-  check(hash.length, LINK_MOST, "characters in the link");
+  check(hash.length, MAX_LINK, "characters in the link");
   return hash;
 }
 
 /** What a # part holds; null: nothing of ours; throws: it is spoilt, or too long (a RangeError). */
 export async function fromHash(hash) {
-  check(hash.length, LINK_MOST, "characters in the link");
+  check(hash.length, MAX_LINK, "characters in the link");
   const words = new URLSearchParams(hash.slice(1));
   const shared = { lesson: words.get("lesson"), model: words.get("model"),
     warm: words.get("pages") ?? "" };
   const packed = words.get("program");
   if (packed === null) return shared.lesson ? shared : null;
-  const bytes = await through(new DecompressionStream("deflate-raw"), toBytes(packed), PROGRAM_MOST);
+  const bytes = await through(new DecompressionStream("deflate-raw"), toBytes(packed), MAX_PROGRAM);
   return { ...shared, text: new TextDecoder().decode(bytes) };
 }

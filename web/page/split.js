@@ -3,7 +3,7 @@
 
 import { $, kept } from "./dom.js";
 
-const LEAST = 15, MOST = 85, STEP = 5; // percent of the height that the lesson has
+const LEAST = 15, MAX = 85, STEP = 5; // percent of the height that the lesson has
 const USUAL = 50;
 
 export function makeSplit() {
@@ -11,7 +11,7 @@ export function makeSplit() {
   const main = document.querySelector("main");
 
   function set(percent) {
-    const share = Math.round(Math.min(Math.max(percent, LEAST), MOST));
+    const share = Math.round(Math.min(Math.max(percent, LEAST), MAX));
     main.style.setProperty("--lesson", `${share}%`);
     bar.setAttribute("aria-valuenow", String(share));
     return share;
@@ -30,12 +30,12 @@ export function makeSplit() {
   bar.addEventListener("dblclick", () => keep(USUAL));
   bar.addEventListener("keydown", (event) => {
     const now = Number(bar.getAttribute("aria-valuenow"));
-    const to = { ArrowUp: now - STEP, ArrowDown: now + STEP, Home: LEAST, End: MOST }[event.key];
+    const to = { ArrowUp: now - STEP, ArrowDown: now + STEP, Home: LEAST, End: MAX }[event.key];
     if (to === undefined) return;
     event.preventDefault();
     keep(to);
   });
   bar.setAttribute("aria-valuemin", String(LEAST));
-  bar.setAttribute("aria-valuemax", String(MOST));
+  bar.setAttribute("aria-valuemax", String(MAX));
   set(Number(kept.get("split")) || USUAL);
 }

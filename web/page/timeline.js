@@ -5,7 +5,7 @@
 import { colour, count, draw, duration, el, fill, some } from "./dom.js";
 import { named } from "./causes.js";
 
-const MOST = 600; // instructions in a picture
+const MAX = 600; // instructions in a picture
 const BOX = 17, GAP = 6, TOP = 22, LEFT = 116; // pixels
 const FIRST = 240; // clocks, at first
 const NEAREST = 16; // clocks, the least that are shown
@@ -78,7 +78,7 @@ export function makeTimeline(panel, session) {
 
   async function ask() {
     const mine = ++turn;
-    const reply = await session.machine.ask({ do: "timeline", from, to, most: MOST, idle: true });
+    const reply = await session.machine.ask({ do: "timeline", from, to, most: MAX, idle: true });
     if (mine !== turn || !reply.ok || reply.stopped) return;
     told = reply;
     show();
@@ -96,7 +96,7 @@ export function makeTimeline(panel, session) {
     const causes = new Set(told.spans.map(({ cause }) => cause).filter(Boolean));
     fill(legend, ...[...causes].map((cause) => el("li", {}, named(cause))));
     note.hidden = !told.full;
-    note.textContent = `The first ${MOST} instructions of this stretch; a shorter one shows all.`;
+    note.textContent = `The first ${MAX} instructions of this stretch; a shorter one shows all.`;
   }
 
   function drawing() {

@@ -35,7 +35,7 @@
         .regs   r152, pair_hit, pair_count, pair_left
         .endshare
         .equ    PAIR_STRIDE, 1021
-        .equ    PAIR_LIST, (1 + SPHERES_MOST) * PAIRS
+        .equ    PAIR_LIST, (1 + MAX_SPHERES) * PAIRS
 
         .data
 pool_count:     .word 0

@@ -214,8 +214,8 @@
 
 ; The most crossings of a ray with a primitive: if it is more, the host says so
 ; when the program is assembled.
-        .ifndef CROSSINGS_MOST
-        .equ    CROSSINGS_MOST, 6
+        .ifndef MAX_CROSSINGS
+        .equ    MAX_CROSSINGS, 6
         .endif
 
 ; The most pieces of a blob (shapes/blob_vector.s): the host counts them when the
@@ -402,11 +402,11 @@
         .field  H_WAY, 3           ; from the centre of the first node below to
                                 ; that of the second
         .field  H_SPHERES          ; 1: the regions below are opaque spheres, no
-                                ; more than SPHERES_MOST in a leaf
+                                ; more than MAX_SPHERES in a leaf
         .at     13              ; odd, for the banks: fields of many are gathered
         .endrecord
         .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at the most
-        .equ    SPHERES_MOST, 8
+        .equ    MAX_SPHERES, 8
 
 ; A node: the tree in preorder, without complements.  A ray that does not come
 ; near a node goes on behind all that is below it; the node's value is 0 then.

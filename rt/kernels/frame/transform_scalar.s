@@ -19,7 +19,7 @@
 transform_save: .space TRANSFORM_REGISTERS
 own_ray:        .space 8                ; and 1/s
 own_space:      .word 0                 ; the space it is in; 0: none yet
-own_segment:    .space CROSSINGS_MOST
+own_segment:    .space MAX_CROSSINGS
 own_arguments:
         .descriptor 6, own_ray
         .word 0

@@ -57,7 +57,7 @@ transformed_carried:
         IBXLT   segments_wanted, r0, s0, transformed_done
         scale_back tin3
         scale_back tout3
-        .if     CROSSINGS_MOST > 6
+        .if     MAX_CROSSINGS > 6
         RTOR    tout3, s3
         ES      s0, -3
         ADDX    segments_wanted, s0, s2

@@ -6,14 +6,14 @@
 ; polynomial whose coefficients the machine's exponents cannot bring together
 ; (scaling_vector.s).
 
-        .equ    ROOTS_MOST, 4
+        .equ    MAX_ROOTS, 4
         .record INPUT
         .field  INPUT_COEFFICIENTS, 5   ; c4 c3 c2 c1 c0
         .field  INPUT_BOUND
         .endrecord
         .record RESULT
         .field  RESULT_COUNT
-        .field  RESULT_ROOTS, ROOTS_MOST
+        .field  RESULT_ROOTS, MAX_ROOTS
         .endrecord
 
         .data

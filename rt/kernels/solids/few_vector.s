@@ -13,8 +13,8 @@
         .endshare
 
 ; So many crossings of them, at the most.
-        .if     CROSSINGS_MOST > 3 * PATCH_CROSSINGS
-        .equ    FEW_CROSSINGS, CROSSINGS_MOST
+        .if     MAX_CROSSINGS > 3 * PATCH_CROSSINGS
+        .equ    FEW_CROSSINGS, MAX_CROSSINGS
         .else
         .equ    FEW_CROSSINGS, 3 * PATCH_CROSSINGS
         .endif
@@ -159,7 +159,7 @@ few_solid:
         IBXEQ   leaf_segments, r0, s1, few_spread
         spread_few tin3, big
         spread_few tout3, minus_big
-        .if     CROSSINGS_MOST > 6
+        .if     MAX_CROSSINGS > 6
         RTOR    tout3, s3
         ES      s1, -3
         ADDX    leaf_segments, s1, leaf_segments

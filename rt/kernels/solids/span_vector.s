@@ -65,7 +65,7 @@ node_met:
         ES      s0, 2
         IBXEQ   segments_wanted, r0, s0, node_limit
         later_end tout3, tout, w1
-        .if     CROSSINGS_MOST > 6
+        .if     MAX_CROSSINGS > 6
         RTOR    w1, tout
         RTOR    tout3, s3
         ES      s0, -3

@@ -31,7 +31,7 @@ static uint64_t reading_most(const struct reader *reader)
 {
     const struct scene_options *options = reader->options;
 
-    return options && options->reading_most ? options->reading_most : READING_MOST;
+    return options && options->reading_most ? options->reading_most : MAX_READING;
 }
 
 bool reader_spend(struct reader *reader, size_t bytes)

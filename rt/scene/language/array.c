@@ -11,11 +11,11 @@ struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells)
     size_t count = 1;
 
     for (size_t i = 0; i < dimensions; i++) {
-        if (sizes[i] > CELLS_MOST / count)
+        if (sizes[i] > MAX_CELLS / count)
             return NULL;
         count *= sizes[i];
     }
-    if (count > CELLS_MOST - *cells)
+    if (count > MAX_CELLS - *cells)
         return NULL;
     array = calloc(1, sizeof *array + count * sizeof *array->cell);
     if (!array)
@@ -95,7 +95,7 @@ const char *array_copy(struct array **copy, const struct array *array)
     *copy = array_new(array->dimensions, array->sizes, array->cells);
     if (!*copy)
         return "not enough memory, or too many cells of arrays: "
-               "at most " LIMIT_TEXT(CELLS_MOST);
+               "at most " LIMIT_TEXT(MAX_CELLS);
     fault = copy_cells(*copy, array);
     if (fault)
         array_free(*copy);

@@ -17,7 +17,7 @@
 #define CORNER_SAME 1e-10
 #define NO_AREA 1e-10
 
-enum { STEPS_MOST = 20 };
+enum { MAX_STEPS = 20 };
 
 /* The words before the points. */
 enum patch_word { PATCH_TYPE, PATCH_FLATNESS, PATCH_U, PATCH_V, PATCH_WORDS };
@@ -274,9 +274,9 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
         number = trunc(number);
     if (word == PATCH_TYPE && number < 0)
         return reader_fault(reader, &at, "the type of a patch is below 0");
-    if ((word == PATCH_U || word == PATCH_V) && number > STEPS_MOST)
+    if ((word == PATCH_U || word == PATCH_V) && number > MAX_STEPS)
         return reader_fault(reader, &at, "'%s' is more than %d", patch_words[word],
-                            STEPS_MOST);
+                            MAX_STEPS);
     patch->given[word] = true;
     patch->numbers[word] = number;
     return true;

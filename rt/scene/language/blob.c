@@ -123,9 +123,9 @@ static bool add_part(struct reader *reader, struct blob_reading *blob,
 {
     struct blob_part *list;
 
-    if (blob->parts.count == BLOB_PARTS_MOST)
+    if (blob->parts.count == MAX_BLOB_PARTS)
         return reader_fault(reader, at, "more than %d components in one blob",
-                            BLOB_PARTS_MOST);
+                            MAX_BLOB_PARTS);
     list = array_grow(blob->parts.list, blob->parts.count, sizeof *list);
     if (!list)
         return reader_no_memory(reader);

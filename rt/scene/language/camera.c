@@ -100,10 +100,10 @@ static bool read_lens_points(struct reader *reader, void *subject,
         return false;
     if (points < 1)
         return reader_fault(reader, &item->at, "'blur_samples' is not 1 or more");
-    if (points > LENS_POINTS_MOST)
+    if (points > MAX_LENS_POINTS)
         reader_report(reader, &item->at, "'blur_samples' counts as %d",
-                      LENS_POINTS_MOST);
-    reading->setting.camera.lens_points = (int)fmin(points, LENS_POINTS_MOST);
+                      MAX_LENS_POINTS);
+    reading->setting.camera.lens_points = (int)fmin(points, MAX_LENS_POINTS);
     return true;
 }
 

@@ -136,11 +136,11 @@ static bool clip(struct reader *reader, struct scene_object *object,
 {
     size_t count = count_solids(object), copies = count * by->part_count;
 
-    if (object->part_count + copies > count * SOLID_MOST)
+    if (object->part_count + copies > count * MAX_SOLID)
         return reader_fault(reader, at,
                             "more than %d primitives in one solid, with "
                             "those that clip it",
-                            SOLID_MOST);
+                            MAX_SOLID);
     hide(reader, by);
     return reader_spend(reader, TOKEN_COST * (object->part_count + copies))
            && shape_count(reader, copies, at)

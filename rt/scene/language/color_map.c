@@ -5,12 +5,12 @@
 
 #include <string.h>
 
-enum { STOPS_MOST = 256 }; /* as in POV-Ray */
-#define COLOR_MOST 1e100   /* so that differences are numbers */
+enum { MAX_STOPS = 256 }; /* as in POV-Ray */
+#define MAX_COLOR 1e100   /* so that differences are numbers */
 
 struct map_reading {
     struct color_map map;
-    struct color_stop stops[STOPS_MOST];
+    struct color_stop stops[MAX_STOPS];
     struct numbers first; /* the first one's colour, all terms */
 };
 
@@ -31,10 +31,10 @@ static bool add_stop(struct reader *reader, struct map_reading *reading, double 
     struct color_map *map = &reading->map;
     struct color_stop *stop = &reading->stops[map->count];
 
-    if (map->count == STOPS_MOST)
+    if (map->count == MAX_STOPS)
         return reader_fault(reader, &reader->token, "more than %d entries in a map",
-                            STOPS_MOST);
-    if (greatest3(color->n) > COLOR_MOST)
+                            MAX_STOPS);
+    if (greatest3(color->n) > MAX_COLOR)
         return reader_fault(reader, &reader->token,
                             "a colour of a map is out of range");
     if (map->count == 0)
@@ -116,7 +116,7 @@ bool color_map_round(struct reader *reader, struct color_map *map)
 bool color_map_listed(struct reader *reader, const struct numbers *colors, size_t count,
                       struct color_map *map)
 {
-    struct color_stop stops[LISTED_MOST];
+    struct color_stop stops[MAX_LISTED];
 
     *map = (struct color_map){ .count = 0 };
     for (size_t i = 0; i < count; i++)

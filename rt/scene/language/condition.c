@@ -54,9 +54,9 @@ struct scene_condition *condition_push(struct reader *reader, enum condition_kin
 {
     struct scene_condition *condition;
 
-    if (reader->condition_count == CONDITIONS_MOST) {
+    if (reader->condition_count == MAX_CONDITIONS) {
         reader_fault(reader, at, "more than %d conditions within each other",
-                     CONDITIONS_MOST);
+                     MAX_CONDITIONS);
         return NULL;
     }
     condition = &reader->conditions[reader->condition_count++];

@@ -208,7 +208,7 @@ static bool read_datum(struct reader *reader, struct data_file *file,
         return reader_fault(reader, at,
                             "more than %d files and macros lie within each "
                             "other",
-                            FRAMES_MOST);
+                            MAX_FRAMES);
     next(&datum);
     if (datum.token.kind != TOKEN_END)
         done = take_datum(&datum, file, at, value);

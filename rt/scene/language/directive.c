@@ -40,9 +40,8 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
     source = reader_find(reader, at, name, true);
     if (!source)
         return false;
-    if (reader->includes++ >= INCLUDE_MOST)
-        return reader_fault(reader, at, "more than %d files are included",
-                            INCLUDE_MOST);
+    if (reader->includes++ >= MAX_INCLUDE)
+        return reader_fault(reader, at, "more than %d files are included", MAX_INCLUDE);
     reader_back(reader);
     opened = lexer_open(&reader->lexer, source);
     reader_step(reader);
@@ -166,7 +165,7 @@ static bool tell(struct reader *reader, const struct item *item, const char *tex
         reader_warn(reader, &item->at, "%s", text);
     else if (!diagnostics_say(reader->reports, text))
         reader_warn(reader, &item->at,
-                    "more than %d bytes are said: the rest is left out", SAID_MOST);
+                    "more than %d bytes are said: the rest is left out", MAX_SAID);
     return true;
 }
 

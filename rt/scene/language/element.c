@@ -39,7 +39,7 @@ static bool bracket_follows(struct reader *reader)
 static bool read_indices(struct reader *reader, const struct array *array,
                          size_t *element)
 {
-    size_t dimensions = array->dimensions, sizes[DIMENSIONS_MOST];
+    size_t dimensions = array->dimensions, sizes[MAX_DIMENSIONS];
 
     for (size_t i = 0; i < dimensions; i++)
         sizes[i] = array->sizes[i];
@@ -59,11 +59,11 @@ static bool read_hop(struct reader *reader, struct scene_token *name)
 {
     struct reference *reference = &name->reference;
 
-    if (reference->hops == ARRAY_NESTING_MOST)
+    if (reference->hops == MAX_ARRAY_NESTING)
         return reader_fault(reader, name,
                             "more than %d arrays within each "
                             "other",
-                            ARRAY_NESTING_MOST);
+                            MAX_ARRAY_NESTING);
     if (!read_indices(reader, name->value->is.array,
                       &reference->element[reference->hops]))
         return false;
@@ -134,12 +134,12 @@ static bool read_cell(struct reader *reader, struct array *array, size_t dimensi
     if (!value_read(reader, &value))
         return false;
     if (value.kind == VALUE_ARRAY
-        && array_nesting(value.is.array) == ARRAY_NESTING_MOST) {
+        && array_nesting(value.is.array) == MAX_ARRAY_NESTING) {
         value_free(&value);
         return reader_fault(reader, &at,
                             "more than %d arrays within each "
                             "other",
-                            ARRAY_NESTING_MOST);
+                            MAX_ARRAY_NESTING);
     }
     return reader_check(reader, &at, array_set(array, (*element)++, &value));
 }
@@ -162,10 +162,9 @@ static bool read_sizes(struct reader *reader, size_t *dimensions, size_t *sizes)
     *dimensions = 0;
     do {
         struct scene_token at = reader->token;
-        if (*dimensions == DIMENSIONS_MOST)
-            return reader_fault(reader, &at, "more than %d dimensions",
-                                DIMENSIONS_MOST);
-        if (!read_size(reader, CELLS_MOST, &sizes[*dimensions]))
+        if (*dimensions == MAX_DIMENSIONS)
+            return reader_fault(reader, &at, "more than %d dimensions", MAX_DIMENSIONS);
+        if (!read_size(reader, MAX_CELLS, &sizes[*dimensions]))
             return false;
         if (!sizes[(*dimensions)++])
             return reader_fault(reader, &at, "the array has no elements");
@@ -178,7 +177,7 @@ static bool read_sizes(struct reader *reader, size_t *dimensions, size_t *sizes)
 bool array_read(struct reader *reader, struct scene_value *value)
 {
     struct scene_token at = reader->token;
-    size_t dimensions, sizes[DIMENSIONS_MOST], element = 0;
+    size_t dimensions, sizes[MAX_DIMENSIONS], element = 0;
 
     reader_step(reader);
     if (!read_sizes(reader, &dimensions, sizes))
@@ -188,7 +187,7 @@ bool array_read(struct reader *reader, struct scene_value *value)
         return reader_fault(reader, &at,
                             "more than %d elements in all arrays, or no "
                             "memory",
-                            CELLS_MOST);
+                            MAX_CELLS);
     value->kind = VALUE_ARRAY;
     return reader_spend(reader, value->is.array->count * TOKEN_COST)
            && (!reader_at_sign(reader, '{')

@@ -39,7 +39,7 @@ struct function {
                   struct numbers *result);
     double (*plain)(double); /* instead, for one float */
 };
-enum { ARGUMENTS_MOST = 32 };
+enum { MAX_ARGUMENTS = 32 };
 const struct function *function_find(const struct scene_token *token);
 
 #endif

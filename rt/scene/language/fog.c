@@ -109,8 +109,8 @@ bool fog_take(struct reader *reader, const struct fog_setting *setting,
         reader_report(reader, at, "a fog with a distance below 0 is left out");
         return true;
     }
-    if (scene->fog_count == FOGS_MOST)
-        return reader_fault(reader, at, "more than %d fogs", FOGS_MOST);
+    if (scene->fog_count == MAX_FOGS)
+        return reader_fault(reader, at, "more than %d fogs", MAX_FOGS);
     if (scene->fog_count == 0)
         reader->fog = *at;
     scene->fogs[scene->fog_count++] = setting->fog;

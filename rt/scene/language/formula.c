@@ -64,7 +64,7 @@ struct name {
 
 struct compiler {
     struct reader *reader;
-    struct name parameters[PARAMETERS_MOST];
+    struct name parameters[MAX_PARAMETERS];
     struct formula *formula;
     struct formula_step *steps;
     size_t count, capacity;
@@ -121,7 +121,7 @@ static bool read_function(struct compiler *compiler, const struct function *func
     if (function->takes[least] == '?')
         most = least + 1;
     if (function->takes[least] == '+')
-        most = ARGUMENTS_MOST;
+        most = MAX_ARGUMENTS;
     reader_next(reader);
     return read_arguments(compiler, least, most, &step.count)
            && add_step(compiler, &step, step.count);
@@ -152,7 +152,7 @@ static bool read_other_call(struct compiler *compiler, const struct formula *cal
 
     compiler->formula->without = called->without;
     reader_next(reader);
-    if (!read_arguments(compiler, 0, PARAMETERS_MOST, &step.count))
+    if (!read_arguments(compiler, 0, MAX_PARAMETERS, &step.count))
         return false;
     if (reader_accept_sign(reader, '.')) {
         if (reader->token.kind != TOKEN_WORD)
@@ -170,10 +170,10 @@ static bool read_formula_call(struct compiler *compiler, const struct formula *c
 
     if (called->without)
         return read_other_call(compiler, called);
-    if (called->nesting == NESTING_MOST)
+    if (called->nesting == MAX_NESTING)
         return reader_fault(reader, &reader->token,
                             "more than %d functions that call one another",
-                            NESTING_MOST);
+                            MAX_NESTING);
     if (compiler->formula->nesting <= called->nesting)
         compiler->formula->nesting = called->nesting + 1;
     reader_next(reader);
@@ -297,8 +297,8 @@ static bool read_parameter(struct compiler *compiler)
 
     if (token->kind != TOKEN_WORD)
         return reader_expected(reader, "the name of a parameter, or ')'");
-    if (number == PARAMETERS_MOST)
-        return reader_fault(reader, token, "more than %d parameters", PARAMETERS_MOST);
+    if (number == MAX_PARAMETERS)
+        return reader_fault(reader, token, "more than %d parameters", MAX_PARAMETERS);
     compiler->parameters[number] = (struct name){ token->text, token->length };
     compiler->formula->parameter_count++;
     reader_next(reader);
@@ -412,7 +412,7 @@ static double operate(int sign, double a, double b)
 /* `count` floats become one, where the first of them is. */
 static void apply(const struct function *function, size_t count, double *arguments)
 {
-    struct numbers taken[ARGUMENTS_MOST], result;
+    struct numbers taken[MAX_ARGUMENTS], result;
 
     if (function->plain) {
         arguments[0] = function->plain(arguments[0]);
@@ -516,7 +516,7 @@ bool formula_call(struct reader *reader, const struct formula *formula,
 {
     struct scene_token at = reader->token;
     const struct formula_caller call = { reader, &at };
-    double arguments[PARAMETERS_MOST];
+    double arguments[MAX_PARAMETERS];
 
     if (!can_call(reader, formula, &at))
         return false;

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define WHOLE_MOST 2147483648. /* POV-Ray's whole numbers are below */
+#define MAX_WHOLE 2147483648. /* POV-Ray's whole numbers are below */
 
 static double degrees(double radians)
 {
@@ -78,7 +78,7 @@ static long bits_of(const struct numbers *number)
 {
     double value = number->n[0];
 
-    return value > -WHOLE_MOST && value < WHOLE_MOST ? (long)value : 0;
+    return value > -MAX_WHOLE && value < MAX_WHOLE ? (long)value : 0;
 }
 
 static void apply_bitwise_and(const struct numbers *a, size_t n, struct numbers *r)

@@ -27,7 +27,7 @@
  * there. */
 enum { COARSE = 0xf8, TGA_BITS = 16 };
 
-#define FUNCTION_MOST 32000. /* beyond, POV-Ray's whole numbers are too small */
+#define MAX_FUNCTION 32000. /* beyond, POV-Ray's whole numbers are too small */
 
 static bool allocate(struct reader *reader, struct heights *heights, size_t columns,
                      size_t rows)
@@ -52,9 +52,9 @@ static bool check_size(struct reader *reader, const struct scene_token *at,
         return reader_fault(reader, at,
                             "a height_field needs two rows of two heights at "
                             "least");
-    return 2 * (columns - 1) * (rows - 1) <= TRIANGLES_MOST
+    return 2 * (columns - 1) * (rows - 1) <= MAX_TRIANGLES
            || reader_fault(reader, at, "more than %d triangles in one height_field",
-                           TRIANGLES_MOST);
+                           MAX_TRIANGLES);
 }
 
 /* ---- Pixels -------------------------------------------------------------- */
@@ -192,7 +192,7 @@ static bool take_value(struct reader *reader, const struct scene_token *at,
         reader_report(reader, at,
                       "the function has values below 0 or above 1, which "
                       "count as others within");
-    if (fabs(value) > FUNCTION_MOST)
+    if (fabs(value) > MAX_FUNCTION)
         return reader_fault(reader, at, "the function has the value %g", value);
     *height = (uint16_t)(int32_t)(value * UINT16_MAX);
     return true;

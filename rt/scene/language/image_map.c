@@ -73,13 +73,13 @@ static bool check_size(struct reader *reader, const struct raster *raster,
 {
     size_t pixels = raster->width * raster->height;
 
-    if (reader->scene->image_count == IMAGES_MOST)
-        return reader_fault(reader, at, "more than %d images", IMAGES_MOST);
-    if (pixels > IMAGE_PIXELS_MOST - reader->image_pixels)
+    if (reader->scene->image_count == MAX_IMAGES)
+        return reader_fault(reader, at, "more than %d images", MAX_IMAGES);
+    if (pixels > MAX_IMAGE_PIXELS - reader->image_pixels)
         return reader_fault(reader, at,
                             "the images of the scene have more than %d "
                             "pixels",
-                            IMAGE_PIXELS_MOST);
+                            MAX_IMAGE_PIXELS);
     reader->image_pixels += pixels;
     return reader_spend(reader, pixels + raster->most);
 }

@@ -138,10 +138,10 @@ static bool read_side(struct reader *reader, const struct item *item, size_t *si
     reader_comma(reader);
     if (!read_number(reader, &number))
         return false;
-    if (!(number >= 1 && number <= AREA_POINTS_MOST))
+    if (!(number >= 1 && number <= MAX_AREA_POINTS))
         return reader_fault(reader, &item->at,
                             "an area_light has 1 to %d points along a side",
-                            AREA_POINTS_MOST);
+                            MAX_AREA_POINTS);
     *size = (size_t)number;
     return true;
 }
@@ -158,10 +158,10 @@ static bool read_area(struct reader *reader, void *subject, const struct item *i
     if (!read_vector(reader, axes[1]) || !read_side(reader, item, &size[0])
         || !read_side(reader, item, &size[1]))
         return false;
-    if (size[0] * size[1] > AREA_POINTS_MOST)
+    if (size[0] * size[1] > MAX_AREA_POINTS)
         return reader_fault(reader, &item->at,
                             "an area_light of %zu points: at most %d",
-                            size[0] * size[1], AREA_POINTS_MOST);
+                            size[0] * size[1], MAX_AREA_POINTS);
     for (size_t i = 0; i < object->light_count; i++) {
         memcpy(object->lights[i].area_axes, axes, sizeof axes);
         memcpy(object->lights[i].area_size, size, sizeof size);

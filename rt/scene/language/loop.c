@@ -32,8 +32,8 @@ static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
 /* A turn with an error in it is the last one: its variable may stand still. */
 static bool may_go_on(struct reader *reader, struct scene_condition *loop)
 {
-    if (++loop->turns == TURNS_MOST)
-        return reader_fault(reader, &loop->at, "more than %d turns", TURNS_MOST);
+    if (++loop->turns == MAX_TURNS)
+        return reader_fault(reader, &loop->at, "more than %d turns", MAX_TURNS);
     return reader->reports->errors == loop->errors;
 }
 

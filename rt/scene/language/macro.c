@@ -20,8 +20,8 @@ static bool read_parameter(struct reader *reader, struct scene_macro *macro)
         return reader_fault(reader, token,
                             "'%.*s' is a word of the language, not a name",
                             (int)token->length, token->text);
-    if (macro->count == PARAMETERS_MOST)
-        return reader_fault(reader, token, "more than %d parameters", PARAMETERS_MOST);
+    if (macro->count == MAX_PARAMETERS)
+        return reader_fault(reader, token, "more than %d parameters", MAX_PARAMETERS);
     macro->parameters[macro->count].text = token->text;
     macro->parameters[macro->count].length = token->length;
     macro->count++;
@@ -168,7 +168,7 @@ static bool enter_body(struct reader *reader, struct call *call)
     if (!lexer_call(&reader->lexer, macro->source, macro->body, macro->end,
                     &call->at)) {
         reader_fault(reader, &call->at,
-                     "more than %d macros and files within each other", FRAMES_MOST);
+                     "more than %d macros and files within each other", MAX_FRAMES);
         return reader_stop(reader);
     }
     if (!bind(reader, call))

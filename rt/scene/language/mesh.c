@@ -141,9 +141,9 @@ size_t mesh_triangles(const struct scene_object *object)
 bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at)
 {
     reader->triangles += more;
-    return reader->triangles <= TRIANGLES_MOST
+    return reader->triangles <= MAX_TRIANGLES
            || reader_fault(reader, at, "more than %d triangles, copies counted",
-                           TRIANGLES_MOST);
+                           MAX_TRIANGLES);
 }
 
 bool mesh_add(struct reader *reader, struct mesh_reading *mesh,

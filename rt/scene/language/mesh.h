@@ -26,7 +26,7 @@ bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
 
 /* Those of all its meshes. */
 size_t mesh_triangles(const struct scene_object *object);
-/* So many more triangles, within the bound of TRIANGLES_MOST. */
+/* So many more triangles, within the bound of MAX_TRIANGLES. */
 bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at);
 bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at);

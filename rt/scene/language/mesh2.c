@@ -293,8 +293,8 @@ static bool read_count(struct reader *reader, const struct mesh2_reading *mesh,
     if (number < rule->least || number != floor(number))
         return reader_fault(reader, &at, "the number of '%s' is not a whole one %s 0",
                             rule->word, rule->least ? "above" : "from");
-    if (number > TRIANGLES_MOST)
-        return reader_fault(reader, &at, "more than %d '%s'", TRIANGLES_MOST,
+    if (number > MAX_TRIANGLES)
+        return reader_fault(reader, &at, "more than %d '%s'", MAX_TRIANGLES,
                             rule->word);
     *count = (size_t)number;
     return check_count(reader, mesh, section, &at, *count);

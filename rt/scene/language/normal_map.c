@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ENTRIES_MOST = 256 }; /* as in POV-Ray */
+enum { MAX_ENTRIES = 256 }; /* as in POV-Ray */
 
 static bool keep(struct reader *reader, const void *items, size_t size,
                  const void **kept)
@@ -22,9 +22,9 @@ static bool keep(struct reader *reader, const void *items, size_t size,
 
 static bool has_room(struct reader *reader, size_t count)
 {
-    return count < ENTRIES_MOST
+    return count < MAX_ENTRIES
            || reader_fault(reader, &reader->token, "more than %d entries in a map",
-                           ENTRIES_MOST);
+                           MAX_ENTRIES);
 }
 
 /* Entries are in the order of their places. */
@@ -64,7 +64,7 @@ static bool read_slope(struct reader *reader, struct bump *bump,
 
 static bool read_own_slopes(struct reader *reader, struct bump *bump)
 {
-    struct slope_stop stops[ENTRIES_MOST];
+    struct slope_stop stops[MAX_ENTRIES];
     const void *kept = NULL;
 
     bump->stop_count = 0;
@@ -195,7 +195,7 @@ static bool read_entries(struct reader *reader, struct bump_list *list,
 
 static bool read_own_entries(struct reader *reader, struct bump_list *list)
 {
-    struct bump_entry *entries = calloc(ENTRIES_MOST, sizeof *entries);
+    struct bump_entry *entries = calloc(MAX_ENTRIES, sizeof *entries);
     bool good = entries ? read_entries(reader, list, entries)
                         : reader_no_memory(reader);
 
@@ -245,7 +245,7 @@ bool normal_map_read(struct reader *reader, struct bumps *bumps)
 bool normal_list_read(struct reader *reader, struct normal_reading *reading,
                       size_t count)
 {
-    struct bump_entry entries[LISTED_MOST];
+    struct bump_entry entries[MAX_LISTED];
     const void *kept = NULL;
 
     if (!is_token(&reader->token, "normal"))

@@ -51,7 +51,7 @@ static struct note *new_note(struct notebook *book, const struct note_place *pla
 {
     struct note *note = NULL;
 
-    if (book->count < NOTES_MOST)
+    if (book->count < MAX_NOTES)
         note = arena_take(&book->arena, sizeof *note);
     else if (!book->lost.source)
         book->lost = *place;
@@ -96,7 +96,7 @@ static struct note_cause *cause_of(struct notebook *book, const struct note *not
 
     while (cause && strcmp(cause->words, note->words))
         cause = cause->next;
-    if (cause || book->cause_count > REPORTS_MOST)
+    if (cause || book->cause_count > MAX_REPORTS)
         return cause;
     cause = arena_take(&book->arena, sizeof *cause);
     if (!cause)
@@ -139,14 +139,14 @@ void notebook_report(const struct notebook *book, enum severity severity,
     const struct note_cause *cause = book->causes;
     const struct note_place *lost = &book->lost;
 
-    for (size_t i = 0; cause && i < REPORTS_MOST; i++, cause = cause->next)
+    for (size_t i = 0; cause && i < MAX_REPORTS; i++, cause = cause->next)
         report(cause, severity, reports);
     if (cause)
         lost = &cause->first->place;
     if (lost->source)
         diagnostics_add(reports, severity, &lost->position,
                         "too many reports: those from here on are left out, "
-                        "after " LIMIT_TEXT(REPORTS_MOST));
+                        "after " LIMIT_TEXT(MAX_REPORTS));
 }
 
 /* Each of them once, however often it is used: those that wait are marked. */

@@ -17,8 +17,8 @@
 #include "base/diagnostic.h"
 #include "rt/scene/language/source.h"
 
-#define REPORTS_MOST 200
-enum { NOTES_MOST = 100000, NOTE_BUCKETS = 4096 };
+#define MAX_REPORTS 200
+enum { MAX_NOTES = 100000, NOTE_BUCKETS = 4096 };
 
 /* Those of a value; they last as long as the notebook. */
 struct notes;
@@ -42,7 +42,7 @@ struct notebook {
     struct arena arena;
     struct note *buckets[NOTE_BUCKETS];
     size_t count;
-    struct note_place lost; /* the first beyond NOTES_MOST, if it has a
+    struct note_place lost; /* the first beyond MAX_NOTES, if it has a
                                source */
     struct note_page *page; /* NULL: the scene itself */
     size_t pages;

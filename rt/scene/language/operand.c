@@ -126,7 +126,7 @@ static size_t read_arguments(struct reader *reader, const char *takes,
             break;
         if (count && !reader_expect_sign(reader, ','))
             return 0;
-        if (count == ARGUMENTS_MOST)
+        if (count == MAX_ARGUMENTS)
             return reader_expected(reader, "no more arguments");
         if (!read_argument(reader, more ? 'f' : *takes, &arguments[count]))
             return 0;
@@ -139,7 +139,7 @@ static size_t read_arguments(struct reader *reader, const char *takes,
 static bool read_call(struct reader *reader, const struct function *function,
                       struct numbers *value)
 {
-    struct numbers arguments[ARGUMENTS_MOST];
+    struct numbers arguments[MAX_ARGUMENTS];
     struct scene_token at = reader->token;
     size_t count;
 

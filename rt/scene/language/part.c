@@ -8,13 +8,13 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/string_value.h"
 
-enum { NAME_MOST = 200 };
+enum { MAX_NAME = 200 };
 
 /* A float of the part's name and the word's: Lid_Density. */
 static bool read_value(struct reader *reader, void *subject, const struct item *item)
 {
     const char *part = subject, *word = item->keyword->word;
-    char name[NAME_MOST + 20];
+    char name[MAX_NAME + 20];
     double value;
 
     if (!read_number(reader, &value))
@@ -32,7 +32,7 @@ static const struct keyword words[] = {
 };
 static const struct grammar grammar = { "a word of part", { words }, NULL };
 
-static bool read_name(struct reader *reader, char name[NAME_MOST + 1])
+static bool read_name(struct reader *reader, char name[MAX_NAME + 1])
 {
     struct scene_token at = reader->token;
     char *string;
@@ -42,9 +42,9 @@ static bool read_name(struct reader *reader, char name[NAME_MOST + 1])
         return reader_expected(reader, "the part's name, a string");
     if (!string_read(reader, &string))
         return false;
-    good = (*string && strlen(string) <= NAME_MOST)
+    good = (*string && strlen(string) <= MAX_NAME)
            || reader_fault(reader, &at, "a part's name has 1 to %d characters",
-                           NAME_MOST);
+                           MAX_NAME);
     if (good)
         strcpy(name, string);
     free(string);
@@ -55,7 +55,7 @@ bool part_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
     struct block block;
-    char name[NAME_MOST + 1] = "";
+    char name[MAX_NAME + 1] = "";
     bool good;
 
     (void)item;

@@ -9,18 +9,18 @@ enum { EXPONENT_LEAST = -100 }; /* the kernels' powers have their range */
 
 /* POV-Ray's, unless they are given: mortar and brick, two cubes, three hexagons. */
 static const double brick_size[3] = { 8, 3, 4.5 };
-static const struct numbers bricks[LISTED_MOST] = { { .n = { .5, .5, .5 } },
-                                                    { .n = { .6, .15, .15 } } };
-static const struct numbers checkers[LISTED_MOST] = { { .n = { 0, 0, 1 } },
-                                                      { .n = { 0, 1, 0 } } };
-static const struct numbers hexagons[LISTED_MOST] = { { .n = { 0, 0, 1 } },
-                                                      { .n = { 0, 1, 0 } },
-                                                      { .n = { 1, 0, 0 } } };
+static const struct numbers bricks[MAX_LISTED] = { { .n = { .5, .5, .5 } },
+                                                   { .n = { .6, .15, .15 } } };
+static const struct numbers checkers[MAX_LISTED] = { { .n = { 0, 0, 1 } },
+                                                     { .n = { 0, 1, 0 } } };
+static const struct numbers hexagons[MAX_LISTED] = { { .n = { 0, 0, 1 } },
+                                                     { .n = { 0, 1, 0 } },
+                                                     { .n = { 1, 0, 0 } } };
 
 static bool read_listed(struct reader *reader, struct pigment *pigment,
                         const struct numbers *unless, size_t count)
 {
-    struct numbers colors[LISTED_MOST];
+    struct numbers colors[MAX_LISTED];
 
     for (size_t i = 0; i < count; i++)
         colors[i] = unless[i];

@@ -50,7 +50,7 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at);
 /* The colours that may stand behind the word of a pattern, count at the most; those
  * that do not are left as they are. */
-enum { LISTED_MOST = 3 };
+enum { MAX_LISTED = 3 };
 bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count);
 
 /* What may change a pattern, in pigments and textures alike. */

@@ -30,7 +30,7 @@
 #define ROUNDING 1e-14
 
 /* CROSSING_COST: so that there is memory for all of them. */
-enum { POINTS_LEAST = 3, POINTS_MOST = 100000, CROSSING_COST = 256 };
+enum { POINTS_LEAST = 3, MAX_POINTS = 100000, CROSSING_COST = 256 };
 
 /* From the lower end to the upper one; none is level. */
 struct polygon_edge {
@@ -83,9 +83,9 @@ static bool read_count(struct polygon *polygon)
         return false;
     if (number < POINTS_LEAST)
         return reader_fault(reader, &at, "a polygon needs three points");
-    if (number >= POINTS_MOST + 1)
+    if (number >= MAX_POINTS + 1)
         return reader_fault(reader, &at, "more than %d points in one polygon",
-                            POINTS_MOST);
+                            MAX_POINTS);
     polygon->count = (size_t)number;
     return true;
 }

@@ -60,8 +60,8 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
     if (number < (double)least)
         return reader_fault(reader, &at, "a path needs %s points",
                             least == 2 ? "two" : "three");
-    if (number > PATH_MOST)
-        return reader_fault(reader, &at, "more than %d points in one path", PATH_MOST);
+    if (number > MAX_PATH)
+        return reader_fault(reader, &at, "more than %d points in one path", MAX_PATH);
     *count = (size_t)number;
     return true;
 }
@@ -207,7 +207,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
 
 /* ---- Polynomials --------------------------------------------------------- */
 
-enum { ORDER_LEAST = 2, ORDER_MOST = 4 };
+enum { ORDER_LEAST = 2, MAX_ORDER = 4 };
 
 static bool read_order(struct reader *reader, int *order)
 {
@@ -217,11 +217,11 @@ static bool read_order(struct reader *reader, int *order)
     if (!read_number(reader, &number))
         return false;
     reader_comma(reader);
-    if (number < ORDER_LEAST || number >= ORDER_MOST + 1)
+    if (number < ORDER_LEAST || number >= MAX_ORDER + 1)
         return reader_fault(reader, &at,
                             "a polynomial of the order %g is not supported: "
                             "only %d to %d are",
-                            number, ORDER_LEAST, ORDER_MOST);
+                            number, ORDER_LEAST, MAX_ORDER);
     *order = (int)number;
     return true;
 }
@@ -241,9 +241,9 @@ static void make_quartic(const double *terms, int order, struct primitive *primi
     double *quartic = primitive->shape.quartic.coefficients;
 
     primitive->kind = PRIMITIVE_QUARTIC;
-    for (int x = ORDER_MOST; x >= 0; x--)
-        for (int y = ORDER_MOST - x; y >= 0; y--)
-            for (int z = ORDER_MOST - x - y; z >= 0; z--)
+    for (int x = MAX_ORDER; x >= 0; x--)
+        for (int y = MAX_ORDER - x; y >= 0; y--)
+            for (int z = MAX_ORDER - x - y; z >= 0; z--)
                 *quartic++ = x + y + z <= order ? *terms++ : 0;
 }
 

@@ -92,9 +92,9 @@ static bool read_file_exists(struct reader *reader, double *value)
 
     if (!string_read(reader, &name))
         return false;
-    if (reader->includes++ >= INCLUDE_MOST) {
+    if (reader->includes++ >= MAX_INCLUDE) {
         free(name);
-        return reader_fault(reader, &at, "more than %d files are read", INCLUDE_MOST);
+        return reader_fault(reader, &at, "more than %d files are read", MAX_INCLUDE);
     }
     request.name = name;
     *value = source_include(&reader->sources, &request, &error) != NULL;
@@ -158,7 +158,7 @@ static bool read_dimensions(struct reader *reader, double *value)
 static bool read_dimension_size(struct reader *reader, double *value)
 {
     const struct array *array = expect_array(reader);
-    size_t sizes[DIMENSIONS_MOST] = { 0 }, count;
+    size_t sizes[MAX_DIMENSIONS] = { 0 }, count;
     double dimension;
 
     if (!array)
@@ -188,8 +188,8 @@ static bool read_seed(struct reader *reader, double *value)
         return false;
     if (!(seed > -most && seed < most))
         return reader_fault(reader, &at, "%g is not a seed", seed);
-    if (reader->seed_count == SEEDS_MOST)
-        return reader_fault(reader, &at, "more than %d random streams", SEEDS_MOST);
+    if (reader->seed_count == MAX_SEEDS)
+        return reader_fault(reader, &at, "more than %d random streams", MAX_SEEDS);
     seeds = array_grow(reader->seeds, reader->seed_count, sizeof *seeds);
     if (!seeds)
         return reader_no_memory(reader);

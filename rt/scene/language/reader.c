@@ -42,10 +42,10 @@ static void add_error(struct reader *reader, const struct scene_token *at,
     struct position position = token_position(at);
 
     diagnostics_add(reports, SEVERITY_ERROR, &position, message);
-    if (reports->errors >= ERRORS_MOST) {
+    if (reports->errors >= MAX_ERRORS) {
         diagnostics_add(reports, SEVERITY_ERROR, &position,
                         "too many errors: the rest of the scene is not read "
-                        "after " LIMIT_TEXT(ERRORS_MOST));
+                        "after " LIMIT_TEXT(MAX_ERRORS));
         reader_stop(reader);
     }
 }
@@ -60,7 +60,7 @@ bool reader_fault(struct reader *reader, const struct scene_token *at,
         if (reader->faults[i].source == at->source
             && reader->faults[i].at == at->place.at)
             return false;
-    if (reader->fault_count < ERRORS_MOST) {
+    if (reader->fault_count < MAX_ERRORS) {
         reader->faults[reader->fault_count].source = at->source;
         reader->faults[reader->fault_count++].at = at->place.at;
     }
@@ -267,17 +267,17 @@ const struct scene_source *reader_find(struct reader *reader,
                     "the file '%s' is read: its name differs in the case of "
                     "letters",
                     source->name);
-    if (reader->sources == before || ++reader->files <= FILES_MOST)
+    if (reader->sources == before || ++reader->files <= MAX_FILES)
         return source;
-    reader_fault(reader, at, "more than %d files are read", FILES_MOST);
+    reader_fault(reader, at, "more than %d files are read", MAX_FILES);
     return NULL;
 }
 
 bool reader_enter(struct reader *reader)
 {
-    if (reader->nesting == NESTING_MOST)
+    if (reader->nesting == MAX_NESTING)
         return reader_fault(reader, &reader->token,
-                            "more than %d things within each other", NESTING_MOST);
+                            "more than %d things within each other", MAX_NESTING);
     reader->nesting++;
     return true;
 }

@@ -12,22 +12,22 @@
 #include "rt/scene/language/symbol.h"
 
 /* Bounds, so that no file takes the program's stack, memory or patience. */
-#define ERRORS_MOST 200
+#define MAX_ERRORS 200
 enum {
-    NESTING_MOST = 200,        /* blocks and brackets within each other */
-    PRIMITIVES_MOST = 1000000, /* and lights, copies counted: 2 GB */
-    TRIANGLES_MOST = 4000000,  /* of meshes, likewise: minutes, and 6 GB */
-    SOLID_MOST = 10000,        /* primitives in one tree */
-    FILES_MOST = 1000,         /* read; each once */
-    CONDITIONS_MOST = 500,     /* within each other */
-    TURNS_MOST = 2000000,      /* of one loop */
-    SEEDS_MOST = 1000000       /* of random numbers: 4 MB */
+    MAX_NESTING = 200,        /* blocks and brackets within each other */
+    MAX_PRIMITIVES = 1000000, /* and lights, copies counted: 2 GB */
+    MAX_TRIANGLES = 4000000,  /* of meshes, likewise: minutes, and 6 GB */
+    MAX_SOLID = 10000,        /* primitives in one tree */
+    MAX_FILES = 1000,         /* read; each once */
+    MAX_CONDITIONS = 500,     /* within each other */
+    MAX_TURNS = 2000000,      /* of one loop */
+    MAX_SEEDS = 1000000       /* of random numbers: 4 MB */
 };
 
 /* Bytes of text that may be read, unless the options of the scene say another
  * number; each token counts as some more, and what a loop or a macro reads
  * again counts again.  About a minute. */
-#define READING_MOST (UINT64_C(8) << 30)
+#define MAX_READING (UINT64_C(8) << 30)
 enum {
     TOKEN_COST = 16,
     MEMORY_COST = 8 /* of a byte in splines and functions: 1 GiB */
@@ -76,7 +76,7 @@ struct reader {
     struct declared_value declared;
     size_t nesting;
     size_t condition_count, sealed; /* the latter of them cannot be closed */
-    struct scene_condition conditions[CONDITIONS_MOST];
+    struct scene_condition conditions[MAX_CONDITIONS];
     size_t cells;    /* of all arrays */
     uint32_t *seeds; /* of the streams of random numbers */
     size_t seed_count;
@@ -103,7 +103,7 @@ struct reader {
     struct {
         const struct scene_source *source;
         size_t at;
-    } faults[ERRORS_MOST]; /* where errors are */
+    } faults[MAX_ERRORS]; /* where errors are */
     size_t fault_count;
     bool stopped; /* too many errors, or no memory */
 };

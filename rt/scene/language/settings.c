@@ -30,15 +30,15 @@ static bool read_ambient_light(struct reader *reader, void *subject,
 static bool read_trace_level(struct reader *reader, void *subject,
                              const struct item *item)
 {
-    enum { LEAST = 1, MOST = 256 };
+    enum { LEAST = 1, MAX = 256 };
     struct scene *scene = subject;
     double level;
 
     if (!read_number(reader, &level))
         return false;
-    if (level < LEAST || level > MOST)
+    if (level < LEAST || level > MAX)
         return reader_fault(reader, &item->at,
-                            "max_trace_level is not between %d and %d", LEAST, MOST);
+                            "max_trace_level is not between %d and %d", LEAST, MAX);
     scene->max_trace_level = (int)level;
     return true;
 }

@@ -16,10 +16,10 @@
 bool shape_count(struct reader *reader, size_t more, const struct scene_token *at)
 {
     reader->primitives_made += more;
-    return reader->primitives_made <= PRIMITIVES_MOST
+    return reader->primitives_made <= MAX_PRIMITIVES
            || reader_fault(reader, at,
                            "more than %d primitives and lights, copies counted",
-                           PRIMITIVES_MOST);
+                           MAX_PRIMITIVES);
 }
 
 bool shape_copy(struct reader *reader, struct scene_object *copy,
@@ -132,9 +132,9 @@ static bool read_interior(struct reader *reader, void *subject, const struct ite
 static bool check_solid(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
-    return object->part_count <= SOLID_MOST
+    return object->part_count <= MAX_SOLID
            || reader_fault(reader, at, "more than %d primitives in one solid",
-                           SOLID_MOST);
+                           MAX_SOLID);
 }
 
 static bool read_inverse(struct reader *reader, void *subject, const struct item *item)

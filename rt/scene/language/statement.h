@@ -117,9 +117,9 @@ bool text_read(struct reader *reader, struct scene_object *object,
  * primitive. */
 bool mesh_read(struct reader *reader, struct scene_object *object,
                const struct item *item);
-/* Counts n more primitives and lights, at most PRIMITIVES_MOST. */
+/* Counts n more primitives and lights, at most MAX_PRIMITIVES. */
 bool shape_count(struct reader *reader, size_t more, const struct scene_token *at);
-/* Another primitive, which is `at`, within the bound of PRIMITIVES_MOST. */
+/* Another primitive, which is `at`, within the bound of MAX_PRIMITIVES. */
 bool shape_add(struct reader *reader, struct scene_object *object,
                struct primitive *primitive, const struct scene_token *at);
 /* A shape of which nothing is seen. */
@@ -131,7 +131,7 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
 /* An interior of its own, of this index of refraction. */
 void object_fill(struct reader *reader, struct scene_object *object, double ior);
-/* Another copy of an object, within the bound of PRIMITIVES_MOST; its interiors
+/* Another copy of an object, within the bound of MAX_PRIMITIVES; its interiors
  * are others. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FORMAT_MOST = 1000, PRINTED_MOST = 2 * FORMAT_MOST + 400 };
+enum { MAX_FORMAT = 1000, MAX_PRINTED = 2 * MAX_FORMAT + 400 };
 
 /* ---- Text under construction -------------------------------------------- */
 
@@ -160,9 +160,9 @@ static bool read_format(struct reader *reader, int *width, int *digits)
         if (!reader_expect_sign(reader, ',') || !read_full_number(reader, &given[i]))
             return false;
     for (int i = 0; i < 2; i++)
-        if (given[i] < -FORMAT_MOST || given[i] > FORMAT_MOST)
+        if (given[i] < -MAX_FORMAT || given[i] > MAX_FORMAT)
             return reader_fault(reader, &at, "width and digits are %d at the most",
-                                FORMAT_MOST);
+                                MAX_FORMAT);
     *width = (int)given[0];
     *digits = (int)given[1];
     return true;
@@ -170,7 +170,7 @@ static bool read_format(struct reader *reader, int *width, int *digits)
 
 static void add_number(struct made_string *buffer, double value, int width, int digits)
 {
-    char text[PRINTED_MOST];
+    char text[MAX_PRINTED];
 
     if (width < 0)
         snprintf(text, sizeof text, "%0*.*f", -width, digits, value);

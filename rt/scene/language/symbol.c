@@ -146,9 +146,9 @@ static const char *assign_element(const struct reference *reference,
     if (!array || reference->element[last] >= array->count)
         fault = "the array of this element is gone";
     else if (value->kind == VALUE_ARRAY
-             && reference->hops + array_nesting(value->is.array) > ARRAY_NESTING_MOST)
+             && reference->hops + array_nesting(value->is.array) > MAX_ARRAY_NESTING)
         fault = "too many arrays within each other: "
-                "at most " LIMIT_TEXT(ARRAY_NESTING_MOST);
+                "at most " LIMIT_TEXT(MAX_ARRAY_NESTING);
     if (!fault)
         return array_set(array, reference->element[last], value);
     value_free(value);

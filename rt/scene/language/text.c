@@ -62,9 +62,9 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
     struct scene_object one;
     bool done;
 
-    if (glyph->count > PATH_MOST)
+    if (glyph->count > MAX_PATH)
         return reader_fault(reader, text->at, "more than %d points in one character",
-                            PATH_MOST);
+                            MAX_PATH);
     memset(&one, 0, sizeof one);
     memset(&prism, 0, sizeof prism);
     if (!(glyph->apart == 1 ? make_prism : make_quadratic_prism)(text, glyph, &prism))

@@ -19,7 +19,7 @@ static struct open_text *open_frame(struct lexer *lexer,
 {
     struct open_text *frame = &lexer->frames[lexer->depth];
 
-    if (lexer->depth == FRAMES_MOST)
+    if (lexer->depth == MAX_FRAMES)
         return NULL;
     lexer->depth++;
     memset(frame, 0, sizeof *frame);

@@ -39,11 +39,11 @@ struct scene_value;
 
 /* A symbol's value, or an element of an array in it: `hops` arrays are within
  * each other, each with its element. */
-#define ARRAY_NESTING_MOST 5
+#define MAX_ARRAY_NESTING 5
 struct reference {
     struct declared_name *symbol;
     size_t hops;
-    size_t element[ARRAY_NESTING_MOST];
+    size_t element[MAX_ARRAY_NESTING];
 };
 
 struct scene_token {
@@ -66,8 +66,8 @@ struct scene_token {
 
 enum {
     INCLUDE_DEPTH = 16,
-    INCLUDE_MOST = 1000,
-    FRAMES_MOST = 200 /* files and macros within each other */
+    MAX_INCLUDE = 1000,
+    MAX_FRAMES = 200 /* files and macros within each other */
 };
 
 struct open_text {
@@ -91,7 +91,7 @@ enum { KEPT_TOKENS = 4096 };
 struct lexer {
     size_t depth, files; /* open frames, and those of files */
     size_t serial;
-    struct open_text frames[FRAMES_MOST];
+    struct open_text frames[MAX_FRAMES];
     struct kept_token kept[KEPT_TOKENS]; /* by the offset */
 };
 

@@ -2,7 +2,7 @@
  *
  * Rays start 1e-6 from what they leave, shadows 1e-3, and nothing farther than 1e12
  * is seen (rt/kernels/frame/records.s).  These lengths are right for a scene whose
- * objects are at distances from ORDINARY_LEAST to ORDINARY_MOST.  The lengths of any
+ * objects are at distances from ORDINARY_LEAST to MAX_ORDINARY.  The lengths of any
  * other scene are divided by a power of two that brings the median of the distances
  * between 4 and 8.  A power of two rounds nothing.
  *
@@ -19,12 +19,12 @@
 #include "rt/shapes/terms.h"
 
 #define ORDINARY_LEAST 0x1p-1
-#define ORDINARY_MOST 0x1p22
+#define MAX_ORDINARY 0x1p22
 /* An object that is farther is small for its distance, in its radius. */
 #define SIGHT 64
 /* The square of a distance to a light is exact to a start distance of shadows. */
 #define LIGHT_FARTHEST 1e10
-enum { SAMPLES_MOST = 1001, UNIT_LOG_MOST = 200 };
+enum { MAX_SAMPLES = 1001, MAX_UNIT_LOG = 200 };
 
 /* ---- The size of a scene -------------------------------------------------- */
 
@@ -118,8 +118,8 @@ static struct reach find_size(const struct scene *scene,
     const double *from = scene->camera.location;
     double nearest = find_nearest(scene, world);
     struct reach none = { nearest, nearest, { 0 } };
-    struct reach reaches[SAMPLES_MOST];
-    size_t step = world->part_count / SAMPLES_MOST + 1, count = 0;
+    struct reach reaches[MAX_SAMPLES];
+    size_t step = world->part_count / MAX_SAMPLES + 1, count = 0;
 
     for (size_t i = 0; i < world->part_count; i += step) {
         reaches[count] = find_reach(&world->parts[i].primitive, from, nearest);
@@ -136,14 +136,14 @@ static int unit_of(const struct reach *size)
     double length = size->distance;
     int log;
 
-    if (length > ORDINARY_MOST)
+    if (length > MAX_ORDINARY)
         length = fmax(fmin(length, SIGHT * size->radius), 1);
-    if (!(length > 0) || (length >= ORDINARY_LEAST && length <= ORDINARY_MOST))
+    if (!(length > 0) || (length >= ORDINARY_LEAST && length <= MAX_ORDINARY))
         return 0;
     frexp(length, &log);
-    return log - 3 < -UNIT_LOG_MOST  ? -UNIT_LOG_MOST
-           : log - 3 > UNIT_LOG_MOST ? UNIT_LOG_MOST
-                                     : log - 3;
+    return log - 3 < -MAX_UNIT_LOG  ? -MAX_UNIT_LOG
+           : log - 3 > MAX_UNIT_LOG ? MAX_UNIT_LOG
+                                    : log - 3;
 }
 
 /* ---- All lengths ---------------------------------------------------------- */
@@ -294,5 +294,5 @@ bool unit_settle(struct scene *scene, struct scene_object *world)
     scale3(by, size.center);
     for (size_t i = 0; i < world->light_count; i++)
         bring_light(&world->lights[i], size.center);
-    return abs(scene->unit_log) < UNIT_LOG_MOST;
+    return abs(scene->unit_log) < MAX_UNIT_LOG;
 }

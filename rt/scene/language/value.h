@@ -66,10 +66,10 @@ enum scene_value_kind {
 };
 
 /* A row of values of one kind, of one dimension or more. */
-enum { DIMENSIONS_MOST = 5 };
-#define CELLS_MOST 100000
+enum { MAX_DIMENSIONS = 5 };
+#define MAX_CELLS 100000
 struct array {
-    size_t dimensions, sizes[DIMENSIONS_MOST];
+    size_t dimensions, sizes[MAX_DIMENSIONS];
     size_t count;               /* the product of the sizes */
     bool typed;                 /* by the first value: */
     enum scene_value_kind kind; /* all are of its kind, */
@@ -79,7 +79,7 @@ struct array {
 };
 
 /* The body of a macro, as it stands in its source. */
-enum { PARAMETERS_MOST = 56 };
+enum { MAX_PARAMETERS = 56 };
 struct scene_macro {
     const struct scene_source *source;
     struct text_place body;
@@ -88,7 +88,7 @@ struct scene_macro {
     struct {
         const char *text;
         size_t length;
-    } parameters[PARAMETERS_MOST];
+    } parameters[MAX_PARAMETERS];
 };
 
 /* What #fopen opens. */
@@ -132,7 +132,7 @@ const char *value_copy(struct scene_value *copy, const struct scene_value *value
 /* The functions that return text return why they failed, or NULL. */
 extern const char no_memory[];
 
-/* NULL: there are more than CELLS_MOST cells in all, or no memory. */
+/* NULL: there are more than MAX_CELLS cells in all, or no memory. */
 struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells);
 const char *array_copy(struct array **copy, const struct array *array);
 void array_free(struct array *array);

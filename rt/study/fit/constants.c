@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NAME, MACHINE, MEMBERS, SOURCE, LEAST, MOST, WHY, FIELDS };
+enum { NAME, MACHINE, MEMBERS, SOURCE, LEAST, MAX, WHY, FIELDS };
 static const char *const columns[FIELDS] = { "name",  "machine", "constants", "source",
                                              "least", "most",    "why" };
 
@@ -36,8 +36,8 @@ static bool add_member(struct free_constant *constant, const char *name, size_t 
     size_t i = constant->member_count;
     const c205_constant *found;
 
-    if (i == MEMBERS_MOST)
-        return fail(error, "%s has more than " LIMIT_TEXT(MEMBERS_MOST) " members",
+    if (i == MAX_MEMBERS)
+        return fail(error, "%s has more than " LIMIT_TEXT(MAX_MEMBERS) " members",
                     constant->name);
     snprintf(constant->members[i].name, sizeof constant->members[i].name, "%.*s",
              (int)length, name);
@@ -97,14 +97,14 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
 
     if (!prior)
         return csv_wrong(file, row, MACHINE, "there are no priors of it", diagnostics);
-    if (constants->count == FREE_MOST)
+    if (constants->count == MAX_FREE)
         return csv_wrong(file, row, NAME,
-                         "more than " LIMIT_TEXT(FREE_MOST) " constants", diagnostics);
+                         "more than " LIMIT_TEXT(MAX_FREE) " constants", diagnostics);
     constants->count++;
     constant->name = row->fields[NAME];
     constant->machine = row->fields[MACHINE];
     return csv_positive(file, row, LEAST, &constant->least, diagnostics)
-           && csv_positive(file, row, MOST, &constant->most, diagnostics)
+           && csv_positive(file, row, MAX, &constant->most, diagnostics)
            && (set_width(constant, row->fields[SOURCE], &error)
                || csv_wrong(file, row, SOURCE, error.message, diagnostics))
            && (add_members(constant, row->fields[MEMBERS], prior, &error)
@@ -170,7 +170,7 @@ bool constant_is_of(const struct free_constant *constant, const c205_model *mode
 }
 
 size_t constants_settings(const struct constants *constants, const double *places,
-                          const c205_model *model, c205_setting settings[SETTINGS_MOST])
+                          const c205_model *model, c205_setting settings[MAX_SETTINGS])
 {
     size_t count = 0;
 

@@ -10,8 +10,8 @@
 #include "rt/study/fit/csv.h"
 #include "vm/c205.h"
 
-#define FREE_MOST 24
-#define MEMBERS_MOST 24
+#define MAX_FREE 24
+#define MAX_MEMBERS 24
 
 struct free_constant {
     const char *name, *machine;
@@ -24,14 +24,14 @@ struct free_constant {
     struct {
         char name[32];
         double prior;
-    } members[MEMBERS_MOST];
+    } members[MAX_MEMBERS];
 };
 
 enum { FREE_MACHINES = 3 };
 
 struct constants {
     size_t count;
-    struct free_constant items[FREE_MOST];
+    struct free_constant items[MAX_FREE];
     struct csv file;
     c205_model *priors[FREE_MACHINES];
 };
@@ -55,9 +55,8 @@ bool model_is_of(const c205_model *model, const char *machine, size_t length);
 bool constant_is_of(const struct free_constant *constant, const c205_model *model);
 
 /* What the places of all set in a model; gives their number. */
-enum { SETTINGS_MOST = FREE_MOST * MEMBERS_MOST };
+enum { MAX_SETTINGS = MAX_FREE * MAX_MEMBERS };
 size_t constants_settings(const struct constants *constants, const double *places,
-                          const c205_model *model,
-                          c205_setting settings[SETTINGS_MOST]);
+                          const c205_model *model, c205_setting settings[MAX_SETTINGS]);
 
 #endif

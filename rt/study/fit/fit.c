@@ -20,11 +20,11 @@ double fit_error(const struct observation *observation, double predicted)
 /* ---- Points: the constants somewhere, and all clocks there -------------- */
 
 struct point {
-    double places[FREE_MOST];
+    double places[MAX_FREE];
     size_t moved; /* the only constant that differs from the first point;
-                      FREE_MOST: it is the first */
-    bool timed[FIT_TIMINGS_MOST];
-    double clocks[FIT_TIMINGS_MOST][RUN_REGIONS_MOST];
+                      MAX_FREE: it is the first */
+    bool timed[MAX_FIT_TIMINGS];
+    double clocks[MAX_FIT_TIMINGS][MAX_RUN_REGIONS];
 };
 
 /* Programs to time at points, shared out among threads. */
@@ -44,11 +44,11 @@ static bool time_one(const struct work *work, size_t i, c205_error *error)
     struct point *point = &work->points[i / all->timing_count];
     size_t which = i % all->timing_count;
     const struct run_timing *timing = &all->timings[which];
-    c205_setting settings[SETTINGS_MOST];
+    c205_setting settings[MAX_SETTINGS];
     size_t count;
 
     if (!work->needed[which] || point->timed[which]
-        || (point->moved < FREE_MOST && work->fit->idle[which][point->moved]))
+        || (point->moved < MAX_FREE && work->fit->idle[which][point->moved]))
         return true;
     count = constants_settings(work->fit->constants, point->places, timing->model,
                                settings);
@@ -81,10 +81,10 @@ static void do_work(void *context)
 /* The first thread is this one. */
 static void share_out(struct work *work)
 {
-    struct thread *threads[FIT_JOBS_MOST];
+    struct thread *threads[MAX_FIT_JOBS];
     size_t begun = 1;
 
-    while (begun < work->fit->jobs && begun < FIT_JOBS_MOST
+    while (begun < work->fit->jobs && begun < MAX_FIT_JOBS
            && (threads[begun] = thread_begin(do_work, work)))
         begun++;
     do_work(work);
@@ -97,7 +97,7 @@ static void fill_in(const struct fit *fit, struct point *points, size_t count)
 {
     for (size_t i = 1; i < count; i++)
         for (size_t k = 0; k < fit->observations->timing_count; k++)
-            if (points[i].moved < FREE_MOST && fit->idle[k][points[i].moved])
+            if (points[i].moved < MAX_FREE && fit->idle[k][points[i].moved])
                 memcpy(points[i].clocks[k], points[0].clocks[k],
                        sizeof points[i].clocks[k]);
 }
@@ -132,7 +132,7 @@ static struct point *points_at(const struct fit *fit, const double *places,
         snprintf(error->message, sizeof error->message, "no memory");
     for (size_t i = 0; points && i < 1 + constants; i++) {
         memcpy(points[i].places, places, constants * sizeof *places);
-        points[i].moved = i == 0 ? FREE_MOST : i - 1;
+        points[i].moved = i == 0 ? MAX_FREE : i - 1;
         if (i > 0)
             points[i].places[points[i].moved] += STEP;
     }
@@ -146,8 +146,8 @@ static struct point *points_at(const struct fit *fit, const double *places,
 struct asked {
     const struct fit *fit;
     const struct fit_change *change;
-    size_t used[FIT_OBSERVATIONS_MOST], use_count;
-    bool needed[FIT_TIMINGS_MOST];
+    size_t used[MAX_FIT_OBSERVATIONS], use_count;
+    bool needed[MAX_FIT_TIMINGS];
     struct point last; /* where it was last asked */
     c205_error error;
 };
@@ -198,7 +198,7 @@ static double shared_error(const struct asked *asked, size_t i, const double *er
 static void weigh_errors(const struct asked *asked, double *errors, size_t columns)
 {
     for (size_t k = 0; k < columns; k++) {
-        double shared[FIT_OBSERVATIONS_MOST];
+        double shared[MAX_FIT_OBSERVATIONS];
 
         for (size_t i = 0; i < asked->use_count; i++)
             shared[i] = shared_error(asked, i, errors + k, columns);
@@ -267,12 +267,12 @@ static bool evaluate(void *context, const double *places, double *residuals,
 /* ---- Fits --------------------------------------------------------------- */
 
 bool fit_predict(const struct fit *fit, const double *places,
-                 double predicted[FIT_OBSERVATIONS_MOST], c205_error *error)
+                 double predicted[MAX_FIT_OBSERVATIONS], c205_error *error)
 {
     const struct observations *all = fit->observations;
     size_t count;
     struct point *points = points_at(fit, places, &count, error);
-    bool needed[FIT_TIMINGS_MOST];
+    bool needed[MAX_FIT_TIMINGS];
     bool good;
 
     memset(needed, true, sizeof needed);
@@ -305,11 +305,11 @@ static void set_strangers_idle(struct fit *fit)
 
 /* Timings of observations that may be fitted. */
 static void find_needed(const struct fit *fit, const struct fit_change *change,
-                        bool needed[FIT_TIMINGS_MOST])
+                        bool needed[MAX_FIT_TIMINGS])
 {
     const struct observations *all = fit->observations;
 
-    memset(needed, 0, FIT_TIMINGS_MOST * sizeof *needed);
+    memset(needed, 0, MAX_FIT_TIMINGS * sizeof *needed);
     for (size_t i = 0; i < all->count; i++)
         for (size_t k = 0; k < all->items[i].term_count; k++)
             if (all->items[i].use == OBSERVATION_FIT && !change->held[i])
@@ -318,18 +318,18 @@ static void find_needed(const struct fit *fit, const struct fit_change *change,
 
 bool fit_begin(struct fit *fit, c205_error *error)
 {
-    static const double priors[FREE_MOST];
+    static const double priors[MAX_FREE];
     static const struct fit_change none;
-    bool needed[FIT_TIMINGS_MOST];
+    bool needed[MAX_FIT_TIMINGS];
     struct point *points;
     size_t count;
     bool good;
 
-    if (fit->observations->count > FIT_OBSERVATIONS_MOST
-        || fit->observations->timing_count > FIT_TIMINGS_MOST) {
+    if (fit->observations->count > MAX_FIT_OBSERVATIONS
+        || fit->observations->timing_count > MAX_FIT_TIMINGS) {
         snprintf(error->message, sizeof error->message,
-                 "more than %d observations or %d programs", FIT_OBSERVATIONS_MOST,
-                 FIT_TIMINGS_MOST);
+                 "more than %d observations or %d programs", MAX_FIT_OBSERVATIONS,
+                 MAX_FIT_TIMINGS);
         return false;
     }
     set_strangers_idle(fit);
@@ -374,11 +374,11 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
 {
     struct asked asked = { .fit = fit,
                            .change = change,
-                           .last = { .moved = FREE_MOST } };
+                           .last = { .moved = MAX_FREE } };
     size_t constants = fit->constants->count;
-    double least[FREE_MOST], most[FREE_MOST];
-    double losses[FIT_OBSERVATIONS_MOST + FREE_MOST] = { 0 };
-    double covariance[FREE_MOST * FREE_MOST];
+    double least[MAX_FREE], most[MAX_FREE];
+    double losses[MAX_FIT_OBSERVATIONS + MAX_FREE] = { 0 };
+    double covariance[MAX_FREE * MAX_FREE];
     struct ceres_outcome found = { .covariance = covariance };
     struct ceres_problem problem = {
         constants, 0, least, most, losses, evaluate, &asked

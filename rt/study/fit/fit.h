@@ -14,7 +14,7 @@
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
 
-enum { FIT_OBSERVATIONS_MOST = 64, FIT_TIMINGS_MOST = 64, FIT_JOBS_MOST = 64 };
+enum { MAX_FIT_OBSERVATIONS = 64, MAX_FIT_TIMINGS = 64, MAX_FIT_JOBS = 64 };
 #define FIT_LOSS 2.0 /* standard deviations */
 
 struct fit {
@@ -22,21 +22,21 @@ struct fit {
     const struct constants *constants;
     size_t jobs;
     /* Which constants have no part in a program. */
-    bool idle[FIT_TIMINGS_MOST][FREE_MOST];
+    bool idle[MAX_FIT_TIMINGS][MAX_FREE];
 };
 
 /* What is other than in the fit proper. */
 struct fit_change {
-    bool held[FIT_OBSERVATIONS_MOST]; /* observations left out */
-    double wider[FREE_MOST];          /* priors' widths times this; 0: as is */
-    double center[FREE_MOST];         /* priors moved, in widths */
+    bool held[MAX_FIT_OBSERVATIONS]; /* observations left out */
+    double wider[MAX_FREE];          /* priors' widths times this; 0: as is */
+    double center[MAX_FREE];         /* priors moved, in widths */
 };
 
 struct fit_outcome {
-    double places[FREE_MOST];     /* of the constants, in prior widths */
-    double errors[FREE_MOST];     /* standard, likewise; NaN: undetermined */
-    double raw_errors[FREE_MOST]; /* as if all uncertainties were right */
-    double predicted[FIT_OBSERVATIONS_MOST];
+    double places[MAX_FREE];     /* of the constants, in prior widths */
+    double errors[MAX_FREE];     /* standard, likewise; NaN: undetermined */
+    double raw_errors[MAX_FREE]; /* as if all uncertainties were right */
+    double predicted[MAX_FIT_OBSERVATIONS];
     double cost;
     size_t used; /* observations */
     int steps;
@@ -52,7 +52,7 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
 
 /* What the machine shows with the constants at these places. */
 bool fit_predict(const struct fit *fit, const double *places,
-                 double predicted[FIT_OBSERVATIONS_MOST], c205_error *error);
+                 double predicted[MAX_FIT_OBSERVATIONS], c205_error *error);
 
 /* (predicted - value) / value */
 double fit_error(const struct observation *observation, double predicted);

@@ -13,7 +13,7 @@ static const char *const columns[FIELDS] = { "name",   "program", "machine",
                                              "value",  "unit",    "uncertainty",
                                              "shared", "source",  "use" };
 
-enum { TEXT_MOST = 128 };
+enum { MAX_TEXT = 128 };
 
 static bool fail(c205_error *error, const char *what, const char *name)
 {
@@ -44,21 +44,21 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
 }
 
 /* The model of a machine before any fit, if it has one of its own. */
-static void name_prior(const char *machine, char name[TEXT_MOST])
+static void name_prior(const char *machine, char name[MAX_TEXT])
 {
     const char *const *names = c205_model_names();
 
-    snprintf(name, TEXT_MOST, "%s" PRIOR_SUFFIX, machine);
+    snprintf(name, MAX_TEXT, "%s" PRIOR_SUFFIX, machine);
     while (*names && strcmp(*names, name) != 0)
         names++;
     if (!*names)
-        snprintf(name, TEXT_MOST, "%s", machine);
+        snprintf(name, MAX_TEXT, "%s", machine);
 }
 
 static const c205_model *find_model(struct observations *all, const char *machine,
                                     c205_error *error)
 {
-    char name[TEXT_MOST];
+    char name[MAX_TEXT];
     c205_model **models, *model;
 
     name_prior(machine, name);
@@ -107,15 +107,15 @@ static void split(char *text, const char **second)
 }
 
 /* Take ":REGIONS" out of a program. */
-static void take_regions(const char *text, char program[TEXT_MOST],
-                         char regions[TEXT_MOST])
+static void take_regions(const char *text, char program[MAX_TEXT],
+                         char regions[MAX_TEXT])
 {
     const char *colon = strchr(text, ':');
     size_t begin = !colon ? strlen(text) : (size_t)(colon - text);
     size_t length = !colon ? 0 : strcspn(colon, " ");
 
-    snprintf(program, TEXT_MOST, "%.*s%s", (int)begin, text, text + begin + length);
-    snprintf(regions, TEXT_MOST, "%.*s", length > 0 ? (int)length - 1 : 0,
+    snprintf(program, MAX_TEXT, "%.*s%s", (int)begin, text, text + begin + length);
+    snprintf(regions, MAX_TEXT, "%.*s", length > 0 ? (int)length - 1 : 0,
              text + begin + (length > 0));
 }
 
@@ -134,7 +134,7 @@ static bool add_terms(struct observations *all, struct observation *item,
                       const struct run_options *options, c205_error *error)
 {
     const struct fit_run *run;
-    char program[TEXT_MOST], regions[TEXT_MOST], machines[TEXT_MOST];
+    char program[MAX_TEXT], regions[MAX_TEXT], machines[MAX_TEXT];
     const char *region, *machine;
     bool share = strcmp(item->unit, "%") == 0;
 
@@ -238,7 +238,7 @@ static bool read_range(const struct csv *file, const struct csv_row *row,
     item->value = (item->least + item->most) / 2;
     return (*end == '\0' && item->least > 0 && item->most >= item->least)
            || csv_wrong(file, row, VALUE,
-                        "a positive number or LEAST to MOST is expected", diagnostics);
+                        "a positive number or LEAST to MAX is expected", diagnostics);
 }
 
 static bool read_figure(const struct csv *file, const struct csv_row *row,
@@ -319,7 +319,7 @@ void observations_free(struct observations *all)
 }
 
 static double seconds(const struct observations *all, const struct term *term,
-                      double (*clocks)[RUN_REGIONS_MOST])
+                      double (*clocks)[MAX_RUN_REGIONS])
 {
     const struct run_timing *timing = &all->timings[term->timing];
     double sum = 0;
@@ -355,7 +355,7 @@ double observation_uncertainty(const struct observation *observation)
 
 double observation_predict(const struct observations *all,
                            const struct observation *item,
-                           double (*clocks)[RUN_REGIONS_MOST])
+                           double (*clocks)[MAX_RUN_REGIONS])
 {
     double time = seconds(all, &item->terms[0], clocks);
 

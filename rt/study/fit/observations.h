@@ -13,7 +13,7 @@
  *             Melements/s  ELEMENTS of the program, by its time
  *             %          the region's share of the program
  *             ratio      the first region's or machine's time by the second's
- *   value     a number; of a range "LEAST to MOST", or a number
+ *   value     a number; of a range "LEAST to MAX", or a number
  *   uncertainty   relative: one standard deviation; of a range empty
  *   shared    the same, of what is off alike in all rows of a group
  *   use       fit; compare; or range: what is known as a range, or from a
@@ -40,7 +40,7 @@ struct run_timing {
 /* The seconds of some of its regions. */
 struct term {
     size_t timing;
-    bool chosen[RUN_REGIONS_MOST];
+    bool chosen[MAX_RUN_REGIONS];
 };
 
 enum observation_use {
@@ -88,6 +88,6 @@ double observation_uncertainty(const struct observation *observation);
 /* From the clocks of each timing's regions. */
 double observation_predict(const struct observations *observations,
                            const struct observation *observation,
-                           double (*clocks)[RUN_REGIONS_MOST]);
+                           double (*clocks)[MAX_RUN_REGIONS]);
 
 #endif

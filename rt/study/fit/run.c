@@ -7,7 +7,7 @@
 
 #include "vm/text.h"
 
-enum { DEFINES_MOST = 8, WORDS_MOST = 256 };
+enum { MAX_DEFINES = 8, MAX_WORDS = 256 };
 
 static bool fail(c205_error *error, const char *what, const char *name)
 {
@@ -67,7 +67,7 @@ static bool cut_words(char *words, struct asm_define *defines, c205_error *error
     for (char *word; (word = strtok(NULL, " ")) != NULL;) {
         char *value = strchr(word, '=');
 
-        if (!value || count + 1 == DEFINES_MOST)
+        if (!value || count + 1 == MAX_DEFINES)
             return fail(error, "'%.60s' does not define a constant", word);
         *value++ = '\0';
         defines[count++] = (struct asm_define){ word, atoll(value) };
@@ -80,10 +80,10 @@ static bool assemble(struct fit_run *run, const struct run_options *options,
                      c205_error *error)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
-    struct asm_define defines[DEFINES_MOST];
+    struct asm_define defines[MAX_DEFINES];
     struct asm_options how = { .defines = defines, .texts = texts };
     struct diagnostics errors = { 0 };
-    char words[WORDS_MOST], path[2 * WORDS_MOST];
+    char words[MAX_WORDS], path[2 * MAX_WORDS];
 
     snprintf(words, sizeof words, "%s", run->program);
     if (!cut_words(words, defines, error))
@@ -114,8 +114,8 @@ static c205 *text_machine(struct fit_run *run, const struct run_options *options
 static bool name_regions(struct fit_run *run, const c205 *machine, c205_error *error)
 {
     run->region_count = c205_account_count(machine);
-    if (run->region_count > RUN_REGIONS_MOST)
-        return fail(error, "%s: more than " LIMIT_TEXT(RUN_REGIONS_MOST) " regions",
+    if (run->region_count > MAX_RUN_REGIONS)
+        return fail(error, "%s: more than " LIMIT_TEXT(MAX_RUN_REGIONS) " regions",
                     run->program);
     for (size_t i = 0; i < run->region_count; i++) {
         run->regions[i] = copied(c205_account_at(machine, i)->name);
@@ -189,14 +189,14 @@ static bool is_timed(const struct fit_run *run, const char *region)
 {
     if (!run->subject)
         return *region != '\0';
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++)
+    for (size_t i = 0; i < MAX_SPEEDUP_REGIONS; i++)
         if (run->subject->regions[i] && strcmp(run->subject->regions[i], region) == 0)
             return true;
     return false;
 }
 
 bool run_select(const struct fit_run *run, const char *name,
-                bool chosen[RUN_REGIONS_MOST], c205_error *error)
+                bool chosen[MAX_RUN_REGIONS], c205_error *error)
 {
     bool found = false;
 
@@ -210,7 +210,7 @@ bool run_select(const struct fit_run *run, const char *name,
 
 bool run_time(const struct fit_run *run, const c205_model *model,
               const c205_setting *settings, size_t count, unsigned ticks,
-              double clocks[RUN_REGIONS_MOST], c205_error *error)
+              double clocks[MAX_RUN_REGIONS], c205_error *error)
 {
     return c205_retime(run->recording, model, settings, count, ticks, clocks,
                        run->region_count, error);

@@ -19,7 +19,7 @@ struct run_options {
     const c205_model *model; /* on which they run, once */
 };
 
-#define RUN_REGIONS_MOST 128
+#define MAX_RUN_REGIONS 128
 
 struct fit_run {
     char *program;
@@ -30,7 +30,7 @@ struct fit_run {
     struct scene *scene;
     c205_recording *recording;
     size_t region_count;
-    char *regions[RUN_REGIONS_MOST];
+    char *regions[MAX_RUN_REGIONS];
 };
 
 /* NULL: the error says why. */
@@ -45,7 +45,7 @@ bool run_symbol(const struct fit_run *run, const char *name, double *value);
  * program is timed: a frame by its subject's regions, a program text by all
  * that have names.  False: there is no such region. */
 bool run_select(const struct fit_run *run, const char *name,
-                bool chosen[RUN_REGIONS_MOST], c205_error *error);
+                bool chosen[MAX_RUN_REGIONS], c205_error *error);
 
 /* Ticks of a clock: 1 as the machine has it, or so many that a tenth of a clock
  * more shows in a derivative. */
@@ -54,6 +54,6 @@ enum { RUN_WHOLE = 1, RUN_FINE = 1000 };
 /* Clocks of its regions; time advances in ticks. */
 bool run_time(const struct fit_run *run, const c205_model *model,
               const c205_setting *settings, size_t count, unsigned ticks,
-              double clocks[RUN_REGIONS_MOST], c205_error *error);
+              double clocks[MAX_RUN_REGIONS], c205_error *error);
 
 #endif

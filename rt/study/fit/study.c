@@ -34,7 +34,7 @@ static void find_subjects(struct study *study)
             continue;
         while (k < study->subject_count && study->subjects[k] != subject)
             k++;
-        if (k == study->subject_count && k < STUDY_SUBJECTS_MOST)
+        if (k == study->subject_count && k < MAX_STUDY_SUBJECTS)
             study->subjects[study->subject_count++] = subject;
     }
 }
@@ -42,7 +42,7 @@ static void find_subjects(struct study *study)
 /* ---- Rows left out ------------------------------------------------------ */
 
 /* Where the fit itself began: it shall know nothing of what is left out. */
-static const double priors[FREE_MOST];
+static const double priors[MAX_FREE];
 
 static bool leave_rows_out(struct study *study, c205_error *error)
 {
@@ -78,7 +78,7 @@ static void add_to_groups(struct study *study, const struct observation *item)
 
     while (group < end && !study_is_of(group, item))
         group++;
-    if (group == study->groups + STUDY_GROUPS_MOST)
+    if (group == study->groups + MAX_STUDY_GROUPS)
         return;
     if (group == end) {
         snprintf(group->name, sizeof group->name, "%.*s", (int)observation_group(item),

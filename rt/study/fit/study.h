@@ -6,7 +6,7 @@
 
 #include "rt/study/fit/untouched.h"
 
-enum { STUDY_SUBJECTS_MOST = 8, STUDY_GROUPS_MOST = 8 };
+enum { MAX_STUDY_SUBJECTS = 8, MAX_STUDY_GROUPS = 8 };
 
 /* Rows of the fit that share the first words of their names, and the fit
  * without them. */
@@ -20,17 +20,17 @@ struct study {
     struct fit fit;
     struct fit_change held; /* what the user holds out, of all fits */
     bool brief;             /* the fit alone was made */
-    double at_prior[FIT_OBSERVATIONS_MOST];
+    double at_prior[MAX_FIT_OBSERVATIONS];
     struct fit_outcome best;
     size_t subject_count; /* primitives of Table 1 */
-    const struct speedup_subject *subjects[STUDY_SUBJECTS_MOST];
+    const struct speedup_subject *subjects[MAX_STUDY_SUBJECTS];
     /* A fit without each row, from the priors: what it predicts for it. */
-    double left_out[FIT_OBSERVATIONS_MOST];
+    double left_out[MAX_FIT_OBSERVATIONS];
     size_t group_count; /* of more than one row */
-    struct study_group groups[STUDY_GROUPS_MOST];
+    struct study_group groups[MAX_STUDY_GROUPS];
     struct untouched_list untouched;
     /* With the width of each constant's prior doubled, or the prior itself. */
-    struct fit_outcome wide[FREE_MOST], moved[FREE_MOST];
+    struct fit_outcome wide[MAX_FREE], moved[MAX_FREE];
 };
 
 /* The fit and, unless it is to be brief, the rest.  False: the error says

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef double region_clocks[RUN_REGIONS_MOST];
+typedef double region_clocks[MAX_RUN_REGIONS];
 
 /* What is asked of all constants. */
 struct question {
@@ -101,7 +101,7 @@ static void add_machine(const struct question *question, const char *machine,
     for (size_t i = 0; i < c205_model_size(prior); i++) {
         const c205_constant *constant = c205_model_constant(prior, i);
 
-        if (untouched->count < UNTOUCHED_MOST
+        if (untouched->count < MAX_UNTOUCHED
             && !is_touched(question, machine, constant))
             untouched->items[untouched->count++] = (struct untouched){
                 machine, constant, find_mover(constants, machine, constant->name)

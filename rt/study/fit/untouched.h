@@ -7,7 +7,7 @@
 
 #include "rt/study/fit/fit.h"
 
-enum { UNTOUCHED_MOST = 128 };
+enum { MAX_UNTOUCHED = 128 };
 
 struct untouched {
     const char *machine;
@@ -17,7 +17,7 @@ struct untouched {
 
 struct untouched_list {
     size_t count;
-    struct untouched items[UNTOUCHED_MOST];
+    struct untouched items[MAX_UNTOUCHED];
 };
 
 /* Constants of the machines that have free ones which change no time that is

@@ -41,7 +41,7 @@ static int decimals(const c205_constant *prior)
 
 /* The constants of a model as they are written; gives their number. */
 static size_t written_settings(const struct study *study, const c205_model *model,
-                               c205_setting settings[SETTINGS_MOST])
+                               c205_setting settings[MAX_SETTINGS])
 {
     size_t count = constants_settings(study->fit.constants, study->best.places, model,
                                       settings);
@@ -57,11 +57,11 @@ static size_t written_settings(const struct study *study, const c205_model *mode
     return count;
 }
 
-static bool time_all(const struct study *study, double (*clocks)[RUN_REGIONS_MOST],
+static bool time_all(const struct study *study, double (*clocks)[MAX_RUN_REGIONS],
                      c205_error *error)
 {
     const struct observations *all = study->fit.observations;
-    c205_setting settings[SETTINGS_MOST];
+    c205_setting settings[MAX_SETTINGS];
     bool good = true;
 
     for (size_t i = 0; good && i < all->timing_count; i++) {
@@ -74,11 +74,11 @@ static bool time_all(const struct study *study, double (*clocks)[RUN_REGIONS_MOS
     return good;
 }
 
-bool written_predict(const struct study *study, double predicted[FIT_OBSERVATIONS_MOST],
+bool written_predict(const struct study *study, double predicted[MAX_FIT_OBSERVATIONS],
                      c205_error *error)
 {
     const struct observations *all = study->fit.observations;
-    double(*clocks)[RUN_REGIONS_MOST] = calloc(all->timing_count, sizeof *clocks);
+    double(*clocks)[MAX_RUN_REGIONS] = calloc(all->timing_count, sizeof *clocks);
     bool good = clocks != NULL;
 
     if (!good)
@@ -179,12 +179,12 @@ static void write_setting(const c205_setting *setting, const c205_model *model,
 }
 
 bool written_model(const struct study *study,
-                   const double predicted[FIT_OBSERVATIONS_MOST], const char *path,
+                   const double predicted[MAX_FIT_OBSERVATIONS], const char *path,
                    c205_error *error)
 {
     const c205_model *model = prior_of(study->fit.observations, path, error);
     struct whole *whole = !model ? NULL : whole_open(path, error);
-    c205_setting settings[SETTINGS_MOST];
+    c205_setting settings[MAX_SETTINGS];
     size_t count;
 
     if (!whole)

@@ -12,13 +12,13 @@ bool written_check(const struct study *study, const char *path, c205_error *erro
 
 /* What the machine shows of the observations with the constants as they are
  * written: times in clk are whole clocks, as its clock wants them. */
-bool written_predict(const struct study *study, double predicted[FIT_OBSERVATIONS_MOST],
+bool written_predict(const struct study *study, double predicted[MAX_FIT_OBSERVATIONS],
                      c205_error *error);
 
 /* Write the model to the path, and how near it comes by what it predicts.
  * False: the error says why. */
 bool written_model(const struct study *study,
-                   const double predicted[FIT_OBSERVATIONS_MOST], const char *path,
+                   const double predicted[MAX_FIT_OBSERVATIONS], const char *path,
                    c205_error *error);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LABELS = 10, SMALL_TICS_MOST = 40 };
+enum { LABELS = 10, MAX_SMALL_TICS = 40 };
 
 static bool is_linear(const struct axis *axis)
 {
@@ -182,7 +182,7 @@ static void add_powers(struct tics *tics, const struct axis *axis)
 
     for (double n = first; n <= last; n++) {
         bool labelled = fmod(n, stride) == 0;
-        if (labelled || last - first <= SMALL_TICS_MOST)
+        if (labelled || last - first <= MAX_SMALL_TICS)
             add(tics, from_ruler(axis, n), labelled);
     }
 }

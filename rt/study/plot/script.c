@@ -18,7 +18,7 @@ enum {
     BELOW = 58,     /* labels and title of the x axis */
     BESIDE = 52,    /* title of the y axis, without its labels */
     KEY_LEAST = 90, /* room at the right, for labels of marks as well */
-    KEY_MOST = 320,
+    MAX_KEY = 320,
     KEY_SAMPLE = 48
 };
 
@@ -100,7 +100,7 @@ static double key_width(const struct plot *plot)
         widest = fmax(widest, width_of(plot->curves[i].title));
     for (size_t i = 0; i < plot->level_count; i++)
         widest = fmax(widest, width_of(plot->levels[i].label));
-    return fmax(KEY_LEAST, fmin(KEY_MOST, KEY_SAMPLE + widest));
+    return fmax(KEY_LEAST, fmin(MAX_KEY, KEY_SAMPLE + widest));
 }
 
 static int from_right(const void *left, const void *right)

@@ -5,22 +5,22 @@
 const struct sweep_kind *const sweep_kinds[] = { &sweep_queue, &sweep_pipes,
                                                  &sweep_hits, &sweep_length, NULL };
 
-static size_t usual_lengths(size_t most, size_t lengths[SWEEP_LENGTHS_MOST])
+static size_t usual_lengths(size_t most, size_t lengths[MAX_SWEEP_LENGTHS])
 {
     size_t count = 0;
 
-    for (size_t length = 1; length < TRACE_QUEUE_MOST && length <= most; length *= 2) {
+    for (size_t length = 1; length < MAX_TRACE_QUEUE && length <= most; length *= 2) {
         lengths[count++] = length;
         if (length < TRACE_QUEUE && 2 * length > TRACE_QUEUE && TRACE_QUEUE <= most)
             lengths[count++] = TRACE_QUEUE;
     }
-    if (TRACE_QUEUE_MOST <= most)
-        lengths[count++] = TRACE_QUEUE_MOST;
+    if (MAX_TRACE_QUEUE <= most)
+        lengths[count++] = MAX_TRACE_QUEUE;
     return count;
 }
 
 size_t sweep_lengths(const struct sweep *sweep, size_t most,
-                     size_t lengths[SWEEP_LENGTHS_MOST])
+                     size_t lengths[MAX_SWEEP_LENGTHS])
 {
     if (sweep->length_count == 0)
         return usual_lengths(most, lengths);

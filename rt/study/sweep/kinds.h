@@ -24,9 +24,9 @@ extern const struct sweep_kind *const sweep_kinds[];
 
 /* The user's, or else 1, 2, 4 .. 32,768, 65,535 and the paper's 2,000, as far
  * as they are at most most. */
-enum { SWEEP_LENGTHS_MOST = 64 };
+enum { MAX_SWEEP_LENGTHS = 64 };
 size_t sweep_lengths(const struct sweep *sweep, size_t most,
-                     size_t lengths[SWEEP_LENGTHS_MOST]);
+                     size_t lengths[MAX_SWEEP_LENGTHS]);
 
 /* ---- Findings, for their tests ------------------------------------------- */
 

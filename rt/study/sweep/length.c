@@ -11,7 +11,7 @@
 
 /* Where the scalar form is cheaper than so long a queue, the lengths between
  * are not tried one by one. */
-enum { TRIED_MOST = 256 };
+enum { MAX_TRIED = 256 };
 
 static bool run_lengths(struct sweep *sweep, const size_t *lengths, size_t count,
                         c205_error *error)
@@ -99,7 +99,7 @@ static bool approach_crossover(struct sweep *sweep, c205_error *error)
     if (below < 0 || (size_t)below + 1 == sweep->count)
         return true;
     above = length_of(&sweep->measures[below + 1]);
-    if (above > TRIED_MOST)
+    if (above > MAX_TRIED)
         return true;
     return run_between(sweep, length_of(&sweep->measures[below]), 2 * above, error);
 }
@@ -137,8 +137,8 @@ static bool approach_speedup(struct sweep *sweep, double speedup, c205_error *er
 
 static bool measure(struct sweep *sweep, c205_error *error)
 {
-    size_t lengths[SWEEP_LENGTHS_MOST];
-    size_t count = sweep_lengths(sweep, TRACE_QUEUE_MOST, lengths);
+    size_t lengths[MAX_SWEEP_LENGTHS];
+    size_t count = sweep_lengths(sweep, MAX_TRACE_QUEUE, lengths);
 
     sweep->pages_in_place = true;
     return run_lengths(sweep, lengths, count, error) && approach_crossover(sweep, error)
@@ -186,8 +186,8 @@ static const struct table_column point_columns[] = {
 
 static bool is_asked(const struct sweep *sweep, size_t length)
 {
-    size_t lengths[SWEEP_LENGTHS_MOST];
-    size_t count = sweep_lengths(sweep, TRACE_QUEUE_MOST, lengths);
+    size_t lengths[MAX_SWEEP_LENGTHS];
+    size_t count = sweep_lengths(sweep, MAX_TRACE_QUEUE, lengths);
 
     for (size_t i = 0; i < count; i++)
         if (lengths[i] == length)

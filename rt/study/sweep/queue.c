@@ -8,8 +8,8 @@
  * than the tracer's own bands takes longer planes as well. */
 static bool measure(struct sweep *sweep, c205_error *error)
 {
-    struct sweep_point points[SWEEP_LENGTHS_MOST];
-    size_t lengths[SWEEP_LENGTHS_MOST];
+    struct sweep_point points[MAX_SWEEP_LENGTHS];
+    size_t lengths[MAX_SWEEP_LENGTHS];
     size_t rays = sweep->base.trace.width * sweep->base.trace.height;
     size_t count = sweep_lengths(sweep, rays, lengths);
 
@@ -174,7 +174,7 @@ static void say_memory(struct sweep_report *report, const struct sweep_memory *m
     if (memory->fills < 1)
         sweep_report_line(report, "Real memory is too small for a queue of "
                                   "any length.");
-    else if (memory->fills < TRACE_QUEUE_MOST)
+    else if (memory->fills < MAX_TRACE_QUEUE)
         sweep_report_line(report,
                           "A queue of %.0f fills real memory; the "
                           "paper's %d and the rest take %.0f %% of it.",
@@ -185,7 +185,7 @@ static void say_memory(struct sweep_report *report, const struct sweep_memory *m
         sweep_report_line(report,
                           "The longest queue of all, %d, fits in "
                           "real memory.",
-                          TRACE_QUEUE_MOST);
+                          MAX_TRACE_QUEUE);
 }
 
 static void say(struct sweep_report *report, const struct sweep *sweep,

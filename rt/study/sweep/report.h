@@ -11,12 +11,12 @@
 #include "rt/study/sweep/sweep.h"
 
 enum {
-    SWEEP_PARTS_MOST = 4,
-    SWEEP_LINES_MOST = 8,
+    MAX_SWEEP_PARTS = 4,
+    MAX_SWEEP_LINES = 8,
     SWEEP_LINE_SIZE = 128,
-    SWEEP_MARKS_MOST = 3,
+    MAX_SWEEP_MARKS = 3,
     SWEEP_LABEL_SIZE = 48,
-    SWEEP_CURVES_MOST = SWEEP_GROUPS + 2
+    MAX_SWEEP_CURVES = SWEEP_GROUPS + 2
 };
 
 struct sweep_part {
@@ -26,18 +26,18 @@ struct sweep_part {
 
 struct sweep_report {
     /* The first is of all points. */
-    struct sweep_part parts[SWEEP_PARTS_MOST];
+    struct sweep_part parts[MAX_SWEEP_PARTS];
     size_t part_count;
-    char lines[SWEEP_LINES_MOST][SWEEP_LINE_SIZE];
+    char lines[MAX_SWEEP_LINES][SWEEP_LINE_SIZE];
     size_t line_count;
 
     /* What is plotted, from one of the tables; its title and subtitles are
      * the caller's. */
     struct plot plot;
     const struct table *plotted;
-    struct plot_curve curves[SWEEP_CURVES_MOST];
-    struct plot_mark marks[SWEEP_MARKS_MOST], levels[SWEEP_MARKS_MOST];
-    char labels[2 * SWEEP_MARKS_MOST][SWEEP_LABEL_SIZE];
+    struct plot_curve curves[MAX_SWEEP_CURVES];
+    struct plot_mark marks[MAX_SWEEP_MARKS], levels[MAX_SWEEP_MARKS];
+    char labels[2 * MAX_SWEEP_MARKS][SWEEP_LABEL_SIZE];
     size_t label_count;
 };
 

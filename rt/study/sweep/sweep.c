@@ -41,7 +41,7 @@ static bool add_subject(const struct accounts *accounts,
                         const struct speedup_subject *subject, struct sweep_form *form,
                         c205_error *error)
 {
-    for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i]; i++) {
+    for (size_t i = 0; i < MAX_SPEEDUP_REGIONS && subject->regions[i]; i++) {
         const c205_account *account = speedup_account(accounts, subject->regions[i],
                                                       error);
 

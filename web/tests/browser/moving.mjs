@@ -201,9 +201,9 @@ export const tests = {
   // Up to the limits and beyond, packed well and badly.
   async "Share makes only links that it opens"(world) {
     const noise = (length) => randomBytes(length).toString("base64").slice(0, length);
-    const MOST = 1 << 20;
+    const MAX = 1 << 20;
     let made = 0, refused = 0;
-    for (const text of [";".repeat(MOST), "é".repeat(MOST / 2), "é".repeat(MOST / 2 + 1), noise(MOST),
+    for (const text of [";".repeat(MAX), "é".repeat(MAX / 2), "é".repeat(MAX / 2 + 1), noise(MAX),
       ...[5.1e5, 5.3e5, 6e5].map(noise)]) {
       const visit = await open(world, text);
       await visit.page.click("#share");

@@ -10,7 +10,7 @@
 
 enum {
     COLORS = 3,
-    BLOCK_MOST = 65535, /* bytes of a stored block (RFC 1951, 3.2.4) */
+    MAX_BLOCK = 65535, /* bytes of a stored block (RFC 1951, 3.2.4) */
     BLOCK_HEAD = 5,
     ADLER_BASE = 65521
 };
@@ -82,14 +82,14 @@ static unsigned char *put_block(unsigned char *to, const unsigned char *bytes,
 /* A chunk of blocks. */
 static bool store(struct png *png, const unsigned char *bytes, size_t count)
 {
-    size_t blocks = count / BLOCK_MOST + 1;
+    size_t blocks = count / MAX_BLOCK + 1;
     unsigned char *stored = malloc(count + blocks * BLOCK_HEAD), *end = stored;
 
     if (!stored)
         return false;
     add_up(png->adler, bytes, count);
     while (count > 0) {
-        size_t some = count < BLOCK_MOST ? count : BLOCK_MOST;
+        size_t some = count < MAX_BLOCK ? count : MAX_BLOCK;
 
         end = put_block(end, bytes, some, false);
         bytes += some;
