@@ -11,7 +11,7 @@
 #include "asm/expect.h"
 #include "base/error.h"
 #include "base/text_file.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 
 /* A name ends its line, so it holds no line's end itself. */
 static void put_name(const struct sink *sink, const char *name)
@@ -91,14 +91,14 @@ void object_write(const struct object *object, const struct sink *sink)
 
 bool object_save(const struct object *object, const char *path, c205_error *error)
 {
-    struct whole *whole = whole_open(path, error);
+    struct atomic_file *whole = atomic_file_open(path, error);
     struct sink sink;
 
     if (!whole)
         return false;
     sink = stream_sink(whole->file);
     object_write(object, &sink);
-    return whole_commit(whole, error);
+    return atomic_file_commit(whole, error);
 }
 
 struct object *object_load(const char *path, c205_error *error)

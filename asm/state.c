@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 
 static void tell(c205_error *error, const char *path, const char *why)
 {
@@ -32,19 +32,19 @@ static bool put(void *context, const void *bytes, size_t count)
 bool state_save(const c205 *machine, const char *path, c205_error *error)
 {
     c205_error reason = { "" };
-    struct whole *whole = whole_open(path, error);
+    struct atomic_file *whole = atomic_file_open(path, error);
     if (!whole) {
         return false;
     }
     struct state_file output = { whole->file, FILE_LARGEST };
     if (c205_save(machine, put, &output, &reason)) {
-        return whole_commit(whole, error);
+        return atomic_file_commit(whole, error);
     }
     if (output.left < sizeof(c205_word)) {
         error_say(&reason, "the saved machine has more than %d bytes", FILE_LARGEST);
     }
     tell(error, path, reason.message);
-    whole_discard(whole);
+    atomic_file_discard(whole);
     return false;
 }
 

@@ -10,14 +10,14 @@
 #include "base/sink.h"
 #include "base/utf8.h"
 #include "base/visible.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 
 enum { DEEPEST = 16, INDENT = 2 };
 
 struct json {
-    struct whole *whole;      /* they get the text at the close; NULL: not */
-    FILE *stream;             /* wanted */
-    struct text_buffer *line; /* likewise, and the text is in one line then */
+    struct atomic_file *whole; /* they get the text at the close; NULL: not */
+    FILE *stream;              /* wanted */
+    struct text_buffer *line;  /* likewise, and the text is in one line then */
     struct text_buffer text;
     struct sink sink; /* to the text */
     unsigned depth;
@@ -124,7 +124,7 @@ static struct json *json_new(FILE *stream, c205_error *error)
 struct json *json_open_stream(FILE *stream, const char *path, c205_error *error)
 {
     struct json *json = json_new(stream, error);
-    if (json && path && !(json->whole = whole_open(path, error))) {
+    if (json && path && !(json->whole = atomic_file_open(path, error))) {
         json_discard(json);
         return NULL;
     }
@@ -164,7 +164,7 @@ bool json_close(struct json *json, c205_error *error)
     }
     if (json->whole) {
         fwrite(json->text.text, 1, json->text.length, json->whole->file);
-        good = whole_commit(json->whole, error);
+        good = atomic_file_commit(json->whole, error);
         json->whole = NULL;
     }
     if (good && json->stream) {
@@ -177,7 +177,7 @@ bool json_close(struct json *json, c205_error *error)
 void json_discard(struct json *json)
 {
     if (json->whole) {
-        whole_discard(json->whole);
+        atomic_file_discard(json->whole);
     }
     text_buffer_free(&json->text);
     free(json);

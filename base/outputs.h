@@ -2,7 +2,7 @@
  *
  * A command line names them before anything is read.  They are identified by device
  * and inode, so that another path, a symbolic link and a hard link are found as well.
- * file_read refuses to read them, and whole_commit to write one that was to be read:
+ * file_read refuses to read them, and atomic_file_commit to write one that was to be read:
  * no command writes over one of its inputs.
  *
  * The list belongs to the process.  It is empty unless a command line is parsed, so it

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "asm/command/cmd_check.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 
 int check_list(const struct check_command *check)
 {
@@ -165,11 +165,11 @@ int check_start(const struct check_command *check)
     const char *command = check->arguments->command;
     const char *path = check->arguments->output;
     c205_error error;
-    struct whole *whole = whole_open(path ? path : "-", &error);
+    struct atomic_file *whole = atomic_file_open(path ? path : "-", &error);
     if (!whole) {
         return cmd_failed(command, "%s", error.message);
     }
     fputs(check->lesson->start, whole->file);
-    return whole_commit(whole, &error) ? CMD_DONE
-                                       : cmd_failed(command, "%s", error.message);
+    return atomic_file_commit(whole, &error) ? CMD_DONE
+                                             : cmd_failed(command, "%s", error.message);
 }

@@ -13,7 +13,7 @@
 #include "base/plural.h"
 #include "base/progress.h"
 #include "base/text_file.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 
 static double clocks_of(const struct swept_point *point, size_t which)
 {
@@ -122,7 +122,7 @@ static int show(const struct program_sweep *sweep, const struct results *results
 
 static bool draw(const struct program_sweep *sweep, const char *path, c205_error *error)
 {
-    struct whole *whole = whole_open(path, error);
+    struct atomic_file *whole = atomic_file_open(path, error);
     char title[SWEPT_TITLE];
     struct sink sink;
     if (!whole) {
@@ -131,7 +131,7 @@ static bool draw(const struct program_sweep *sweep, const char *path, c205_error
     swept_title(sweep, title);
     sink = stream_sink(whole->file);
     swept_svg(sweep, title, &sink);
-    return whole_commit(whole, error);
+    return atomic_file_commit(whole, error);
 }
 
 /* ---- The command ----------------------------------------------------------- */
@@ -193,7 +193,7 @@ static bool run_and_draw(const struct c205_arguments *arguments,
     progress_begin(&progress);
     sweep->goes_on = goes_on;
     sweep->context = &progress;
-    good = (!output || whole_check(output, error)) && swept_run(sweep, error)
+    good = (!output || atomic_file_check(output, error)) && swept_run(sweep, error)
            && (!output || draw(sweep, output, error));
     progress_hide(&progress);
     return good;

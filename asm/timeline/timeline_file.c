@@ -5,7 +5,7 @@
 #include "asm/timeline/timeline.h"
 #include "base/error.h"
 #include "base/file.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 
 typedef bool write_timeline(const struct timeline *timeline, const char *title,
                             const struct sink *sink);
@@ -56,15 +56,15 @@ bool timeline_write(const struct timeline *timeline, const struct timeline_form 
 bool timeline_save(const struct timeline *timeline, const char *path, const char *title,
                    c205_error *error)
 {
-    struct whole *whole = whole_open(path, error);
+    struct atomic_file *whole = atomic_file_open(path, error);
     struct sink sink;
 
     if (!whole)
         return false;
     sink = stream_sink(whole->file);
     if (timeline_write(timeline, timeline_form_of(path), title, &sink))
-        return whole_commit(whole, error);
-    whole_discard(whole);
+        return atomic_file_commit(whole, error);
+    atomic_file_discard(whole);
     return error_say(error, "no memory");
 }
 

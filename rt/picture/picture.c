@@ -3,7 +3,7 @@
 #include "rt/picture/picture_oiio.h"
 
 #include "base/file.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 #include "rt/host/adapter.h"
 #include "rt/host/threads.h"
 
@@ -239,7 +239,7 @@ bool picture_check_path(const char *path, struct picture_error *error)
     if (!file_is_stream(path) && stat(path, &status) == 0 && !S_ISREG(status.st_mode))
         return fail(error, "%s is not a regular file", path);
     c205_error cause;
-    return whole_check(path, &cause) || fail(error, "%s", cause.message);
+    return atomic_file_check(path, &cause) || fail(error, "%s", cause.message);
 }
 
 /* --- writing and reading ----------------------------------------------- */
@@ -258,7 +258,7 @@ struct picture {
     const char *names[FRAME_CHANNELS + 1];
     char *layer;
     char *path;
-    struct whole *whole;
+    struct atomic_file *whole;
     void *writing; /* the adapter's */
     size_t rows;   /* that came */
 };
@@ -280,7 +280,7 @@ static bool open_file(struct picture *picture, const struct picture_note *notes,
     picture->files = adapter(error);
     if (!picture->files)
         return false;
-    picture->whole = whole_open(path, &cause);
+    picture->whole = atomic_file_open(path, &cause);
     if (!picture->whole)
         return fail(error, "%s", cause.message);
     const char *name = file_is_stream(path) ? stream_name : path;
@@ -338,7 +338,7 @@ struct picture *picture_begin(const char *path, size_t width, size_t height,
         if (open_file(picture, notes, error))
             return picture;
         if (picture->whole)
-            whole_discard(picture->whole);
+            atomic_file_discard(picture->whole);
     }
     free_picture(picture);
     return NULL;
@@ -370,10 +370,10 @@ bool picture_end(struct picture *picture, bool good, struct picture_error *error
     bool whole = good && picture->rows == picture->image.height;
     bool ended = picture->files->end(picture->writing, whole, &why) && whole;
     if (!ended) {
-        whole_discard(picture->whole);
+        atomic_file_discard(picture->whole);
         if (good)
             fail_at(picture->path, &why, error);
-    } else if (!whole_commit(picture->whole, &cause)) {
+    } else if (!atomic_file_commit(picture->whole, &cause)) {
         ended = fail(error, "%s", cause.message);
     }
     free_picture(picture);

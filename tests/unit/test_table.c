@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/table.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 #include "tests/unit/csv_reading.h"
 
 static const struct table_column columns[] = {
@@ -365,15 +365,15 @@ TEST_WITH(json_values, set_up, tear_down)
 TEST_WITH(old_file_stays, set_up, tear_down)
 {
     c205_error error;
-    struct whole *whole = whole_open(folder.path, &error);
+    struct atomic_file *whole = atomic_file_open(folder.path, &error);
     fputs("old", whole->file);
-    assert_true(whole_commit(whole, &error));
-    whole = whole_open(folder.path, &error);
+    assert_true(atomic_file_commit(whole, &error));
+    whole = atomic_file_open(folder.path, &error);
     fputs("new", whole->file);
     expect_text(folder.path, "old");
-    whole_discard(whole);
+    atomic_file_discard(whole);
     expect_text(folder.path, "old");
-    assert_true(whole_check(folder.path, &error));
+    assert_true(atomic_file_check(folder.path, &error));
     expect_text(folder.path, "old");
 }
 
@@ -381,10 +381,10 @@ TEST_WITH(old_file_stays, set_up, tear_down)
 TEST_WITH(nothing_is_left, set_up, tear_down)
 {
     c205_error error;
-    struct whole *whole = whole_open(folder.path, &error);
+    struct atomic_file *whole = atomic_file_open(folder.path, &error);
     fputs("lost", whole->file);
     assert_int_equal(mkdir(folder.path, 0700), 0);
-    assert_false(whole_commit(whole, &error));
+    assert_false(atomic_file_commit(whole, &error));
     assert_non_null(strstr(error.message, folder.path));
     assert_int_equal(rmdir(folder.path), 0);
 }
@@ -399,9 +399,9 @@ TEST_WITH(other_file_stays, set_up, tear_down)
     assert_non_null(file);
     fputs("theirs", file);
     fclose(file);
-    struct whole *whole = whole_open(folder.path, &error);
+    struct atomic_file *whole = atomic_file_open(folder.path, &error);
     fputs("ours", whole->file);
-    assert_true(whole_commit(whole, &error));
+    assert_true(atomic_file_commit(whole, &error));
     expect_text(folder.path, "ours");
     expect_text(beside, "theirs");
     assert_int_equal(unlink(beside), 0);
@@ -410,12 +410,12 @@ TEST_WITH(other_file_stays, set_up, tear_down)
 TEST(no_folder)
 {
     c205_error error;
-    assert_null(whole_open("/nonexistent/file", &error));
+    assert_null(atomic_file_open("/nonexistent/file", &error));
     assert_string_equal(error.message, "/nonexistent/file: No such file or directory");
     error.message[0] = '\0';
-    assert_false(whole_check("/nonexistent/file", &error));
+    assert_false(atomic_file_check("/nonexistent/file", &error));
     assert_string_equal(error.message, "/nonexistent/file: No such file or directory");
-    assert_true(whole_check("/dev/full", &error));
+    assert_true(atomic_file_check("/dev/full", &error));
 }
 
 /* A device must not be replaced by a file. */
@@ -423,10 +423,10 @@ TEST(device_stays)
 {
     c205_error error;
     struct stat status;
-    struct whole *whole = whole_open("/dev/full", &error);
+    struct atomic_file *whole = atomic_file_open("/dev/full", &error);
     assert_non_null(whole);
     fputs("lost", whole->file);
-    assert_false(whole_commit(whole, &error));
+    assert_false(atomic_file_commit(whole, &error));
     assert_int_equal(stat("/dev/full", &status), 0);
     assert_true(S_ISCHR(status.st_mode));
 }

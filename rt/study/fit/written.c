@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/whole.h"
+#include "base/atomic_file.h"
 
 /* ---- The constants ------------------------------------------------------ */
 
@@ -95,7 +95,7 @@ bool written_predict(const struct study *study, double predicted[MAX_FIT_OBSERVA
 bool written_check(const struct study *study, const char *path, c205_error *error)
 {
     return prior_of(study->fit.observations, path, error) != NULL
-           && whole_check(path, error);
+           && atomic_file_check(path, error);
 }
 
 /* The machine of a model: "cyber205" of "cyber205-2pipe". */
@@ -183,7 +183,7 @@ bool written_model(const struct study *study,
                    c205_error *error)
 {
     const c205_model *model = prior_of(study->fit.observations, path, error);
-    struct whole *whole = !model ? NULL : whole_open(path, error);
+    struct atomic_file *whole = !model ? NULL : atomic_file_open(path, error);
     c205_setting settings[MAX_SETTINGS];
     size_t count;
 
@@ -193,5 +193,5 @@ bool written_model(const struct study *study,
     count = written_settings(study, model, settings);
     for (size_t i = 0; i < count; i++)
         write_setting(&settings[i], model, whole->file);
-    return whole_commit(whole, error);
+    return atomic_file_commit(whole, error);
 }

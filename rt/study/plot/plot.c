@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "base/whole.h"
+#include "base/atomic_file.h"
 #include "rt/study/plot/gnuplot.h"
 #include "rt/study/plot/script.h"
 
@@ -20,7 +20,7 @@ enum { ENDING = 4 }; /* bytes of each */
 
 struct files {
     char *folder, *name, *script_name;
-    struct whole *data, *script, *picture;
+    struct atomic_file *data, *script, *picture;
 };
 
 /* To be freed; NULL: no memory. */
@@ -93,10 +93,11 @@ bool plot_check_path(const char *path, c205_error *error)
     return check_folder(path, error);
 }
 
-static struct whole *open_beside(const char *path, const char *end, c205_error *error)
+static struct atomic_file *open_beside(const char *path, const char *end,
+                                       c205_error *error)
 {
     char *beside = text_of("%.*s%s", (int)strlen(path) - ENDING, path, end);
-    struct whole *whole = beside ? whole_open(beside, error) : NULL;
+    struct atomic_file *whole = beside ? atomic_file_open(beside, error) : NULL;
 
     if (!beside)
         error_say(error, "%.180s: no memory", path);
@@ -117,21 +118,21 @@ static bool open_files(struct files *files, const char *path, c205_error *error)
         return error_say(error, "%.180s: no memory", path);
     return (files->data = open_beside(path, ".dat", error)) != NULL
            && (files->script = open_beside(path, ".gp", error)) != NULL
-           && (files->picture = whole_open(path, error)) != NULL;
+           && (files->picture = atomic_file_open(path, error)) != NULL;
 }
 
-static bool commit(struct whole **whole, c205_error *error)
+static bool commit(struct atomic_file **whole, c205_error *error)
 {
-    struct whole *done = *whole;
+    struct atomic_file *done = *whole;
 
     *whole = NULL;
-    return whole_commit(done, error);
+    return atomic_file_commit(done, error);
 }
 
-static void discard(struct whole *whole)
+static void discard(struct atomic_file *whole)
 {
     if (whole)
-        whole_discard(whole);
+        atomic_file_discard(whole);
 }
 
 static void close_files(struct files *files)

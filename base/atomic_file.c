@@ -1,5 +1,5 @@
-/* whole.c - see whole.h. */
-#include "base/whole.h"
+/* atomic_file.c - see atomic_file.h. */
+#include "base/atomic_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -78,7 +78,7 @@ static char *followed(const char *path)
 }
 
 /* The first name "path.newN" that nobody uses. */
-static int open_beside(struct whole *whole)
+static int open_beside(struct atomic_file *whole)
 {
     size_t size = strlen(whole->path) + SUFFIX_SIZE;
     int file = -1;
@@ -94,7 +94,7 @@ static int open_beside(struct whole *whole)
     return file;
 }
 
-static void whole_free(struct whole *whole)
+static void whole_free(struct atomic_file *whole)
 {
     interrupt_release(whole->temporary);
     free(whole->temporary);
@@ -102,7 +102,7 @@ static void whole_free(struct whole *whole)
     free(whole);
 }
 
-static FILE *open_place(struct whole *whole)
+static FILE *open_place(struct atomic_file *whole)
 {
     if (file_is_stream(whole->path)) {
         return stdout;
@@ -113,14 +113,14 @@ static FILE *open_place(struct whole *whole)
 }
 
 /* stdout goes on. */
-static bool close_place(struct whole *whole)
+static bool close_place(struct atomic_file *whole)
 {
     return whole->file == stdout || fclose(whole->file) == 0;
 }
 
-struct whole *whole_open(const char *path, c205_error *error)
+struct atomic_file *atomic_file_open(const char *path, c205_error *error)
 {
-    struct whole *whole = calloc(1, sizeof *whole);
+    struct atomic_file *whole = calloc(1, sizeof *whole);
     if (!whole || !(whole->path = followed(path))) {
         free(whole);
         tell(error, path, "no memory");
@@ -135,7 +135,7 @@ struct whole *whole_open(const char *path, c205_error *error)
     return whole;
 }
 
-bool whole_check(const char *path, c205_error *error)
+bool atomic_file_check(const char *path, c205_error *error)
 {
     if (file_is_stream(path)) {
         return true;
@@ -147,26 +147,26 @@ bool whole_check(const char *path, c205_error *error)
         tell(error, path, strerror(errno));
         return false;
     }
-    struct whole *whole = whole_open(path, error);
+    struct atomic_file *whole = atomic_file_open(path, error);
     if (!whole) {
         return false;
     }
-    whole_discard(whole);
+    atomic_file_discard(whole);
     return true;
 }
 
 /* All that was written is on the disk; what is no regular file has none. */
-static bool reaches_disk(const struct whole *whole)
+static bool reaches_disk(const struct atomic_file *whole)
 {
     return !ferror(whole->file) && fflush(whole->file) == 0
            && (!whole->temporary || fsync(fileno(whole->file)) == 0);
 }
 
-bool whole_commit(struct whole *whole, c205_error *error)
+bool atomic_file_commit(struct atomic_file *whole, c205_error *error)
 {
     if (outputs_refused(whole->path)) {
         tell(error, whole->path, file_reason(ETXTBSY));
-        whole_discard(whole);
+        atomic_file_discard(whole);
         return false;
     }
     errno = 0;
@@ -185,7 +185,7 @@ bool whole_commit(struct whole *whole, c205_error *error)
     return good;
 }
 
-void whole_discard(struct whole *whole)
+void atomic_file_discard(struct atomic_file *whole)
 {
     close_place(whole);
     if (whole->temporary) {

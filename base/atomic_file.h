@@ -1,4 +1,4 @@
-/* whole.h - a file that is written whole or not at all.
+/* atomic_file.h - a file that is written whole or not at all.
  *
  * It is written under a temporary name beside the real one, and gets the real
  * name when all of it has reached the disk; a signal that ends the program removes
@@ -7,25 +7,25 @@
  * are written directly, as there is nothing to keep.  An input of the command is
  * not replaced (outputs.h).
  */
-#ifndef BASE_WHOLE_H
-#define BASE_WHOLE_H
+#ifndef BASE_ATOMIC_FILE_H
+#define BASE_ATOMIC_FILE_H
 
 #include <stdio.h>
 
 #include "vm/c205.h"
 
-struct whole {
+struct atomic_file {
     FILE *file; /* write here */
     char *path;
     char *temporary; /* NULL: written directly */
 };
 
 /* NULL: it cannot be written there. */
-struct whole *whole_open(const char *path, c205_error *error);
+struct atomic_file *atomic_file_open(const char *path, c205_error *error);
 /* Whether it could, for who has long work to do before; nothing is left. */
-bool whole_check(const char *path, c205_error *error);
+bool atomic_file_check(const char *path, c205_error *error);
 /* Both free it.  A failed commit leaves the old file as it was. */
-bool whole_commit(struct whole *whole, c205_error *error);
-void whole_discard(struct whole *whole);
+bool atomic_file_commit(struct atomic_file *whole, c205_error *error);
+void atomic_file_discard(struct atomic_file *whole);
 
 #endif
