@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/fold.h"
+#include "base/word_wrap.h"
 
 /* ---- Figures of a region ------------------------------------------------- */
 
@@ -206,7 +206,7 @@ struct table *accounts_matrix(const struct accounts *accounts, enum accounts_row
 
 static bool fits(const struct table *table)
 {
-    return !table || table_width(table) <= FOLD_WIDTH;
+    return !table || table_width(table) <= WORD_WRAP_WIDTH;
 }
 
 /* Regions from the first on, as many as lines have room for. */

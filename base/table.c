@@ -2,7 +2,7 @@
 #include "base/table.h"
 
 #include "base/array.h"
-#include "base/fold.h"
+#include "base/word_wrap.h"
 #include "base/sink.h"
 #include "base/visible.h"
 
@@ -231,7 +231,7 @@ static void plain_cell(const struct table *table, size_t column, const size_t *w
         for (size_t i = 0; i < column; i++) {
             begins += widths[i] + strlen(between);
         }
-        fold_print(text, begins, file);
+        word_wrap_print(text, begins, file);
     }
 }
 

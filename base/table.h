@@ -2,7 +2,7 @@
  *
  * Cells are added from left to right, row after row.  Text stands at the left
  * of its column, numbers at the right.  In print
- * text in the last column is folded where its line would be long (fold.h).  The same table goes to the reader, to
+ * text in the last column is folded where its line would be long (word_wrap.h).  The same table goes to the reader, to
  * other programs and to the JSON file, so that no figure is worked out twice.
  */
 #ifndef BASE_TABLE_H

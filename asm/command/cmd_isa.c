@@ -3,7 +3,7 @@
 
 #include "asm/command/cmd_isa.h"
 #include "asm/syntax.h"
-#include "base/fold.h"
+#include "base/word_wrap.h"
 
 /* What a line has room for. */
 static const struct table_column brief[] = {
@@ -35,7 +35,8 @@ static void describe_operands(const c205_insn *insn)
     while (isa_next_operand(insn, &letter, &operand)) {
         printf("  %-11s %-3.*s ", letter == insn->operands ? "operands" : "",
                operand.length, operand.written);
-        fold_print(operand.meaning ? operand.meaning : "", TEXT_BEGINS + 4, stdout);
+        word_wrap_print(operand.meaning ? operand.meaning : "", TEXT_BEGINS + 4,
+                        stdout);
     }
 }
 
@@ -43,7 +44,7 @@ static void describe_rule(const char *name, const char *text)
 {
     if (*text) {
         printf("  %-11s ", name);
-        fold_print(text, TEXT_BEGINS, stdout);
+        word_wrap_print(text, TEXT_BEGINS, stdout);
     }
 }
 
@@ -82,7 +83,7 @@ static void describe(const c205_insn *insn)
     isa_code(insn, code);
     isa_drawing(insn, drawing);
     printf("%s   ", insn->mnemonic);
-    fold_print(insn->effect, strlen(insn->mnemonic) + 3, stdout);
+    word_wrap_print(insn->effect, strlen(insn->mnemonic) + 3, stdout);
     printf("  written     %s%s%s%s\n", insn->mnemonic,
            insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "", *syntax ? " " : "",
            syntax);

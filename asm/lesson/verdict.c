@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "asm/lesson/parts.h"
-#include "base/fold.h"
+#include "base/word_wrap.h"
 #include "base/plural.h"
 
 /* ---- Sentences ------------------------------------------------------------- */
@@ -72,7 +72,7 @@ static void put_report(const struct lesson_report *report, const struct sink *si
 
         if (!strchr(text, '\n')) {
             sink_print(sink, "%*s", COLUMN, "");
-            fold_put(text, COLUMN, sink);
+            word_wrap_put(text, COLUMN, sink);
             continue;
         }
         while (*text) {

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "base/accounts_show.h"
-#include "base/fold.h"
+#include "base/word_wrap.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/unit.h"
 
@@ -185,7 +185,7 @@ TEST(matrices_are_narrow)
         show(&accounts, RESULTS_TEXT, &text);
         for (const char *line = text; *line;) {
             size_t length = strcspn(line, "\n");
-            assert_in_range(length, 0, FOLD_WIDTH);
+            assert_in_range(length, 0, WORD_WRAP_WIDTH);
             line += length + 1;
         }
         for (size_t k = 0; k < accounts.count; k++) {

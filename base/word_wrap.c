@@ -1,5 +1,5 @@
-/* fold.c - see fold.h. */
-#include "base/fold.h"
+/* word_wrap.c - see word_wrap.h. */
+#include "base/word_wrap.h"
 
 #include <stdint.h>
 #include <string.h>
@@ -19,9 +19,10 @@ static size_t fold(const char *text, size_t width)
     return length > 0 ? length : strlen(text);
 }
 
-void fold_put(const char *text, size_t column, const struct sink *sink)
+void word_wrap_put(const char *text, size_t column, const struct sink *sink)
 {
-    size_t width = column + NARROWEST <= FOLD_WIDTH ? FOLD_WIDTH - column : SIZE_MAX;
+    size_t width = column + NARROWEST <= WORD_WRAP_WIDTH ? WORD_WRAP_WIDTH - column
+                                                         : SIZE_MAX;
     for (;;) {
         size_t length = fold(text, width);
         sink->put(sink->context, text, length);
@@ -34,8 +35,8 @@ void fold_put(const char *text, size_t column, const struct sink *sink)
     }
 }
 
-void fold_print(const char *text, size_t column, FILE *file)
+void word_wrap_print(const char *text, size_t column, FILE *file)
 {
     struct sink sink = stream_sink(file);
-    fold_put(text, column, &sink);
+    word_wrap_put(text, column, &sink);
 }
