@@ -25,15 +25,15 @@ static bool is_wanted(const struct primitive *primitive)
 
 bool interiors_find(const struct scene *scene, struct interiors *interiors)
 {
-    struct numbering *bodies = &interiors->bodies;
+    struct rank_index *bodies = &interiors->bodies;
 
     interiors->index = NULL;
-    if (!numbering_begin(bodies, scene->primitive_count))
+    if (!rank_index_begin(bodies, scene->primitive_count))
         return false;
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (is_wanted(&scene->primitives[i]))
-            numbering_add(bodies, scene->primitives[i].interior);
-    numbering_settle(bodies);
+            rank_index_add(bodies, scene->primitives[i].interior);
+    rank_index_sort(bodies);
     interiors->index = calloc(bodies->count + 1, sizeof *interiors->index);
     if (!interiors->index)
         return false;
@@ -49,7 +49,7 @@ bool interiors_find(const struct scene *scene, struct interiors *interiors)
 
 void interiors_free(struct interiors *interiors)
 {
-    numbering_free(&interiors->bodies);
+    rank_index_free(&interiors->bodies);
     free(interiors->index);
 }
 
@@ -57,7 +57,7 @@ size_t interiors_number(const struct interiors *interiors,
                         const struct primitive *primitive)
 {
     return is_wanted(primitive)
-               ? numbering_place(&interiors->bodies, primitive->interior)
+               ? rank_index_place(&interiors->bodies, primitive->interior)
                : 0;
 }
 

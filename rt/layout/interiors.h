@@ -3,7 +3,7 @@
 #ifndef RT_LAYOUT_INTERIORS_H
 #define RT_LAYOUT_INTERIORS_H
 
-#include "base/numbering.h"
+#include "base/rank_index.h"
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
@@ -17,8 +17,8 @@ bool scene_has_interiors(const struct scene *scene);
 /* Those of the primitives that light passes through, and of mirrors by Fresnel's
  * formulas: the kernels number them from 1 on. */
 struct interiors {
-    struct numbering bodies; /* of the scene's numbers */
-    double *index;           /* of refraction: of air, then of each */
+    struct rank_index bodies; /* of the scene's numbers */
+    double *index;            /* of refraction: of air, then of each */
 };
 /* False: no memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);

@@ -2,7 +2,7 @@
 #include "rt/scene/language/object.h"
 
 #include "base/array.h"
-#include "base/numbering.h"
+#include "base/rank_index.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -456,25 +456,25 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object)
 
 bool object_renumber(struct scene_object *object, size_t *last)
 {
-    struct numbering old;
+    struct rank_index old;
 
-    if (!numbering_begin(&old, object->part_count + 1))
+    if (!rank_index_begin(&old, object->part_count + 1))
         return false;
     for (size_t i = 0; i < object->part_count; i++)
         if (object->parts[i].filled)
-            numbering_add(&old, object->parts[i].primitive.interior);
+            rank_index_add(&old, object->parts[i].primitive.interior);
     if (object->filled)
-        numbering_add(&old, object->interior);
-    numbering_settle(&old);
+        rank_index_add(&old, object->interior);
+    rank_index_sort(&old);
     for (size_t i = 0; i < object->part_count; i++) {
         size_t *interior = &object->parts[i].primitive.interior;
         if (object->parts[i].filled)
-            *interior = *last + numbering_place(&old, *interior);
+            *interior = *last + rank_index_place(&old, *interior);
     }
     if (object->filled)
-        object->interior = *last + numbering_place(&old, object->interior);
+        object->interior = *last + rank_index_place(&old, object->interior);
     *last += old.count;
-    numbering_free(&old);
+    rank_index_free(&old);
     return true;
 }
 

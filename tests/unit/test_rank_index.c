@@ -1,0 +1,64 @@
+/* test_rank_index.c - numbers that are counted anew: each once, in their order. */
+#include "base/rank_index.h"
+#include "tests/random.h"
+#include "tests/unit/unit.h"
+
+enum { MAX = 40, TRIES = 300 };
+
+TEST(few)
+{
+    struct rank_index ranks;
+
+    assert_true(rank_index_begin(&ranks, 3));
+    rank_index_add(&ranks, 70);
+    rank_index_add(&ranks, 20);
+    rank_index_add(&ranks, 70);
+    rank_index_sort(&ranks);
+    assert_int_equal(ranks.count, 2);
+    assert_int_equal(rank_index_place(&ranks, 20), 1);
+    assert_int_equal(rank_index_place(&ranks, 70), 2);
+    assert_int_equal(rank_index_place(&ranks, 50), 0);
+    rank_index_free(&ranks);
+    assert_true(rank_index_begin(&ranks, 0));
+    rank_index_sort(&ranks);
+    assert_int_equal(rank_index_place(&ranks, 0), 0);
+    rank_index_free(&ranks);
+}
+
+/* A place is how many other numbers are not above. */
+static size_t place_of(const size_t *numbers, size_t count, size_t number)
+{
+    size_t place = 0, found = 0;
+
+    for (size_t i = 0; i < count; i++) {
+        size_t before = 0;
+        while (before < i && numbers[before] != numbers[i])
+            before++;
+        place += before == i && numbers[i] <= number;
+        found += numbers[i] == number;
+    }
+    return found > 0 ? place : 0;
+}
+
+TEST(random)
+{
+    uint64_t random = RANDOM_SEED;
+
+    for (int try = 0; try < TRIES; try++) {
+        size_t numbers[MAX], count = xorshift(&random) % (MAX + 1);
+        struct rank_index ranks;
+
+        assert_true(rank_index_begin(&ranks, count));
+        for (size_t i = 0; i < count; i++) {
+            numbers[i] = xorshift(&random) % (try % 2 ? 30 : SIZE_MAX);
+            rank_index_add(&ranks, numbers[i]);
+        }
+        rank_index_sort(&ranks);
+        for (size_t i = 0; i < count; i++)
+            assert_int_equal(rank_index_place(&ranks, numbers[i]),
+                             place_of(numbers, count, numbers[i]));
+        for (size_t i = 0; i < 30; i++)
+            assert_int_equal(rank_index_place(&ranks, i), place_of(numbers, count, i));
+        rank_index_free(&ranks);
+    }
+}
