@@ -8,7 +8,7 @@
  * what is right; nothing else lists commands or options.
  *
  * Results go to stdout, all else to stderr; the exit codes are those of
- * complain.h.  The rows make the man page and the completion of shells, too:
+ * command_error.h.  The rows make the man page and the completion of shells, too:
  * "help --man", "help --completion bash", and "help --list" for scripts; make
  * install puts them where they belong.
  */
@@ -19,7 +19,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "base/complain.h"
+#include "base/command_error.h"
 
 /* What kind of value an option or operand has, and what it is in C. */
 enum command_kind {

@@ -1,6 +1,6 @@
 #include "base/model.h"
 
-#include "base/complain.h"
+#include "base/command_error.h"
 #include "base/diagnostic.h"
 #include "base/error.h"
 #include "base/file.h"

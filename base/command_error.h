@@ -1,10 +1,10 @@
-/* complain.h - how a command ends, and what it tells on stderr when it fails.
+/* command_error.h - how a command ends, and what it tells on stderr when it fails.
  *
  * All of them escape what a terminal would take as a command: names may hold
  * any character (base/visible.h).
  */
-#ifndef BASE_COMPLAIN_H
-#define BASE_COMPLAIN_H
+#ifndef BASE_COMMAND_ERROR_H
+#define BASE_COMMAND_ERROR_H
 
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-/* complain.c - see complain.h. */
-#include "base/complain.h"
+/* command_error.c - see command_error.h. */
+#include "base/command_error.h"
 
 #include <stdarg.h>
 #include <stdio.h>
