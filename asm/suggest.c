@@ -1,6 +1,6 @@
 #include "asm/suggest.h"
 
-#include "base/nearest.h"
+#include "base/spelling.h"
 
 static bool is_kind(const struct symbol *symbol, enum suggestion kind)
 {
@@ -15,7 +15,7 @@ static bool is_kind(const struct symbol *symbol, enum suggestion kind)
 }
 
 static void try_symbols(const struct assembler *assembler, enum suggestion kind,
-                        struct nearest *nearest)
+                        struct spelling *nearest)
 {
     const struct symbol *symbol;
     size_t i;
@@ -23,7 +23,7 @@ static void try_symbols(const struct assembler *assembler, enum suggestion kind,
     for (i = 0; i < SYMBOL_BUCKETS; i++)
         for (symbol = assembler->symbols.buckets[i]; symbol; symbol = symbol->next)
             if (is_kind(symbol, kind))
-                nearest_try(nearest, symbol->name);
+                spelling_try(nearest, symbol->name);
 }
 
 typedef const char *name_list(size_t i);
@@ -48,16 +48,16 @@ const char *asm_directive(size_t i)
 const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
                     size_t length)
 {
-    struct nearest nearest = { .word = arena_text(assembler->arena, name, length) };
+    struct spelling nearest = { .word = arena_text(assembler->arena, name, length) };
     size_t i;
 
     if (!nearest.word)
         return NULL;
     if (kind == SUGGEST_MNEMONIC)
         for (i = 0; i < c205_insn_count; i++)
-            nearest_try(&nearest, c205_insns[i].mnemonic);
+            spelling_try(&nearest, c205_insns[i].mnemonic);
     for (i = 0; kind == SUGGEST_DIRECTIVE && asm_directive(i); i++)
-        nearest_try(&nearest, asm_directive(i));
+        spelling_try(&nearest, asm_directive(i));
     try_symbols(assembler, kind, &nearest);
     return nearest.name;
 }

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "asm/statement.h"
-#include "base/nearest.h"
+#include "base/spelling.h"
 
 static const struct expression **add_value(struct cursor *cursor, struct wish *wish,
                                            size_t *capacity)
@@ -214,7 +214,7 @@ static bool resembles(const char *name, const char *end)
     enum { NEAR = 2 };
     const char *dash = memchr(name, '-', (size_t)(end - name));
 
-    return nearest_distance(name, (size_t)((dash ? dash : end) - name), "expect", 6)
+    return spelling_distance(name, (size_t)((dash ? dash : end) - name), "expect", 6)
            <= NEAR;
 }
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/command_rows.h"
-#include "base/nearest.h"
+#include "base/spelling.h"
 #include "base/outputs.h"
 
 static bool is_one_command(const struct command_program *program)
@@ -87,10 +87,10 @@ static int run(const struct command_program *program, const struct command *comm
 
 static int no_command(const struct command_program *program, const char *word)
 {
-    struct nearest nearest = { .word = word };
+    struct spelling nearest = { .word = word };
     const struct command *const *command = program->commands;
     for (; *command; command++) {
-        nearest_try(&nearest, (*command)->name);
+        spelling_try(&nearest, (*command)->name);
     }
     cmd_print_line(stderr,
                    nearest.name ? "%s: no such command: %s (%s?)"

@@ -7,7 +7,7 @@
 
 #include "base/command_rows.h"
 #include "base/file.h"
-#include "base/nearest.h"
+#include "base/spelling.h"
 #include "base/outputs.h"
 
 const struct command_option command_help_option = { .name = "help",
@@ -225,13 +225,13 @@ static bool find_beginnings(const struct parsing *parsing, const char *name,
 /* What comes near a name: the command's options, help and version. */
 static const char *nearest_option(const struct parsing *parsing, const char *name)
 {
-    struct nearest nearest = { .word = name };
+    struct spelling nearest = { .word = name };
     const struct command_option *option = parsing->command->options;
     for (; command_is_row(option); option++) {
-        nearest_try(&nearest, option->name);
+        spelling_try(&nearest, option->name);
     }
-    nearest_try(&nearest, command_help_option.name);
-    nearest_try(&nearest, command_version_option.name);
+    spelling_try(&nearest, command_help_option.name);
+    spelling_try(&nearest, command_version_option.name);
     return nearest.name;
 }
 

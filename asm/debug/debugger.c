@@ -7,7 +7,7 @@
 
 #include "asm/debug/parts.h"
 #include "asm/object.h"
-#include "base/nearest.h"
+#include "base/spelling.h"
 
 /* Bytes of snapshots, unless it is told another number. */
 static const size_t usual_history = (size_t)128 << 20;
@@ -259,13 +259,13 @@ static void tell_unknown(struct debugger *debugger, const char *name, size_t len
 {
     const struct debugger_verb *more = debugger->setup.verbs;
     char word[40];
-    struct nearest nearest = { .word = word };
+    struct spelling nearest = { .word = word };
 
     snprintf(word, sizeof word, "%.*s", (int)length, name);
     for (size_t i = 0; i < VERBS; i++)
-        nearest_try(&nearest, verbs[i].name);
+        spelling_try(&nearest, verbs[i].name);
     for (; more && more->name; more++)
-        nearest_try(&nearest, more->name);
+        spelling_try(&nearest, more->name);
     debug_fault(debugger, "there is no '%.*s': %s%s%s", length < 40 ? (int)length : 40,
                 name, nearest.name ? "was it " : "help lists what there is",
                 nearest.name ? nearest.name : "", nearest.name ? "?" : "");

@@ -8,7 +8,7 @@
 
 #include "asm/lesson/parts.h"
 #include "base/error.h"
-#include "base/nearest.h"
+#include "base/spelling.h"
 #include "vm/text.h"
 
 const char *medal_name(enum medal medal)
@@ -201,14 +201,14 @@ void lessons_free(struct lessons *lessons)
 const struct lesson *lessons_find(const struct lessons *lessons, const char *name,
                                   c205_error *error)
 {
-    struct nearest nearest = { .word = name };
+    struct spelling nearest = { .word = name };
 
     for (size_t i = 0; i < lessons->count; i++) {
         const struct lesson *lesson = &lessons->items[i];
 
         if (lesson_is_named(lesson, name))
             return lesson;
-        nearest_try(&nearest, lesson->name);
+        spelling_try(&nearest, lesson->name);
     }
     if (nearest.name)
         error_say(error, "there is no lesson '%.80s'; is it '%.80s'?", name,

@@ -6,7 +6,7 @@
 
 #include "asm/lesson/parts.h"
 #include "base/error.h"
-#include "base/nearest.h"
+#include "base/spelling.h"
 
 /* Where a note stands; its text is from at to end. */
 struct test_note {
@@ -159,7 +159,7 @@ static bool check_name(const struct test_note *note, size_t length)
 
         bad = bad
               || (own > LONG && length >= LONG
-                  && nearest_distance(note->at, length, kinds[i].name, own) <= NEAR);
+                  && spelling_distance(note->at, length, kinds[i].name, own) <= NEAR);
     }
     return !bad
            || refuse(note, "a note like this is 'test:', 'goals:' or "

@@ -23,9 +23,9 @@ void random_direction(uint64_t *random, double direction[3])
 /* --- crossings of a surface of many parts -------------------------------- */
 
 
-struct nearest shoot(const struct surface *surface, const struct ray *ray)
+struct spelling shoot(const struct surface *surface, const struct ray *ray)
 {
-    struct nearest nearest = { INFINITY, { 0 } };
+    struct spelling nearest = { INFINITY, { 0 } };
     for (size_t i = 0; i < surface->count; i++) {
         struct crossing crossings[MAX_CROSSINGS];
         size_t count = plain_crossings(&surface->parts[i], ray, crossings);
@@ -58,7 +58,7 @@ void assert_hits(const struct surface *surface, const struct expectation *rows,
         struct ray ray;
         copy(ray.origin, rows[i].origin);
         copy(ray.direction, rows[i].direction);
-        struct nearest found = shoot(surface, &ray);
+        struct spelling found = shoot(surface, &ray);
         if (rows[i].distance == 0) {
             assert_true(isinf(found.distance));
             continue;
@@ -140,7 +140,7 @@ void assert_same_surface(const struct surface *a, const struct surface *b, doubl
     int hits = 0, strays = 0;
     for (int i = 0; i < 2000; i++) {
         struct ray ray = random_ray(&random, size);
-        struct nearest x = shoot(a, &ray), y = shoot(b, &ray);
+        struct spelling x = shoot(a, &ray), y = shoot(b, &ray);
         hits += !isinf(x.distance);
         if (isinf(x.distance) && isinf(y.distance))
             continue;

@@ -23,12 +23,12 @@ struct surface {
     struct primitive parts[MAX_PARTS];
 };
 
-struct nearest {
+struct spelling {
     double distance; /* infinite: none */
     double normal[3];
 };
 
-struct nearest shoot(const struct surface *surface, const struct ray *ray);
+struct spelling shoot(const struct surface *surface, const struct ray *ray);
 struct surface one(enum primitive_kind kind);
 
 /* One ray: the distance (0: none), the normal that faces it. */

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "base/command.h"
-#include "base/nearest.h"
+#include "base/spelling.h"
 #include "base/progress.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"
@@ -431,7 +431,7 @@ TEST(nearest)
         size_t length = strlen(name);
         size_t at = (size_t)xorshift_between(&random, 0, (int64_t)length - 2);
         char word[16];
-        struct nearest nearest = { .word = word };
+        struct spelling nearest = { .word = word };
 
         strcpy(word, name);
         switch (xorshift_between(&random, 0, 3)) {
@@ -441,16 +441,16 @@ TEST(nearest)
         default: word[at] = name[at + 1], word[at + 1] = name[at];
         }
         for (int k = 0; k < 5; k++)
-            nearest_try(&nearest, names[k]);
+            spelling_try(&nearest, names[k]);
         assert_ptr_equal(nearest.name, name);
     }
-    struct nearest swapped = { .word = "rnu" };
-    nearest_try(&swapped, "run");
+    struct spelling swapped = { .word = "rnu" };
+    spelling_try(&swapped, "run");
     assert_string_equal(swapped.name, "run");
-    struct nearest nothing = { .word = "fit" };
-    nearest_try(&nothing, "quartic");
-    nearest_try(&nothing, "run");
-    nearest_try(&nothing, "a name of more than forty letters is near nobody");
+    struct spelling nothing = { .word = "fit" };
+    spelling_try(&nothing, "quartic");
+    spelling_try(&nothing, "run");
+    spelling_try(&nothing, "a name of more than forty letters is near nobody");
     assert_null(nothing.name);
 }
 

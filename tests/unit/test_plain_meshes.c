@@ -123,7 +123,7 @@ static void assert_there_and_back(uint64_t *random, const struct triangle *trian
     mixed(triangle->corners, shares, point);
     random_direction(random, ray.direction);
     add_scaled(ray.origin, point, -1.5, ray.direction);
-    struct nearest found = shoot(&surface, &ray);
+    struct spelling found = shoot(&surface, &ray);
     if (within) {
         assert_near(found.distance, 1.5, 1e-9);
         assert_normal(triangle, shares, found.normal);

@@ -1,6 +1,6 @@
-/* test_nearest.c - the distance of two words against its definition, and the
+/* test_spelling.c - the distance of two words against its definition, and the
  * nearest of many. */
-#include "base/nearest.h"
+#include "base/spelling.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
@@ -42,20 +42,20 @@ TEST(distance)
     for (i = 0; i < 3000; i++) {
         some_word(&seed, a);
         some_word(&seed, b);
-        assert_int_equal(nearest_distance(a, strlen(a), b, strlen(b)), plain(a, b));
+        assert_int_equal(spelling_distance(a, strlen(a), b, strlen(b)), plain(a, b));
     }
-    assert_int_equal(nearest_distance("ADDVN", 5, "addnv", 5), 1);
-    assert_int_equal(nearest_distance("x", 65, "x", 1), 80);
+    assert_int_equal(spelling_distance("ADDVN", 5, "addnv", 5), 1);
+    assert_int_equal(spelling_distance("x", 65, "x", 1), 80);
 }
 
 static const char *of_these(const char *written)
 {
     static const char *const names[] = { "ADDN", "ADDNV", "ES", "EX", "total", NULL };
-    struct nearest nearest = { .word = written };
+    struct spelling nearest = { .word = written };
     size_t i;
 
     for (i = 0; names[i]; i++)
-        nearest_try(&nearest, names[i]);
+        spelling_try(&nearest, names[i]);
     return nearest.name;
 }
 

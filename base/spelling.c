@@ -1,5 +1,5 @@
-/* nearest.c - see nearest.h. */
-#include "base/nearest.h"
+/* spelling.c - see spelling.h. */
+#include "base/spelling.h"
 
 #include <ctype.h>
 #include <stdbool.h>
@@ -40,25 +40,25 @@ static size_t distance(const char *a, size_t a_length, const char *b, size_t b_l
     return rows[a_length][b_length];
 }
 
-size_t nearest_distance(const char *a, size_t a_length, const char *b, size_t b_length)
+size_t spelling_distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
     return a_length > MAX_LETTERS || b_length > MAX_LETTERS
                ? 2 * MAX_LETTERS
                : distance(a, a_length, b, b_length);
 }
 
-void nearest_try(struct nearest *nearest, const char *name)
+void spelling_try(struct spelling *spelling, const char *name)
 {
-    size_t length = strlen(nearest->word), name_length = strlen(name);
+    size_t length = strlen(spelling->word), name_length = strlen(name);
     if (length > MAX_LETTERS || name_length > MAX_LETTERS) {
         return;
     }
-    size_t wrong = distance(nearest->word, length, name, name_length);
-    bool better = !nearest->name || wrong < nearest->distance
-                  || (wrong == nearest->distance && name_length == length
-                      && strlen(nearest->name) != length);
+    size_t wrong = distance(spelling->word, length, name, name_length);
+    bool better = !spelling->name || wrong < spelling->distance
+                  || (wrong == spelling->distance && name_length == length
+                      && strlen(spelling->name) != length);
     if (wrong <= (length + 2) / 3 && better) {
-        nearest->name = name;
-        nearest->distance = wrong;
+        spelling->name = name;
+        spelling->distance = wrong;
     }
 }
