@@ -444,23 +444,23 @@ struct table *line_profile_table(const struct line_profile *profile,
 
 /* For the eye with causes in words. */
 int line_profile_show(const struct line_profile *profile, struct profile_view view,
-                      const struct results *results)
+                      const struct command_output *results)
 {
-    struct results shown = *results, kept = *results;
+    struct command_output shown = *results, kept = *results;
     bool words = results->file
-                 && (results->format == RESULTS_TEXT
-                     || results->format == RESULTS_MARKDOWN);
+                 && (results->format == OUTPUT_TEXT
+                     || results->format == OUTPUT_MARKDOWN);
     int code;
 
     if (!words)
-        return results_show(results, line_profile_table(profile, view, false), "lines",
-                            "Lines");
+        return output_show(results, line_profile_table(profile, view, false), "lines",
+                           "Lines");
     shown.json = NULL;
     kept.file = NULL;
-    results_gap(results);
-    code = results_show(&shown, line_profile_table(profile, view, true), NULL, "Lines");
+    output_gap(results);
+    code = output_show(&shown, line_profile_table(profile, view, true), NULL, "Lines");
     return code != CMD_DONE || !results->json
                ? code
-               : results_show(&kept, line_profile_table(profile, view, false), "lines",
-                              NULL);
+               : output_show(&kept, line_profile_table(profile, view, false), "lines",
+                             NULL);
 }

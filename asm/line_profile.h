@@ -11,7 +11,7 @@
 #define ASM_LINE_PROFILE_H
 
 #include "asm/assemble.h"
-#include "base/results.h"
+#include "base/command_output.h"
 
 struct line_profile;
 
@@ -49,6 +49,6 @@ struct table *line_profile_table(const struct line_profile *profile,
                                  struct profile_view view, bool in_words);
 /* What suits the format of the results; in JSON "lines".  The exit code. */
 int line_profile_show(const struct line_profile *profile, struct profile_view view,
-                      const struct results *results);
+                      const struct command_output *results);
 
 #endif

@@ -223,7 +223,8 @@ static struct table *widest(const struct accounts *accounts, size_t first,
 }
 
 /* One matrix, or several below one another. */
-static int show_parts(const struct accounts *accounts, const struct results *results)
+static int show_parts(const struct accounts *accounts,
+                      const struct command_output *results)
 {
     size_t first = 0, all = accounts_regions(accounts), count;
     int code = CMD_DONE;
@@ -231,42 +232,44 @@ static int show_parts(const struct accounts *accounts, const struct results *res
         count = all - first;
         struct table *table = widest(accounts, first, &count);
         if (first > 0) {
-            results_gap(results);
+            output_gap(results);
         }
-        code = results_show(results, table, NULL, "Clocks");
+        code = output_show(results, table, NULL, "Clocks");
         first += count;
     } while (code == CMD_DONE && first < all);
     return code;
 }
 
-static int show_matrix(const struct accounts *accounts, const struct results *results)
+static int show_matrix(const struct accounts *accounts,
+                       const struct command_output *results)
 {
-    bool narrow = results->format == RESULTS_TEXT;
+    bool narrow = results->format == OUTPUT_TEXT;
     for (int rows = ACCOUNTS_CAUSES; rows <= ACCOUNTS_REGIONS; rows++) {
         struct table *table = accounts_matrix(accounts, (enum accounts_rows)rows, 0,
                                               accounts->count);
         if (!narrow || fits(table)) {
-            return results_show(results, table, NULL, "Clocks");
+            return output_show(results, table, NULL, "Clocks");
         }
         table_free(table);
     }
     return show_parts(accounts, results);
 }
 
-static int show_exact(const struct accounts *accounts, const struct results *results)
+static int show_exact(const struct accounts *accounts,
+                      const struct command_output *results)
 {
-    int code = results_show(results, accounts_by_cause(accounts), "causes",
-                            "Clocks by cause");
+    int code = output_show(results, accounts_by_cause(accounts), "causes",
+                           "Clocks by cause");
     return code != CMD_DONE ? code
-                            : results_show(results, accounts_by_region(accounts),
-                                           "regions", "By region");
+                            : output_show(results, accounts_by_region(accounts),
+                                          "regions", "By region");
 }
 
-int accounts_show(const struct accounts *accounts, const struct results *results)
+int accounts_show(const struct accounts *accounts, const struct command_output *results)
 {
-    struct results exact = *results, matrix = *results;
+    struct command_output exact = *results, matrix = *results;
     int code;
-    if (results->format != RESULTS_CSV) {
+    if (results->format != OUTPUT_CSV) {
         exact.file = NULL;
     }
     matrix.json = NULL;

@@ -8,10 +8,11 @@
 #define BASE_ACCOUNTS_SHOW_H
 
 #include "base/accounts.h"
-#include "base/results.h"
+#include "base/command_output.h"
 
 /* The exit code, after telling what is wrong. */
-int accounts_show(const struct accounts *accounts, const struct results *results);
+int accounts_show(const struct accounts *accounts,
+                  const struct command_output *results);
 
 /* The matrix; causes are rows, or regions are, which is narrower where there
  * are many of them. */

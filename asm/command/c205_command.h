@@ -12,7 +12,7 @@
 #include "base/command_options.h"
 #include "base/model.h"
 #include "base/provenance.h"
-#include "base/results.h"
+#include "base/command_output.h"
 #include "base/visible.h"
 
 extern const struct command run_command, asm_command, dis_command, isa_command,
@@ -41,7 +41,7 @@ struct cmd_warnings {
 struct c205_arguments {
     const char *command;
     const char *model;
-    struct results results;
+    struct command_output results;
     const char *other_model;             /* of the second program; NULL: the same */
     const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit, from;
@@ -69,10 +69,10 @@ command_take cmd_take_warning;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
-#define CMD_RESULTS RESULTS_OPTIONS(struct c205_arguments, results)
+#define CMD_RESULTS OUTPUT_OPTIONS(struct c205_arguments, results)
 /* .. of figures on a model. */
 #define CMD_FIGURES \
-    CMD_RESULTS, RESULTS_OPTION_PROVENANCE(struct c205_arguments, results)
+    CMD_RESULTS, OUTPUT_OPTION_PROVENANCE(struct c205_arguments, results)
 #define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
 #define CMD_DEFINE \
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_OWN, \

@@ -59,15 +59,14 @@ void check_join(struct text_buffer *buffer, const struct lesson_report *report)
 static int show_verdict(const struct check_command *check,
                         const struct lesson_verdict *verdict)
 {
-    const struct results *results = &check->results;
+    const struct command_output *results = &check->results;
     bool good = true;
-    if (results->file && results->format == RESULTS_TEXT) {
+    if (results->file && results->format == OUTPUT_TEXT) {
         struct sink sink = visible_stream(results->file);
         lesson_verdict_put(verdict, &sink);
     } else if (results->file) {
         struct table *table = trial_table(verdict);
-        good = table
-               && table_write(table, results_table_format(results), results->file);
+        good = table && table_write(table, output_table_format(results), results->file);
         table_free(table);
     }
     if (results->json) {
@@ -126,10 +125,10 @@ static int open_and_work(struct check_command *check)
     if (arguments->start) {
         return check_start(check);
     }
-    if (!results_open(&check->results, arguments->command, NULL)) {
+    if (!output_open(&check->results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
-    int code = results_close(&check->results, work(check, &good));
+    int code = output_close(&check->results, work(check, &good));
     return code == CMD_DONE && !good ? CMD_FAILED : code;
 }
 

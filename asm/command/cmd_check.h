@@ -7,7 +7,7 @@
 
 struct check_command {
     const struct c205_arguments *arguments;
-    struct results results;
+    struct command_output results;
     struct lessons lessons;
     struct lesson own;           /* a teacher's, from a folder */
     const struct lesson *lesson; /* that was named, or NULL */

@@ -302,7 +302,7 @@ static struct table *new_table(void)
 static int take_class(struct handed_in *all)
 {
     const struct c205_arguments *arguments = all->check->arguments;
-    const struct results *results = &all->check->results;
+    const struct command_output *results = &all->check->results;
     if (results->json) {
         json_array(results->json, "hand_ins");
     }
@@ -318,7 +318,7 @@ static int take_class(struct handed_in *all)
     }
     return !all->failed
                    && (!results->file
-                       || table_write(all->table, results_table_format(results),
+                       || table_write(all->table, output_table_format(results),
                                       results->file))
                ? CMD_DONE
                : cmd_failed(arguments->command, "no memory");

@@ -19,7 +19,7 @@ int check_list(const struct check_command *check)
         table_text(table, lesson->name);
         table_text(table, lesson->title);
     }
-    return results_show(&check->results, table, "lessons", NULL);
+    return output_show(&check->results, table, "lessons", NULL);
 }
 
 /* ---- What a test has ------------------------------------------------------- */
@@ -96,7 +96,7 @@ static int show_tests(const struct check_command *check)
             return cmd_failed(check->arguments->command, "%s", error.message);
         }
     }
-    return results_show(&check->results, table, "tests", "Tests");
+    return output_show(&check->results, table, "tests", "Tests");
 }
 
 /* ---- A lesson -------------------------------------------------------------- */
@@ -146,17 +146,17 @@ static void put_text(const struct check_command *check)
 int check_show(const struct check_command *check)
 {
     const struct lesson *lesson = check->lesson;
-    const struct results *results = &check->results;
+    const struct command_output *results = &check->results;
     if (results->json) {
         json_text(results->json, "lesson", lesson->name);
         json_text(results->json, "title", lesson->title);
         json_text(results->json, "text", lesson->text);
         json_text(results->json, "start", lesson->start);
     }
-    if (results->file && results->format == RESULTS_TEXT) {
+    if (results->file && results->format == OUTPUT_TEXT) {
         put_text(check);
     }
-    results_gap(results);
+    output_gap(results);
     return show_tests(check);
 }
 

@@ -87,38 +87,38 @@ static bool run_side(struct two_runs *runs, int which)
 
 /* ---- The command ----------------------------------------------------------- */
 
-static int show_next(const struct results *results, struct table *table,
+static int show_next(const struct command_output *results, struct table *table,
                      const char *key, const char *heading, int code)
 {
     if (code != CMD_DONE) {
         table_free(table);
         return code;
     }
-    results_gap(results);
-    return results_show(results, table, key, heading);
+    output_gap(results);
+    return output_show(results, table, key, heading);
 }
 
-static int show(const struct two_runs *runs, const struct results *results)
+static int show(const struct two_runs *runs, const struct command_output *results)
 {
     char sentence[COMPARED_SENTENCE];
     int code;
     for (int i = 0; i < COMPARED_RUNS; i++) {
         const struct side *side = &runs->side[i];
-        results_say(results, "%s: %s on %s\n", i ? "second" : "first", side->path,
-                    c205_model_name(side->model));
+        output_printf(results, "%s: %s on %s\n", i ? "second" : "first", side->path,
+                      c205_model_name(side->model));
     }
     code = show_next(results, compared_causes(runs->run), "causes", "Causes", CMD_DONE);
     code = show_next(results, compared_regions(runs->run), "regions", "Regions", code);
     code = show_next(results, compared_figures(runs->run), "figures", "Figures", code);
-    results_gap(results);
+    output_gap(results);
     compared_sentence(runs->run, sentence);
-    results_say(results, "%s\n", sentence);
+    output_printf(results, "%s\n", sentence);
     for (int i = 0; i < COMPARED_RUNS; i++) {
         if (i == COMPARED_FIRST
             || strcmp(c205_model_name(runs->side[i].model),
                       c205_model_name(runs->side[COMPARED_FIRST].model))
                    != 0) {
-            results_model(results, runs->side[i].model);
+            output_model(results, runs->side[i].model);
         }
     }
     return code;
@@ -126,18 +126,18 @@ static int show(const struct two_runs *runs, const struct results *results)
 
 static int compare(struct two_runs *runs)
 {
-    struct results results = runs->arguments->results;
+    struct command_output results = runs->arguments->results;
     int code;
     if (!read_side(runs, COMPARED_FIRST) || !read_side(runs, COMPARED_SECOND)
         || !uses_defines(runs) || !run_side(runs, COMPARED_FIRST)
         || !run_side(runs, COMPARED_SECOND)) {
         return CMD_FAILED;
     }
-    if (!results_open(&results, runs->arguments->command, NULL)) {
+    if (!output_open(&results, runs->arguments->command, NULL)) {
         return CMD_FAILED;
     }
     code = show(runs, &results);
-    return results_close(&results, code);
+    return output_close(&results, code);
 }
 
 static int run(void *given)

@@ -197,16 +197,17 @@ static bool print_text(const struct c205_arguments *arguments)
 }
 
 /* What is not text has the rows of the whole table in each case. */
-static int show(const struct c205_arguments *arguments, const struct results *results)
+static int show(const struct c205_arguments *arguments,
+                const struct command_output *results)
 {
-    struct results rest = *results;
-    if (results->format == RESULTS_TEXT) {
+    struct command_output rest = *results;
+    if (results->format == OUTPUT_TEXT) {
         rest.file = NULL;
         if (!print_text(arguments)) {
             return cmd_failed(arguments->command, "no memory");
         }
     }
-    return results_show(&rest, chosen_rows(arguments), "instructions", NULL);
+    return output_show(&rest, chosen_rows(arguments), "instructions", NULL);
 }
 
 /* What tells the model's clocks. */
@@ -248,7 +249,7 @@ static bool stands_alone(const struct c205_arguments *arguments)
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
-    struct results results = arguments->results;
+    struct command_output results = arguments->results;
     const char *form = other_form(arguments);
     if (form) {
         return !stands_alone(arguments)
@@ -262,10 +263,10 @@ static int run(void *given)
             return cmd_usage(arguments->command, "no such instruction: %s", name);
         }
     }
-    if (!results_open(&results, arguments->command, NULL)) {
+    if (!output_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
-    return results_close(&results, show(arguments, &results));
+    return output_close(&results, show(arguments, &results));
 }
 
 static const char *mnemonic_choice(size_t number)

@@ -13,7 +13,7 @@ static const struct table_column constant_columns[] = {
     { "remark", "remark", TABLE_TEXT, 0 },
 };
 
-static int show_models(const char *command, const struct results *results)
+static int show_models(const char *command, const struct command_output *results)
 {
     struct table *table = table_new(TABLE_COLUMNS(model_columns));
     const char *const *names = c205_model_names();
@@ -28,12 +28,12 @@ static int show_models(const char *command, const struct results *results)
         table_text(table, c205_model_title(model));
         c205_model_free(model);
     }
-    return results_show(results, table, "models", "Models");
+    return output_show(results, table, "models", "Models");
 }
 
-static int show_constants(const c205_model *model, const struct results *results)
+static int show_constants(const c205_model *model, const struct command_output *results)
 {
-    struct results head = *results;
+    struct command_output head = *results;
     struct table *table = table_new(TABLE_COLUMNS(constant_columns));
     for (size_t i = 0; table && i < c205_model_size(model); i++) {
         const c205_constant *constant = c205_model_constant(model, i);
@@ -44,16 +44,17 @@ static int show_constants(const c205_model *model, const struct results *results
         table_text(table, source);
         table_text(table, constant->remark);
     }
-    results_say(results, "%s\n", c205_model_title(model));
+    output_printf(results, "%s\n", c205_model_title(model));
     head.provenance = true;
-    results_model(&head, model);
+    output_model(&head, model);
     if (results->json) {
         provenance_json(model, results->json);
     }
-    return results_show(results, table, "constants", "Constants");
+    return output_show(results, table, "constants", "Constants");
 }
 
-static int show(const char *command, const char *name, const struct results *results)
+static int show(const char *command, const char *name,
+                const struct command_output *results)
 {
     if (!name) {
         return show_models(command, results);
@@ -70,12 +71,12 @@ static int show(const char *command, const char *name, const struct results *res
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
-    struct results results = arguments->results;
-    if (!results_open(&results, arguments->command, NULL)) {
+    struct command_output results = arguments->results;
+    if (!output_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
     int code = show(arguments->command, arguments->file, &results);
-    return results_close(&results, code);
+    return output_close(&results, code);
 }
 
 static const struct command_option options[] = { CMD_RESULTS, COMMAND_END };

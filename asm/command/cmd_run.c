@@ -52,7 +52,7 @@ static const char *program_name(const struct c205_arguments *arguments)
 
 static int show_profile(const struct c205_arguments *arguments,
                         const struct line_profile *profile,
-                        const struct results *results)
+                        const struct command_output *results)
 {
     struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
                                                      : PROFILE_HOTTEST,
@@ -61,7 +61,7 @@ static int show_profile(const struct c205_arguments *arguments,
 }
 
 static int show_accounts(const struct c205_arguments *arguments, const c205 *machine,
-                         const c205_stop *stop, const struct results *results)
+                         const c205_stop *stop, const struct command_output *results)
 {
     const c205_model *model = c205_machine_model(machine);
     struct accounts accounts = { .model = model };
@@ -76,10 +76,10 @@ static int show_accounts(const struct c205_arguments *arguments, const c205 *mac
         stop_json(machine, stop, results->json);
     }
     accounts_time(model, c205_clock(machine), time);
-    results_say(results, "%" PRIu64 " clock%s, %s\n", c205_clock(machine),
-                plural(c205_clock(machine)), time);
+    output_printf(results, "%" PRIu64 " clock%s, %s\n", c205_clock(machine),
+                  plural(c205_clock(machine)), time);
     int code = accounts_show(&accounts, results);
-    results_model(results, model);
+    output_model(results, model);
     accounts_free(&accounts);
     return code;
 }
@@ -128,7 +128,7 @@ static bool may_go_on(const c205_stop *stop)
 
 static int save(const struct c205_arguments *arguments, const struct object *object,
                 const c205 *machine, const c205_stop *stop,
-                const struct results *results)
+                const struct command_output *results)
 {
     c205_error error;
     if (!may_go_on(stop)) {
@@ -139,16 +139,16 @@ static int save(const struct c205_arguments *arguments, const struct object *obj
     if (!state_save(machine, arguments->save, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    results_say(results, "stopped by %s, and saved as %s\n",
-                interrupt_came() ? "Ctrl-C" : "the limit", arguments->save);
+    output_printf(results, "stopped by %s, and saved as %s\n",
+                  interrupt_came() ? "Ctrl-C" : "the limit", arguments->save);
     return CMD_DONE;
 }
 
 /* The output of the program is part of text results; it would spoil any other
  * format, and goes to stderr then. */
-static FILE *program_stream(const struct results *results)
+static FILE *program_stream(const struct command_output *results)
 {
-    bool among = results->file == stdout && results->format == RESULTS_TEXT;
+    bool among = results->file == stdout && results->format == OUTPUT_TEXT;
     return among ? stdout : stderr;
 }
 
@@ -184,7 +184,7 @@ static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
 /* An interruption is not lost among the results. */
 static int conclude(const struct c205_arguments *arguments, const struct object *object,
                     const c205 *machine, const c205_stop *stop,
-                    const struct results *results)
+                    const struct command_output *results)
 {
     int code = arguments->save    ? save(arguments, object, machine, stop, results)
                : interrupt_came() ? CMD_DONE
@@ -225,8 +225,8 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
                const struct object *object)
 {
     struct program_watch *watch;
-    struct results results = arguments->results;
-    if (!results_open(&results, arguments->command, arguments->save)) {
+    struct command_output results = arguments->results;
+    if (!output_open(&results, arguments->command, arguments->save)) {
         return CMD_FAILED;
     }
     struct line_tracker printed = { stream_sink(program_stream(&results)), false };
@@ -243,7 +243,7 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
     if ((arguments->profile
          && (!profile || !c205_listen(machine, line_profile_listen, profile)))
         || !start_watch(arguments, machine, object, &messages, &watch)) {
-        results_close(&results, CMD_FAILED);
+        output_close(&results, CMD_FAILED);
         line_profile_free(profile);
         return cmd_failed(arguments->command, "no memory");
     }
@@ -257,7 +257,7 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
         code = show_profile(arguments, profile, &results);
     }
     line_profile_free(profile);
-    code = results_close(&results, code);
+    code = output_close(&results, code);
     int verdict = conclude(arguments, object, machine, &stop, &results);
     return code != CMD_DONE ? code : errors ? CMD_FAILED : verdict;
 }

@@ -17,7 +17,7 @@ static const uint64_t patience = 100000000;
 
 struct checker {
     const struct c205_arguments *arguments;
-    const struct results *results;
+    const struct command_output *results;
     struct table *table; /* where results are not text */
     c205_model *model;   /* of the last program, kept for the next */
     c205 *machine;
@@ -149,16 +149,17 @@ static void tell_row(struct table *table, const struct verdict *verdict)
 }
 
 /* The reasons stand a little to the right. */
-static void tell_text(const struct results *results, const struct verdict *verdict)
+static void tell_text(const struct command_output *results,
+                      const struct verdict *verdict)
 {
     const char *text = verdict->report;
     const char *other = verdict->other_model;
-    results_say(results, "%s %s%s%s%s\n", verdict->good ? "PASS" : "FAIL",
-                verdict->path, other ? " (but for the clocks: not of " : "",
-                other ? other : "", other ? ")" : "");
+    output_printf(results, "%s %s%s%s%s\n", verdict->good ? "PASS" : "FAIL",
+                  verdict->path, other ? " (but for the clocks: not of " : "",
+                  other ? other : "", other ? ")" : "");
     while (*text) {
         size_t length = strcspn(text, "\n");
-        results_say(results, "    %.*s\n", (int)length, text);
+        output_printf(results, "    %.*s\n", (int)length, text);
         text += length + (text[length] != '\0');
     }
 }
@@ -209,8 +210,8 @@ static void check_one(struct checker *checker, const char *path)
 static int check_all(struct checker *checker)
 {
     const struct c205_arguments *arguments = checker->arguments;
-    const struct results *results = checker->results;
-    bool tabular = results->file && results->format != RESULTS_TEXT;
+    const struct command_output *results = checker->results;
+    bool tabular = results->file && results->format != OUTPUT_TEXT;
     if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
         return cmd_failed(arguments->command, "no memory");
     }
@@ -224,11 +225,11 @@ static int check_all(struct checker *checker)
         json_end(results->json);
     }
     bool good = !tabular
-                || table_write(checker->table, results_table_format(results),
+                || table_write(checker->table, output_table_format(results),
                                results->file);
     table_free(checker->table);
-    results_say(results, "%zu passed, %zu failed\n",
-                arguments->files.count - checker->failures, checker->failures);
+    output_printf(results, "%zu passed, %zu failed\n",
+                  arguments->files.count - checker->failures, checker->failures);
     return !good                   ? cmd_failed(arguments->command, "no memory")
            : checker->failures > 0 ? CMD_FAILED
                                    : CMD_DONE;
@@ -245,14 +246,14 @@ static bool check_model(const struct c205_arguments *arguments)
 /* What failed is a result, too: the JSON is kept. */
 int cmd_run_check(const struct c205_arguments *arguments)
 {
-    struct results results = arguments->results;
+    struct command_output results = arguments->results;
     struct checker checker = { .arguments = arguments, .results = &results };
     checker.printer.sink = text_buffer_sink(&checker.printed);
-    if (!check_model(arguments) || !results_open(&results, arguments->command, NULL)) {
+    if (!check_model(arguments) || !output_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
     int code = check_all(&checker);
     drop_machine(&checker);
-    int kept = results_close(&results, CMD_DONE);
+    int kept = output_close(&results, CMD_DONE);
     return code == CMD_DONE ? kept : code;
 }

@@ -23,63 +23,65 @@ static double clocks_of(const struct swept_point *point, size_t which)
 /* ---- In words -------------------------------------------------------------- */
 
 static void tell_line(const struct program_sweep *sweep, int which,
-                      const struct results *results)
+                      const struct command_output *results)
 {
     struct swept_line line = swept_line_of(sweep, which);
     if (!line.grows) {
-        results_say(results, "The clocks of the %s do not grow with %s.\n",
-                    swept_names[which], sweep->constant);
+        output_printf(results, "The clocks of the %s do not grow with %s.\n",
+                      swept_names[which], sweep->constant);
     } else if (!line.good) {
-        results_say(results,
-                    "The %s is no straight line in %s: one would be %.1f %% "
-                    "off at %" PRIu64 ". At the end its clocks go with the "
-                    "power %.2f.\n",
-                    swept_names[which], sweep->constant, 100 * line.off, line.off_at,
-                    swept_power(sweep, which));
+        output_printf(results,
+                      "The %s is no straight line in %s: one would be %.1f %% "
+                      "off at %" PRIu64 ". At the end its clocks go with the "
+                      "power %.2f.\n",
+                      swept_names[which], sweep->constant, 100 * line.off, line.off_at,
+                      swept_power(sweep, which));
     }
 }
 
 static void tell_crossings(const struct program_sweep *sweep,
-                           const struct results *results)
+                           const struct command_output *results)
 {
     const struct swept_point *begin = sweep->points;
     bool faster = clocks_of(begin, SWEPT_SECOND) < clocks_of(begin, SWEPT_FIRST);
     if (sweep->crossing_count == 0) {
-        results_say(results, "The second is %s, from %" PRIu64 " to %" PRIu64 ".\n",
-                    faster ? "faster everywhere" : "nowhere faster", sweep->range.from,
-                    sweep->range.to);
+        output_printf(results, "The second is %s, from %" PRIu64 " to %" PRIu64 ".\n",
+                      faster ? "faster everywhere" : "nowhere faster",
+                      sweep->range.from, sweep->range.to);
     }
     for (size_t i = 0; i < sweep->crossing_count; i++) {
         const struct swept_crossing *crossing = &sweep->crossings[i];
-        results_say(results,
-                    "From %s = %" PRIu64 " on the second is %s: %.0f clock%s, "
-                    "and the first %.0f.\n",
-                    sweep->constant, crossing->at.value,
-                    crossing->faster ? "faster" : "not faster any more",
-                    clocks_of(&crossing->at, SWEPT_SECOND),
-                    plural((uint64_t)clocks_of(&crossing->at, SWEPT_SECOND)),
-                    clocks_of(&crossing->at, SWEPT_FIRST));
+        output_printf(results,
+                      "From %s = %" PRIu64 " on the second is %s: %.0f clock%s, "
+                      "and the first %.0f.\n",
+                      sweep->constant, crossing->at.value,
+                      crossing->faster ? "faster" : "not faster any more",
+                      clocks_of(&crossing->at, SWEPT_SECOND),
+                      plural((uint64_t)clocks_of(&crossing->at, SWEPT_SECOND)),
+                      clocks_of(&crossing->at, SWEPT_FIRST));
     }
 }
 
 /* ---- Results --------------------------------------------------------------- */
 
 /* Tables of which the reader is told in words; in print they are for other programs. */
-static int show_rest(const struct program_sweep *sweep, const struct results *results)
+static int show_rest(const struct program_sweep *sweep,
+                     const struct command_output *results)
 {
-    struct results rest = *results;
+    struct command_output rest = *results;
     int code;
-    if (results->format != RESULTS_CSV) {
+    if (results->format != OUTPUT_CSV) {
         rest.file = NULL;
     }
-    code = results_show(&rest, swept_causes(sweep), "causes", "Causes");
+    code = output_show(&rest, swept_causes(sweep), "causes", "Causes");
     if (code == CMD_DONE && sweep->program_count == SWEPT_PROGRAMS) {
-        code = results_show(&rest, swept_crossings(sweep), "crossings", "Crossings");
+        code = output_show(&rest, swept_crossings(sweep), "crossings", "Crossings");
     }
     return code;
 }
 
-static void show_head(const struct program_sweep *sweep, const struct results *results)
+static void show_head(const struct program_sweep *sweep,
+                      const struct command_output *results)
 {
     if (results->json) {
         json_text(results->json, "constant", sweep->constant);
@@ -91,32 +93,32 @@ static void show_head(const struct program_sweep *sweep, const struct results *r
         provenance_json(sweep->model, results->json);
     }
     for (size_t i = 0; i < sweep->program_count; i++) {
-        results_say(results, "%s: %s on %s\n", swept_names[i], sweep->programs[i].path,
-                    c205_model_name(sweep->model));
+        output_printf(results, "%s: %s on %s\n", swept_names[i],
+                      sweep->programs[i].path, c205_model_name(sweep->model));
     }
 }
 
-static int show(const struct program_sweep *sweep, const struct results *results)
+static int show(const struct program_sweep *sweep, const struct command_output *results)
 {
     int code;
     show_head(sweep, results);
-    results_gap(results);
-    code = results_show(results, swept_points(sweep), "points", "Points");
+    output_gap(results);
+    code = output_show(results, swept_points(sweep), "points", "Points");
     if (code == CMD_DONE) {
-        results_gap(results);
-        code = results_show(results, swept_lines(sweep), "lines", "Lines");
+        output_gap(results);
+        code = output_show(results, swept_lines(sweep), "lines", "Lines");
     }
     if (code == CMD_DONE) {
         code = show_rest(sweep, results);
     }
-    results_gap(results);
+    output_gap(results);
     for (size_t i = 0; i < sweep->program_count; i++) {
         tell_line(sweep, (int)i, results);
     }
     if (sweep->program_count == SWEPT_PROGRAMS) {
         tell_crossings(sweep, results);
     }
-    results_model(results, sweep->model);
+    output_model(results, sweep->model);
     return code;
 }
 
@@ -202,16 +204,16 @@ static bool run_and_draw(const struct c205_arguments *arguments,
 static int run_and_show(const struct c205_arguments *arguments,
                         struct program_sweep *sweep)
 {
-    struct results results = arguments->results;
+    struct command_output results = arguments->results;
     c205_error error;
     int code;
-    if (!results_open(&results, arguments->command, arguments->output)) {
+    if (!output_open(&results, arguments->command, arguments->output)) {
         return CMD_FAILED;
     }
     code = run_and_draw(arguments, sweep, &error)
                ? show(sweep, &results)
                : cmd_failed(arguments->command, "%s", error.message);
-    return results_close(&results, code);
+    return output_close(&results, code);
 }
 
 static int sweep_programs(const struct c205_arguments *arguments)

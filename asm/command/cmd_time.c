@@ -204,15 +204,15 @@ static bool measure_all(const struct c205_arguments *arguments, const c205_model
 /* JSON has them in any case. */
 static int show_points(const struct c205_arguments *arguments,
                        const struct measurements *measured,
-                       const struct results *results)
+                       const struct command_output *results)
 {
-    struct results shown = *results;
+    struct command_output shown = *results;
     if (!arguments->points) {
         shown.file = NULL;
     }
-    int code = results_show(&shown, point_table(measured), "points", "Points");
+    int code = output_show(&shown, point_table(measured), "points", "Points");
     if (code == CMD_DONE && arguments->points) {
-        results_gap(results);
+        output_gap(results);
     }
     return code;
 }
@@ -221,24 +221,24 @@ static int show_points(const struct c205_arguments *arguments,
  * programs are told of each in any case. */
 static int show_speeds(const struct c205_arguments *arguments, const c205_model *model,
                        const struct measurements *measured,
-                       const struct results *results)
+                       const struct command_output *results)
 {
-    struct results classes = *results, each = *results;
-    if (arguments->files.count > 0 || results->format == RESULTS_CSV
-        || !results->file) {
-        return results_show(results, speed_table(measured, model), "speeds", "Speeds");
+    struct command_output classes = *results, each = *results;
+    if (arguments->files.count > 0 || results->format == OUTPUT_CSV || !results->file) {
+        return output_show(results, speed_table(measured, model), "speeds", "Speeds");
     }
     classes.json = NULL;
     each.file = NULL;
-    int code = results_show(&classes, class_table(measured, model), NULL,
-                            "Speeds by class");
+    int code = output_show(&classes, class_table(measured, model), NULL,
+                           "Speeds by class");
     return code != CMD_DONE
                ? code
-               : results_show(&each, speed_table(measured, model), "speeds", NULL);
+               : output_show(&each, speed_table(measured, model), "speeds", NULL);
 }
 
 static int show(const struct c205_arguments *arguments, const c205_model *model,
-                const struct measurements *measured, const struct results *results)
+                const struct measurements *measured,
+                const struct command_output *results)
 {
     if (results->json) {
         provenance_json(model, results->json);
@@ -248,13 +248,13 @@ static int show(const struct c205_arguments *arguments, const c205_model *model,
         code = show_speeds(arguments, model, measured, results);
     }
     if (code == CMD_DONE) {
-        results_model(results, model);
+        output_model(results, model);
     }
     return code;
 }
 
 static int time_model(const struct c205_arguments *arguments, const c205_model *model,
-                      const struct results *results)
+                      const struct command_output *results)
 {
     struct measurements measured = { 0, NULL };
     int code = measure_all(arguments, model, &measured)
@@ -267,7 +267,7 @@ static int time_model(const struct c205_arguments *arguments, const c205_model *
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
-    struct results results = arguments->results;
+    struct command_output results = arguments->results;
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
         if (!measure_knows(name)) {
@@ -277,9 +277,9 @@ static int run(void *given)
     }
     c205_model *model = model_open(arguments->command, arguments->model);
     int code = CMD_FAILED;
-    if (model && results_open(&results, arguments->command, NULL)) {
+    if (model && output_open(&results, arguments->command, NULL)) {
         code = time_model(arguments, model, &results);
-        code = results_close(&results, code);
+        code = output_close(&results, code);
     }
     c205_model_free(model);
     return code;

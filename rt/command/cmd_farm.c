@@ -80,7 +80,7 @@ static void be_silent(struct rt205_arguments *arguments)
 {
     arguments->output = NULL;
     arguments->results.path = NULL;
-    arguments->results.format = RESULTS_TEXT;
+    arguments->results.format = OUTPUT_TEXT;
     if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr))
         abort();
 }

@@ -112,10 +112,10 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
 /* ---- What is told ----------------------------------------------------------- */
 
 /* A table that nobody needs after that. */
-static bool tell_part(const struct results *results, struct table *table,
+static bool tell_part(const struct command_output *results, struct table *table,
                       const char *key, const char *heading)
 {
-    bool good = table && results_part(results, table, key, heading);
+    bool good = table && output_part(results, table, key, heading);
 
     table_free(table);
     return good;
@@ -123,9 +123,9 @@ static bool tell_part(const struct results *results, struct table *table,
 
 /* JSON always has all of them. */
 static bool tell_areas(const struct heat *heat, bool details,
-                       const struct results *results)
+                       const struct command_output *results)
 {
-    struct results printed = *results, kept = *results;
+    struct command_output printed = *results, kept = *results;
     size_t unseen = details ? 0 : heat_unseen(heat);
 
     printed.json = NULL;
@@ -135,16 +135,16 @@ static bool tell_areas(const struct heat *heat, bool details,
         || !tell_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
         return false;
     if (unseen > 0)
-        results_say(results,
-                    "\n%zu surface%s no area that is seen; --details lists "
-                    "%s\n",
-                    unseen, unseen == 1 ? " has" : "s have",
-                    unseen == 1 ? "it" : "them");
+        output_printf(results,
+                      "\n%zu surface%s no area that is seen; --details lists "
+                      "%s\n",
+                      unseen, unseen == 1 ? " has" : "s have",
+                      unseen == 1 ? "it" : "them");
     return true;
 }
 
 static bool tell_tables(const struct heat *heat, const struct stages *stages,
-                        bool details, const struct results *results)
+                        bool details, const struct command_output *results)
 {
     return tell_areas(heat, details, results)
            && tell_part(results, heat_table_of_factors(heat), "factors", "Factors")
@@ -160,17 +160,17 @@ static bool tell_tables(const struct heat *heat, const struct stages *stages,
 }
 
 static bool tell(const struct rt205_arguments *arguments, const struct heat *heat,
-                 const struct stages *stages, const struct results *results)
+                 const struct stages *stages, const struct command_output *results)
 {
     const struct heat_request *request = heat->request;
     struct json *json = results->json;
 
-    results_say(results, "%s: %zu repeats of %zu %s%s %s, %s\n", arguments->scene,
-                request->repeats, heat->drawn, request->by_lines ? "line" : "point",
-                plural(heat->drawn),
-                request->by_lines ? "through all of it" : "of each primitive",
-                request->lattice ? "of the lattice" : "random");
-    results_model(results, request->model);
+    output_printf(results, "%s: %zu repeats of %zu %s%s %s, %s\n", arguments->scene,
+                  request->repeats, heat->drawn, request->by_lines ? "line" : "point",
+                  plural(heat->drawn),
+                  request->by_lines ? "through all of it" : "of each primitive",
+                  request->lattice ? "of the lattice" : "random");
+    output_model(results, request->model);
     if (json) {
         json_text(json, "scene", arguments->scene);
         json_count(json, request->by_lines ? "lines" : "points", heat->drawn);
@@ -219,7 +219,7 @@ static bool check_precision(const struct heat *heat, c205_error *error)
 /* ---- The command -------------------------------------------------------------- */
 
 static bool draw(const struct rt205_arguments *arguments, const struct heat *heat,
-                 const struct results *results, c205_error *error)
+                 const struct command_output *results, c205_error *error)
 {
     struct heat_look look = { .shown = (enum heat_shown)arguments->heat.shown,
                               .from = arguments->heat.from,
@@ -232,9 +232,10 @@ static bool draw(const struct rt205_arguments *arguments, const struct heat *hea
     look.trace.farm = NULL;
     if (!heat_draw(heat, &look, &drawn, error))
         return false;
-    results_say(results, "\npicture %s: %s from %g to %g%s; %llu clocks\n",
-                arguments->output, heat_shown_name(look.shown), drawn.least, drawn.most,
-                heat_shown_unit(look.shown), (unsigned long long)drawn.clocks);
+    output_printf(results, "\npicture %s: %s from %g to %g%s; %llu clocks\n",
+                  arguments->output, heat_shown_name(look.shown), drawn.least,
+                  drawn.most, heat_shown_unit(look.shown),
+                  (unsigned long long)drawn.clocks);
     if (results->json)
         json_text(results->json, "picture", arguments->output);
     return true;
@@ -242,7 +243,7 @@ static bool draw(const struct rt205_arguments *arguments, const struct heat *hea
 
 /* What is told leaves no need of the files. */
 static bool tell_all(const struct rt205_arguments *arguments, const struct heat *heat,
-                     const struct results *results, c205_error *error)
+                     const struct command_output *results, c205_error *error)
 {
     struct stages stages;
 
@@ -263,8 +264,8 @@ static bool tell_all(const struct rt205_arguments *arguments, const struct heat 
 }
 
 static bool find_and_tell(const struct rt205_arguments *arguments,
-                          const struct scene *scene, const struct results *results,
-                          c205_error *error)
+                          const struct scene *scene,
+                          const struct command_output *results, c205_error *error)
 {
     struct heat_request request = request_of(arguments);
     struct heat heat;
@@ -279,7 +280,8 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments, const struct results *results)
+static int run(const struct rt205_arguments *arguments,
+               const struct command_output *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     c205_error error = { "" };

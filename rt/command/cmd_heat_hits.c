@@ -124,21 +124,21 @@ static struct table *table_of_ways(const struct hits_ways *ways)
     return table;
 }
 
-static bool tell(const struct hits_ways *ways, const struct results *results)
+static bool tell(const struct hits_ways *ways, const struct command_output *results)
 {
     const struct rt205_arguments *arguments = ways->arguments;
     const struct hits *found = &ways->found[WAY_LONGEST];
     struct table *table = table_of_ways(ways);
     bool good;
 
-    results_say(results,
-                "%s: %llu of %llu ray%s from %s strike one of %zu cylinder%s: "
-                "the factor is %.6f +- %.6f\n",
-                arguments->scene, (unsigned long long)found->struck,
-                (unsigned long long)found->rays, plural(found->rays),
-                arguments->heat.from, found->cylinders, plural(found->cylinders),
-                found->factor.value, found->factor.error);
-    results_model(results, arguments->trace.model);
+    output_printf(results,
+                  "%s: %llu of %llu ray%s from %s strike one of %zu cylinder%s: "
+                  "the factor is %.6f +- %.6f\n",
+                  arguments->scene, (unsigned long long)found->struck,
+                  (unsigned long long)found->rays, plural(found->rays),
+                  arguments->heat.from, found->cylinders, plural(found->cylinders),
+                  found->factor.value, found->factor.error);
+    output_model(results, arguments->trace.model);
     if (results->json) {
         json_text(results->json, "scene", arguments->scene);
         json_count(results->json, "rays", found->rays);
@@ -147,10 +147,10 @@ static bool tell(const struct hits_ways *ways, const struct results *results)
         json_number(results->json, "error", found->factor.error);
         provenance_json(arguments->trace.model, results->json);
     }
-    good = table && results_part(results, table, "hits", "Whether rays strike");
+    good = table && output_part(results, table, "hits", "Whether rays strike");
     table_free(table);
-    results_say(results, "The paper's: 600 s on a CDC 6600 became 3 s, 200 times; "
-                         "its geometry is unknown.\n");
+    output_printf(results, "The paper's: 600 s on a CDC 6600 became 3 s, 200 times; "
+                           "its geometry is unknown.\n");
     return good;
 }
 
@@ -170,7 +170,7 @@ static bool begin(struct hits_ways *ways)
 }
 
 bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *scene,
-                   const struct results *results, c205_error *error)
+                   const struct command_output *results, c205_error *error)
 {
     struct hits_ways ways = { .arguments = arguments, .scene = scene };
     bool good = begin(&ways) && find_ways(&ways)

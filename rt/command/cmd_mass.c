@@ -87,7 +87,7 @@ static bool find_stages(const struct mass *mass, struct stages *stages,
 /* ---- What is told --------------------------------------------------------- */
 
 static void tell_run(const struct rt205_arguments *arguments, const struct mass *mass,
-                     const struct results *results)
+                     const struct command_output *results)
 {
     const double *about = mass->request->about;
     const char *mode = trace_mode_name(mass->request->mode);
@@ -96,15 +96,16 @@ static void tell_run(const struct rt205_arguments *arguments, const struct mass 
 
     snprintf(sum, sizeof sum, "%016llX",
              (unsigned long long)columns_checksum(&mass->sums));
-    results_say(results,
-                "%s: 3 views of %zu shift%s of %zu ray%s, %llu crossing%s, %s; "
-                "checksum %s\n"
-                "errors are half the interval of 95 %%; inertia I about "
-                "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
-                "dm\n",
-                arguments->scene, mass->sums.repeats, plural(mass->sums.repeats), rays,
-                plural(rays), (unsigned long long)mass->sums.crossings,
-                plural(mass->sums.crossings), mode, sum, about[0], about[1], about[2]);
+    output_printf(results,
+                  "%s: 3 views of %zu shift%s of %zu ray%s, %llu crossing%s, %s; "
+                  "checksum %s\n"
+                  "errors are half the interval of 95 %%; inertia I about "
+                  "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
+                  "dm\n",
+                  arguments->scene, mass->sums.repeats, plural(mass->sums.repeats),
+                  rays, plural(rays), (unsigned long long)mass->sums.crossings,
+                  plural(mass->sums.crossings), mode, sum, about[0], about[1],
+                  about[2]);
     if (results->json) {
         json_text(results->json, "scene", arguments->scene);
         json_text(results->json, "mode", mode);
@@ -116,17 +117,17 @@ static void tell_run(const struct rt205_arguments *arguments, const struct mass 
     }
 }
 
-static bool tell_table(const struct results *results, struct table *table,
+static bool tell_table(const struct command_output *results, struct table *table,
                        const char *key, const char *heading)
 {
-    bool good = results_show(results, table, key, heading) == CMD_DONE;
+    bool good = output_show(results, table, key, heading) == CMD_DONE;
 
-    results_gap(results);
+    output_gap(results);
     return good;
 }
 
 static bool tell_tables(const struct mass *mass, const struct stages *stages,
-                        const struct results *results)
+                        const struct command_output *results)
 {
     bool good = tell_table(results, mass_table_of_figures(mass), "figures", "Figures")
                 && (!mass->request->overlaps
@@ -139,7 +140,7 @@ static bool tell_tables(const struct mass *mass, const struct stages *stages,
                     || tell_table(results, stages_table(stages), "stages",
                                   "Three stages"));
 
-    results_model(results, mass->request->model);
+    output_model(results, mass->request->model);
     return good;
 }
 
@@ -157,7 +158,7 @@ static bool check_precision(const struct mass *mass, c205_error *error)
 /* ---- The command --------------------------------------------------------- */
 
 static bool tell_all(const struct rt205_arguments *arguments, const struct mass *mass,
-                     const struct results *results, c205_error *error)
+                     const struct command_output *results, c205_error *error)
 {
     struct stages stages;
 
@@ -189,8 +190,8 @@ static void warn_of_endless(const struct rt205_arguments *arguments,
 }
 
 static bool find_and_tell(const struct rt205_arguments *arguments,
-                          const struct scene *scene, const struct results *results,
-                          c205_error *error)
+                          const struct scene *scene,
+                          const struct command_output *results, c205_error *error)
 {
     struct mass_request request = request_of(arguments);
     struct diagnostics reports = { 0 };
@@ -206,7 +207,8 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments, const struct results *results)
+static int run(const struct rt205_arguments *arguments,
+               const struct command_output *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     c205_error error = { "" };

@@ -6,18 +6,18 @@
 #include "rt/study/profile.h"
 
 static void tell_head(const struct rt205_arguments *arguments,
-                      const struct trace *trace, const struct results *results)
+                      const struct trace *trace, const struct command_output *results)
 {
     const struct trace_options *options = &arguments->trace;
     struct json *json = results->json;
     char text[17];
 
     snprintf(text, sizeof text, "%016llX", (unsigned long long)trace_checksum(trace));
-    results_say(results,
-                "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
-                arguments->scene, options->width, options->height, options->queue,
-                text);
-    results_model(results, options->model);
+    output_printf(results,
+                  "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
+                  arguments->scene, options->width, options->height, options->queue,
+                  text);
+    output_model(results, options->model);
     if (!json)
         return;
     json_text(json, "scene", arguments->scene);
@@ -30,10 +30,11 @@ static void tell_head(const struct rt205_arguments *arguments,
 }
 
 /* Readers get clocks in groups, in millions; other programs all of them. */
-static struct results results_of(enum profile_table kind, const struct results *results)
+static struct command_output results_of(enum profile_table kind,
+                                        const struct command_output *results)
 {
-    struct results chosen = *results;
-    bool exact = results->format == RESULTS_CSV;
+    struct command_output chosen = *results;
+    bool exact = results->format == OUTPUT_CSV;
 
     if (kind == PROFILE_GROUPS)
         chosen.json = NULL;
@@ -43,19 +44,19 @@ static struct results results_of(enum profile_table kind, const struct results *
 }
 
 static bool tell_table(enum profile_table kind, const struct profile *profile,
-                       const struct results *results)
+                       const struct command_output *results)
 {
-    struct results chosen = results_of(kind, results);
+    struct command_output chosen = results_of(kind, results);
     struct table *table = profile_table(kind, profile);
-    bool good = results_part(&chosen, table, profile_table_key(kind),
-                             profile_table_heading(kind));
+    bool good = output_part(&chosen, table, profile_table_key(kind),
+                            profile_table_heading(kind));
 
     table_free(table);
     return good;
 }
 
 static bool tell(const struct rt205_arguments *arguments, const struct profile *profile,
-                 const struct results *results)
+                 const struct command_output *results)
 {
     bool good = true;
 
@@ -65,7 +66,8 @@ static bool tell(const struct rt205_arguments *arguments, const struct profile *
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments, const struct results *results)
+static int run(const struct rt205_arguments *arguments,
+               const struct command_output *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     struct profile profile = { .traces = { NULL } };

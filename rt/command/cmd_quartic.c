@@ -36,7 +36,7 @@ static double ratio(uint64_t a, uint64_t b)
 
 /* ---- Roots -------------------------------------------------------------- */
 
-static void print_roots(const struct results *results, size_t index,
+static void print_roots(const struct command_output *results, size_t index,
                         const struct polynomial_roots *roots)
 {
     char text[C205_TEXT_SIZE];
@@ -87,7 +87,7 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
 static size_t tell_roots(const struct rt205_arguments *arguments,
                          const struct polynomials *polynomials,
                          const struct polynomial_roots *roots, struct table *table,
-                         const struct results *results)
+                         const struct command_output *results)
 {
     struct json *json = results->json;
     size_t refused = 0;
@@ -103,7 +103,7 @@ static size_t tell_roots(const struct rt205_arguments *arguments,
             refused++;
             continue;
         }
-        if (results->format == RESULTS_TEXT)
+        if (results->format == OUTPUT_TEXT)
             print_roots(results, i, &roots[i]);
         else
             add_roots(table, i, &roots[i]);
@@ -116,13 +116,13 @@ static size_t tell_roots(const struct rt205_arguments *arguments,
 }
 
 /* Nothing of it is text. */
-static bool print_table(const struct table *table, const struct results *results)
+static bool print_table(const struct table *table, const struct command_output *results)
 {
-    struct results printed = *results;
+    struct command_output printed = *results;
 
     printed.json = NULL;
-    return results->format == RESULTS_TEXT
-           || results_table(&printed, table, NULL, "Roots");
+    return results->format == OUTPUT_TEXT
+           || output_table(&printed, table, NULL, "Roots");
 }
 
 static size_t count_roots(const struct polynomial_roots *roots, size_t count)
@@ -171,7 +171,8 @@ static struct root_search *search(const struct polynomials *polynomials,
 }
 
 static int solve(const struct rt205_arguments *arguments,
-                 const struct polynomials *polynomials, const struct results *results)
+                 const struct polynomials *polynomials,
+                 const struct command_output *results)
 {
     c205_error error = { "no memory" };
     struct iterations iterations;
@@ -284,7 +285,7 @@ static bool run_rules(struct comparison *comparison, c205_error *error)
 
 static int compare_rules(const struct rt205_arguments *arguments,
                          const struct polynomials *polynomials,
-                         const struct results *results)
+                         const struct command_output *results)
 {
     c205_error error = { "no memory" };
     struct comparison comparison = { arguments, polynomials, { { { 0 } } } };
@@ -294,10 +295,10 @@ static int compare_rules(const struct rt205_arguments *arguments,
     for (size_t rule = 0; good && rule < FALSI_RULES; rule++)
         add_rule(table, &comparison, rule);
     if (good) {
-        results_say(results, "%s%zu polynomial%s, a queue of %zu, %s\n",
-                    results->format == RESULTS_TEXT ? "# " : "", polynomials->count,
-                    plural(polynomials->count), arguments->trace.queue,
-                    arguments->first ? "first roots" : "all roots");
+        output_printf(results, "%s%zu polynomial%s, a queue of %zu, %s\n",
+                      results->format == OUTPUT_TEXT ? "# " : "", polynomials->count,
+                      plural(polynomials->count), arguments->trace.queue,
+                      arguments->first ? "first roots" : "all roots");
         quartic_costs_model(results, arguments->trace.model);
         if (results->json)
             provenance_json(arguments->trace.model, results->json);
@@ -309,7 +310,8 @@ static int compare_rules(const struct rt205_arguments *arguments,
 
 /* ---- The command -------------------------------------------------------- */
 
-static int run(const struct rt205_arguments *arguments, const struct results *results)
+static int run(const struct rt205_arguments *arguments,
+               const struct command_output *results)
 {
     struct polynomials polynomials = { 0, NULL, NULL };
     struct diagnostics reports = { 0 };

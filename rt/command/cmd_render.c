@@ -87,20 +87,22 @@ static struct result result_of(const struct rt205_arguments *arguments,
 }
 
 /* How many rays a threshold saves. */
-static void print_rays(const struct result *result, const struct results *results)
+static void print_rays(const struct result *result,
+                       const struct command_output *results)
 {
     const struct trace_options *trace = &result->arguments->trace;
     double all = (double)trace->width * (double)trace->height
                  * (double)(result->samples * result->samples);
 
-    results_say(results,
-                "threshold %g: %zu ray%s of the camera, %.1f %% of those of "
-                "all samples\n",
-                trace->threshold, result->rays, plural(result->rays),
-                100 * (double)result->rays / all);
+    output_printf(results,
+                  "threshold %g: %zu ray%s of the camera, %.1f %% of those of "
+                  "all samples\n",
+                  trace->threshold, result->rays, plural(result->rays),
+                  100 * (double)result->rays / all);
 }
 
-static void print_result(const struct result *result, const struct results *results)
+static void print_result(const struct result *result,
+                         const struct command_output *results)
 {
     const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
@@ -114,19 +116,19 @@ static void print_result(const struct result *result, const struct results *resu
     if (trace->mode != TRACE_SCALAR)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     accounts_time(result->model, result->clocks, time);
-    results_say(results, "%s: %zu x %zu%s, %s%s; %zu of %zu %s%s hit\n",
-                arguments->scene, trace->width, trace->height, samples,
-                trace_mode_name(trace->mode), queue, result->hits, tried,
-                sampled ? "pixel" : "ray", plural(tried));
-    results_say(results,
-                "%llu clock%s, %s on the machine\n"
-                "frame checksum %s\n",
-                (unsigned long long)result->clocks, plural(result->clocks), time,
-                result->checksum);
+    output_printf(results, "%s: %zu x %zu%s, %s%s; %zu of %zu %s%s hit\n",
+                  arguments->scene, trace->width, trace->height, samples,
+                  trace_mode_name(trace->mode), queue, result->hits, tried,
+                  sampled ? "pixel" : "ray", plural(tried));
+    output_printf(results,
+                  "%llu clock%s, %s on the machine\n"
+                  "frame checksum %s\n",
+                  (unsigned long long)result->clocks, plural(result->clocks), time,
+                  result->checksum);
     if (trace->threshold > 0)
         print_rays(result, results);
     if (arguments->output)
-        results_say(results, "picture %s\n", arguments->output);
+        output_printf(results, "picture %s\n", arguments->output);
 }
 
 /* The same, where results are tables. */
@@ -188,17 +190,18 @@ static void write_result(const struct result *result, struct json *json)
     provenance_json(result->model, json);
 }
 
-static int tell_result(const struct result *result, const struct results *results)
+static int tell_result(const struct result *result,
+                       const struct command_output *results)
 {
-    struct results printed = *results;
+    struct command_output printed = *results;
     int code = CMD_DONE;
 
     printed.json = NULL;
-    if (results->format == RESULTS_TEXT)
+    if (results->format == OUTPUT_TEXT)
         print_result(result, results);
     else
-        code = results_show(&printed, table_of(result), NULL, "Frame");
-    results_model(results, result->model);
+        code = output_show(&printed, table_of(result), NULL, "Frame");
+    output_model(results, result->model);
     if (results->json)
         write_result(result, results->json);
     return code;
@@ -206,20 +209,22 @@ static int tell_result(const struct result *result, const struct results *result
 
 /* JSON has the accounts in any case. */
 static int tell_accounts(const struct rt205_arguments *arguments,
-                         const struct trace *trace, const struct results *results)
+                         const struct trace *trace,
+                         const struct command_output *results)
 {
-    struct results accounts = *results;
+    struct command_output accounts = *results;
 
     if (!arguments->accounts)
         accounts.file = NULL;
     else if (results->file)
-        results_gap(results);
+        output_gap(results);
     return accounts_show(trace_accounts(trace), &accounts);
 }
 
 /* The profile may be NULL. */
 static int tell(const struct rt205_arguments *arguments, const struct trace *trace,
-                const struct line_profile *profile, const struct results *results)
+                const struct line_profile *profile,
+                const struct command_output *results)
 {
     struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
                                                      : PROFILE_HOTTEST,
@@ -305,7 +310,7 @@ static int end_early(const struct rt205_arguments *arguments, const struct trace
 /* The profile is there once bands have been watched. */
 static int trace_and_write(const struct rt205_arguments *arguments, struct trace *trace,
                            struct line_profile *const *profile,
-                           const struct results *results)
+                           const struct command_output *results)
 {
     c205_error error = { "no memory" };
 
@@ -322,7 +327,8 @@ static int trace_and_write(const struct rt205_arguments *arguments, struct trace
 
 /* While the machine works, the library that writes pictures is loaded. */
 static int run(const struct rt205_arguments *arguments, struct trace *trace,
-               struct line_profile *const *profile, const struct results *results)
+               struct line_profile *const *profile,
+               const struct command_output *results)
 {
     struct picture_error why;
     struct picture_loader *loader;
@@ -339,7 +345,7 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
 }
 
 static int render(const struct rt205_arguments *arguments, const struct scene *scene,
-                  const struct results *results)
+                  const struct command_output *results)
 {
     struct line_profile *profile = NULL;
     struct observer observer = frame_profile_observer(&profile);
@@ -361,7 +367,7 @@ static int render(const struct rt205_arguments *arguments, const struct scene *s
 }
 
 static int render_scene(const struct rt205_arguments *arguments,
-                        const struct results *results)
+                        const struct command_output *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     int code = !scene ? CMD_FAILED : render(arguments, scene, results);

@@ -33,7 +33,7 @@ static int debug(const struct rt205_arguments *arguments, struct frame_pixel *pi
 }
 
 int cmd_debug_pixel(const struct rt205_arguments *arguments,
-                    const struct results *results)
+                    const struct command_output *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     c205_error error = { "no memory" };

@@ -12,23 +12,23 @@
 
 /* What is not drawn has its other results, and they are kept. */
 static int work_and_close(const struct rt205_arguments *arguments,
-                          struct results *results, cmd_work *work)
+                          struct command_output *results, cmd_work *work)
 {
     int code = work(arguments, results);
-    int kept = results_close(results, code == CMD_UNDRAWN ? CMD_DONE : code);
+    int kept = output_close(results, code == CMD_UNDRAWN ? CMD_DONE : code);
 
     return code == CMD_UNDRAWN ? CMD_FAILED : kept;
 }
 
 static int open_and_work(struct rt205_arguments *arguments, cmd_work *work)
 {
-    struct results results = arguments->results;
+    struct command_output results = arguments->results;
 
     if (c205_model_is_projection(arguments->trace.model))
         return cmd_failed(arguments->command,
                           "%s is a projection, on which nothing runs",
                           c205_model_name(arguments->trace.model));
-    if (!results_open(&results, arguments->command, arguments->output))
+    if (!output_open(&results, arguments->command, arguments->output))
         return CMD_FAILED;
     cmd_watch(arguments);
     return work_and_close(arguments, &results, work);

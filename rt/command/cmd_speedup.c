@@ -8,22 +8,22 @@
 #include "rt/study/speedup_report.h"
 
 static void print_head(const struct rt205_arguments *arguments,
-                       const struct results *results)
+                       const struct command_output *results)
 {
     const struct trace_options *trace = &arguments->trace;
 
-    results_say(results,
-                "%zu x %zu rays, %g degrees across from a distance of %g, "
-                "in a queue of %zu\n",
-                trace->width, trace->height, arguments->view.angle,
-                arguments->view.distance, trace->queue);
+    output_printf(results,
+                  "%zu x %zu rays, %g degrees across from a distance of %g, "
+                  "in a queue of %zu\n",
+                  trace->width, trace->height, arguments->view.angle,
+                  arguments->view.distance, trace->queue);
     if (arguments->details)
-        results_say(results,
-                    "The kernel and its calls alone.  Paper: Plunkett, "
-                    "Cychosz and Bailey 1984.\n"
-                    "CYBER 720: the instructions of the scalar form at the "
-                    "times of the model %s.\n",
-                    speedup_projection_model(trace->model, SPEEDUP_720));
+        output_printf(results,
+                      "The kernel and its calls alone.  Paper: Plunkett, "
+                      "Cychosz and Bailey 1984.\n"
+                      "CYBER 720: the instructions of the scalar form at the "
+                      "times of the model %s.\n",
+                      speedup_projection_model(trace->model, SPEEDUP_720));
 }
 
 /* The models of so many projections, one after another: Table 1 needs the
@@ -56,19 +56,19 @@ static void write_projection(const c205_model *model, void *context)
 
 static void print_projection(const c205_model *model, void *context)
 {
-    const struct results *results = context;
+    const struct command_output *results = context;
 
     if (results->provenance)
-        results_say(results, "\n");
-    results_model(results, model);
+        output_printf(results, "\n");
+    output_model(results, model);
 }
 
 static bool print(const struct rt205_arguments *arguments,
-                  const struct speedup_report *report, const struct results *results,
-                  c205_error *error)
+                  const struct speedup_report *report,
+                  const struct command_output *results, c205_error *error)
 {
-    enum table_format format = results_table_format(results);
-    struct results printed = *results;
+    enum table_format format = output_table_format(results);
+    struct command_output printed = *results;
     int projections = arguments->details ? SPEEDUP_PROJECTIONS : SPEEDUP_720 + 1;
 
     print_head(arguments, results);
@@ -76,9 +76,9 @@ static bool print(const struct rt205_arguments *arguments,
         return false;
     putc('\n', results->file);
     if (arguments->details)
-        results_say(results, "In each row the scalar and the vector frame "
-                             "are equal, bit for bit.\n");
-    results_model(results, arguments->trace.model);
+        output_printf(results, "In each row the scalar and the vector frame "
+                               "are equal, bit for bit.\n");
+    output_model(results, arguments->trace.model);
     return each_projection(arguments, projections, print_projection, &printed, error)
            && (!arguments->details
                || speedup_report_detail(report, format, results->file))
@@ -148,7 +148,7 @@ static bool measure_all(const struct rt205_arguments *arguments,
 }
 
 static int speedup(const struct rt205_arguments *arguments,
-                   const struct results *results)
+                   const struct command_output *results)
 {
     struct speedup_report *report = speedup_report_new(arguments->trace.model);
     c205_error error = { "no memory" };
@@ -164,13 +164,13 @@ static int speedup(const struct rt205_arguments *arguments,
 /* ---- Formulations of the cylinder ---------------------------------------- */
 
 static bool tell_formulations(const struct rt205_arguments *arguments,
-                              const struct table *table, const struct results *results,
-                              c205_error *error)
+                              const struct table *table,
+                              const struct command_output *results, c205_error *error)
 {
-    struct results printed = *results;
+    struct command_output printed = *results;
 
     if (results->file) {
-        enum table_format format = results_table_format(results);
+        enum table_format format = output_table_format(results);
 
         print_head(arguments, results);
         table_heading("Table 1's cylinder in other formulations, CPU seconds "
@@ -179,7 +179,7 @@ static bool tell_formulations(const struct rt205_arguments *arguments,
         if (!table_write(table, format, results->file))
             return false;
         putc('\n', results->file);
-        results_model(results, arguments->trace.model);
+        output_model(results, arguments->trace.model);
         if (!each_projection(arguments, SPEEDUP_720 + 1, print_projection, &printed,
                              error))
             return false;
@@ -190,7 +190,7 @@ static bool tell_formulations(const struct rt205_arguments *arguments,
 }
 
 static int formulations(const struct rt205_arguments *arguments,
-                        const struct results *results)
+                        const struct command_output *results)
 {
     struct speedup_measure(*measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
                                                             sizeof *measures);

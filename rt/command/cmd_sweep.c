@@ -113,7 +113,7 @@ static bool has_frame(const struct sweep_kind *kind)
 
 static void print_head(const struct rt205_arguments *arguments,
                        const struct sweep *sweep, const struct sweep_kind *kind,
-                       const struct results *results)
+                       const struct command_output *results)
 {
     const struct trace_options *trace = &arguments->trace;
     char queue[48] = "", rays[64] = "", view[96] = "";
@@ -125,13 +125,14 @@ static void print_head(const struct rt205_arguments *arguments,
     if (sweep->subject)
         snprintf(view, sizeof view, ", %g degrees across from a distance of %g",
                  sweep->base.view.angle, sweep->base.view.distance);
-    results_say(results,
-                "%s of %s, %s%s%s%s;\n%s.\nAt each point the scalar and the "
-                "other frame are equal, bit for bit.\n",
-                kind->name, sweep->subject ? sweep->subject->name : arguments->scene,
-                trace_mode_name(trace->mode), queue, rays, view,
-                sweep->subject ? "the kernel and its calls alone" : "the whole frame");
-    results_model(results, trace->model);
+    output_printf(results,
+                  "%s of %s, %s%s%s%s;\n%s.\nAt each point the scalar and the "
+                  "other frame are equal, bit for bit.\n",
+                  kind->name, sweep->subject ? sweep->subject->name : arguments->scene,
+                  trace_mode_name(trace->mode), queue, rays, view,
+                  sweep->subject ? "the kernel and its calls alone"
+                                 : "the whole frame");
+    output_model(results, trace->model);
 }
 
 /* What has no part in this sweep is left out. */
@@ -183,14 +184,14 @@ static bool draw(const struct rt205_arguments *arguments, const struct sweep *sw
 /* All but the plot. */
 static bool tell(const struct rt205_arguments *arguments, const struct sweep *sweep,
                  const struct sweep_kind *kind, const struct sweep_report *report,
-                 const struct results *results, c205_error *error)
+                 const struct command_output *results, c205_error *error)
 {
     bool good = true;
 
     snprintf(error->message, sizeof error->message, "no memory");
     print_head(arguments, sweep, kind, results);
     if (results->file)
-        good = sweep_report_write(report, results_table_format(results), results->file);
+        good = sweep_report_write(report, output_table_format(results), results->file);
     if (good && results->json) {
         write_head(arguments, sweep, kind, results->json);
         good = sweep_report_json(report, sweep, results->json);
@@ -215,7 +216,7 @@ static struct sweep sweep_of(const struct rt205_arguments *arguments,
 }
 
 static int sweep_target(const struct rt205_arguments *arguments,
-                        const struct scene *scene, const struct results *results)
+                        const struct scene *scene, const struct command_output *results)
 {
     const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
     struct sweep sweep = sweep_of(arguments, scene, kind);
@@ -235,7 +236,8 @@ static int sweep_target(const struct rt205_arguments *arguments,
     return code;
 }
 
-static int sweep(const struct rt205_arguments *arguments, const struct results *results)
+static int sweep(const struct rt205_arguments *arguments,
+                 const struct command_output *results)
 {
     struct scene *scene;
     int code;

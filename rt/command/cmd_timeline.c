@@ -77,7 +77,7 @@ static bool save(const struct rt205_arguments *arguments,
 }
 
 static bool draw(const struct rt205_arguments *arguments,
-                 const struct frame_pixel *pixel, const struct results *results,
+                 const struct frame_pixel *pixel, const struct command_output *results,
                  c205_error *error)
 {
     struct clock_stretch stretch;
@@ -90,19 +90,19 @@ static bool draw(const struct rt205_arguments *arguments,
     timeline.to = stretch.to;
     good = listen(pixel, &timeline, error) && save(arguments, pixel, &timeline, error);
     if (good)
-        results_say(results,
-                    "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64
-                    " of band %zu of %zu\n",
-                    arguments->output, timeline_instructions(&timeline),
-                    plural(timeline_instructions(&timeline)), timeline.from,
-                    timeline.to, pixel->band + 1, trace_bands(pixel->trace));
+        output_printf(results,
+                      "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64
+                      " of band %zu of %zu\n",
+                      arguments->output, timeline_instructions(&timeline),
+                      plural(timeline_instructions(&timeline)), timeline.from,
+                      timeline.to, pixel->band + 1, trace_bands(pixel->trace));
     timeline_free(&timeline);
     return good;
 }
 
 /* The pixel in the middle unless told. */
 static int trace_and_draw(const struct rt205_arguments *arguments,
-                          const struct results *results)
+                          const struct command_output *results)
 {
     const struct trace_options *how = &arguments->trace;
     const struct cmd_pixel *asked = &arguments->pixel;

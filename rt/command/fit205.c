@@ -15,7 +15,7 @@ enum { PATH_SIZE = 512 };
 struct arguments {
     const char *command;
     const char *data;
-    struct results results;
+    struct command_output results;
     struct command_texts held, written;
     size_t width, height, jobs;
     double angle;
@@ -114,7 +114,7 @@ static bool check_files(const struct arguments *arguments, const struct study *s
 }
 
 static bool tell(const struct arguments *arguments, const struct study *study,
-                 const struct results *results, c205_error *error)
+                 const struct command_output *results, c205_error *error)
 {
     double written[MAX_FIT_OBSERVATIONS];
 
@@ -128,7 +128,8 @@ static bool tell(const struct arguments *arguments, const struct study *study,
 }
 
 static bool work(const struct arguments *arguments, struct sources *sources,
-                 struct study *study, const struct results *results, c205_error *error)
+                 struct study *study, const struct command_output *results,
+                 c205_error *error)
 {
     study->brief = arguments->brief;
     study->fit.observations = &sources->observations;
@@ -142,7 +143,7 @@ static bool work(const struct arguments *arguments, struct sources *sources,
 
 /* ---- The command --------------------------------------------------------- */
 
-static int fit(const struct arguments *arguments, const struct results *results)
+static int fit(const struct arguments *arguments, const struct command_output *results)
 {
     struct sources *sources = calloc(1, sizeof *sources);
     struct study *study = calloc(1, sizeof *study);
@@ -162,11 +163,11 @@ static int fit(const struct arguments *arguments, const struct results *results)
 static int run(void *given)
 {
     const struct arguments *arguments = given;
-    struct results results = arguments->results;
+    struct command_output results = arguments->results;
 
-    if (!results_open(&results, arguments->command, NULL))
+    if (!output_open(&results, arguments->command, NULL))
         return CMD_FAILED;
-    return results_close(&results, fit(arguments, &results));
+    return output_close(&results, fit(arguments, &results));
 }
 
 #define PLACE(member) offsetof(struct arguments, member)
@@ -228,7 +229,7 @@ static const struct command_option options[] = {
       .offset = PLACE(written),
       .help = "the fitted model; its name says of which priors: "
               "cyber205-2pipe.model of cyber205-2pipe-prior" },
-    RESULTS_OPTIONS(struct arguments, results),
+    OUTPUT_OPTIONS(struct arguments, results),
     COMMAND_END
 };
 

@@ -9,7 +9,7 @@
 
 #include "base/command_options.h"
 #include "base/progress.h"
-#include "base/results.h"
+#include "base/command_output.h"
 #include "base/visible.h"
 #include "rt/farm/farm.h"
 #include "rt/mass/units.h"
@@ -70,7 +70,7 @@ struct rt205_arguments {
                                    perhaps a primitive */
     const char *output; /* NULL: not wanted */
     const char *model;
-    struct results results;
+    struct command_output results;
     struct trace_options trace; /* its model is not yet set */
     struct speedup_view view;   /* angle 0: not given */
     struct cmd_points points;
@@ -97,11 +97,11 @@ struct rt205_arguments {
 
 /* .. under --hits. */
 bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *scene,
-                   const struct results *results, c205_error *error);
+                   const struct command_output *results, c205_error *error);
 
 /* .. of rt205 render under --debug. */
 int cmd_debug_pixel(const struct rt205_arguments *arguments,
-                    const struct results *results);
+                    const struct command_output *results);
 
 /* ---- Options of several commands ---------------------------------------- */
 
@@ -112,8 +112,8 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
 #define CMD_RESULTS \
-    RESULTS_OPTIONS(struct rt205_arguments, results), \
-    RESULTS_OPTION_PROVENANCE(struct rt205_arguments, results)
+    OUTPUT_OPTIONS(struct rt205_arguments, results), \
+    OUTPUT_OPTION_PROVENANCE(struct rt205_arguments, results)
 #define CMD_FLAG(flag, place, text) \
     { .name = flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(place), \
       .help = text }
@@ -200,7 +200,7 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
  * results, which are open.  The exit code, or CMD_UNDRAWN: all results are
  * there, but not their picture. */
 typedef int cmd_work(const struct rt205_arguments *arguments,
-                     const struct results *results);
+                     const struct command_output *results);
 enum { CMD_UNDRAWN = CMD_USAGE + 1 };
 /* Do that, if the frame is not too large.  JSON is kept if the work ends with
  * CMD_DONE or CMD_UNDRAWN, else dropped.  The exit code: of what is not drawn

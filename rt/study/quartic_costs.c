@@ -53,25 +53,25 @@ static bool print_remarks(const struct table *table, const char *heading, FILE *
     return good;
 }
 
-bool quartic_costs_part(const struct results *results, const struct table *table,
+bool quartic_costs_part(const struct command_output *results, const struct table *table,
                         const char *key, const char *heading)
 {
-    struct results rest = *results;
+    struct command_output rest = *results;
 
-    if (results->format == RESULTS_TEXT) {
+    if (results->format == OUTPUT_TEXT) {
         if (!table || !print_remarks(table, heading, results->file))
             return false;
         rest.file = NULL;
     }
-    return results_part(&rest, table, key, heading);
+    return output_part(&rest, table, key, heading);
 }
 
-void quartic_costs_model(const struct results *results, const c205_model *model)
+void quartic_costs_model(const struct command_output *results, const c205_model *model)
 {
-    if (results->format == RESULTS_TEXT)
+    if (results->format == OUTPUT_TEXT)
         provenance_print(model, results->provenance, "# ", results->file);
     else
-        results_model(results, model);
+        output_model(results, model);
 }
 
 /* ---- All tables --------------------------------------------------------- */
@@ -88,24 +88,25 @@ static const struct {
     [PASSES] = { "passes", "Brackets still active, by pass" },
 };
 
-static void print_head(const struct quartic_costs *costs, const struct results *results)
+static void print_head(const struct quartic_costs *costs,
+                       const struct command_output *results)
 {
     const struct roots_options *options = costs->options;
-    const char *mark = results->format == RESULTS_TEXT ? "# " : "";
+    const char *mark = results->format == OUTPUT_TEXT ? "# " : "";
     uint64_t clocks = c205_clock(roots_machine(costs->search));
     char queue[48] = "";
 
     if (options->mode == TRACE_VECTOR)
         snprintf(queue, sizeof queue, ", a queue of %zu", options->queue);
-    results_say(results,
-                "%s%zu polynomial%s, %zu root%s; %s%s, %s, falsi %s\n"
-                "%s%llu clock%s, %.8f s on the machine\n",
-                mark, costs->polynomials, plural(costs->polynomials), costs->roots,
-                plural(costs->roots), trace_mode_name(options->mode), queue,
-                options->first ? "first roots" : "all roots",
-                falsi_name(roots_falsi(costs->search)), mark,
-                (unsigned long long)clocks, plural(clocks),
-                accounts_seconds(options->model, clocks));
+    output_printf(results,
+                  "%s%zu polynomial%s, %zu root%s; %s%s, %s, falsi %s\n"
+                  "%s%llu clock%s, %.8f s on the machine\n",
+                  mark, costs->polynomials, plural(costs->polynomials), costs->roots,
+                  plural(costs->roots), trace_mode_name(options->mode), queue,
+                  options->first ? "first roots" : "all roots",
+                  falsi_name(roots_falsi(costs->search)), mark,
+                  (unsigned long long)clocks, plural(clocks),
+                  accounts_seconds(options->model, clocks));
     quartic_costs_model(results, options->model);
 }
 
@@ -125,7 +126,7 @@ static void write_head(const struct quartic_costs *costs, struct json *json)
 }
 
 static bool tell_tables(struct table *const tables[TABLES],
-                        const struct results *results)
+                        const struct command_output *results)
 {
     for (int i = 0; i < TABLES; i++)
         if (!quartic_costs_part(results, tables[i], names[i].key, names[i].heading))
@@ -134,7 +135,7 @@ static bool tell_tables(struct table *const tables[TABLES],
 }
 
 bool quartic_costs_tell(const struct quartic_costs *costs,
-                        const struct results *results)
+                        const struct command_output *results)
 {
     struct accounts accounts = { .model = costs->options->model };
     bool good = accounts_add(&accounts, roots_machine(costs->search));

@@ -7,7 +7,7 @@
 #ifndef RT_QUARTIC_COSTS_H
 #define RT_QUARTIC_COSTS_H
 
-#include "base/results.h"
+#include "base/command_output.h"
 #include "rt/roots/roots.h"
 
 struct quartic_costs {
@@ -20,13 +20,13 @@ struct quartic_costs {
 
 /* False: memory ran out. */
 bool quartic_costs_tell(const struct quartic_costs *costs,
-                        const struct results *results);
+                        const struct command_output *results);
 
 /* Such a table.  False: likewise. */
-bool quartic_costs_part(const struct results *results, const struct table *table,
+bool quartic_costs_part(const struct command_output *results, const struct table *table,
                         const char *key, const char *heading);
 
 /* How far the model can be trusted, likewise. */
-void quartic_costs_model(const struct results *results, const c205_model *model);
+void quartic_costs_model(const struct command_output *results, const c205_model *model);
 
 #endif

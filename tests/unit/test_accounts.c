@@ -153,12 +153,12 @@ TEST(matrices_add_up)
 }
 
 /* The caller frees the text. */
-static void show(const struct accounts *accounts, enum results_format format,
+static void show(const struct accounts *accounts, enum output_format format,
                  char **text)
 {
     size_t size;
     FILE *file = open_memstream(text, &size);
-    struct results results = { .format = format, .file = file };
+    struct command_output results = { .format = format, .file = file };
     assert_non_null(file);
     assert_int_equal(accounts_show(accounts, &results), CMD_DONE);
     assert_int_equal(fclose(file), 0);
@@ -182,7 +182,7 @@ TEST(matrices_are_narrow)
         struct accounts accounts = random_accounts();
         size_t regions = accounts_regions(&accounts);
         char *text;
-        show(&accounts, RESULTS_TEXT, &text);
+        show(&accounts, OUTPUT_TEXT, &text);
         for (const char *line = text; *line;) {
             size_t length = strcspn(line, "\n");
             assert_in_range(length, 0, WORD_WRAP_WIDTH);
@@ -220,7 +220,7 @@ TEST(csv_is_exact)
     for (int i = 0; i < TRIES; i++) {
         struct accounts accounts = random_accounts();
         char *text, row[200];
-        show(&accounts, RESULTS_CSV, &text);
+        show(&accounts, OUTPUT_CSV, &text);
         for (size_t k = 0; k < accounts.count; k++) {
             const c205_account *account = &accounts.items[k];
             uint64_t clocks = accounts_clocks(account);

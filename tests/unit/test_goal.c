@@ -66,7 +66,7 @@ TEST(limits)
     const struct observations all = { .count = ROWS,
                                       .items = (struct observation *)rows };
     char text[1000] = "";
-    const struct results results = { .format = RESULTS_TEXT, .file = tmpfile() };
+    const struct command_output results = { .format = OUTPUT_TEXT, .file = tmpfile() };
     assert_non_null(results.file);
     study.fit.observations = &all;
     study.fit.constants = &constants;

@@ -144,7 +144,7 @@ static bool phases_are_sound(const struct clock *clock)
 }
 
 /* A register that the vector unit delivers is ready when that is done. */
-static bool results_are_sound(const struct clock *clock)
+static bool output_are_sound(const struct clock *clock)
 {
     for (size_t i = 0; i < SLOTS; i++)
         if (clock->awaits[i] == FOR_VECTOR && clock->ready[i] > charged(clock)
@@ -160,7 +160,7 @@ static void walk_vector_unit(struct clock *clock, struct tape *tape)
         walk_phase(&clock->phase[i], clock->accounts.count, tape);
     walk_time(&clock->vector_end, tape);
     walk_time(&clock->vector_tail, tape);
-    tape_require(tape, phases_are_sound(clock) && results_are_sound(clock),
+    tape_require(tape, phases_are_sound(clock) && output_are_sound(clock),
                  wrong_flight);
 }
 

@@ -35,7 +35,7 @@ static bool is_kernel(const struct observation *observation)
 
 static void print_rows(const struct study *study, chosen_rows *is_chosen,
                        const double *predicted, double within, const char *what,
-                       const struct results *results)
+                       const struct command_output *results)
 {
     const struct observations *all = study->fit.observations;
     struct text_buffer text = { NULL, 0, 0, false };
@@ -53,12 +53,12 @@ static void print_rows(const struct study *study, chosen_rows *is_chosen,
             && fabs(fit_error(&all->items[i], predicted[i])) > within)
             print_missed(&sink, &missed, all->items[i].name,
                          fit_error(&all->items[i], predicted[i]));
-    results_say(results, "%s.\n", text.text ? text.text : "");
+    output_printf(results, "%s.\n", text.text ? text.text : "");
     text_buffer_free(&text);
 }
 
 static void print_speedups(const struct study *study, const double *written,
-                           double within, const struct results *results)
+                           double within, const struct command_output *results)
 {
     size_t good = 0;
 
@@ -68,11 +68,12 @@ static void print_speedups(const struct study *study, const double *written,
 
         good += fabs(found / told - 1) <= within;
     }
-    results_say(results, "Speedups within %.0f %%: %zu of %zu.\n", 100 * within, good,
-                2 * study->subject_count);
+    output_printf(results, "Speedups within %.0f %%: %zu of %zu.\n", 100 * within, good,
+                  2 * study->subject_count);
 }
 
-static void print_constants(const struct study *study, const struct results *results)
+static void print_constants(const struct study *study,
+                            const struct command_output *results)
 {
     const struct constants *constants = study->fit.constants;
     size_t inside = 0, near = 0;
@@ -84,18 +85,18 @@ static void print_constants(const struct study *study, const struct results *res
         inside += value > constant->least && value < constant->most;
         near += fabs(study->best.places[i]) <= WIDTHS_WITHIN;
     }
-    results_say(results,
-                "Constants inside their bounds: %zu of %zu; within %g prior "
-                "widths: %zu.\n",
-                inside, constants->count, WIDTHS_WITHIN, near);
+    output_printf(results,
+                  "Constants inside their bounds: %zu of %zu; within %g prior "
+                  "widths: %zu.\n",
+                  inside, constants->count, WIDTHS_WITHIN, near);
 }
 
 void goal_tell(const struct study *study, const double *written,
-               const struct results *results)
+               const struct command_output *results)
 {
     static const double limits[] = { TIMES_WITHIN, TIMES_GOAL };
 
-    results_say(results, "\nThe goal:\n\n");
+    output_printf(results, "\nThe goal:\n\n");
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
         print_rows(study, study_is_row, written, limits[i], "Times of Table 1",
                    results);

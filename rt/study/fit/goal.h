@@ -7,11 +7,11 @@
 #ifndef RT_FIT_GOAL_H
 #define RT_FIT_GOAL_H
 
-#include "base/results.h"
+#include "base/command_output.h"
 #include "rt/study/fit/study.h"
 
 /* written: what the models predict as they are written. */
 void goal_tell(const struct study *study, const double *written,
-               const struct results *results);
+               const struct command_output *results);
 
 #endif

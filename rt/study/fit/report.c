@@ -392,27 +392,27 @@ static const c205_model *fitted_model(const struct study *study)
     return study->fit.observations->timings[0].model;
 }
 
-static void print_head(const struct study *study, const struct results *results)
+static void print_head(const struct study *study, const struct command_output *results)
 {
     const struct fit_outcome *best = &study->best;
     double known = study_known(study);
 
-    results_say(results,
-                "%zu observation%s, %zu free constant%s; cost %.3f after %d step%s, "
-                "%s.\n"
-                "The data know as much as %.1f of the constants; %.1f degrees of "
-                "freedom are left.\n"
-                "Residuals: relative errors of the machine's own clocks by their "
-                "uncertainty, Cauchy\nloss from %g on; and the constants' "
-                "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
-                "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
-                "%s.\n",
-                best->used, plural(best->used), study->fit.constants->count,
-                plural(study->fit.constants->count), best->cost, best->steps,
-                plural((uint64_t)best->steps),
-                best->converged ? "converged" : "not converged", known,
-                (double)best->used - known, FIT_LOSS,
-                provenance_left_out(fitted_model(study)));
+    output_printf(results,
+                  "%zu observation%s, %zu free constant%s; cost %.3f after %d step%s, "
+                  "%s.\n"
+                  "The data know as much as %.1f of the constants; %.1f degrees of "
+                  "freedom are left.\n"
+                  "Residuals: relative errors of the machine's own clocks by their "
+                  "uncertainty, Cauchy\nloss from %g on; and the constants' "
+                  "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
+                  "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
+                  "%s.\n",
+                  best->used, plural(best->used), study->fit.constants->count,
+                  plural(study->fit.constants->count), best->cost, best->steps,
+                  plural((uint64_t)best->steps),
+                  best->converged ? "converged" : "not converged", known,
+                  (double)best->used - known, FIT_LOSS,
+                  provenance_left_out(fitted_model(study)));
 }
 
 static void write_head(const struct study *study, struct json *json)
@@ -426,7 +426,7 @@ static void write_head(const struct study *study, struct json *json)
 }
 
 static bool add_part(const struct study *study, const struct report_part *part,
-                     const double *written, const struct results *results)
+                     const double *written, const struct command_output *results)
 {
     struct table *table = table_new(part->columns, part->count);
     bool good;
@@ -434,13 +434,13 @@ static bool add_part(const struct study *study, const struct report_part *part,
     if (!table)
         return false;
     part->fill(study, written, table);
-    good = results_part(results, table, part->key, part->heading);
+    good = output_part(results, table, part->key, part->heading);
     table_free(table);
     return good;
 }
 
 bool report_tell(const struct study *study, const double *written,
-                 const struct results *results)
+                 const struct command_output *results)
 {
     print_head(study, results);
     if (results->json)

@@ -3,11 +3,11 @@
 #ifndef RT_FIT_REPORT_H
 #define RT_FIT_REPORT_H
 
-#include "base/results.h"
+#include "base/command_output.h"
 #include "rt/study/fit/study.h"
 
 /* written is what the model file predicts.  False: no memory. */
 bool report_tell(const struct study *study, const double *written,
-                 const struct results *results);
+                 const struct command_output *results);
 
 #endif

@@ -1,5 +1,5 @@
-/* results.c - see results.h. */
-#include "base/results.h"
+/* command_output.c - see command_output.h. */
+#include "base/command_output.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,13 +9,13 @@
 #include "base/sink.h"
 #include "base/visible.h"
 
-const char *results_format_choice(size_t number)
+const char *output_format_choice(size_t number)
 {
-    static const char *const names[] = { [RESULTS_TEXT] = "text",
-                                         [RESULTS_CSV] = "csv",
-                                         [RESULTS_MARKDOWN] = "md",
-                                         [RESULTS_JSON] = "json" };
-    return number <= RESULTS_JSON ? names[number] : NULL;
+    static const char *const names[] = { [OUTPUT_TEXT] = "text",
+                                         [OUTPUT_CSV] = "csv",
+                                         [OUTPUT_MARKDOWN] = "md",
+                                         [OUTPUT_JSON] = "json" };
+    return number <= OUTPUT_JSON ? names[number] : NULL;
 }
 
 static bool is_stream(const char *path)
@@ -24,19 +24,19 @@ static bool is_stream(const char *path)
 }
 
 /* "--json -" is "--format json". */
-static void settle_format(struct results *results)
+static void settle_format(struct command_output *results)
 {
     if (is_stream(results->path)) {
-        results->format = RESULTS_JSON;
+        results->format = OUTPUT_JSON;
         results->path = NULL;
     }
 }
 
-static bool open_json(struct results *results)
+static bool open_json(struct command_output *results)
 {
     c205_error error;
     results->json = NULL;
-    if (results->format == RESULTS_JSON) {
+    if (results->format == OUTPUT_JSON) {
         results->json = json_open_stream(stdout, results->path, &error);
     } else if (results->path) {
         results->json = json_open(results->path, &error);
@@ -49,14 +49,15 @@ static bool open_json(struct results *results)
     return results->json != NULL;
 }
 
-bool results_open(struct results *results, const char *command, const char *output)
+bool output_open(struct command_output *results, const char *command,
+                 const char *output)
 {
     results->command = command;
     settle_format(results);
-    results->file = results->format == RESULTS_JSON ? NULL
-                    : is_stream(output)             ? stderr
-                                                    : stdout;
-    if (results->format == RESULTS_JSON && is_stream(output)) {
+    results->file = results->format == OUTPUT_JSON ? NULL
+                    : is_stream(output)            ? stderr
+                                                   : stdout;
+    if (results->format == OUTPUT_JSON && is_stream(output)) {
         cmd_failed(command, "stdout is for the output or for JSON, not for "
                             "both");
         return false;
@@ -64,7 +65,7 @@ bool results_open(struct results *results, const char *command, const char *outp
     return open_json(results);
 }
 
-int results_close(struct results *results, int code)
+int output_close(struct command_output *results, int code)
 {
     c205_error error;
     if (results->json && code != CMD_DONE) {
@@ -76,15 +77,16 @@ int results_close(struct results *results, int code)
     return code;
 }
 
-enum table_format results_table_format(const struct results *results)
+enum table_format output_table_format(const struct command_output *results)
 {
-    return results->format == RESULTS_JSON ? TABLE_PLAIN
-                                           : (enum table_format)results->format;
+    return results->format == OUTPUT_JSON ? TABLE_PLAIN
+                                          : (enum table_format)results->format;
 }
 
-static void put_line(const struct results *results, const char *line, size_t length)
+static void put_line(const struct command_output *results, const char *line,
+                     size_t length)
 {
-    const char *remark = table_remark(results_table_format(results));
+    const char *remark = table_remark(output_table_format(results));
     size_t mark = length > 0 ? strlen(remark) : strcspn(remark, " ");
     struct sink sink = stream_sink(results->file);
     fprintf(results->file, "%.*s", (int)mark, remark);
@@ -92,7 +94,7 @@ static void put_line(const struct results *results, const char *line, size_t len
     putc('\n', results->file);
 }
 
-void results_say(const struct results *results, const char *format, ...)
+void output_printf(const struct command_output *results, const char *format, ...)
 {
     char text[1024];
     va_list arguments;
@@ -109,25 +111,25 @@ void results_say(const struct results *results, const char *format, ...)
     }
 }
 
-void results_gap(const struct results *results)
+void output_gap(const struct command_output *results)
 {
-    if (results->format == RESULTS_TEXT) {
+    if (results->format == OUTPUT_TEXT) {
         putc('\n', results->file);
     }
 }
 
-void results_model(const struct results *results, const c205_model *model)
+void output_model(const struct command_output *results, const c205_model *model)
 {
     if (results->file) {
         provenance_print(model, results->provenance,
-                         table_remark(results_table_format(results)), results->file);
+                         table_remark(output_table_format(results)), results->file);
     }
 }
 
-static bool add_table(const struct results *results, const struct table *table,
+static bool add_table(const struct command_output *results, const struct table *table,
                       const char *key, const char *heading)
 {
-    enum table_format format = results_table_format(results);
+    enum table_format format = output_table_format(results);
     if (!table) {
         return false;
     }
@@ -140,23 +142,23 @@ static bool add_table(const struct results *results, const struct table *table,
     return !results->json || table_json(table, results->json, key);
 }
 
-bool results_part(const struct results *results, const struct table *table,
-                  const char *key, const char *heading)
+bool output_part(const struct command_output *results, const struct table *table,
+                 const char *key, const char *heading)
 {
     return add_table(results, table, key, heading);
 }
 
-bool results_table(const struct results *results, const struct table *table,
-                   const char *key, const char *heading)
+bool output_table(const struct command_output *results, const struct table *table,
+                  const char *key, const char *heading)
 {
-    bool headed = results->format != RESULTS_TEXT;
+    bool headed = results->format != OUTPUT_TEXT;
     return add_table(results, table, key, headed ? heading : NULL);
 }
 
-int results_show(const struct results *results, struct table *table, const char *key,
-                 const char *heading)
+int output_show(const struct command_output *results, struct table *table,
+                const char *key, const char *heading)
 {
-    bool good = results_table(results, table, key, heading);
+    bool good = output_table(results, table, key, heading);
     table_free(table);
     return good ? CMD_DONE : cmd_failed(results->command, "no memory");
 }
