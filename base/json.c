@@ -236,7 +236,7 @@ void json_count(struct json *json, const char *key, uint64_t value)
     sink_print(&json->sink, "%" PRIu64, value);
 }
 
-void json_truth(struct json *json, const char *key, bool value)
+void json_bool(struct json *json, const char *key, bool value)
 {
     introduce(json, key);
     sink_put(&json->sink, value ? "true" : "false");
@@ -248,7 +248,7 @@ void json_null(struct json *json, const char *key)
     sink_put(&json->sink, "null");
 }
 
-void json_written(struct json *json, const char *key, const char *text)
+void json_raw(struct json *json, const char *key, const char *text)
 {
     introduce(json, key);
     sink_put(&json->sink, text);

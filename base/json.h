@@ -41,10 +41,10 @@ void json_text(struct json *json, const char *key, const char *text);
 /* A double comes back as it was; NaN and infinities are null. */
 void json_number(struct json *json, const char *key, double value);
 void json_count(struct json *json, const char *key, uint64_t value);
-void json_truth(struct json *json, const char *key, bool value);
+void json_bool(struct json *json, const char *key, bool value);
 void json_null(struct json *json, const char *key);
 /* A value that is JSON already. */
-void json_written(struct json *json, const char *key, const char *text);
+void json_raw(struct json *json, const char *key, const char *text);
 
 /* The digits of a finite double, as many as bring it back: 0.1. */
 void json_digits(char text[JSON_NUMBER_SIZE], double value);

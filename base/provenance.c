@@ -170,7 +170,7 @@ void provenance_json(const c205_model *model, struct json *json)
     json_object(json, "model");
     json_text(json, "name", c205_model_name(model));
     json_text(json, "title", c205_model_title(model));
-    json_truth(json, "fitted", provenance_is_fitted(model));
+    json_bool(json, "fitted", provenance_is_fitted(model));
     write_belief("fit", c205_model_fitted(model), json);
     write_belief("comparison", c205_model_compared(model), json);
     write_origin(model, json);

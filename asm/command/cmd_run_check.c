@@ -169,8 +169,8 @@ static void tell_json(struct json *json, const c205_model *model,
 {
     json_object(json, NULL);
     json_text(json, "program", verdict->path);
-    json_truth(json, "passed", verdict->good);
-    json_truth(json, "clocks_compared", !verdict->other_model);
+    json_bool(json, "passed", verdict->good);
+    json_bool(json, "clocks_compared", !verdict->other_model);
     json_text(json, "report", verdict->report);
     if (model) {
         provenance_json(model, json);

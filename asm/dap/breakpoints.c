@@ -50,7 +50,7 @@ static void put_stop(struct dap *dap, struct json *body,
     char *why = good ? NULL : dap_take_said(dap);
 
     json_object(body, NULL);
-    json_truth(body, "verified", good);
+    json_bool(body, "verified", good);
     if (good)
         put_place(dap, body, &stop);
     else
@@ -259,7 +259,7 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
     json_array(body, "accessTypes");
     json_text(body, NULL, "write");
     json_end(body);
-    json_truth(body, "canPersist", true);
+    json_bool(body, "canPersist", true);
 }
 
 /* It is an answer that something cannot be watched. */

@@ -41,7 +41,7 @@ static void put_trap_filter(struct json *body)
     json_text(body, "description",
               "Stop where the machine refuses to go on; otherwise the "
               "program ends there");
-    json_truth(body, "default", true);
+    json_bool(body, "default", true);
     json_end(body);
     json_end(body);
 }
@@ -57,7 +57,7 @@ bool request_initialize(struct dap *dap, const struct json_value *arguments,
                          "'%.40s'",
                          paths);
     for (size_t i = 0; i < sizeof capabilities / sizeof *capabilities; i++)
-        json_truth(body, capabilities[i], true);
+        json_bool(body, capabilities[i], true);
     put_trap_filter(body);
     dap->first_line = json_member_truth(arguments, "linesStartAt1", true);
     dap->first_column = json_member_truth(arguments, "columnsStartAt1", true);

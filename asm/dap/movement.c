@@ -54,7 +54,7 @@ static void tell_stopped(struct dap *dap, const char *reason, bool met)
         return;
     json_text(body, "reason", reason);
     json_number(body, "threadId", 1);
-    json_truth(body, "allThreadsStopped", true);
+    json_bool(body, "allThreadsStopped", true);
     if (met) {
         put_met(dap, body);
         stops_pass(dap->debugger, true);
@@ -220,7 +220,7 @@ bool request_continue(struct dap *dap, const struct json_value *arguments,
                       struct json *body)
 {
     (void)arguments;
-    json_truth(body, "allThreadsContinued", true);
+    json_bool(body, "allThreadsContinued", true);
     return move_by(dap, run);
 }
 

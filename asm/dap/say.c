@@ -101,7 +101,7 @@ void event_end(struct dap *dap, const char *name, struct json *json,
         json = message_begin(dap, &line, "event");
         if (json) {
             json_text(json, "event", name);
-            json_written(json, "body", body->text);
+            json_raw(json, "body", body->text);
             message_end(dap, json, &line);
         }
     }
@@ -154,7 +154,7 @@ static struct json *response_begin(struct dap *dap, struct text_buffer *line,
         return NULL;
     json_member_whole(request, "seq", &number);
     json_number(json, "request_seq", (double)number);
-    json_truth(json, "success", success);
+    json_bool(json, "success", success);
     json_text(json, "command", json_member_text(request, "command"));
     return json;
 }
@@ -166,7 +166,7 @@ void say_response(struct dap *dap, const struct json_value *request, const char 
 
     if (!json)
         return;
-    json_written(json, "body", body);
+    json_raw(json, "body", body);
     message_end(dap, json, &line);
 }
 

@@ -188,7 +188,7 @@ static void put_scope(struct json *body, const char *name, enum reference_kind k
     if (hint)
         json_text(body, "presentationHint", hint);
     json_number(body, "variablesReference", (double)reference_of(kind, 0));
-    json_truth(body, "expensive", false);
+    json_bool(body, "expensive", false);
     json_end(body);
 }
 

@@ -133,8 +133,8 @@ static void write_trial(const struct lesson_trial *trial, struct json *json)
     json_object(json, NULL);
     json_text(json, "name", trial->test->name);
     json_text(json, "tries", trial->test->tries);
-    json_truth(json, "passed", trial->passed);
-    json_truth(json, "right", trial->right);
+    json_bool(json, "passed", trial->passed);
+    json_bool(json, "right", trial->right);
     json_count(json, "clocks", trial->clocks);
     json_text(json, "medal", medal_name(trial->medal));
     write_goals(trial->test, json);
@@ -157,7 +157,7 @@ void lesson_verdict_json(const struct lesson_verdict *verdict, struct json *json
 {
     write_lesson(verdict->lesson, json);
     json_text(json, "answer", verdict->answer);
-    json_truth(json, "passed", verdict->passed);
+    json_bool(json, "passed", verdict->passed);
     json_text(json, "medal", medal_name(verdict->medal));
     json_count(json, "clocks", verdict->clocks);
     json_array(json, "tests");

@@ -99,7 +99,7 @@ static bool write_head(const struct rt205_arguments *arguments, int projections,
     json_count(json, "queue", arguments->trace.queue);
     json_number(json, "distance", arguments->view.distance);
     json_number(json, "angle", arguments->view.angle);
-    json_truth(json, "equal_frames", true);
+    json_bool(json, "equal_frames", true);
     return good;
 }
 

@@ -118,7 +118,7 @@ static void write_head(const struct quartic_costs *costs, struct json *json)
     json_text(json, "file", costs->file);
     json_text(json, "mode", trace_mode_name(options->mode));
     json_count(json, "queue", options->queue);
-    json_truth(json, "first", options->first);
+    json_bool(json, "first", options->first);
     json_text(json, "falsi", falsi_name(roots_falsi(costs->search)));
     json_count(json, "clocks", clocks);
     json_number(json, "seconds", accounts_seconds(options->model, clocks));

@@ -140,7 +140,7 @@ static void put_defaults(struct json *json, const struct json_value *properties)
         else if (strcmp(type, "string") == 0)
             json_text(json, item->key, value->text);
         else if (strcmp(type, "boolean") == 0)
-            json_truth(json, item->key, value->truth);
+            json_bool(json, item->key, value->truth);
         else {
             (strcmp(type, "array") == 0 ? json_array : json_object)(json, item->key);
             json_end(json);

@@ -47,7 +47,7 @@ static void write_value(struct json *json, const char *key, unsigned depth)
 
     switch (below(depth < DEEPEST ? 6 : 4)) {
     case 0: json_null(json, key); break;
-    case 1: json_truth(json, key, below(2)); break;
+    case 1: json_bool(json, key, below(2)); break;
     case 2: json_number(json, key, draw_number()); break;
     case 3:
         draw_text(text);

@@ -350,7 +350,7 @@ TEST_WITH(json_values, set_up, tear_down)
     json_number(json, "tenth", 0.1);
     json_number(json, "third", 1.0 / 3.0);
     json_number(json, "none", INFINITY);
-    json_truth(json, "true", true);
+    json_bool(json, "true", true);
     json_array(json, "empty");
     json_end(json);
     assert_true(json_close(json, &error));

@@ -47,7 +47,7 @@ static void put_insn(const c205_insn *insn, struct json *reply)
         put_operands(insn, true, "half_operands", reply);
     json_text(reply, "effect", insn->effect);
     json_text(reply, "unit", c205_unit_name(insn->unit));
-    json_truth(reply, "vector", c205_timing_is_vector(insn->timing));
+    json_bool(reply, "vector", c205_timing_is_vector(insn->timing));
     json_text(reply, "source", source);
     json_end(reply);
 }

@@ -263,7 +263,7 @@ static char *put_refusal(const struct engine *engine, const char *why)
 
     if (!reply)
         return NULL;
-    json_truth(reply, "ok", false);
+    json_bool(reply, "ok", false);
     json_text(reply, "error", why);
     if (engine->diagnostics.count > 0)
         put_diagnostics(&engine->diagnostics, reply);
@@ -281,7 +281,7 @@ static char *answer_read(struct engine *engine, const struct json_value *request
 
     if (!reply)
         return NULL;
-    json_truth(reply, "ok", true);
+    json_bool(reply, "ok", true);
     if (!answer(engine, request, reply, &error))
         json_discard(reply);
     else if (json_close(reply, &error))

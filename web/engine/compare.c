@@ -124,7 +124,7 @@ static bool slice(struct engine *engine, struct json *reply, c205_error *error)
     }
     engine->goes_on = good && comparison->which < COMPARED_RUNS ? slice : NULL;
     if (good)
-        json_truth(reply, "done", !engine->goes_on);
+        json_bool(reply, "done", !engine->goes_on);
     if (good && !engine->goes_on)
         good = put_comparison(comparison, reply, error);
     if (!engine->goes_on)

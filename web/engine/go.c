@@ -99,7 +99,7 @@ static void put_place(const struct engine *engine, struct json *reply)
 static bool arrive(struct engine *engine, enum moved moved, struct json *reply,
                    c205_error *error)
 {
-    json_truth(reply, "done", true);
+    json_bool(reply, "done", true);
     json_text(reply, "why", why(engine, moved));
     put_place(engine, reply);
     if (moved == MOVED_TO_STOP)
@@ -119,7 +119,7 @@ static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
     if (moved != MOVED_INTERRUPTED || engine->slice.to_the_limit)
         return arrive(engine, moved, reply, error);
     engine->goes_on = go_on;
-    json_truth(reply, "done", false);
+    json_bool(reply, "done", false);
     json_text(reply, "why", "running");
     put_place(engine, reply);
     json_text(reply, "message", "");

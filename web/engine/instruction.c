@@ -41,7 +41,7 @@ static void put_operand(const struct engine *engine,
     json_text(reply, "mnemonic", view->insn->mnemonic);
     json_text(reply, "field", letter);
     json_count(reply, "number", operand->number);
-    json_truth(reply, "half", operand->is_half);
+    json_bool(reply, "half", operand->is_half);
     json_text(reply, "name",
               operand->is_half
                   ? ""

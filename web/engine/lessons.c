@@ -26,7 +26,7 @@ static void put_lesson(const struct lesson *lesson, struct json *reply)
         json_object(reply, NULL);
         json_text(reply, "name", lesson->tests[i].name);
         json_text(reply, "tries", lesson->tests[i].tries);
-        json_truth(reply, "warm", lesson->tests[i].warm);
+        json_bool(reply, "warm", lesson->tests[i].warm);
         put_goals(&lesson->tests[i], reply);
         json_end(reply);
     }

@@ -326,7 +326,7 @@ static void put_symbols(const struct object *object, struct json *reply)
 
         json_object(reply, NULL);
         json_text(reply, "name", symbol->name);
-        json_truth(reply, "label", symbol->is_label);
+        json_bool(reply, "label", symbol->is_label);
         if (symbol->is_word)
             put_hex(reply, "hex", (c205_word)symbol->value);
         else
@@ -427,7 +427,7 @@ bool answer_load(struct engine *engine, const struct json_value *request,
         return false;
     json_text(reply, "name", name);
     json_text(reply, "model", c205_model_name(engine->model));
-    json_truth(reply, "warm", object->program.warm);
+    json_bool(reply, "warm", object->program.warm);
     put_diagnostics(&engine->diagnostics, reply);
     put_symbols(object, reply);
     return put_lines(engine, reply, error);

@@ -108,7 +108,7 @@ static void put_register(const struct engine *engine, unsigned number,
     json_number(reply, "integer", (double)c205_to_integer(word));
     put_descriptor(engine, word, reply);
     put_halves(engine, number, word, reply);
-    json_truth(reply, "changed", is_written(engine, number));
+    json_bool(reply, "changed", is_written(engine, number));
     json_end(reply);
 }
 
@@ -224,7 +224,7 @@ static bool put_symbol(const struct engine *engine, const struct asm_symbol *sym
     json_count(reply, "first", first);
     good = put_values(engine, &vector, (size_t)first,
                       (size_t)(left < window->most ? left : window->most), reply);
-    json_truth(reply, "changed", put_stored(engine, &vector, reply));
+    json_bool(reply, "changed", put_stored(engine, &vector, reply));
     json_end(reply);
     return good;
 }

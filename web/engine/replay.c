@@ -109,7 +109,7 @@ bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again
 
     engine->goes_on = good && !done ? again : NULL;
     if (good)
-        json_truth(reply, "done", done);
+        json_bool(reply, "done", done);
     if (good && !done)
         json_count(reply, "step", debugger_step(engine->debugger));
     if (good && done)

@@ -73,7 +73,7 @@ static bool slice(struct engine *engine, struct json *reply, c205_error *error)
     } while (good && !over && !slice_is_full(engine));
     engine->goes_on = good && !over ? slice : NULL;
     if (good)
-        json_truth(reply, "done", over);
+        json_bool(reply, "done", over);
     if (good && !over)
         json_number(reply, "part", (double)sweep->done / (double)sweep->all);
     if (good && over)

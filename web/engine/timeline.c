@@ -131,7 +131,7 @@ static bool put_timeline(struct engine *engine, struct json *reply, c205_error *
     timeline_settle(timeline);
     json_count(reply, "from", timeline->from);
     json_count(reply, "to", timeline->to);
-    json_truth(reply, "full", timeline->full);
+    json_bool(reply, "full", timeline->full);
     return engine->replay.form ? put_file(engine, reply, error)
                                : put_spans(engine, reply, error);
 }

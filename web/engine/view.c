@@ -113,7 +113,7 @@ static void put_place(const struct engine *engine, struct json *reply)
 
     json_count(reply, "step", debugger_step(engine->debugger));
     json_count(reply, "steps", debugger_known(engine->debugger));
-    json_truth(reply, "ended", halt);
+    json_bool(reply, "ended", halt);
     if (halt) {
         json_text(reply, "trap", c205_trap_name(halt->trap));
         json_number(reply, "status", (double)halt->status);
@@ -136,7 +136,7 @@ static bool put_printed(const struct engine *engine, struct json *reply,
 
     if (text) {
         json_text(reply, "printed", text);
-        json_truth(reply, "printed_cut", printed_is_cut(printed, step));
+        json_bool(reply, "printed_cut", printed_is_cut(printed, step));
     }
     arena_free(&arena);
     return text || refuse(error, "no memory");

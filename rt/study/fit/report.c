@@ -419,7 +419,7 @@ static void write_head(const struct study *study, struct json *json)
 {
     json_number(json, "cost", study->best.cost);
     json_count(json, "steps", (uint64_t)study->best.steps);
-    json_truth(json, "converged", study->best.converged);
+    json_bool(json, "converged", study->best.converged);
     json_count(json, "observations", study->best.used);
     json_number(json, "known", study_known(study));
     json_text(json, "not_modelled", provenance_left_out(fitted_model(study)));
