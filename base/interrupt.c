@@ -19,7 +19,7 @@ void interrupt_catch_lines(bool terminal)
     (void)terminal;
 }
 
-bool interrupt_came(void)
+bool interrupt_pending(void)
 {
     return false;
 }
@@ -29,7 +29,7 @@ bool interrupt_ends(void)
     return false;
 }
 
-void interrupt_forget(void)
+void interrupt_clear(void)
 {
 }
 
@@ -155,7 +155,7 @@ void interrupt_catch_lines(bool terminal)
     sigaction(SIGINT, &action, NULL);
 }
 
-bool interrupt_came(void)
+bool interrupt_pending(void)
 {
     return came;
 }
@@ -165,7 +165,7 @@ bool interrupt_ends(void)
     return came && came != SIGINT;
 }
 
-void interrupt_forget(void)
+void interrupt_clear(void)
 {
     if (came == SIGINT) {
         came = 0;

@@ -11,11 +11,11 @@ void interrupt_catch(void);
  * EINTR, and never the program; elsewhere the reading continues. */
 void interrupt_catch_lines(bool terminal);
 /* One of them has come. */
-bool interrupt_came(void);
+bool interrupt_pending(void);
 /* It was SIGTERM or SIGHUP: the program has to end, whatever Ctrl-C means to it. */
 bool interrupt_ends(void);
 /* A Ctrl-C counts as not pressed yet. */
-void interrupt_forget(void);
+void interrupt_clear(void);
 
 /* Creates a file that does not exist yet, for writing: its descriptor, or -1 with errno.  It is
  * removed if a signal ends the program.  The path must last until the release. */

@@ -197,7 +197,7 @@ static void take_folder(struct handed_in *all, const char *student, const char *
     if (!folder_read(&folder, path, &error)) {
         refuse(all, student, all->check->lesson, path, error.message);
     }
-    for (size_t i = 0; i < folder.count && !interrupt_came(); i++) {
+    for (size_t i = 0; i < folder.count && !interrupt_pending(); i++) {
         struct text_buffer inner = { 0 };
         if (join_path(&inner, path, folder.names[i])) {
             take(all, student, folder.names[i], inner.text);
@@ -253,7 +253,7 @@ static void take_student(struct handed_in *all, const char *name, const char *pa
 {
     size_t rows = table_rows(all->table);
     take_folder(all, name, path, take_answer);
-    if (table_rows(all->table) == rows && !interrupt_came()) {
+    if (table_rows(all->table) == rows && !interrupt_pending()) {
         refuse(all, name, all->check->lesson, path, "no answer is there");
     }
 }
@@ -313,7 +313,7 @@ static int take_class(struct handed_in *all)
     if (results->json) {
         json_end(results->json);
     }
-    if (interrupt_came()) {
+    if (interrupt_pending()) {
         return cmd_failed(arguments->command, "interrupted");
     }
     return !all->failed

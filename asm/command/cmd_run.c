@@ -140,7 +140,7 @@ static int save(const struct c205_arguments *arguments, const struct object *obj
         return cmd_failed(arguments->command, "%s", error.message);
     }
     output_printf(results, "stopped by %s, and saved as %s\n",
-                  interrupt_came() ? "Ctrl-C" : "the limit", arguments->save);
+                  interrupt_pending() ? "Ctrl-C" : "the limit", arguments->save);
     return CMD_DONE;
 }
 
@@ -186,10 +186,10 @@ static int conclude(const struct c205_arguments *arguments, const struct object 
                     const c205 *machine, const c205_stop *stop,
                     const struct command_output *results)
 {
-    int code = arguments->save    ? save(arguments, object, machine, stop, results)
-               : interrupt_came() ? CMD_DONE
-                                  : judge(arguments, object, machine, stop);
-    if (!may_go_on(stop) || !interrupt_came()) {
+    int code = arguments->save       ? save(arguments, object, machine, stop, results)
+               : interrupt_pending() ? CMD_DONE
+                                     : judge(arguments, object, machine, stop);
+    if (!may_go_on(stop) || !interrupt_pending()) {
         return code;
     }
     return cmd_failed(arguments->command,
@@ -217,7 +217,7 @@ static c205_stop run_slices(c205 *machine, uint64_t limit)
         bool last = limit < c205_clock(machine) || left <= slice;
         stop = c205_run(machine, last ? limit : c205_clock(machine) + slice);
     } while (stop.trap == C205_TRAP_CLOCK_LIMIT && c205_clock(machine) < limit
-             && !interrupt_came());
+             && !interrupt_pending());
     return stop;
 }
 

@@ -158,12 +158,12 @@ static bool take_swept(char *text, void *value)
 static bool goes_on(void *context, size_t done, size_t all)
 {
     struct progress *progress = context;
-    if (interrupt_came()) {
+    if (interrupt_pending()) {
         progress_hide(progress);
     } else {
         progress_tell(progress, done, all);
     }
-    return !interrupt_came();
+    return !interrupt_pending();
 }
 
 static bool read_text(const struct c205_arguments *arguments,

@@ -16,8 +16,8 @@ struct dialogue {
 /* Ctrl-C ends one movement. */
 static void note_interrupt(struct dialogue *dialogue)
 {
-    dialogue->interrupted |= interrupt_came();
-    interrupt_forget();
+    dialogue->interrupted |= interrupt_pending();
+    interrupt_clear();
 }
 
 /* Lines of a script are shown as if somebody had typed them.  The reason why they
@@ -88,5 +88,5 @@ int dialogue_hold(const struct dialogue_setup *setup, struct debugger *debugger)
 bool dialogue_interrupted(void *asked)
 {
     (void)asked;
-    return interrupt_came();
+    return interrupt_pending();
 }

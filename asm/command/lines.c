@@ -36,16 +36,16 @@ static bool wait_for_input(void)
     bool ready = false;
 
     sigfillset(&all);
-    while (!ready && !interrupt_came()) {
+    while (!ready && !interrupt_pending()) {
         FD_ZERO(&input);
         FD_SET(STDIN_FILENO, &input);
         sigprocmask(SIG_BLOCK, &all, &before);
-        if (!interrupt_came())
+        if (!interrupt_pending())
             ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, &before) >= 0
                     || errno != EINTR;
         sigprocmask(SIG_SETMASK, &before, NULL);
     }
-    return !interrupt_came();
+    return !interrupt_pending();
 }
 
 /* What libedit has of readline's interface. */
@@ -132,7 +132,7 @@ static const char *read_plain(struct typed_lines *lines, const char *prompt)
 /* A line without an end, since Ctrl-C came: there is another one. */
 static bool is_dropped(const struct typed_lines *lines)
 {
-    return lines->terminal && interrupt_came() && !interrupt_ends();
+    return lines->terminal && interrupt_pending() && !interrupt_ends();
 }
 
 const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
@@ -144,7 +144,7 @@ const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
         line = lines->read ? read_edited(lines, prompt) : read_plain(lines, prompt);
         if (line || !is_dropped(lines))
             return line;
-        interrupt_forget();
+        interrupt_clear();
         putchar('\n');
     }
 }

@@ -301,7 +301,7 @@ static int end_early(const struct rt205_arguments *arguments, const struct trace
 {
     char rows[300] = "", bands[200] = "";
 
-    if (interrupt_came() && arguments->output)
+    if (interrupt_pending() && arguments->output)
         save_rows(arguments, trace, rows, sizeof rows);
     tell_resume(arguments, trace, bands, sizeof bands);
     return cmd_failed(arguments->command, "%s%s%s", why->message, rows, bands);

@@ -58,7 +58,7 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
 static bool go_on(void *context)
 {
     (void)context;
-    return !interrupt_came();
+    return !interrupt_pending();
 }
 
 /* A picture of the background alone is hardly what the user wants.  False: it is

@@ -6,11 +6,11 @@ static bool watch_progress(void *context, size_t done, size_t all)
 {
     struct progress *progress = context;
 
-    if (interrupt_came())
+    if (interrupt_pending())
         progress_hide(progress);
     else
         progress_tell(progress, done, all);
-    return !interrupt_came();
+    return !interrupt_pending();
 }
 
 void cmd_watch(struct rt205_arguments *arguments)
