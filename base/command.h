@@ -33,7 +33,7 @@ enum command_kind {
     COMMAND_OUTPUT, /* const char *: a file to write, "-" is stdout */
     COMMAND_FILE,   /* const char *: a file to write that has a name */
     COMMAND_FOLDER, /* const char * */
-    COMMAND_OWN     /* whatever take makes of the text */
+    COMMAND_CUSTOM  /* whatever take makes of the text */
 };
 
 /* The names that a value may have, by their numbers.  "": that number is not
@@ -59,7 +59,7 @@ struct command_option {
                       its first; -1: no choice */
     const char *preset_text; /* of texts and files, or told in help */
     command_choice *choice;  /* of a choice; of a text: for example these */
-    command_take *take;      /* COMMAND_OWN only, .. */
+    command_take *take;      /* COMMAND_CUSTOM only, .. */
     const char *wants;       /* .. and what it takes, for messages */
 };
 /* Ends a list of options or operands. */

@@ -63,7 +63,7 @@ void command_option_wants(const struct command_option *option, const struct sink
     case COMMAND_NUMBER: put_range(option, sink); break;
     case COMMAND_CLOCKS: sink_put(sink, "a whole number"); break;
     case COMMAND_CHOICE: put_choices(option->choice, sink); break;
-    case COMMAND_OWN: sink_put(sink, option->wants); break;
+    case COMMAND_CUSTOM: sink_put(sink, option->wants); break;
     case COMMAND_FOLDER: sink_put(sink, "a folder"); break;
     case COMMAND_INPUT:
     case COMMAND_OUTPUT: sink_put(sink, "a file, or - for a stream"); break;

@@ -46,7 +46,7 @@ static void list_rows(FILE *file, const char *what, const char *command,
         [COMMAND_NUMBER] = "number", [COMMAND_CHOICE] = "choice",
         [COMMAND_INPUT] = "input",   [COMMAND_OUTPUT] = "output",
         [COMMAND_FILE] = "file",     [COMMAND_FOLDER] = "folder",
-        [COMMAND_OWN] = "own"
+        [COMMAND_CUSTOM] = "own"
     };
     for (; command_is_row(row); row++) {
         const char *name;

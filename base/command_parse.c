@@ -110,7 +110,7 @@ static bool take(char *text, const struct command_option *option, void *place)
     case COMMAND_CLOCKS: return take_clocks(text, place);
     case COMMAND_NUMBER: return take_number(text, option, place);
     case COMMAND_CHOICE: return take_choice(text, option, place);
-    case COMMAND_OWN: return option->take(text, place);
+    case COMMAND_CUSTOM: return option->take(text, place);
     case COMMAND_FILE:
         if (strcmp(text, "-") == 0) {
             return false;
@@ -135,7 +135,7 @@ static bool prepare_row(const struct command_option *option, size_t room, void *
     switch (option->kind) {
     case COMMAND_FLAG:
     case COMMAND_CLOCKS:
-    case COMMAND_OWN: break;
+    case COMMAND_CUSTOM: break;
     case COMMAND_COUNT: memcpy(place, &count, sizeof count); break;
     case COMMAND_NUMBER: memcpy(place, &option->preset, sizeof option->preset); break;
     case COMMAND_CHOICE: put_choice((int)option->preset, place); break;

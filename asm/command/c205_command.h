@@ -75,13 +75,13 @@ command_take cmd_take_warning;
     CMD_RESULTS, OUTPUT_OPTION_PROVENANCE(struct c205_arguments, results)
 #define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
 #define CMD_DEFINE \
-    { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_OWN, \
+    { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_CUSTOM, \
       .offset = CMD_PLACE(defines), .take = cmd_take_define, \
       .wants = "NAME=VALUE, a name and an integer, each name once", \
       .help = "an integer for the program text, as by .equ" }
 #define CMD_WARN \
     { .name = "warn", .letter = 'W', .value = "NAME|no-NAME", \
-      .kind = COMMAND_OWN, .offset = CMD_PLACE(warnings), \
+      .kind = COMMAND_CUSTOM, .offset = CMD_PLACE(warnings), \
       .take = cmd_take_warning, \
       .wants = "the name of a warning (-W list prints them), all or error, " \
                "or no- and one of these", \

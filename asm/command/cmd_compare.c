@@ -174,7 +174,7 @@ static const struct command_option options[] = {
     CMD_DEFINE,
     { .name = "other-define",
       .value = "NAME=VALUE",
-      .kind = COMMAND_OWN,
+      .kind = COMMAND_CUSTOM,
       .offset = CMD_PLACE(other_defines),
       .take = cmd_take_define,
       .wants = "NAME=VALUE, a name and an integer, each name once",

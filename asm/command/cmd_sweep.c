@@ -308,7 +308,7 @@ static int run(void *given)
 static const struct command_option options[] = {
     { .name = "define",
       .value = "NAME=RANGE|VALUE",
-      .kind = COMMAND_OWN,
+      .kind = COMMAND_CUSTOM,
       .offset = CMD_PLACE(swept),
       .take = take_swept,
       .wants = "NAME=FROM:TO, FROM:TO:STEP, FROM:TO:xFACTOR, from 1 on and "

@@ -139,7 +139,7 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .help = "keep finished " what " there, go on from those it has; of " \
               "further files take theirs, too" }
 #define CMD_PART(what) \
-    { .name = "part", .value = "K/N", .kind = COMMAND_OWN, \
+    { .name = "part", .value = "K/N", .kind = COMMAND_CUSTOM, \
       .offset = CMD_PLACE(units.farm), .take = cmd_take_part, \
       .wants = "two numbers, the first not above the second: 1/4", \
       .help = "the K-th of N shares of the " what " alone, kept by --resume" }
@@ -186,7 +186,7 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
              "what would be replaced or left out is an error"), \
     COMMAND_OPTION_INCLUDE(CMD_PLACE(search))
 #define CMD_PIXEL(option, what) \
-    { .name = option, .value = "X,Y", .kind = COMMAND_OWN, \
+    { .name = option, .value = "X,Y", .kind = COMMAND_CUSTOM, \
       .offset = CMD_PLACE(pixel), .take = cmd_take_pixel, \
       .wants = "column and row of a pixel, from 0 on: 12,7", .help = what }
 #define CMD_SCENE \

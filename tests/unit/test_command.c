@@ -69,7 +69,7 @@ static const struct command_option options[] = {
     { .name = "colour", .value = "COLOUR", .kind = COMMAND_CHOICE,
       .offset = PLACE(colour), .choice = colour_choice, .preset = GREEN,
       .help = "a colour" },
-    { .name = "own", .value = "TEXT", .kind = COMMAND_OWN,
+    { .name = "own", .value = "TEXT", .kind = COMMAND_CUSTOM,
       .offset = PLACE(length), .take = take_length, .wants = "eight letters",
       .help = "a length" },
     { .name = "word", .letter = 'w', .value = "WORD", .kind = COMMAND_TEXT,
@@ -199,7 +199,7 @@ static const char *make_value(struct line *line, const struct command_option *op
         expected->colour = colours[below(line, 3)];
         snprintf(text, WORD_SIZE, "%s", colour_choice(expected->colour));
         break;
-    case COMMAND_OWN: expected->length = strlen(text); break;
+    case COMMAND_CUSTOM: expected->length = strlen(text); break;
     default: return text;
     }
     return NULL;
