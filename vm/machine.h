@@ -14,7 +14,7 @@ struct region_range {
     uint32_t region;
 };
 
-struct tape;
+struct serializer;
 
 /* Places for vectors that need a copy. */
 enum scratch {
@@ -234,7 +234,7 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
 bool machine_set_regions(struct c205 *machine, const c205_program *program,
                          c205_error *error);
 uint32_t machine_region(const struct c205 *machine, uint64_t pc);
-/* Regions and the names of their accounts, to or from a tape. */
-void machine_walk_regions(struct c205 *machine, struct tape *tape);
+/* Regions and the names of their accounts, to or from a serializer. */
+void machine_walk_regions(struct c205 *machine, struct serializer *serializer);
 
 #endif

@@ -1,7 +1,7 @@
 #include "vm/progress.h"
 
 #include "vm/memory.h"
-#include "vm/tape.h"
+#include "vm/serializer.h"
 
 /* The longest search makes so many comparisons. */
 #define MAX_COMPARED ((size_t)C205_MAX_LENGTH * C205_MAX_LENGTH)
@@ -39,40 +39,40 @@ bool progress_holds(const struct package *progress, uint64_t pc, uint64_t addres
 
 /* ---- On a tape ---------------------------------------------------------- */
 
-static void walk_instruction(struct package *progress, struct tape *tape)
+static void walk_instruction(struct package *progress, struct serializer *serializer)
 {
     size_t halves = progress->halves;
-    tape_size(tape, &halves, PACKAGE_HALVES);
+    serializer_size(serializer, &halves, PACKAGE_HALVES);
     progress->halves = (unsigned)halves;
     for (size_t i = 0; i < halves; i++) {
         uint64_t half = progress->half[i];
-        tape_word(tape, &half);
-        tape_require(tape, half <= UINT32_MAX,
-                     "the interrupted instruction is damaged");
+        serializer_word(serializer, &half);
+        serializer_require(serializer, half <= UINT32_MAX,
+                           "the interrupted instruction is damaged");
         progress->half[i] = (uint32_t)half;
     }
 }
 
-static void walk_flag(bool *flag, struct tape *tape)
+static void walk_flag(bool *flag, struct serializer *serializer)
 {
     size_t size = *flag;
-    tape_size(tape, &size, 1);
+    serializer_size(serializer, &size, 1);
     *flag = size == 1;
 }
 
 /* Whatever numbers a tape holds, the loops stay within what is claimed. */
-void progress_walk(struct package *progress, struct tape *tape)
+void progress_walk(struct package *progress, struct serializer *serializer)
 {
-    walk_flag(&progress->interrupted, tape);
+    walk_flag(&progress->interrupted, serializer);
     if (!progress->interrupted)
         return;
-    walk_instruction(progress, tape);
-    walk_flag(&progress->found, tape);
-    tape_size(tape, &progress->first, C205_MAX_LENGTH);
+    walk_instruction(progress, serializer);
+    walk_flag(&progress->found, serializer);
+    serializer_size(serializer, &progress->first, C205_MAX_LENGTH);
     for (size_t i = 0; i < 2; i++)
-        tape_size(tape, &progress->count[i], MAX_COMPARED);
-    tape_word(tape, &progress->word);
-    tape_word(tape, &progress->lower);
-    tape_word(tape, &progress->flags);
-    tape_size(tape, &progress->kept, C205_MAX_LENGTH);
+        serializer_size(serializer, &progress->count[i], MAX_COMPARED);
+    serializer_word(serializer, &progress->word);
+    serializer_word(serializer, &progress->lower);
+    serializer_word(serializer, &progress->flags);
+    serializer_size(serializer, &progress->kept, C205_MAX_LENGTH);
 }

@@ -40,7 +40,7 @@ struct turn {
     size_t n; /* of all */
 };
 
-struct tape;
+struct serializer;
 
 /* The instruction was interrupted; its loop has left the rest. */
 void progress_interrupt(struct package *progress, const struct decoded *decoded);
@@ -48,7 +48,7 @@ void progress_interrupt(struct package *progress, const struct decoded *decoded)
  * interrupted. */
 bool progress_holds(const struct package *progress, uint64_t pc, uint64_t address,
                     c205_word *half);
-/* To or from a tape; SCRATCH_KEPT aside. */
-void progress_walk(struct package *progress, struct tape *tape);
+/* To or from a serializer; SCRATCH_KEPT aside. */
+void progress_walk(struct package *progress, struct serializer *serializer);
 
 #endif

@@ -1,6 +1,6 @@
 /* region.c - which region of the accounts an instruction belongs to. */
 #include "vm/machine.h"
-#include "vm/tape.h"
+#include "vm/serializer.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -104,61 +104,62 @@ static const char wrong_regions[] = "the regions of the saved machine are wrong"
 
 /* Each region has its account, the first one is for all other code. */
 static void walk_names(struct c205 *machine, const char **names, size_t count,
-                       struct tape *tape)
+                       struct serializer *serializer)
 {
     for (size_t i = 0; i < count; i++) {
-        if (!tape_is_read(tape))
+        if (!serializer_is_read(serializer))
             names[i] = clock_account(machine->clock, i)->name;
-        tape_text(tape, &names[i]);
+        serializer_text(serializer, &names[i]);
     }
-    tape_require(tape, count > 0 && names[0][0] == '\0', wrong_regions);
-    if (tape_is_read(tape) && !tape->failed
-        && !clock_set_regions(machine->clock, names, count, tape->error))
-        tape->failed = true;
+    serializer_require(serializer, count > 0 && names[0][0] == '\0', wrong_regions);
+    if (serializer_is_read(serializer) && !serializer->failed
+        && !clock_set_regions(machine->clock, names, count, serializer->error))
+        serializer->failed = true;
 }
 
-static void walk_accounts(struct c205 *machine, struct tape *tape)
+static void walk_accounts(struct c205 *machine, struct serializer *serializer)
 {
     size_t count = clock_account_count(machine->clock);
-    tape_count(tape, &count);
+    serializer_count(serializer, &count);
     const char **names = malloc((count + 1) * sizeof *names);
     if (names)
-        walk_names(machine, names, count, tape);
+        walk_names(machine, names, count, serializer);
     else
-        tape_refuse(tape, no_memory);
+        serializer_refuse(serializer, no_memory);
     free(names);
 }
 
-static void walk_range(struct region_range *range, size_t regions, struct tape *tape)
+static void walk_range(struct region_range *range, size_t regions,
+                       struct serializer *serializer)
 {
     size_t region = range->region;
-    tape_word(tape, &range->begin);
-    tape_word(tape, &range->end);
-    tape_size(tape, &region, regions - 1);
+    serializer_word(serializer, &range->begin);
+    serializer_word(serializer, &range->end);
+    serializer_size(serializer, &region, regions - 1);
     range->region = (uint32_t)region;
-    tape_require(tape, range->begin <= range->end, wrong_regions);
+    serializer_require(serializer, range->begin <= range->end, wrong_regions);
 }
 
 static void walk_ranges(struct region_range *ranges, size_t count, size_t regions,
-                        struct tape *tape)
+                        struct serializer *serializer)
 {
     for (size_t i = 0; i < count; i++) {
-        walk_range(&ranges[i], regions, tape);
-        tape_require(tape, i == 0 || ranges[i - 1].end <= ranges[i].begin,
-                     wrong_regions);
+        walk_range(&ranges[i], regions, serializer);
+        serializer_require(serializer, i == 0 || ranges[i - 1].end <= ranges[i].begin,
+                           wrong_regions);
     }
 }
 
-void machine_walk_regions(struct c205 *machine, struct tape *tape)
+void machine_walk_regions(struct c205 *machine, struct serializer *serializer)
 {
     size_t count = machine->range_count;
-    walk_accounts(machine, tape);
-    tape_count(tape, &count);
-    if (tape_is_read(tape)) {
+    walk_accounts(machine, serializer);
+    serializer_count(serializer, &count);
+    if (serializer_is_read(serializer)) {
         machine->ranges = calloc(count + 1, sizeof *machine->ranges);
         machine->range_count = machine->ranges ? count : 0;
-        tape_require(tape, machine->ranges, no_memory);
+        serializer_require(serializer, machine->ranges, no_memory);
     }
     walk_ranges(machine->ranges, machine->range_count,
-                clock_account_count(machine->clock), tape);
+                clock_account_count(machine->clock), serializer);
 }

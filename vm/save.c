@@ -2,7 +2,7 @@
 #include "vm/hash.h"
 #include "vm/machine.h"
 #include "vm/time/model.h"
-#include "vm/tape.h"
+#include "vm/serializer.h"
 
 #include <stdio.h>
 
@@ -78,151 +78,152 @@ static struct zero_run find_run(const c205_word *word, size_t left)
 }
 
 /* When reading, the page is new: all zeros. */
-static void walk_words(c205_word *words, struct tape *tape)
+static void walk_words(c205_word *words, struct serializer *serializer)
 {
     for (size_t i = 0; i < C205_PAGE_WORDS;) {
         struct zero_run run = { 0, 0 };
-        if (!tape_is_read(tape))
+        if (!serializer_is_read(serializer))
             run = find_run(words + i, C205_PAGE_WORDS - i);
-        tape_size(tape, &run.zeros, C205_PAGE_WORDS - i);
-        tape_size(tape, &run.words, C205_PAGE_WORDS - i - run.zeros);
-        tape_require(tape, run.zeros + run.words > 0,
-                     "the memory of the saved machine is damaged");
-        if (tape->failed)
+        serializer_size(serializer, &run.zeros, C205_PAGE_WORDS - i);
+        serializer_size(serializer, &run.words, C205_PAGE_WORDS - i - run.zeros);
+        serializer_require(serializer, run.zeros + run.words > 0,
+                           "the memory of the saved machine is damaged");
+        if (serializer->failed)
             return;
-        tape_words(tape, words + i + run.zeros, run.words);
+        serializer_words(serializer, words + i + run.zeros, run.words);
         i += run.zeros + run.words;
     }
 }
 
 /* A page that was not touched stays so: it is like one of zeros. */
-static void tell_untouched(struct tape *tape)
+static void tell_untouched(struct serializer *serializer)
 {
     size_t access = C205_READ_WRITE, zeros = C205_PAGE_WORDS, words = 0;
-    tape_size(tape, &access, C205_READ_WRITE);
-    tape_size(tape, &zeros, C205_PAGE_WORDS);
-    tape_size(tape, &words, 0);
+    serializer_size(serializer, &access, C205_READ_WRITE);
+    serializer_size(serializer, &zeros, C205_PAGE_WORDS);
+    serializer_size(serializer, &words, 0);
 }
 
-static void walk_page(struct memory *memory, uint64_t address, struct tape *tape)
+static void walk_page(struct memory *memory, uint64_t address,
+                      struct serializer *serializer)
 {
     if (memory_is_untouched(memory_peek(memory, address))) {
-        tell_untouched(tape);
+        tell_untouched(serializer);
         return;
     }
     struct page *page = memory_page(memory, address);
     size_t access = page && memory_may_write(page) ? C205_READ_WRITE : C205_READ_ONLY;
-    tape_size(tape, &access, C205_READ_WRITE);
-    if (!page && !tape->failed
+    serializer_size(serializer, &access, C205_READ_WRITE);
+    if (!page && !serializer->failed
         && !memory_map(memory, address, C205_PAGE_WORDS, (c205_access)access,
-                       tape->error))
-        tape->failed = true;
-    if (!tape->failed)
-        walk_words(memory_page(memory, address)->word, tape);
+                       serializer->error))
+        serializer->failed = true;
+    if (!serializer->failed)
+        walk_words(memory_page(memory, address)->word, serializer);
 }
 
 /* Pages by rising address; the end of the address space ends them. */
-static void walk_memory(struct memory *memory, struct tape *tape)
+static void walk_memory(struct memory *memory, struct serializer *serializer)
 {
     uint64_t address = 0;
-    while (!tape->failed) {
+    while (!serializer->failed) {
         uint64_t least = address;
-        if (!tape_is_read(tape))
+        if (!serializer_is_read(serializer))
             address = memory_next_page(memory, address);
-        tape_word(tape, &address);
-        tape_require(tape,
-                     address >= least && address <= ADDRESS_MASK + 1
-                         && address % PAGE_BITS == 0,
-                     "the memory of the saved machine is damaged");
+        serializer_word(serializer, &address);
+        serializer_require(serializer,
+                           address >= least && address <= ADDRESS_MASK + 1
+                               && address % PAGE_BITS == 0,
+                           "the memory of the saved machine is damaged");
         if (address > ADDRESS_MASK)
             break;
-        walk_page(memory, address, tape);
+        walk_page(memory, address, serializer);
         address += PAGE_BITS;
     }
 }
 
 /* ---- The machine --------------------------------------------------------- */
 
-static void walk_format(struct tape *tape)
+static void walk_format(struct serializer *serializer)
 {
     uint64_t magic = SAVE_MAGIC, version = SAVE_VERSION;
     static const char foreign[] = "this is not a saved machine";
-    tape_require(tape, tape_room(tape) > 0, foreign);
-    tape_word(tape, &magic);
-    tape_require(tape, magic == SAVE_MAGIC, foreign);
-    tape_word(tape, &version);
-    tape_require(tape, version == SAVE_VERSION,
-                 "the machine was saved in another version of the format");
+    serializer_require(serializer, serializer_room(serializer) > 0, foreign);
+    serializer_word(serializer, &magic);
+    serializer_require(serializer, magic == SAVE_MAGIC, foreign);
+    serializer_word(serializer, &version);
+    serializer_require(serializer, version == SAVE_VERSION,
+                       "the machine was saved in another version of the format");
 }
 
-static void walk_model(const c205_model *model, struct tape *tape)
+static void walk_model(const c205_model *model, struct serializer *serializer)
 {
     uint64_t constants = model_hash(model), hash = constants;
     const char *name = c205_model_name(model);
-    char other[sizeof tape->error->message];
-    tape_text(tape, &name);
-    tape_word(tape, &hash);
+    char other[sizeof serializer->error->message];
+    serializer_text(serializer, &name);
+    serializer_word(serializer, &hash);
     snprintf(other, sizeof other,
              "the machine was saved on the model %.60s, "
              "whose constants are not those of %.60s",
              name, c205_model_name(model));
-    tape_require(tape, hash == constants, other);
+    serializer_require(serializer, hash == constants, other);
 }
 
-static void walk_registers(struct c205 *machine, struct tape *tape)
+static void walk_registers(struct c205 *machine, struct serializer *serializer)
 {
-    tape_array(tape, machine->slot + 1, C205_REGISTERS - 1);
-    tape_word(tape, &machine->data_flags);
-    tape_word(tape, &machine->timer);
-    tape_word(tape, &machine->pc);
-    tape_require(tape, machine->pc <= ADDRESS_MASK,
-                 "the program address of the saved machine is wrong");
+    serializer_array(serializer, machine->slot + 1, C205_REGISTERS - 1);
+    serializer_word(serializer, &machine->data_flags);
+    serializer_word(serializer, &machine->timer);
+    serializer_word(serializer, &machine->pc);
+    serializer_require(serializer, machine->pc <= ADDRESS_MASK,
+                       "the program address of the saved machine is wrong");
 }
 
-static void walk_progress(struct c205 *machine, struct tape *tape)
+static void walk_progress(struct c205 *machine, struct serializer *serializer)
 {
     struct package *progress = &machine->progress;
-    progress_walk(progress, tape);
+    progress_walk(progress, serializer);
     if (progress->kept == 0)
         return;
     c205_word *kept = machine_scratch(machine, SCRATCH_KEPT);
     if (kept)
-        tape_words(tape, kept, progress->kept);
+        serializer_words(serializer, kept, progress->kept);
     else
-        tape_refuse(tape, "no memory left for a machine");
+        serializer_refuse(serializer, "no memory left for a machine");
 }
 
-static void walk(struct c205 *machine, struct tape *tape)
+static void walk(struct c205 *machine, struct serializer *serializer)
 {
-    walk_format(tape);
-    tape_verify(tape);
-    walk_model(machine->model, tape);
-    tape_word(tape, &machine->program);
-    walk_registers(machine, tape);
-    machine_walk_regions(machine, tape);
-    walk_memory(&machine->memory, tape);
-    clock_walk(machine->clock, tape);
-    walk_progress(machine, tape);
-    tape_end(tape);
+    walk_format(serializer);
+    serializer_verify(serializer);
+    walk_model(machine->model, serializer);
+    serializer_word(serializer, &machine->program);
+    walk_registers(machine, serializer);
+    machine_walk_regions(machine, serializer);
+    walk_memory(&machine->memory, serializer);
+    clock_walk(machine->clock, serializer);
+    walk_progress(machine, serializer);
+    serializer_end(serializer);
 }
 
 /* A tape that is written changes nothing. */
 bool c205_save(const c205 *machine, c205_writer *write, void *context,
                c205_error *error)
 {
-    struct tape tape = tape_to(write, context, error);
-    walk((struct c205 *)machine, &tape);
-    return !tape.failed;
+    struct serializer serializer = serializer_to(write, context, error);
+    walk((struct c205 *)machine, &serializer);
+    return !serializer.failed;
 }
 
 c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
                    c205_error *error)
 {
-    struct tape tape = tape_from(bytes, count, error);
+    struct serializer serializer = serializer_from(bytes, count, error);
     c205 *machine = c205_new(model, error);
     if (machine)
-        walk(machine, &tape);
-    if (!tape.failed)
+        walk(machine, &serializer);
+    if (!serializer.failed)
         return machine;
     c205_free(machine);
     return NULL;

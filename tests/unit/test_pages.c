@@ -8,7 +8,7 @@
 
 #include "tests/random.h"
 #include "vm/time/pages.h"
-#include "vm/tape.h"
+#include "vm/serializer.h"
 
 enum { WORD = 64, MISS = 30, FAULT = 1000 };
 
@@ -189,7 +189,7 @@ static bool append(void *context, const void *more, size_t count)
 static void write_clock(struct clock *clock, struct bytes *bytes)
 {
     c205_error error;
-    struct tape tape = tape_to(append, bytes, &error);
+    struct serializer tape = serializer_to(append, bytes, &error);
     bytes->count = 0;
     clock_walk(clock, &tape);
     assert_false(tape.failed);
@@ -198,7 +198,7 @@ static void write_clock(struct clock *clock, struct bytes *bytes)
 static bool read_clock(struct clock *clock, const struct bytes *bytes,
                        c205_error *error)
 {
-    struct tape tape = tape_from(bytes->byte, bytes->count, error);
+    struct serializer tape = serializer_from(bytes->byte, bytes->count, error);
     clock_walk(clock, &tape);
     return !tape.failed;
 }
@@ -250,12 +250,12 @@ TEST(damaged)
     use_pages(clock, 100, 5);
     write_clock(clock, &bytes);
     assert_true(read_clock(clock, &bytes, &error));
-    unsigned char *last = bytes.byte + bytes.count - TAPE_WORD_BYTES;
-    unsigned char kept[TAPE_WORD_BYTES];
+    unsigned char *last = bytes.byte + bytes.count - SERIALIZER_WORD_BYTES;
+    unsigned char kept[SERIALIZER_WORD_BYTES];
     memcpy(kept, last, sizeof kept);
-    memcpy(last, last - TAPE_WORD_BYTES, sizeof kept); /* a page twice */
+    memcpy(last, last - SERIALIZER_WORD_BYTES, sizeof kept); /* a page twice */
     assert_refused(clock, &bytes);
-    memcpy(last, last - 20 * TAPE_WORD_BYTES, sizeof kept);
+    memcpy(last, last - 20 * SERIALIZER_WORD_BYTES, sizeof kept);
     assert_refused(clock, &bytes);
     memcpy(last, kept, sizeof kept);
     last[3] = 2; /* a page beyond the end of the address space */

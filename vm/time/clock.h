@@ -24,7 +24,7 @@
 #include "vm/block.h"
 
 struct clock;
-struct tape;
+struct serializer;
 
 /* A model is complete and in range.  NULL: the host has no memory left. */
 struct clock *clock_new(const c205_model *model, c205_error *error);
@@ -76,9 +76,9 @@ void clock_show_drained(struct clock *clock);
 void clock_go_back(struct clock *clock);
 void clock_settle(struct clock *clock);
 
-/* Write all of a clock, its names of regions aside, to a tape; or fill one
+/* Write all of a clock, its names of regions aside, to a serializer; or fill one
  * with the same model and regions from there. */
-void clock_walk(struct clock *clock, struct tape *tape);
+void clock_walk(struct clock *clock, struct serializer *serializer);
 
 /* The clocks charged so far: the sum of all accounts. */
 uint64_t clock_now(const struct clock *clock);

@@ -1,7 +1,7 @@
-/* clock_save.c - all that a clock is beyond its model, on a tape. */
+/* clock_save.c - all that a clock is beyond its model, on a serializer. */
 #include "vm/time/clock_parts.h"
 #include "vm/memory.h"
-#include "vm/tape.h"
+#include "vm/serializer.h"
 
 /* No run gets that far (3,000 years of the machine); sums of such times
  * with what one instruction costs do not overflow. */
@@ -13,53 +13,54 @@ static const char wrong_pages[] = "the list of pages of the saved machine is wro
 
 /* ---- Accounts ------------------------------------------------------------ */
 
-static void walk_account(c205_account *account, struct tape *tape)
+static void walk_account(c205_account *account, struct serializer *serializer)
 {
-    tape_array(tape, account->clocks, C205_CAUSES);
-    tape_word(tape, &account->instructions);
-    tape_word(tape, &account->vector_instructions);
-    tape_word(tape, &account->elements);
-    tape_word(tape, &account->operations);
-    tape_word(tape, &account->entries);
+    serializer_array(serializer, account->clocks, C205_CAUSES);
+    serializer_word(serializer, &account->instructions);
+    serializer_word(serializer, &account->vector_instructions);
+    serializer_word(serializer, &account->elements);
+    serializer_word(serializer, &account->operations);
+    serializer_word(serializer, &account->entries);
 }
 
 /* The region, counted from one: none has been entered yet. */
-static void walk_region(struct clock *clock, struct tape *tape)
+static void walk_region(struct clock *clock, struct serializer *serializer)
 {
     size_t entered = clock->region + 1;
-    tape_size(tape, &entered, clock->accounts.count);
-    if (!tape_is_read(tape))
+    serializer_size(serializer, &entered, clock->accounts.count);
+    if (!serializer_is_read(serializer))
         return;
     clock->region = entered - 1;
     clock->account = &clock->accounts.account[entered ? entered - 1 : 0];
 }
 
-static void walk_accounts(struct clock *clock, struct tape *tape)
+static void walk_accounts(struct clock *clock, struct serializer *serializer)
 {
     for (size_t i = 0; i < clock->accounts.count; i++)
-        walk_account(&clock->accounts.account[i], tape);
-    walk_region(clock, tape);
-    tape_word(tape, &clock->now);
-    tape_require(tape,
-                 accounts_sum(&clock->accounts) == clock->now && clock->now <= LATEST,
-                 wrong_account);
+        walk_account(&clock->accounts.account[i], serializer);
+    walk_region(clock, serializer);
+    serializer_word(serializer, &clock->now);
+    serializer_require(serializer,
+                       accounts_sum(&clock->accounts) == clock->now
+                           && clock->now <= LATEST,
+                       wrong_account);
 }
 
 /* What has been charged, where more than that is shown. */
-static void walk_charged(struct clock *clock, struct tape *tape)
+static void walk_charged(struct clock *clock, struct serializer *serializer)
 {
     size_t ahead = clock->ahead;
-    tape_size(tape, &ahead, 1);
+    serializer_size(serializer, &ahead, 1);
     clock->ahead = ahead == 1;
     if (!clock->ahead)
         return;
     for (size_t i = 0; i < clock->accounts.count; i++)
-        walk_account(&clock->accounts.kept[i], tape);
-    tape_word(tape, &clock->kept_now);
-    tape_require(tape,
-                 accounts_sum_kept(&clock->accounts) == clock->kept_now
-                     && clock->kept_now <= clock->now,
-                 wrong_account);
+        walk_account(&clock->accounts.kept[i], serializer);
+    serializer_word(serializer, &clock->kept_now);
+    serializer_require(serializer,
+                       accounts_sum_kept(&clock->accounts) == clock->kept_now
+                           && clock->kept_now <= clock->now,
+                       wrong_account);
 }
 
 static uint64_t charged(const struct clock *clock)
@@ -69,62 +70,65 @@ static uint64_t charged(const struct clock *clock)
 
 /* ---- In flight ----------------------------------------------------------- */
 
-static void walk_time(uint64_t *time, struct tape *tape)
+static void walk_time(uint64_t *time, struct serializer *serializer)
 {
-    tape_word(tape, time);
-    tape_require(tape, *time <= LATEST, wrong_flight);
+    serializer_word(serializer, time);
+    serializer_require(serializer, *time <= LATEST, wrong_flight);
 }
 
 /* What is over is saved as if it had been over at clock 0. */
-static void walk_pending(const struct clock *clock, uint64_t *time, struct tape *tape)
+static void walk_pending(const struct clock *clock, uint64_t *time,
+                         struct serializer *serializer)
 {
     uint64_t pending = *time > charged(clock) ? *time : 0;
-    walk_time(&pending, tape);
-    if (tape_is_read(tape))
+    walk_time(&pending, serializer);
+    if (serializer_is_read(serializer))
         *time = pending;
 }
 
-static void walk_register(struct clock *clock, size_t slot, struct tape *tape)
+static void walk_register(struct clock *clock, size_t slot,
+                          struct serializer *serializer)
 {
     bool pending = clock->ready[slot] > charged(clock);
-    size_t awaits = pending || tape_is_read(tape) ? clock->awaits[slot] : 0;
-    tape_size(tape, &awaits, FOR_VECTOR);
-    if (tape_is_read(tape))
+    size_t awaits = pending || serializer_is_read(serializer) ? clock->awaits[slot] : 0;
+    serializer_size(serializer, &awaits, FOR_VECTOR);
+    if (serializer_is_read(serializer))
         clock->awaits[slot] = (uint8_t)awaits;
 }
 
 /* From the oldest on. */
-static void walk_loads(struct clock *clock, struct tape *tape)
+static void walk_loads(struct clock *clock, struct serializer *serializer)
 {
     size_t loads = (size_t)clock->loads_in_flight, oldest = 0;
     for (size_t i = 0; i < loads; i++)
-        walk_pending(clock, &clock->load_end[(clock->load + i) % loads], tape);
-    tape_size(tape, &oldest, loads - 1);
-    if (tape_is_read(tape))
+        walk_pending(clock, &clock->load_end[(clock->load + i) % loads], serializer);
+    serializer_size(serializer, &oldest, loads - 1);
+    if (serializer_is_read(serializer))
         clock->load = oldest;
 }
 
-static void walk_scoreboard(struct clock *clock, struct tape *tape)
+static void walk_scoreboard(struct clock *clock, struct serializer *serializer)
 {
     for (size_t i = 0; i < SLOTS; i++)
-        walk_pending(clock, &clock->ready[i], tape);
+        walk_pending(clock, &clock->ready[i], serializer);
     for (size_t i = 0; i < SLOTS; i++)
-        walk_register(clock, i, tape);
-    walk_pending(clock, &clock->results_done, tape);
-    walk_pending(clock, &clock->loads_done, tape);
+        walk_register(clock, i, serializer);
+    walk_pending(clock, &clock->results_done, serializer);
+    walk_pending(clock, &clock->loads_done, serializer);
     for (size_t i = 0; i < C205_UNITS; i++)
-        walk_pending(clock, &clock->free_at[i], tape);
-    walk_loads(clock, tape);
+        walk_pending(clock, &clock->free_at[i], serializer);
+    walk_loads(clock, serializer);
 }
 
-static void walk_phase(struct phase *phase, size_t regions, struct tape *tape)
+static void walk_phase(struct phase *phase, size_t regions,
+                       struct serializer *serializer)
 {
     size_t cause = phase->cause;
-    walk_time(&phase->end, tape);
-    tape_size(tape, &cause, C205_CAUSES - 1);
+    walk_time(&phase->end, serializer);
+    serializer_size(serializer, &cause, C205_CAUSES - 1);
     phase->cause = (c205_cause)cause;
-    tape_size(tape, &phase->region, regions - 1);
-    tape_word(tape, &phase->pc);
+    serializer_size(serializer, &phase->region, regions - 1);
+    serializer_word(serializer, &phase->pc);
 }
 
 /* The phases follow each other up to the end; before the last one begins,
@@ -153,68 +157,69 @@ static bool output_are_sound(const struct clock *clock)
     return true;
 }
 
-static void walk_vector_unit(struct clock *clock, struct tape *tape)
+static void walk_vector_unit(struct clock *clock, struct serializer *serializer)
 {
-    tape_size(tape, &clock->phase_count, PHASES);
+    serializer_size(serializer, &clock->phase_count, PHASES);
     for (size_t i = 0; i < clock->phase_count; i++)
-        walk_phase(&clock->phase[i], clock->accounts.count, tape);
-    walk_time(&clock->vector_end, tape);
-    walk_time(&clock->vector_tail, tape);
-    tape_require(tape, phases_are_sound(clock) && output_are_sound(clock),
-                 wrong_flight);
+        walk_phase(&clock->phase[i], clock->accounts.count, serializer);
+    walk_time(&clock->vector_end, serializer);
+    walk_time(&clock->vector_tail, serializer);
+    serializer_require(serializer, phases_are_sound(clock) && output_are_sound(clock),
+                       wrong_flight);
 }
 
 /* ---- Control, pages ------------------------------------------------------ */
 
-static void walk_stack(struct clock *clock, struct tape *tape)
+static void walk_stack(struct clock *clock, struct serializer *serializer)
 {
-    tape_word(tape, &clock->stack.next);
-    tape_word(tape, &clock->stack.low);
-    tape_word(tape, &clock->stack.high);
+    serializer_word(serializer, &clock->stack.next);
+    serializer_word(serializer, &clock->stack.low);
+    serializer_word(serializer, &clock->stack.high);
 }
 
-static void write_page_list(const struct pages *pages, struct tape *tape)
+static void write_page_list(const struct pages *pages, struct serializer *serializer)
 {
     const struct resident *resident = pages->resident;
     size_t count = pages->count;
-    tape_size(tape, &count, pages->capacity);
+    serializer_size(serializer, &count, pages->capacity);
     for (uint32_t at = resident[0].newer; at; at = resident[at].newer) {
         uint64_t page = resident[at].page;
-        tape_word(tape, &page);
+        serializer_word(serializer, &page);
     }
 }
 
 /* No page stands in the list twice. */
-static void read_page_list(struct pages *pages, struct tape *tape)
+static void read_page_list(struct pages *pages, struct serializer *serializer)
 {
     struct translation met = { 0, 0 };
     size_t count = 0;
-    tape_size(tape, &count, pages->capacity);
+    serializer_size(serializer, &count, pages->capacity);
     pages_forget(pages);
     for (size_t i = 0; i < count; i++) {
         uint64_t page;
-        tape_word(tape, &page);
-        tape_require(tape, page <= ADDRESS_MASK >> pages->shift, wrong_pages);
+        serializer_word(serializer, &page);
+        serializer_require(serializer, page <= ADDRESS_MASK >> pages->shift,
+                           wrong_pages);
         pages_look_up(pages, page, &met);
     }
-    tape_require(tape, met.faults == count, wrong_pages);
+    serializer_require(serializer, met.faults == count, wrong_pages);
 }
 
 /* From the oldest page to the latest: as they were looked up. */
-static void walk_page_list(struct pages *pages, struct tape *tape)
+static void walk_page_list(struct pages *pages, struct serializer *serializer)
 {
-    if (tape_is_read(tape))
-        read_page_list(pages, tape);
+    if (serializer_is_read(serializer))
+        read_page_list(pages, serializer);
     else
-        write_page_list(pages, tape);
+        write_page_list(pages, serializer);
 }
 
-void clock_walk(struct clock *clock, struct tape *tape)
+void clock_walk(struct clock *clock, struct serializer *serializer)
 {
-    walk_accounts(clock, tape);
-    walk_charged(clock, tape);
-    walk_scoreboard(clock, tape);
-    walk_vector_unit(clock, tape);
-    walk_stack(clock, tape);
-    walk_page_list(&clock->pages, tape);
+    walk_accounts(clock, serializer);
+    walk_charged(clock, serializer);
+    walk_scoreboard(clock, serializer);
+    walk_vector_unit(clock, serializer);
+    walk_stack(clock, serializer);
+    walk_page_list(&clock->pages, serializer);
 }
