@@ -145,8 +145,8 @@ static c205_trap open_choice(struct bit_choice *choice, struct c205 *machine,
 {
     struct vector *a = &choice->a, *b = &choice->b, *c = &choice->c;
     choice->machine = machine;
-    choice->next_a = machine->progress.count[0];
-    choice->next_b = machine->progress.count[1];
+    choice->next_a = machine->resume.count[0];
+    choice->next_b = machine->resume.count[1];
     c205_trap trap = describe_string(a, machine, decoded->a, decoded->x);
     if (trap == C205_TRAP_NONE)
         trap = describe_string(b, machine, decoded->b, decoded->y);
@@ -185,8 +185,8 @@ static c205_trap choose(struct c205 *machine, const struct decoded *decoded,
     }
     trap = machine_end_turn(machine, &turn);
     if (trap != C205_TRAP_NONE) {
-        machine->progress.count[0] = choice.next_a;
-        machine->progress.count[1] = choice.next_b;
+        machine->resume.count[0] = choice.next_a;
+        machine->resume.count[1] = choice.next_b;
     }
     return trap;
 }
@@ -238,7 +238,7 @@ static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
     if (trap != C205_TRAP_NONE)
         return trap;
     unsigned touches = machine->effect.touch_count;
-    sieve->kept = least(machine->progress.count[0], turn->first);
+    sieve->kept = least(machine->resume.count[0], turn->first);
     sieve->c.length = sieve->n;
     if (ahead)
         sieve->c.length = sieve->kept
@@ -261,7 +261,7 @@ static c205_trap store_kept(struct bit_sieve *sieve, size_t chunk)
     }
     c205_trap trap = machine_end_turn(sieve->machine, turn);
     if (trap != C205_TRAP_NONE)
-        sieve->machine->progress.count[0] = sieve->kept;
+        sieve->machine->resume.count[0] = sieve->kept;
     return trap;
 }
 

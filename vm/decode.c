@@ -21,7 +21,7 @@ static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *h
 {
     uint64_t skip = address % WORD_BITS;
     c205_word word;
-    if (progress_holds(&machine->progress, machine->pc, address, half))
+    if (resume_holds(&machine->resume, machine->pc, address, half))
         return C205_TRAP_NONE;
     c205_trap trap = address > ADDRESS_MASK
                          ? C205_TRAP_UNMAPPED_ADDRESS

@@ -32,7 +32,7 @@ static inline size_t direct_length(c205_word descriptor)
 /* The instruction is in its first turn, and ends in it. */
 static inline bool direct_turn(const struct c205 *machine, size_t n)
 {
-    return n > 0 && n <= machine->allowed && machine->progress.first == 0;
+    return n > 0 && n <= machine->allowed && machine->resume.first == 0;
 }
 
 /* NULL: not aligned, not mapped, not in one page, or not to be written so. */

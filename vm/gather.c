@@ -42,7 +42,7 @@ static void collect_indices(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
     uint64_t permitted[CHUNK_WORDS];
-    transfer->used = least(stream->machine->progress.kept, stream->turn.first);
+    transfer->used = least(stream->machine->resume.kept, stream->turn.first);
     transfer->count = transfer->used;
     for (size_t first = stream->turn.first, n; first < stream->n; first += n) {
         n = least(stream->n - first, CHUNK);
@@ -421,7 +421,7 @@ static c205_trap run_transfer(struct transfer *transfer)
     c205_trap trap = is_entangled(transfer) ? transfer_one_by_one(transfer)
                                             : transfer_chunks(transfer);
     if (trap == C205_TRAP_CLOCK_LIMIT)
-        machine->progress.kept = transfer->count;
+        machine->resume.kept = transfer->count;
     machine->effect.indices = transfer->indices;
     machine->effect.index_count = transfer->count;
     machine->effect.table = transfer->table.address;

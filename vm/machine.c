@@ -26,12 +26,12 @@ static void clear_registers(struct c205 *machine)
 }
 
 /* What was decoded from there is not what stands in memory, perhaps. */
-static void clear_progress(struct c205 *machine)
+static void clear_resume(struct c205 *machine)
 {
-    if (!machine->progress.interrupted)
+    if (!machine->resume.interrupted)
         return;
     machine->memory.code_changes++;
-    memset(&machine->progress, 0, sizeof machine->progress);
+    memset(&machine->resume, 0, sizeof machine->resume);
 }
 
 c205 *c205_new(const c205_model *model, c205_error *error)
@@ -98,7 +98,7 @@ static bool load_segment(struct c205 *machine, const c205_segment *segment,
 bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
 {
     clear_registers(machine);
-    clear_progress(machine);
+    clear_resume(machine);
     memory_clear(&machine->memory);
     clock_reset(machine->clock);
     clock_forget_pages(machine->clock);
@@ -190,8 +190,8 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
 {
     uint64_t before = clock_now(machine->clock);
     if (trap == C205_TRAP_CLOCK_LIMIT)
-        progress_interrupt(&machine->progress, decoded);
-    else if (!machine->progress.interrupted)
+        resume_interrupt(&machine->resume, decoded);
+    else if (!machine->resume.interrupted)
         return stop_before(machine, trap, decoded->insn, stop);
     else
         limit = machine->resumed_at;
@@ -352,7 +352,7 @@ static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
     clock_go_back(machine->clock);
     bool goes_on = step(machine, limit, stop);
     if (goes_on || stop->trap == C205_TRAP_NONE || trap_is_behind(stop->trap))
-        clear_progress(machine);
+        clear_resume(machine);
     return goes_on;
 }
 
@@ -539,7 +539,7 @@ uint64_t c205_pc(const c205 *machine)
 
 void c205_set_pc(c205 *machine, uint64_t address)
 {
-    clear_progress(machine);
+    clear_resume(machine);
     clock_settle(machine->clock);
     machine->pc = address & ADDRESS_MASK;
 }

@@ -6,7 +6,7 @@
 #include "vm/time/clock.h"
 #include "vm/block.h"
 #include "vm/memory.h"
-#include "vm/progress.h"
+#include "vm/resume_state.h"
 
 /* Code from begin to end belongs to a region of the accounts. */
 struct region_range {
@@ -53,7 +53,7 @@ struct c205 {
     struct effect effect;           /* of the instruction being executed .. */
     const struct decoded *executed; /* .. which listeners are told of */
     c205_times record;              /* .. and its time */
-    struct package progress;        /* of the one that was interrupted */
+    struct resume_state resume;     /* of the one that was interrupted */
     size_t allowed;                 /* elements of this one before the clock limit
                                  comes, SIZE_MAX: any number */
     uint64_t resumed_at;            /* the clock shown when the run began */
@@ -156,7 +156,7 @@ static inline void machine_deliver_parts(struct c205 *machine,
 static inline struct turn machine_turn(const struct c205 *machine, size_t n,
                                        size_t allowed)
 {
-    struct turn turn = { machine->progress.first, allowed, n };
+    struct turn turn = { machine->resume.first, allowed, n };
     if (turn.first > n)
         turn.first = n;
     if (turn.end > n)
@@ -167,12 +167,12 @@ static inline struct turn machine_turn(const struct c205 *machine, size_t n,
 }
 
 /* The elements of a turn are done.  CLOCK_LIMIT: there are more, and what the
- * loop carries on to them must go to machine->progress. */
+ * loop carries on to them must go to machine->resume. */
 static inline c205_trap machine_end_turn(struct c205 *machine, const struct turn *turn)
 {
     if (turn->end == turn->n)
         return C205_TRAP_NONE;
-    machine->progress.first = turn->end;
+    machine->resume.first = turn->end;
     return C205_TRAP_CLOCK_LIMIT;
 }
 

@@ -67,11 +67,11 @@ static void merge_words(struct choice *choice, size_t first, size_t n,
 static c205_trap store_chosen(struct choice *choice, chooser *chosen)
 {
     struct stream *stream = &choice->stream;
-    struct package *progress = &stream->machine->progress;
+    struct resume_state *resume = &stream->machine->resume;
     c205_word words[CHUNK];
     uint64_t from_a[CHUNK_WORDS];
-    choice->next_a = progress->count[0];
-    choice->next_b = progress->count[1];
+    choice->next_a = resume->count[0];
+    choice->next_b = resume->count[1];
     for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, from_a);
@@ -80,8 +80,8 @@ static c205_trap store_chosen(struct choice *choice, chooser *chosen)
     }
     c205_trap trap = stream_end(stream);
     if (trap != C205_TRAP_NONE) {
-        progress->count[0] = choice->next_a;
-        progress->count[1] = choice->next_b;
+        resume->count[0] = choice->next_a;
+        resume->count[1] = choice->next_b;
     }
     return trap;
 }
@@ -228,7 +228,7 @@ static c205_trap claim_kept(struct sieve *sieve)
     struct stream *stream = &sieve->stream;
     struct c205 *machine = stream->machine;
     unsigned touches = machine->effect.touch_count;
-    sieve->kept = least(machine->progress.count[0], stream->turn.first);
+    sieve->kept = least(machine->resume.count[0], stream->turn.first);
     stream->result.length = stream->n;
     stream->chunk = all_ahead(sieve) ? CHUNK : 1;
     c205_trap trap = claim_vector(machine, &stream->result, stream->n, true);
@@ -246,7 +246,7 @@ static c205_trap finish_sieve(struct sieve *sieve, const struct decoded *decoded
     store_kept(sieve);
     c205_trap trap = stream_end(&sieve->stream);
     if (trap != C205_TRAP_NONE) {
-        machine->progress.count[0] = sieve->kept;
+        machine->resume.count[0] = sieve->kept;
         return trap;
     }
     if (sieve->kept > 0)

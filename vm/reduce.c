@@ -105,8 +105,8 @@ static size_t take_permitted(const struct stream *stream, size_t first, size_t n
 static c205_trap run_reduction(struct stream *stream, const struct reduction *reduction,
                                struct parts *parts)
 {
-    struct package *progress = &stream->machine->progress;
-    struct parts kept = { progress->word, progress->lower };
+    struct resume_state *resume = &stream->machine->resume;
+    struct parts kept = { resume->word, resume->lower };
     struct some some;
     *parts = stream->turn.first > 0 ? kept : reduction->start;
     for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
@@ -120,8 +120,8 @@ static c205_trap run_reduction(struct stream *stream, const struct reduction *re
     }
     c205_trap trap = stream_end(stream);
     if (trap != C205_TRAP_NONE) {
-        progress->word = parts->upper;
-        progress->lower = parts->lower;
+        resume->word = parts->upper;
+        resume->lower = parts->lower;
     }
     return trap;
 }
@@ -202,21 +202,21 @@ static void find_best(struct best *best, const c205_word *a, size_t first, size_
 }
 
 /* The one found before the instruction was interrupted, if it was. */
-static void resume_extreme(struct best *best, const struct package *progress)
+static void resume_extreme(struct best *best, const struct resume_state *resume)
 {
-    if (!progress->found)
+    if (!resume->found)
         return;
-    best->word = progress->word;
-    best->index = progress->count[0];
+    best->word = resume->word;
+    best->index = resume->count[0];
     best->found = true;
     best->indefinite = word_is_indefinite(best->word);
 }
 
-static c205_trap interrupt_extreme(struct package *progress, const struct best *best)
+static c205_trap interrupt_extreme(struct resume_state *resume, const struct best *best)
 {
-    progress->word = best->word;
-    progress->count[0] = best->index;
-    progress->found = best->found;
+    resume->word = best->word;
+    resume->count[0] = best->index;
+    resume->found = best->found;
     return C205_TRAP_CLOCK_LIMIT;
 }
 
@@ -231,14 +231,14 @@ static c205_trap extreme(struct c205 *machine, const struct decoded *decoded,
     c205_trap trap = open_sources(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    resume_extreme(&best, &machine->progress);
+    resume_extreme(&best, &machine->resume);
     for (size_t first = stream.turn.first, n; first < stream.turn.end; first += n) {
         n = stream_next(&stream, first);
         control_read(&stream.control, first, n, permitted);
         find_best(&best, source_read(&stream.a, first, n), first, n, permitted);
     }
     if (stream_end(&stream) != C205_TRAP_NONE)
-        return interrupt_extreme(&machine->progress, &best);
+        return interrupt_extreme(&machine->resume, &best);
     if (word_is_indefinite(best.word))
         machine->data_flags |= FLAG_INDEFINITE;
     if (word_is_machine_zero(best.word))
@@ -264,13 +264,13 @@ c205_trap execute_select(struct c205 *machine, const struct decoded *decoded)
 {
     lanes_compare *comparison = operation_of(decoded)->compare;
     struct stream stream;
-    struct package *progress = &machine->progress;
+    struct resume_state *resume = &machine->resume;
     uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
-    bool found = progress->found;
+    bool found = resume->found;
     c205_trap trap = open_sources(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
-    size_t first = found ? progress->count[0] : stream.turn.first;
+    size_t first = found ? resume->count[0] : stream.turn.first;
     while (!found && first < stream.turn.end) {
         size_t n = stream_next(&stream, first);
         const c205_word *a = source_read(&stream.a, first, n);
@@ -286,8 +286,8 @@ c205_trap execute_select(struct c205 *machine, const struct decoded *decoded)
     if (trap == C205_TRAP_NONE) {
         machine->slot[decoded->c] = first;
     } else {
-        progress->found = found;
-        progress->count[0] = first;
+        resume->found = found;
+        resume->count[0] = first;
     }
     return trap;
 }

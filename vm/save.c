@@ -182,13 +182,13 @@ static void walk_registers(struct c205 *machine, struct serializer *serializer)
 
 static void walk_progress(struct c205 *machine, struct serializer *serializer)
 {
-    struct package *progress = &machine->progress;
-    progress_walk(progress, serializer);
-    if (progress->kept == 0)
+    struct resume_state *resume = &machine->resume;
+    resume_walk(resume, serializer);
+    if (resume->kept == 0)
         return;
     c205_word *kept = machine_scratch(machine, SCRATCH_KEPT);
     if (kept)
-        serializer_words(serializer, kept, progress->kept);
+        serializer_words(serializer, kept, resume->kept);
     else
         serializer_refuse(serializer, "no memory left for a machine");
 }

@@ -56,7 +56,7 @@ c205_trap execute_search(struct c205 *machine, const struct decoded *decoded)
     if (trap != C205_TRAP_NONE)
         return trap;
     size_t first = stream.turn.first, n = 0, done = 0;
-    machine->effect.elements = machine->progress.count[0];
+    machine->effect.elements = machine->resume.count[0];
     stream.turn.end = stream.n;
     for (; first < stream.n && done == n; first += done) {
         n = stream_next(&stream, first);
@@ -67,6 +67,6 @@ c205_trap execute_search(struct c205 *machine, const struct decoded *decoded)
     stream.turn.end = first;
     trap = stream_end(&stream);
     if (trap != C205_TRAP_NONE)
-        machine->progress.count[0] = machine->effect.elements;
+        machine->resume.count[0] = machine->effect.elements;
     return trap;
 }

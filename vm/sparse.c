@@ -49,7 +49,7 @@ static size_t orders_read(const struct sparse *sparse)
 static const uint64_t *kept_orders(const struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;
-    return machine->progress.kept == orders_read(sparse) * ORDER_WORDS
+    return machine->resume.kept == orders_read(sparse) * ORDER_WORDS
                ? machine_scratch(machine, SCRATCH_KEPT)
                : NULL;
 }
@@ -63,7 +63,7 @@ static c205_trap keep_orders(const struct sparse *sparse)
         return C205_TRAP_NO_MEMORY;
     for (size_t i = 0; i < orders_read(sparse); i++)
         memcpy(kept + i * ORDER_WORDS, orders[i]->bits, ORDER_BYTES);
-    machine->progress.kept = orders_read(sparse) * ORDER_WORDS;
+    machine->resume.kept = orders_read(sparse) * ORDER_WORDS;
     return C205_TRAP_NONE;
 }
 

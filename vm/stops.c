@@ -124,7 +124,7 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
 
 void machine_sample_stops(struct c205 *machine)
 {
-    struct machine_stops *stops = machine->progress.interrupted ? NULL : machine->stops;
+    struct machine_stops *stops = machine->resume.interrupted ? NULL : machine->stops;
     for (size_t i = 0; stops && i < stops->watch_count; i++)
         c205_read(machine, stops->watches[i].address, stops->watches[i].held,
                   stops->watches[i].words);

@@ -325,15 +325,15 @@ static void make_interval(struct c205 *machine, struct progression *progression,
 
 static c205_trap run_interval(struct stream *stream)
 {
-    struct package *progress = &stream->machine->progress;
+    struct resume_state *resume = &stream->machine->resume;
     bool half = stream->result.width == HALF_BITS;
     struct progression progression = { half ? half_add_upper : arith_add_upper,
                                        stream->a.padding, stream->b.padding, 0 };
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
     if (stream->turn.first > 0) {
-        progression.value = progress->word;
-        progression.raised = progress->flags;
+        progression.value = resume->word;
+        progression.raised = resume->flags;
     }
     for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
@@ -344,8 +344,8 @@ static c205_trap run_interval(struct stream *stream)
     }
     c205_trap trap = stream_end(stream);
     if (trap != C205_TRAP_NONE) {
-        progress->word = progression.value;
-        progress->flags = progression.raised;
+        resume->word = progression.value;
+        resume->flags = progression.raised;
     }
     return trap;
 }

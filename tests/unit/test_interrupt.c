@@ -20,13 +20,13 @@ static void check_stop(const c205 *machine, const c205_stop *stop, uint64_t limi
 {
     assert_sum(machine);
     assert_int_equal(stop->pc, c205_pc(machine));
-    if (!machine->progress.interrupted) {
+    if (!machine->resume.interrupted) {
         assert_true(c205_clock(machine) >= limit);
         return;
     }
     assert_int_equal(c205_clock(machine), limit);
     assert_true(c205_unit_is_vector(stop->insn->unit));
-    divided[stop->insn - c205_insns] |= machine->progress.first > 0;
+    divided[stop->insn - c205_insns] |= machine->resume.first > 0;
 }
 
 /* To the end, so many clocks at a time. */
@@ -298,7 +298,7 @@ TEST(result_at_the_end)
     assert_true(c205_step(little.machine, &stop));
     uint64_t limit = c205_clock(little.machine) + 1;
     while (c205_run(little.machine, limit).pc == CODE + 64
-           && !little.machine->progress.first)
+           && !little.machine->resume.first)
         limit++;
     assert_int_equal(c205_pc(little.machine), CODE + 64);
     assert_int_equal(get(&little, 4), 0);
@@ -411,7 +411,7 @@ TEST(reset_timer)
     set(&little, 2, descriptor(DATA + 200 * 64, 100));
     set(&little, 3, 1000);
     c205_run(little.machine, 71);
-    assert_true(little.machine->progress.first > 0);
+    assert_true(little.machine->resume.first > 0);
     little.machine = replace(little.machine);
     c205_reset_clock(little.machine);
     assert_int_equal(run(&little).trap, C205_TRAP_NONE);

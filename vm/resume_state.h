@@ -1,4 +1,4 @@
-/* progress.h - how far a vector instruction came before it was interrupted:
+/* resume.h - how far a vector instruction came before it was interrupted:
  * the machine's "invisible package" (that there is one is S, what is in it
  * is R).
  *
@@ -8,15 +8,15 @@
  * claimed anew when it goes on.  The instruction itself is kept as well: it
  * goes on even if its result lies upon its own code.
  */
-#ifndef C205_PROGRESS_H
-#define C205_PROGRESS_H
+#ifndef C205_RESUME_STATE_H
+#define C205_RESUME_STATE_H
 
 #include "vm/decode.h"
 
 /* A linked pair: a short prefix and two long instructions. */
 enum { PACKAGE_HALVES = 5 };
 
-struct package {
+struct resume_state {
     bool interrupted; /* the instruction at the program counter was; if not,
                          all of this is zero */
     size_t first;     /* elements done */
@@ -43,12 +43,12 @@ struct turn {
 struct serializer;
 
 /* The instruction was interrupted; its loop has left the rest. */
-void progress_interrupt(struct package *progress, const struct decoded *decoded);
+void resume_interrupt(struct resume_state *resume, const struct decoded *decoded);
 /* The half word at an address belongs to the instruction at pc that was
  * interrupted. */
-bool progress_holds(const struct package *progress, uint64_t pc, uint64_t address,
-                    c205_word *half);
+bool resume_holds(const struct resume_state *resume, uint64_t pc, uint64_t address,
+                  c205_word *half);
 /* To or from a serializer; SCRATCH_KEPT aside. */
-void progress_walk(struct package *progress, struct serializer *serializer);
+void resume_walk(struct resume_state *resume, struct serializer *serializer);
 
 #endif
