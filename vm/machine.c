@@ -478,7 +478,7 @@ void c205_warm(c205 *machine)
     uint64_t address = memory_next_page(&machine->memory, 0);
     for (; address <= ADDRESS_MASK;
          address = memory_next_page(&machine->memory, address + PAGE_BITS))
-        clock_know(machine->clock, address, PAGE_BITS);
+        clock_warm_page(machine->clock, address, PAGE_BITS);
 }
 
 bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page)

@@ -574,7 +574,7 @@ void clock_listen(struct clock *clock, c205_times *record)
     clock->record = record;
 }
 
-void clock_know(struct clock *clock, uint64_t address, uint64_t bits)
+void clock_warm_page(struct clock *clock, uint64_t address, uint64_t bits)
 {
     struct translation met = { 0, 0 };
     pages_touch(&clock->pages, address, bits, &met);

@@ -40,7 +40,7 @@ void clock_reset(struct clock *clock);
 void clock_forget_pages(struct clock *clock);
 
 /* The pages of a range are known and resident. */
-void clock_know(struct clock *clock, uint64_t address, uint64_t bits);
+void clock_warm_page(struct clock *clock, uint64_t address, uint64_t bits);
 
 /* One instruction has executed. */
 void clock_charge(struct clock *clock, const struct decoded *decoded,
