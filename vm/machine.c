@@ -313,7 +313,7 @@ static inline bool run_block(struct c205 *machine, struct code_block *block,
                                 : block->pc;
     if (trap == C205_TRAP_NONE)
         return true;
-    clock_unfold(machine->clock);
+    clock_materialize(machine->clock);
     return stop_before(machine, trap, block->insn[count].insn, stop);
 }
 
@@ -334,7 +334,7 @@ static inline bool go_on(struct c205 *machine, uint64_t limit, c205_stop *stop)
             && (limit == C205_NO_LIMIT
                 || clock_ends_before(machine->clock, block, limit)))
             return run_block(machine, block, stop);
-        clock_unfold(machine->clock);
+        clock_materialize(machine->clock);
     }
     return step(machine, limit, stop);
 }

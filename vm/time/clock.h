@@ -50,7 +50,7 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
  * asked for nothing but clock_now. */
 void clock_charge_block(struct clock *clock, struct code_block *block, unsigned count,
                         const struct effect *effect);
-void clock_unfold(struct clock *clock);
+void clock_materialize(struct clock *clock);
 /* A block is new. */
 void clock_measure(const struct clock *clock, struct code_block *block);
 /* When all is done that is in flight; of a clock that is not folded. */

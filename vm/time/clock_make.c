@@ -107,7 +107,7 @@ static void forget_flight(struct clock *clock)
     clock->vector_end = clock->vector_tail = 0;
     clock->flight = NULL;
     clock->charged = NULL;
-    clock->unfolded = 0;
+    clock->blocks_since = 0;
 }
 
 void clock_reset(struct clock *clock)

@@ -109,7 +109,7 @@ struct clock {
     const struct flight *flight; /* if not NULL, what is in flight, in place
                                      of ready, awaits, results_done,
                                      loads_done, free_at and load_end */
-    unsigned unfolded;           /* blocks since it was NULL */
+    unsigned blocks_since;       /* blocks since it was NULL */
 };
 
 static inline void clock_enter_region(struct clock *clock, size_t region)

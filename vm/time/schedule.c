@@ -55,7 +55,7 @@ static bool fold(struct clock *clock)
         clock->flight = &flights->nothing;
         return true;
     }
-    if (clock->unfolded++ < PATIENCE || !flight_look(clock, &flight))
+    if (clock->blocks_since++ < PATIENCE || !flight_look(clock, &flight))
         return false;
     clock->flight = flight_named(flights, &flight);
     if (!clock->flight)
@@ -81,14 +81,14 @@ static void settle_accounts(struct clock *clock)
     clock->charged = NULL;
 }
 
-void clock_unfold(struct clock *clock)
+void clock_materialize(struct clock *clock)
 {
     if (!clock->flight)
         return;
     flight_show(clock, clock->flight);
     settle_accounts(clock);
     clock->flight = NULL;
-    clock->unfolded = 0;
+    clock->blocks_since = 0;
 }
 
 /* ---- Limits -------------------------------------------------------------- */
@@ -218,11 +218,11 @@ static void find_out(struct clock *clock, struct code_block *block, unsigned cou
                      const struct effect *effect, uint64_t leaves)
 {
     struct schedule found = { .from = clock->flight, .leaves = leaves };
-    clock_unfold(clock);
+    clock_materialize(clock);
     uint64_t before = clock->now, generation = clock->generation;
     c205_account account = *clock->account;
     charge_each(clock, block, count, effect);
-    clock->unfolded = PATIENCE;
+    clock->blocks_since = PATIENCE;
     if (clock->schedules->count == SCHEDULES)
         forget_all(clock);
     if (!fold(clock) || generation != clock->generation)
@@ -272,6 +272,6 @@ void clock_charge_block(struct clock *clock, struct code_block *block, unsigned 
     clock_enter_region(clock, block->region);
     if (charge_whole(clock, block, count, effect))
         return;
-    clock_unfold(clock);
+    clock_materialize(clock);
     charge_each(clock, block, count, effect);
 }
