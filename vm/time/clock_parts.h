@@ -61,7 +61,7 @@ static inline bool stack_holds(const struct stack *stack, uint64_t address)
 
 struct schedules;
 struct schedule;
-struct flight;
+struct in_flight;
 
 struct clock {
     uint64_t now;
@@ -101,15 +101,15 @@ struct clock {
     struct banks banks;
     struct clock_accounts accounts;
 
-    struct schedules *schedules; /* of blocks (schedule.h) */
-    uint64_t generation;         /* counts how often all were forgotten,
+    struct schedules *schedules;    /* of blocks (schedule.h) */
+    uint64_t generation;            /* counts how often all were forgotten,
                                      from one */
-    struct schedule *charged;    /* those followed that the accounts do not
+    struct schedule *charged;       /* those followed that the accounts do not
                                      have yet */
-    const struct flight *flight; /* if not NULL, what is in flight, in place
+    const struct in_flight *flight; /* if not NULL, what is in flight, in place
                                      of ready, awaits, results_done,
                                      loads_done, free_at and load_end */
-    unsigned blocks_since;       /* blocks since it was NULL */
+    unsigned blocks_since;          /* blocks since it was NULL */
 };
 
 static inline void clock_enter_region(struct clock *clock, size_t region)

@@ -14,7 +14,7 @@ enum {
 struct schedules {
     size_t count;
     struct schedule schedule[SCHEDULES];
-    struct flights flights;
+    struct in_flight_table flights;
 };
 
 struct schedules *schedules_new(void)
@@ -23,7 +23,7 @@ struct schedules *schedules_new(void)
 
     if (schedules) {
         schedules->count = 0;
-        flights_init(&schedules->flights);
+        in_flight_init(&schedules->flights);
     }
     return schedules;
 }
@@ -37,7 +37,7 @@ void schedules_free(struct schedules *schedules)
 static void forget_all(struct clock *clock)
 {
     clock->schedules->count = 0;
-    flights_forget(&clock->schedules->flights);
+    in_flight_clear(&clock->schedules->flights);
     clock->generation++;
 }
 
@@ -47,17 +47,17 @@ static void forget_all(struct clock *clock)
  * that is soon nothing, or the vector unit soon at work again. */
 static bool fold(struct clock *clock)
 {
-    struct flights *flights = &clock->schedules->flights;
-    struct flight flight;
+    struct in_flight_table *flights = &clock->schedules->flights;
+    struct in_flight flight;
     if (clock->vector_end > clock->now)
         return false;
-    if (flight_is_nothing(clock)) {
+    if (in_flight_is_nothing(clock)) {
         clock->flight = &flights->nothing;
         return true;
     }
-    if (clock->blocks_since++ < PATIENCE || !flight_look(clock, &flight))
+    if (clock->blocks_since++ < PATIENCE || !in_flight_look(clock, &flight))
         return false;
-    clock->flight = flight_named(flights, &flight);
+    clock->flight = in_flight_named(flights, &flight);
     if (!clock->flight)
         forget_all(clock);
     return clock->flight;
@@ -85,7 +85,7 @@ void clock_materialize(struct clock *clock)
 {
     if (!clock->flight)
         return;
-    flight_show(clock, clock->flight);
+    in_flight_show(clock, clock->flight);
     settle_accounts(clock);
     clock->flight = NULL;
     clock->blocks_since = 0;

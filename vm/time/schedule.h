@@ -18,11 +18,11 @@
 
 #include "vm/block.h"
 #include "vm/time/clock_parts.h"
-#include "vm/time/flight.h"
+#include "vm/time/in_flight.h"
 
 struct schedule {
     struct schedule *next; /* of the block */
-    const struct flight *from, *to;
+    const struct in_flight *from, *to;
     uint64_t leaves; /* where control leaves the block, and how .. */
     uint64_t clocks;
     uint64_t times;        /* that are not in the accounts yet .. */

@@ -1,4 +1,4 @@
-#include "vm/time/flight.h"
+#include "vm/time/in_flight.h"
 
 #include "vm/hash.h"
 #include "vm/time/clock_parts.h"
@@ -7,12 +7,12 @@
 
 /* ---- Names --------------------------------------------------------------- */
 
-static size_t pending_count(const struct flight *flight)
+static size_t pending_count(const struct in_flight *flight)
 {
     return flight->registers + flight->units + flight->loads;
 }
 
-static uint64_t hash_flight(const struct flight *flight)
+static uint64_t hash_flight(const struct in_flight *flight)
 {
     uint64_t hash = hash_word(HASH_BEGIN, flight->results_done);
     hash = hash_word(hash, flight->loads_done);
@@ -25,7 +25,7 @@ static uint64_t hash_flight(const struct flight *flight)
     return hash;
 }
 
-static bool same_flight(const struct flight *one, const struct flight *other)
+static bool same_flight(const struct in_flight *one, const struct in_flight *other)
 {
     return one->results_done == other->results_done
            && one->loads_done == other->loads_done && one->registers == other->registers
@@ -35,10 +35,11 @@ static bool same_flight(const struct flight *one, const struct flight *other)
                   == 0;
 }
 
-const struct flight *flight_named(struct flights *flights, const struct flight *flight)
+const struct in_flight *in_flight_named(struct in_flight_table *flights,
+                                        const struct in_flight *flight)
 {
-    struct flight **first = &flights->hashed[hash_flight(flight) % FLIGHTS];
-    struct flight *known = *first;
+    struct in_flight **first = &flights->hashed[hash_flight(flight) % FLIGHTS];
+    struct in_flight *known = *first;
     while (known && !same_flight(known, flight))
         known = known->chained;
     if (known)
@@ -51,13 +52,13 @@ const struct flight *flight_named(struct flights *flights, const struct flight *
     return *first = known;
 }
 
-void flights_init(struct flights *flights)
+void in_flight_init(struct in_flight_table *flights)
 {
     memset(&flights->nothing, 0, sizeof flights->nothing);
-    flights_forget(flights);
+    in_flight_clear(flights);
 }
 
-void flights_forget(struct flights *flights)
+void in_flight_clear(struct in_flight_table *flights)
 {
     memset(flights->hashed, 0, sizeof flights->hashed);
     flights->count = 0;
@@ -71,7 +72,7 @@ static uint64_t from_now(const struct clock *clock, uint64_t time)
 }
 
 /* False: there are too many, or it takes too long. */
-static bool add_pending(struct flight *flight, size_t *count, size_t place,
+static bool add_pending(struct in_flight *flight, size_t *count, size_t place,
                         uint64_t clocks, unsigned awaits)
 {
     size_t i = flight->registers + flight->units + flight->loads;
@@ -87,7 +88,7 @@ static bool add_pending(struct flight *flight, size_t *count, size_t place,
     return true;
 }
 
-bool flight_look(const struct clock *clock, struct flight *flight)
+bool in_flight_look(const struct clock *clock, struct in_flight *flight)
 {
     size_t loads = (size_t)clock->loads_in_flight;
     bool fits = true;
@@ -108,7 +109,7 @@ bool flight_look(const struct clock *clock, struct flight *flight)
     return fits;
 }
 
-bool flight_is_nothing(const struct clock *clock)
+bool in_flight_is_nothing(const struct clock *clock)
 {
     bool nothing = clock->results_done <= clock->now;
     for (size_t i = 0; i < C205_UNITS; i++)
@@ -116,7 +117,7 @@ bool flight_is_nothing(const struct clock *clock)
     return nothing;
 }
 
-void flight_show(struct clock *clock, const struct flight *flight)
+void in_flight_show(struct clock *clock, const struct in_flight *flight)
 {
     const struct pending *pending = flight->pending;
     clock->results_done = clock->now + flight->results_done;
