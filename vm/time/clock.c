@@ -9,18 +9,18 @@
 /* ---- The time line ------------------------------------------------------- */
 
 /* What is waited for. */
-struct reason {
+struct wait_reason {
     c205_wait wait;
     unsigned number;
 };
-static const struct reason own_work = { C205_WAIT_NONE, 0 },
-                           for_loads = { C205_WAIT_LOADS, 0 },
-                           for_results = { C205_WAIT_RESULTS, 0 },
-                           for_vector = { C205_WAIT_VECTOR, 0 };
+static const struct wait_reason no_wait = { C205_WAIT_NONE, 0 },
+                                for_loads = { C205_WAIT_LOADS, 0 },
+                                for_results = { C205_WAIT_RESULTS, 0 },
+                                for_vector = { C205_WAIT_VECTOR, 0 };
 
 /* For who listens. */
 static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
-                 size_t region, uint64_t pc, struct reason reason)
+                 size_t region, uint64_t pc, struct wait_reason reason)
 {
     c205_times *record = clock->record;
     if (clocks == 0)
@@ -35,7 +35,7 @@ static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
 }
 
 static inline void spend_for(struct clock *clock, uint64_t clocks, c205_cause cause,
-                             struct reason reason)
+                             struct wait_reason reason)
 {
     if (clock->record)
         note(clock, clocks, cause, clock->region, clock->record->pc, reason);
@@ -45,11 +45,11 @@ static inline void spend_for(struct clock *clock, uint64_t clocks, c205_cause ca
 
 static inline void spend(struct clock *clock, uint64_t clocks, c205_cause cause)
 {
-    spend_for(clock, clocks, cause, own_work);
+    spend_for(clock, clocks, cause, no_wait);
 }
 
 static inline void wait_until(struct clock *clock, uint64_t until, c205_cause cause,
-                              struct reason reason)
+                              struct wait_reason reason)
 {
     if (clock->now < until)
         spend_for(clock, until - clock->now, cause, reason);
@@ -58,7 +58,7 @@ static inline void wait_until(struct clock *clock, uint64_t until, c205_cause ca
 /* Until a clock at which the vector unit is still at work: each piece is
  * charged to the phase in which it falls, in the region of that phase. */
 static inline void wait_through_phases(struct clock *clock, uint64_t until,
-                                       struct reason reason)
+                                       struct wait_reason reason)
 {
     c205_account *accounts = clock->accounts.account;
     uint64_t now = clock->now;
@@ -81,7 +81,7 @@ static void wait_for_vector(struct clock *clock)
 
 static void wait_for_slot(struct clock *clock, uint16_t slot)
 {
-    struct reason reason = { C205_WAIT_REGISTER, slot };
+    struct wait_reason reason = { C205_WAIT_REGISTER, slot };
     if (clock->awaits[slot] == FOR_VECTOR)
         wait_through_phases(clock, clock->ready[slot], reason);
     else
@@ -136,7 +136,7 @@ static uint64_t issue(struct clock *clock, const struct decoded *decoded,
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     uint64_t *free_at = &clock->free_at[decoded->insn->unit];
-    struct reason unit = { C205_WAIT_UNIT, decoded->insn->unit };
+    struct wait_reason unit = { C205_WAIT_UNIT, decoded->insn->unit };
     wait_until(clock, *free_at, C205_UNIT_BUSY, unit);
     clock->issued = clock->now;
     uint64_t ready = clock->now + timing->latency;
@@ -202,7 +202,7 @@ static void charge_swap(struct clock *clock, const struct decoded *decoded,
     wait_until(clock, clock->results_done, C205_OPERAND_WAIT, for_results);
     uint64_t begun = issue(clock, decoded, C205_MEMORY_WAIT);
     uint64_t end = begun + at_rate(clock->swap_word, effect->swapped);
-    wait_until(clock, end, C205_MEMORY_WAIT, own_work);
+    wait_until(clock, end, C205_MEMORY_WAIT, no_wait);
     if (clock->record)
         clock->record->ready = end;
 }
@@ -243,7 +243,7 @@ static void charge_branch(struct clock *clock, const struct decoded *decoded,
 static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 {
     uint64_t done = issue(clock, decoded, C205_OPERAND_WAIT);
-    wait_until(clock, done, C205_BRANCH, own_work);
+    wait_until(clock, done, C205_BRANCH, no_wait);
 }
 
 /* ---- The vector unit ----------------------------------------------------- */
@@ -390,8 +390,8 @@ static inline void charge_vector(struct clock *clock, const struct decoded *deco
     add_phases(clock, decoded, effect, startup);
     if (clock->record)
         note_times(clock, clock->vector_end, clock->vector_end);
-    wait_through_phases(clock, lesser(issued, clock->vector_end), own_work);
-    wait_until(clock, issued, C205_ISSUE, own_work);
+    wait_through_phases(clock, lesser(issued, clock->vector_end), no_wait);
+    wait_until(clock, issued, C205_ISSUE, no_wait);
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
     clock->account->vector_instructions++;
     clock->account->elements += effect->elements;
@@ -536,8 +536,8 @@ void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t unt
     wait_for_pair(&cut, decoded);
     wait_until(&cut, cut.loads_done, C205_MEMORY_WAIT, for_loads);
     wait_for_vector(&cut);
-    wait_until(&cut, lesser(begin, until), C205_VECTOR_STARTUP, own_work);
-    wait_until(&cut, until, C205_VECTOR_STREAM, own_work);
+    wait_until(&cut, lesser(begin, until), C205_VECTOR_STARTUP, no_wait);
+    wait_until(&cut, until, C205_VECTOR_STREAM, no_wait);
     clock->now = cut.now;
     check_sum(clock);
 }
