@@ -1,6 +1,6 @@
 /* branch.c - branches, and requests to the monitor. */
 #include "vm/machine.h"
-#include "vm/number/quick.h"
+#include "vm/number/fast_path.h"
 
 static c205_trap go_to(struct c205 *machine, uint64_t target)
 {
@@ -33,7 +33,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
     }
 
 #define RELATION(name) \
-    BRANCH_IF(branch_##name, quick_##name) \
+    BRANCH_IF(branch_##name, fast_##name) \
     BRANCH_IF_HALF(branch_half_##name, half_##name)
 #include "vm/arith.def"
 
@@ -182,12 +182,12 @@ INDEX_BRANCH_IF(index_branch_greater, >)
 
 static bool not_greater(c205_word a, c205_word b)
 {
-    return quick_not_less(b, a);
+    return fast_not_less(b, a);
 }
 
 static bool greater(c205_word a, c205_word b)
 {
-    return quick_less(b, a);
+    return fast_less(b, a);
 }
 
 #define FLOAT_BRANCH_IF(name, comparison) \
@@ -198,7 +198,7 @@ static bool greater(c205_word a, c205_word b)
         return go_to_near(machine, d); \
     }
 
-#define RELATION(name) FLOAT_BRANCH_IF(float_branch_##name, quick_##name)
+#define RELATION(name) FLOAT_BRANCH_IF(float_branch_##name, fast_##name)
 #include "vm/arith.def"
 FLOAT_BRANCH_IF(float_branch_not_greater, not_greater)
 FLOAT_BRANCH_IF(float_branch_greater, greater)

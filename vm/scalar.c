@@ -2,7 +2,7 @@
  * swap.  Register 0 needs no care: see SLOT_MACHINE_ZERO and SLOT_SINK.
  */
 #include "vm/machine.h"
-#include "vm/number/quick.h"
+#include "vm/number/fast_path.h"
 
 #include <string.h>
 
@@ -98,10 +98,10 @@ c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
     TO_T(name, arith_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
 #define BINARY_QUICK(name) \
-    TO_T(name, quick_##name(a, b, &machine->data_flags)) \
+    TO_T(name, fast_##name(a, b, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, b, &machine->data_flags))
 #define UNARY_QUICK(name) \
-    TO_T(name, quick_##name(a, &machine->data_flags)) \
+    TO_T(name, fast_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
 /* None, or one that is written out. */
 #define BINARY_VECTORS(name)

@@ -1,7 +1,7 @@
 #include "operations.h"
 
 #include "vm/number/lanes.h"
-#include "vm/number/quick.h"
+#include "vm/number/fast_path.h"
 
 #include <string.h>
 
@@ -85,15 +85,15 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 
 /* One word at a time, the usual case first (quick.h). */
 /* clang-format off */
-#define CALL_BINARY_QUICK(name) CALL_BINARY(quick_##name)
-#define CALL_UNARY_QUICK(name) CALL_UNARY(quick_##name)
+#define CALL_BINARY_QUICK(name) CALL_BINARY(fast_##name)
+#define CALL_UNARY_QUICK(name) CALL_UNARY(fast_##name)
 #define CALL_BINARY_REGISTERS(name)
 #define CALL_UNARY_REGISTERS(name)
 #define CALL_BINARY_VECTORS(name)
 #define CALL_UNARY_VECTORS(name)
 #define BINARY(name, spans, registers, specials) CALL_BINARY_##registers(name)
 #define UNARY(name, spans, registers, specials) CALL_UNARY_##registers(name)
-#define RELATION(name) CALL_RELATION(quick_##name)
+#define RELATION(name) CALL_RELATION(fast_##name)
 /* clang-format on */
 #include "vm/arith.def"
 
@@ -111,7 +111,7 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 #define SPAN_ROW_OF_HALVES(name) \
     { "half_" #name, &oracle_half, oracle_##name, NULL, call_halves_##name },
 #define ROW_QUICK(name) \
-    { "quick_" #name, &oracle_full, oracle_##name, call_quick_##name, NULL },
+    { "fast_" #name, &oracle_full, oracle_##name, call_fast_##name, NULL },
 #define ROW_REGISTERS(name)
 #define ROW_VECTORS(name)
 #define FORMAT_WORDS &oracle_full

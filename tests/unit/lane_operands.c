@@ -108,7 +108,7 @@ static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
     return xorshift_normalised_of(f, seed, e, e);
 }
 
-/* Of what is usual (vm/number/usual.h), with others rarely; just not usual. */
+/* Of what is usual (vm/number/common_range.h), with others rarely; just not usual. */
 static c205_word about_usual(word_format f, uint64_t *seed)
 {
     return at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2);
@@ -135,7 +135,7 @@ static c205_word within(word_format f, uint64_t *seed, int less)
                               : xorshift_normalised_of(f, seed, e, e);
 }
 
-/* What doubles hold (vm/number/floored.h); likewise, of much the same exponents;
+/* What doubles hold (vm/number/round_down.h); likewise, of much the same exponents;
  * with others rarely; and just not. */
 static c205_word moderate(word_format f, uint64_t *seed)
 {

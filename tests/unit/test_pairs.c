@@ -2,7 +2,7 @@
  * rule for one word: the same bits, the same flags. */
 #include "tests/random.h"
 #include "tests/unit/unit.h"
-#include "vm/number/floored.h"
+#include "vm/number/round_down.h"
 #include "vm/number/pairs.h"
 
 enum { TURNS = 40000, BELOW = 9, SLACK = 3 };

@@ -6,7 +6,7 @@
 #define LANE_FORMAT whole_words
 #define LANE_GUARD 1
 #include "vm/number/lane_parts.h"
-#include "vm/number/usual.h"
+#include "vm/number/common_range.h"
 
 /* ---- Multiply ----------------------------------------------------------- */
 
@@ -110,11 +110,11 @@ static inline lane lane_square_root(c205_word a)
 
 /* ---- Usual words ---------------------------------------------------------
  *
- * Of them alone (usual.h) nothing needs to be asked: so are their results.
+ * Of them alone (common_range.h) nothing needs to be asked: so are their results.
  */
 
 /* The exponents are added where they stand. */
-static inline c205_word usual_multiply_significant(c205_word a, c205_word b)
+static inline c205_word common_multiply_significant(c205_word a, c205_word b)
 {
     int64_t p = product(a, b, 2);
     uint64_t places = excess(p, DIGITS);
@@ -124,7 +124,7 @@ static inline c205_word usual_multiply_significant(c205_word a, c205_word b)
     return format_with_coefficient(LANE_FORMAT, high, (c205_word)p >> places);
 }
 
-static inline c205_word usual_divide_significant(c205_word a, c205_word b)
+static inline c205_word common_divide_significant(c205_word a, c205_word b)
 {
     int64_t e = exponent(a) - exponent(b) - WORD_DIGITS;
 

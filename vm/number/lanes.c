@@ -3,31 +3,32 @@
  */
 #include "vm/number/spans.h"
 
-#include "vm/number/floored.h"
+#include "vm/number/round_down.h"
 #include "vm/number/lane.h"
-#include "vm/number/quick.h"
+#include "vm/number/fast_path.h"
 
 /* What has a quick rule also looks for blocks of one kind. */
-FLOORED_BLOCK(floored_add_block, floored_add)
-FLOORED_BLOCK(floored_subtract_block, floored_subtract)
-FLOORED_BLOCK(floored_multiply_block, floored_multiply)
+FLOORED_BLOCK(round_down_add_block, round_down_add)
+FLOORED_BLOCK(round_down_subtract_block, round_down_subtract)
+FLOORED_BLOCK(round_down_multiply_block, round_down_multiply)
 ZEROS_BLOCK(zeros_add, GIVE_OTHERS, GIVE_OTHERS)
 ZEROS_BLOCK(zeros_subtract, GIVE_NEITHER, GIVE_OTHERS)
 ZEROS_BLOCK(zeros_multiply, GIVE_ZEROS, GIVE_ZEROS)
-USUAL_BLOCK(usual_multiply, usual_multiply_significant)
-EITHER_BLOCK(usual_block_add_normalised, zeros_add, floored_add_block)
-EITHER_BLOCK(usual_block_subtract_normalised, zeros_subtract, floored_subtract_block)
-EITHER_BLOCK(floored_or_usual_multiply, floored_multiply_block, usual_multiply)
-EITHER_BLOCK(usual_block_multiply_significant, zeros_multiply,
-             floored_or_usual_multiply)
-USUAL_BLOCK(usual_block_divide_significant, usual_divide_significant)
-#define BLOCK_QUICK(name) usual_block_##name
+USUAL_BLOCK(common_multiply, common_multiply_significant)
+EITHER_BLOCK(common_block_add_normalised, zeros_add, round_down_add_block)
+EITHER_BLOCK(common_block_subtract_normalised, zeros_subtract,
+             round_down_subtract_block)
+EITHER_BLOCK(round_down_or_common_multiply, round_down_multiply_block, common_multiply)
+EITHER_BLOCK(common_block_multiply_significant, zeros_multiply,
+             round_down_or_common_multiply)
+USUAL_BLOCK(common_block_divide_significant, common_divide_significant)
+#define BLOCK_QUICK(name) common_block_##name
 #define BLOCK_REGISTERS(name) NEVER_USUAL
 #define BLOCK_VECTORS(name) NEVER_USUAL
 
 /* Where the host has no vectors, it goes by that rule.  kind: BINARY, UNARY. */
 #define VERSIONS_QUICK(kind, name) \
-    static kind##_WORDS(lanes_##name##_words, quick_##name) \
+    static kind##_WORDS(lanes_##name##_words, fast_##name) \
         kind##_VERSIONS(lanes_##name, lanes_##name##_words)
 #define VERSIONS_REGISTERS(kind, name) \
     kind##_VERSIONS(lanes_##name, lanes_##name##_span)

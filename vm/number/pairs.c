@@ -1,7 +1,7 @@
 /* pairs.c - two operations in one pass; see pairs.h for what they promise. */
 #include "vm/number/pairs.h"
 
-#include "vm/number/floored.h"
+#include "vm/number/round_down.h"
 #include "vm/number/spans.h"
 
 /* ---- Blocks -------------------------------------------------------------- */
@@ -15,7 +15,7 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
                                uint64_t *flags, enum constants constants) \
     { \
         c205_word constant_a = a[0], constant_b = b[0]; \
-        floored_block block = floored_begin; \
+        round_down_block block = round_down_begin; \
         host_rounding before; \
         if (!host_round_down(&before)) \
             return false; \
@@ -23,12 +23,12 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
             c205_word x = constants == CONSTANT_A ? constant_a : a[j]; \
             c205_word y = constants == CONSTANT_B ? constant_b : b[j]; \
             take_edges(&block, x, y); take_edges(&block, d[j], d[j]); \
-            double handed = floored_value( \
+            double handed = round_down_value( \
                 take_result(&block, first(moderate_value(x), moderate_value(y)))); \
             double other = moderate_value(d[j]); \
             to[j] = result_word(take_result(&block, second));) \
         host_round_as(before); \
-        return floored_end(&block, flags); \
+        return round_down_end(&block, flags); \
     }
 
 /* ---- Spans --------------------------------------------------------------- */
@@ -77,11 +77,11 @@ static inline bool pair_meets(const c205_word *c, pair_operand operand, size_t n
     static lanes_pair name; \
     VERSIONS(name, name##_span, PAIR_PARAMETERS, PAIR_ARGUMENTS)
 
-PAIR(multiply_add, floored_multiply, floored_add(handed, other))
-PAIR(multiply_subtract, floored_multiply, floored_subtract(handed, other))
-PAIR(subtract_product, floored_multiply, floored_subtract(other, handed))
-PAIR(add_multiply, floored_add, floored_multiply(handed, other))
-PAIR(subtract_multiply, floored_subtract, floored_multiply(handed, other))
+PAIR(multiply_add, round_down_multiply, round_down_add(handed, other))
+PAIR(multiply_subtract, round_down_multiply, round_down_subtract(handed, other))
+PAIR(subtract_product, round_down_multiply, round_down_subtract(other, handed))
+PAIR(add_multiply, round_down_add, round_down_multiply(handed, other))
+PAIR(subtract_multiply, round_down_subtract, round_down_multiply(handed, other))
 
 /* ---- Which of them ------------------------------------------------------- */
 

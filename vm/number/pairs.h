@@ -3,7 +3,7 @@
  *
  * The result and the flags are those of one after the other (lanes.h), bit for
  * bit, where there is a result: a pair is done for moderate words alone
- * (floored.h), and only on some hosts.
+ * (round_down.h), and only on some hosts.
  */
 #ifndef C205_PAIRS_H
 #define C205_PAIRS_H

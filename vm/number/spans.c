@@ -4,7 +4,7 @@
 #include "vm/number/spans.h"
 
 #include "vm/number/lane_kinds.h"
-#include "vm/number/quick.h"
+#include "vm/number/fast_path.h"
 
 enum { BITS = 64 /* of a word */ };
 
@@ -203,7 +203,7 @@ static inline uint64_t copied(uint64_t bit)
     }
 #define COMPARE(name, is, relation, inverse) \
     COMPARE_SPAN(lanes_##name, whole_words, is, relation, inverse) \
-    COMPARE_WORDS(lanes_##name##_words, quick_##name) \
+    COMPARE_WORDS(lanes_##name##_words, fast_##name) \
     VERSIONS(lanes_##name, lanes_##name##_words, COMPARE_PARAMETERS, (bits, a, b, n)) \
     COMPARE_SPAN(halves_##name, half_words, is, relation, inverse) \
     VERSIONS(halves_##name, halves_##name##_span, COMPARE_PARAMETERS, (bits, a, b, n))

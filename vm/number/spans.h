@@ -7,7 +7,7 @@
 #include "vm/number/host.h"
 #include "vm/number/lane_kinds.h"
 #include "vm/number/lanes.h"
-#include "vm/number/usual.h"
+#include "vm/number/common_range.h"
 
 #define BINARY_PARAMETERS \
     (c205_word * c, const c205_word *a, const c205_word *b, size_t n, uint64_t *flags)
@@ -115,7 +115,7 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
 #define BLOCK_PARAMETERS \
     (c205_word *restrict to, const c205_word *a, const c205_word *b, size_t n, \
      uint64_t *flags)
-#define BINARY_SPAN(name, usual_block, lane_function, exact) \
+#define BINARY_SPAN(name, common_block, lane_function, exact) \
     BLOCK_OF(name, BLOCK_PARAMETERS, lane_function(a[j], b[j]), \
              binary_again(exact, to, a, b, odd, n, flags)) \
     LANEWISE void name##_span BINARY_PARAMETERS \
@@ -134,7 +134,7 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
                 x = some_a; \
                 y = some_b; \
             } \
-            if (!usual_block(to, x, y, count, flags)) \
+            if (!common_block(to, x, y, count, flags)) \
                 name##_block(to, x, y, count, flags); \
             if (few || !apart) \
                 copy_block(c + i, space, length); \
@@ -165,30 +165,30 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
 
 /* ---- Blocks of one kind ----------------------------------------------------
  *
- * In most blocks all words are usual (usual.h), or those of one operand are
- * machine zeros: whoever looks first takes fewer steps.  usual_block is true if
+ * In most blocks all words are usual (common_range.h), or those of one operand are
+ * machine zeros: whoever looks first takes fewer steps.  common_block is true if
  * that did it.
  */
 
 #define NEVER_USUAL(to, a, b, n, flags) false
 
-LANEWISE bool usual_lanes(const c205_word *a, const c205_word *b, size_t n)
+LANEWISE bool common_lanes(const c205_word *a, const c205_word *b, size_t n)
 {
     uint64_t all = UINT64_MAX, any = 0;
 
-    EACH_LANE(uint64_t x = usual_edges(a[j]); uint64_t y = usual_edges(b[j]);
+    EACH_LANE(uint64_t x = common_edges(a[j]); uint64_t y = common_edges(b[j]);
               all &= x & y; any |= x | y;)
-    return usual_by_edges(all, any);
+    return common_by_edges(all, any);
 }
 
 /* What is not usual is so from the beginning, most often. */
-LANEWISE bool usual_pairs(const c205_word *a, const c205_word *b, size_t n)
+LANEWISE bool common_pairs(const c205_word *a, const c205_word *b, size_t n)
 {
     enum { FIRST_ONES = 2 * LANES };
     size_t first = n > 2 * FIRST_ONES ? FIRST_ONES : n;
 
-    return usual_lanes(a, b, first)
-           && (first == n || usual_lanes(a + first, b + first, n - first));
+    return common_lanes(a, b, first)
+           && (first == n || common_lanes(a + first, b + first, n - first));
 }
 
 LANEWISE bool zero_lanes(const c205_word *a, size_t n)
@@ -212,7 +212,7 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
     if (gives == GIVE_NEITHER || !zero_lanes(zeros, n))
         return false;
     bool both = zero_lanes(others, n);
-    if (!both && !usual_pairs(others, others, n))
+    if (!both && !common_pairs(others, others, n))
         return false;
     if (both || gives == GIVE_ZEROS) {
         EACH_LANE(to[j] = C205_MACHINE_ZERO;)
@@ -229,13 +229,13 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
         return block_of_zeros(to, a, b, n, first, flags) \
                || block_of_zeros(to, b, a, n, second, flags); \
     }
-#define USUAL_BLOCK(name, of_usual) \
+#define USUAL_BLOCK(name, of_common) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
         (void)flags; \
-        if (!usual_pairs(a, b, n)) \
+        if (!common_pairs(a, b, n)) \
             return false; \
-        EACH_LANE(to[j] = of_usual(a[j], b[j]);) \
+        EACH_LANE(to[j] = of_common(a[j], b[j]);) \
         return true; \
     }
 

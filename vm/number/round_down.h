@@ -1,4 +1,4 @@
-/* floored.h - sums, differences and products of moderate words by the host's
+/* round_down.h - sums, differences and products of moderate words by the host's
  * doubles, where it can round them down; for loops that a compiler vectorises.
  *
  * A word is moderate if it is normalised and its exponent lies in -100 .. FF
@@ -9,13 +9,13 @@
  * below the register is cut off before its sign changes, so that a positive one that
  * is cut off whole, 94 places down, takes nothing away.
  */
-#ifndef C205_FLOORED_H
-#define C205_FLOORED_H
+#ifndef C205_ROUND_DOWN_H
+#define C205_ROUND_DOWN_H
 
 #include "vm/number/arith.h"
 #include "vm/number/host.h"
 #include "vm/number/lane_kinds.h"
-#include "vm/number/usual.h"
+#include "vm/number/common_range.h"
 
 /* Digits of a double behind the first one, and what its exponent is stored
  * above; those of a word's coefficient likewise. */
@@ -31,7 +31,7 @@ static inline uint64_t double_exponent(int e)
     return (uint64_t)(e + DOUBLE_BIAS) << DOUBLE_DIGITS;
 }
 
-static inline double floored_double(uint64_t bits)
+static inline double round_down_double(uint64_t bits)
 {
     double d;
 
@@ -39,7 +39,7 @@ static inline double floored_double(uint64_t bits)
     return d;
 }
 
-static inline uint64_t floored_bits(double d)
+static inline uint64_t round_down_bits(double d)
 {
     uint64_t bits;
 
@@ -49,16 +49,16 @@ static inline uint64_t floored_bits(double d)
 
 /* ---- Moderate words ------------------------------------------------------ */
 
-/* Of usual_edges() that all words have and that any has: the first eight bits of the
+/* Of common_edges() that all words have and that any has: the first eight bits of the
  * exponent are the same. */
 static inline bool moderate_by_edges(uint64_t all, uint64_t any)
 {
-    return usual_by_edges(all, any) && any >> 57 == 0;
+    return common_by_edges(all, any) && any >> 57 == 0;
 }
 
 static inline uint64_t moderate_edges(c205_word w)
 {
-    return w == C205_MACHINE_ZERO ? UINT64_C(0x800000000000) : usual_edges(w);
+    return w == C205_MACHINE_ZERO ? UINT64_C(0x800000000000) : common_edges(w);
 }
 
 static inline bool moderate_pair(c205_word a, c205_word b)
@@ -77,7 +77,8 @@ static inline double moderate_value(c205_word w)
     uint64_t large = exponent
                      + (double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << WORD_DIGITS);
 
-    return floored_double(large ^ (w & WORD_COEFFICIENT_MASK)) - floored_double(large);
+    return round_down_double(large ^ (w & WORD_COEFFICIENT_MASK))
+           - round_down_double(large);
 }
 
 /* A double to a normalised word, rounded down; not of zero.  -2^46 is no
@@ -85,27 +86,27 @@ static inline double moderate_value(c205_word w)
  * shorter where the digits behind its first one are 0.  The floor of what has the
  * exponent of a coefficient stands in the last digits of its sum with a large
  * number. */
-static inline c205_word floored_word(double value)
+static inline c205_word round_down_word(double value)
 {
-    uint64_t bits = floored_bits(value);
+    uint64_t bits = round_down_bits(value);
     uint64_t shorter = bits + (uint64_t)((int64_t)bits >> 63);
     uint64_t field = double_exponent(DOUBLE_BIAS + 1);
     uint64_t places = (shorter & field) - double_exponent(FLOORED_DIGITS);
     uint64_t large = double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << 51;
-    double c = floored_double(bits - places) + floored_double(large);
+    double c = round_down_double(bits - places) + round_down_double(large);
     uint64_t exponent = (uint64_t)((int64_t)places >> (DOUBLE_DIGITS - FLOORED_PLACE));
 
-    return format_with_coefficient(whole_words, exponent, floored_bits(c));
+    return format_with_coefficient(whole_words, exponent, round_down_bits(c));
 }
 
 /* A double to 47 digits, rounded down. */
-static inline double floored_value(double value)
+static inline double round_down_value(double value)
 {
     enum { BEYOND = (1 << (DOUBLE_DIGITS - FLOORED_DIGITS)) - 1 };
-    uint64_t bits = floored_bits(value);
+    uint64_t bits = round_down_bits(value);
     uint64_t is_negative = (uint64_t)((int64_t)bits >> 63);
 
-    return floored_double((bits + (is_negative & BEYOND)) & ~(uint64_t)BEYOND);
+    return round_down_double((bits + (is_negative & BEYOND)) & ~(uint64_t)BEYOND);
 }
 
 /* ---- Operations ---------------------------------------------------------- */
@@ -116,7 +117,7 @@ typedef struct floored {
     bool is_odd;
 } floored;
 
-static inline floored floored_add(double x, double y)
+static inline floored round_down_add(double x, double y)
 {
     const floored sum = { x + y, false };
 
@@ -125,14 +126,14 @@ static inline floored floored_add(double x, double y)
 
 /* Not right are all with a positive subtrahend of less than a double's last digit,
  * some of which are cut off whole. */
-static inline floored floored_subtract(double x, double y)
+static inline floored round_down_subtract(double x, double y)
 {
     const floored difference = { x - y, (x + y == x) & (y > 0) };
 
     return difference;
 }
 
-static inline floored floored_multiply(double x, double y)
+static inline floored round_down_multiply(double x, double y)
 {
     const floored product = { x * y, false };
 
@@ -145,15 +146,15 @@ static inline floored floored_multiply(double x, double y)
 enum { FLOORED_LEAST = 32 };
 
 /* What is known of a block only when it is done. */
-typedef struct floored_block {
+typedef struct round_down_block {
     uint64_t all, any; /* edges */
     /* Counts, which clang 14 vectorises; masks gathered by | it does not. */
     uint64_t odd, zeros;
-} floored_block;
+} round_down_block;
 
-static const floored_block floored_begin = { UINT64_MAX, 0, 0, 0 };
+static const round_down_block round_down_begin = { UINT64_MAX, 0, 0, 0 };
 
-static inline void take_edges(floored_block *block, c205_word a, c205_word b)
+static inline void take_edges(round_down_block *block, c205_word a, c205_word b)
 {
     uint64_t x = moderate_edges(a), y = moderate_edges(b);
 
@@ -161,7 +162,7 @@ static inline void take_edges(floored_block *block, c205_word a, c205_word b)
     block->any |= x | y;
 }
 
-static inline double take_result(floored_block *block, floored result)
+static inline double take_result(round_down_block *block, floored result)
 {
     block->odd += result.is_odd;
     block->zeros += result.value == 0;
@@ -170,13 +171,13 @@ static inline double take_result(floored_block *block, floored result)
 
 static inline c205_word result_word(double value)
 {
-    c205_word word = floored_word(value);
+    c205_word word = round_down_word(value);
 
     return value == 0 ? C205_MACHINE_ZERO : word;
 }
 
 /* False: it is to be done otherwise. */
-static inline bool floored_end(const floored_block *block, uint64_t *flags)
+static inline bool round_down_end(const round_down_block *block, uint64_t *flags)
 {
     if (!moderate_by_edges(block->all, block->any) || block->odd)
         return false;
@@ -189,7 +190,7 @@ static inline bool floored_end(const floored_block *block, uint64_t *flags)
 #define FLOORED_BLOCK(name, operation) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
-        floored_block block = floored_begin; \
+        round_down_block block = round_down_begin; \
         host_rounding before; \
         if (n < FLOORED_LEAST || !moderate_pair(a[0], b[0]) \
             || !host_round_down(&before)) \
@@ -199,7 +200,7 @@ static inline bool floored_end(const floored_block *block, uint64_t *flags)
                       take_result(&block, operation(moderate_value(a[j]), \
                                                     moderate_value(b[j]))));) \
         host_round_as(before); \
-        return floored_end(&block, flags); \
+        return round_down_end(&block, flags); \
     }
 
 #endif

@@ -1,29 +1,29 @@
-/* quick.h - arithmetic on one usual pair of words, or on one word (usual.h).
+/* fast_path.h - arithmetic on one usual pair of words, or on one word (common_range.h).
  *
  * In scalar code each result waits for the one before, and what hardly ever
  * happens costs nothing as long as a branch leads around it: so, other than on
  * lanes (lane_parts.h), whatever is not usual is left to the exact rule at
  * once.  The results are those of arith.h, bit for bit, for every word.
  */
-#ifndef C205_QUICK_H
-#define C205_QUICK_H
+#ifndef C205_FAST_PATH_H
+#define C205_FAST_PATH_H
 
 #include "vm/number/arith.h"
-#include "vm/number/usual.h"
+#include "vm/number/common_range.h"
 
 #include <math.h>
 
-static inline c205_word quick_word(int64_t e, int64_t c)
+static inline c205_word fast_word(int64_t e, int64_t c)
 {
     return (c205_word)e << 48 | ((c205_word)c & WORD_COEFFICIENT_MASK);
 }
 
 /* c x 2^e, floored to the 47 digits of a word; c has 47 to 49. */
-static inline c205_word quick_fitted(int64_t e, int64_t c)
+static inline c205_word fast_fitted(int64_t e, int64_t c)
 {
     int64_t places = (c ^ c >> 63) >> WORD_DIGITS;
 
-    return quick_word(e + places, c >> places);
+    return fast_word(e + places, c >> places);
 }
 
 /* ---- Add, subtract ------------------------------------------------------- */
@@ -31,8 +31,8 @@ static inline c205_word quick_fitted(int64_t e, int64_t c)
 /* With a bit below the coefficients: nothing is lost at distances of 0 and 1,
  * and beyond them the sum moves by one place at most.  Up to a distance of 46
  * the register of two words holds all of the smaller operand. */
-static inline bool quick_sum(c205_word a, int64_t ca, c205_word b, int64_t cb,
-                             c205_word *c)
+static inline bool fast_sum(c205_word a, int64_t ca, c205_word b, int64_t cb,
+                            c205_word *c)
 {
     int64_t e = (int64_t)a >> 48, eb = (int64_t)b >> 48;
     int64_t distance = e - eb;
@@ -48,34 +48,34 @@ static inline bool quick_sum(c205_word a, int64_t ca, c205_word b, int64_t cb,
     if (distance > 46 || sum == 0)
         return false;
     int32_t places = WORD_DIGITS + 2 - word_significant_bits(sum);
-    *c = quick_word(e + 1 - places, word_shift_left(sum, places) >> 2);
+    *c = fast_word(e + 1 - places, word_shift_left(sum, places) >> 2);
     return true;
 }
 
-static inline int64_t quick_twice(c205_word w)
+static inline int64_t fast_twice(c205_word w)
 {
     return (int64_t)(w << 16) >> 15;
 }
 
-static inline c205_word quick_add_normalised(c205_word a, c205_word b, uint64_t *flags)
+static inline c205_word fast_add_normalised(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word c;
 
-    if (usual_pair(a, b) && quick_sum(a, quick_twice(a), b, quick_twice(b), &c))
+    if (common_pair(a, b) && fast_sum(a, fast_twice(a), b, fast_twice(b), &c))
         return c;
     return arith_add_normalised(a, b, flags);
 }
 
 /* Machine zero less something is how a number is negated. */
-static inline c205_word quick_subtract_normalised(c205_word a, c205_word b,
-                                                  uint64_t *flags)
+static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
+                                                 uint64_t *flags)
 {
     c205_word c;
 
-    if (usual_pair(a, b) && quick_sum(a, quick_twice(a), b, -quick_twice(b), &c))
+    if (common_pair(a, b) && fast_sum(a, fast_twice(a), b, -fast_twice(b), &c))
         return c;
-    if (a == C205_MACHINE_ZERO && usual_word(b)
-        && quick_sum(b, -quick_twice(b), b, 0, &c))
+    if (a == C205_MACHINE_ZERO && common_word(b)
+        && fast_sum(b, -fast_twice(b), b, 0, &c))
         return c;
     return arith_subtract_normalised(a, b, flags);
 }
@@ -83,8 +83,8 @@ static inline c205_word quick_subtract_normalised(c205_word a, c205_word b,
 /* ---- Multiply, divide, square root --------------------------------------- */
 
 /* The product has 93 digits or 94, or is 2^94. */
-static inline c205_word quick_multiply_significant(c205_word a, c205_word b,
-                                                   uint64_t *flags)
+static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
+                                                  uint64_t *flags)
 {
     int64_t a1 = (int64_t)(a << 16) >> 40, a0 = a & 0xFFFFFF;
     int64_t b1 = (int64_t)(b << 16) >> 40, b0 = b & 0xFFFFFF;
@@ -92,21 +92,21 @@ static inline c205_word quick_multiply_significant(c205_word a, c205_word b,
     int64_t product = a1 * b1 * 4 + (middle >> 22);
     int64_t e = ((int64_t)a >> 48) + ((int64_t)b >> 48);
 
-    if (!usual_pair(a, b))
+    if (!common_pair(a, b))
         return arith_multiply_significant(a, b, flags);
-    return quick_fitted(e + WORD_DIGITS - 1, product);
+    return fast_fitted(e + WORD_DIGITS - 1, product);
 }
 
 /* The double quotient, below 2^49, is by less than one from the true one, and
  * so is its whole part; the remainder, known modulo 2^64, tells. */
-static inline c205_word quick_divide_significant(c205_word a, c205_word b,
-                                                 uint64_t *flags)
+static inline c205_word fast_divide_significant(c205_word a, c205_word b,
+                                                uint64_t *flags)
 {
     int64_t ca = word_coefficient(a), cb = word_coefficient(b);
     int64_t dividend = ca < 0 ? -ca : ca, divisor = cb < 0 ? -cb : cb;
     int64_t e = ((int64_t)a >> 48) - ((int64_t)b >> 48) - WORD_DIGITS;
 
-    if (!usual_pair(a, b))
+    if (!common_pair(a, b))
         return arith_divide_significant(a, b, flags);
     int64_t q = (int64_t)((double)dividend * 0x1p47 / (double)divisor);
     int64_t left = (int64_t)(((uint64_t)dividend << WORD_DIGITS)
@@ -115,57 +115,57 @@ static inline c205_word quick_divide_significant(c205_word a, c205_word b,
     /* -2^46 has no 47 digits. */
     if (q == INT64_C(1) << 46)
         return arith_divide_significant(a, b, flags);
-    return quick_fitted(e, (ca ^ cb) < 0 ? -q : q);
+    return fast_fitted(e, (ca ^ cb) < 0 ? -q : q);
 }
 
 /* The double root, below 2^47, is at most one too large; the remainder, known
  * modulo 2^64, tells. */
-static inline c205_word quick_square_root(c205_word a, uint64_t *flags)
+static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 {
     int64_t c = word_coefficient(a), e = (int64_t)a >> 48;
     int32_t k = WORD_DIGITS - 1 + (int32_t)(e & 1);
 
-    if (!usual_word(a) || c < 0)
+    if (!common_word(a) || c < 0)
         return arith_square_root(a, flags);
     uint64_t root = (uint64_t)(int64_t)sqrt((double)c * (e & 1 ? 0x1p47 : 0x1p46));
     uint64_t left = ((uint64_t)c << k) - root * root;
-    return quick_word((e - k) / 2, (int64_t)(root - (left >> 63)));
+    return fast_word((e - k) / 2, (int64_t)(root - (left >> 63)));
 }
 
 /* ---- Compare ------------------------------------------------------------- */
 
 /* Ordered as the values are, as long as both have one sign: of negative
  * numbers that of the larger exponent is the smaller. */
-static inline int64_t quick_rank(c205_word w, int64_t sign)
+static inline int64_t fast_rank(c205_word w, int64_t sign)
 {
     return (int64_t)(w ^ ((uint64_t)sign & ~WORD_COEFFICIENT_MASK));
 }
 
 /* Of a usual number, and another one or, as is most often, machine zero. */
-static inline bool quick_ranks(c205_word a, c205_word b, int64_t *rank_a,
-                               int64_t *rank_b)
+static inline bool fast_ranks(c205_word a, c205_word b, int64_t *rank_a,
+                              int64_t *rank_b)
 {
     int64_t sign = (int64_t)(a << 16) >> 63;
 
     *rank_a = sign | 1;
     *rank_b = 0;
-    if (b == C205_MACHINE_ZERO && usual_word(a))
+    if (b == C205_MACHINE_ZERO && common_word(a))
         return true;
-    if (!usual_pair(a, b))
+    if (!common_pair(a, b))
         return false;
     if ((int64_t)((a ^ b) << 16) < 0)
         return true;
-    *rank_a = quick_rank(a, sign);
-    *rank_b = quick_rank(b, sign);
+    *rank_a = fast_rank(a, sign);
+    *rank_b = fast_rank(b, sign);
     return true;
 }
 
 #define QUICK_RELATION(name, relation) \
-    static inline bool quick_##name(c205_word a, c205_word b) \
+    static inline bool fast_##name(c205_word a, c205_word b) \
     { \
         int64_t rank_a, rank_b; \
-        return quick_ranks(a, b, &rank_a, &rank_b) ? rank_a relation rank_b \
-                                                   : arith_##name(a, b); \
+        return fast_ranks(a, b, &rank_a, &rank_b) ? rank_a relation rank_b \
+                                                  : arith_##name(a, b); \
     }
 
 QUICK_RELATION(equal, ==)
