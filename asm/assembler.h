@@ -177,7 +177,7 @@ struct caution {
 };
 
 /* An expectation before its expressions are known. */
-struct wish {
+struct expectation {
     const struct line *line;
     enum expectation_kind kind;
     unsigned number;
@@ -211,8 +211,8 @@ struct assembler {
     struct asm_region open_region; /* line NULL: none */
     const struct section *region_section;
     struct open_record record;
-    struct wish *wishes;
-    size_t wish_count, wish_capacity;
+    struct expectation *expectations;
+    size_t expectation_count, expectation_capacity;
     struct caution *cautions;
     size_t caution_count, caution_capacity;
     /* Labels that move on with the data after them when that is aligned. */

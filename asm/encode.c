@@ -406,13 +406,15 @@ static bool add_mentions(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
-static void grant_tolerance(struct assembler *assembler, const struct wish *wish,
+static void grant_tolerance(struct assembler *assembler,
+                            const struct expectation *expectation,
                             struct asm_expectation *made)
 {
-    if (wish->tolerance
-        && evaluate_word(assembler, wish->line, wish->tolerance, &made->tolerance)
+    if (expectation->tolerance
+        && evaluate_word(assembler, expectation->line, expectation->tolerance,
+                         &made->tolerance)
         && !(c205_to_double(made->tolerance) >= 0))
-        report(assembler, wish->line, wish->line->begin,
+        report(assembler, expectation->line, expectation->line->begin,
                "a tolerance is a number that is not negative");
 }
 
@@ -420,32 +422,35 @@ typedef bool evaluator(struct assembler *, const struct line *,
                        const struct expression *, c205_word *);
 
 static bool grant(struct assembler *assembler, struct storage *storage,
-                  const struct wish *wish)
+                  const struct expectation *expectation)
 {
     struct asm_expectation *made = storage_add_expectation(storage);
-    size_t i, size = wish->bits ? wish->count / WORD_BITS + 1 : wish->count;
-    bool half = wish->kind == EXPECT_HALF_REGISTER || wish->kind == EXPECT_HALVES;
+    size_t i, size = expectation->bits ? expectation->count / WORD_BITS + 1
+                                       : expectation->count;
+    bool half = expectation->kind == EXPECT_HALF_REGISTER
+                || expectation->kind == EXPECT_HALVES;
     evaluator *value = half ? evaluate_half : evaluate_word;
     c205_word *words = arena_take(&storage->arena, size * sizeof *words);
 
     if (!made || !words)
         return false;
-    made->kind = wish->kind;
-    made->number = wish->number;
-    made->count = wish->count;
+    made->kind = expectation->kind;
+    made->number = expectation->number;
+    made->count = expectation->count;
     made->words = words;
-    made->text = wish->text ? keep(storage, wish->text) : NULL;
-    made->file = keep(storage, wish->line->file);
-    made->line = wish->line->number;
-    made->has_tolerance = wish->tolerance != NULL;
-    grant_tolerance(assembler, wish, made);
-    if (wish->address)
-        evaluate_address(assembler, wish->line, wish->address, &made->address);
+    made->text = expectation->text ? keep(storage, expectation->text) : NULL;
+    made->file = keep(storage, expectation->line->file);
+    made->line = expectation->line->number;
+    made->has_tolerance = expectation->tolerance != NULL;
+    grant_tolerance(assembler, expectation, made);
+    if (expectation->address)
+        evaluate_address(assembler, expectation->line, expectation->address,
+                         &made->address);
     for (i = 0; i < size; i++) {
-        if (wish->bits)
-            words[i] = wish->bits[i];
+        if (expectation->bits)
+            words[i] = expectation->bits[i];
         else
-            value(assembler, wish->line, wish->values[i], &words[i]);
+            value(assembler, expectation->line, expectation->values[i], &words[i]);
     }
     return true;
 }
@@ -454,8 +459,8 @@ static bool add_expectations(struct assembler *assembler, struct storage *storag
 {
     size_t i;
 
-    for (i = 0; i < assembler->wish_count; i++)
-        if (!grant(assembler, storage, &assembler->wishes[i]))
+    for (i = 0; i < assembler->expectation_count; i++)
+        if (!grant(assembler, storage, &assembler->expectations[i]))
             return false;
     return true;
 }

@@ -110,9 +110,9 @@ static warning_set meant(const struct assembler *assembler)
     warning_set set = 0;
     size_t i;
 
-    for (i = 0; i < assembler->wish_count; i++)
-        if (assembler->wishes[i].kind == EXPECT_WARNING)
-            set |= WARNING_BIT(warning_named(assembler->wishes[i].text));
+    for (i = 0; i < assembler->expectation_count; i++)
+        if (assembler->expectations[i].kind == EXPECT_WARNING)
+            set |= WARNING_BIT(warning_named(assembler->expectations[i].text));
     return set;
 }
 

@@ -239,7 +239,7 @@ static bool read_column(struct number_file *file)
 }
 
 /* [, column] [, integers] */
-static bool read_wishes(struct number_file *file)
+static bool read_expectations(struct number_file *file)
 {
     struct cursor *cursor = file->cursor;
 
@@ -264,7 +264,7 @@ bool parse_incfile(struct cursor *cursor)
     const char *name = expect_string(cursor, &length);
 
     layout_align(cursor->assembler, 64);
-    if (!name || !read_wishes(&file))
+    if (!name || !read_expectations(&file))
         return false;
     if (!source_find(cursor->assembler, name, file_of(cursor->line), &source, &error))
         return report(cursor->assembler, cursor->line, at,

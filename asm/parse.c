@@ -72,5 +72,5 @@ bool parse_line(struct assembler *assembler, const struct line *line)
     struct cursor cursor = cursor_start(assembler, line);
     bool good = parse_statement(&cursor);
 
-    return parse_wish(&cursor) && good;
+    return parse_expectation(&cursor) && good;
 }

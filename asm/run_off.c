@@ -36,8 +36,8 @@ static bool expects_trap(const struct assembler *assembler)
 {
     size_t i;
 
-    for (i = 0; i < assembler->wish_count; i++)
-        if (assembler->wishes[i].kind == EXPECT_TRAP)
+    for (i = 0; i < assembler->expectation_count; i++)
+        if (assembler->expectations[i].kind == EXPECT_TRAP)
             return true;
     return false;
 }

@@ -42,7 +42,7 @@ directive_parser parse_record, parse_field, parse_at, parse_endrecord;
 /* incfile.c */
 directive_parser parse_incfile;
 
-/* wish.c: the expectation in the comment at the end of a line, if any. */
-bool parse_wish(struct cursor *cursor);
+/* expectation.c: the expectation in the comment at the end of a line, if any. */
+bool parse_expectation(struct cursor *cursor);
 
 #endif

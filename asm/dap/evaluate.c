@@ -78,12 +78,12 @@ static void obey_line(struct dap *dap, const char *text)
     bool goes_on;
 
     dap->state = DAP_RUNNING;
-    dap->wish = WISH_NONE;
+    dap->pending = WISH_NONE;
     goes_on = debugger_obey(dap->debugger, text);
     dap->state = DAP_STANDING;
-    if (!goes_on || dap->wish == WISH_TERMINATE)
+    if (!goes_on || dap->pending == WISH_TERMINATE)
         dap->then = dap_finish;
-    else if (dap->wish == WISH_RESTART)
+    else if (dap->pending == WISH_RESTART)
         dap->then = dap_begin;
     else if (has_moved(before, stand_of(dap)))
         dap->then = tell_moved;

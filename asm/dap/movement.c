@@ -173,14 +173,14 @@ static void go(struct dap *dap)
     enum moved moved;
 
     do {
-        if (dap->wish == WISH_RESTART)
+        if (dap->pending == WISH_RESTART)
             prepare_beginning(dap);
-        dap->wish = WISH_NONE;
+        dap->pending = WISH_NONE;
         dap->state = DAP_RUNNING;
         moved = dap->move(dap->debugger);
         dap->state = DAP_STANDING;
-    } while (!dap->over && dap->wish == WISH_RESTART);
-    if (dap->wish == WISH_TERMINATE)
+    } while (!dap->over && dap->pending == WISH_RESTART);
+    if (dap->pending == WISH_TERMINATE)
         dap_finish(dap);
     else if (!dap->over)
         arrive(dap, moved);
@@ -188,7 +188,7 @@ static void go(struct dap *dap)
 
 void dap_begin(struct dap *dap)
 {
-    dap->wish = WISH_RESTART;
+    dap->pending = WISH_RESTART;
     go(dap);
 }
 
@@ -277,7 +277,7 @@ bool request_pause(struct dap *dap, const struct json_value *arguments,
     (void)arguments;
     (void)body;
     if (dap->state == DAP_RUNNING)
-        dap->wish = WISH_PAUSE;
+        dap->pending = WISH_PAUSE;
     return true;
 }
 

@@ -50,7 +50,7 @@ struct dap {
     bool end_told;       /* the program stands at its end, and the client knows */
     bool client_redraws; /* it takes the event invalidated */
     int64_t first_line, first_column; /* as the client counts: 0 or 1 */
-    enum dap_wish wish;
+    enum dap_wish pending;
     enum moved (*move)(struct debugger *debugger);
     const char *reason; /* of the stop, if the motion ends where it was to */
     void (*then)(struct dap *dap);

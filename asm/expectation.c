@@ -1,78 +1,79 @@
-/* wish.c - expectations, as they stand in the comments of test programs. */
+/* expectation.c - expectations, as they stand in the comments of test programs. */
 #include <ctype.h>
 #include <string.h>
 
 #include "asm/statement.h"
 #include "base/spelling.h"
 
-static const struct expression **add_value(struct cursor *cursor, struct wish *wish,
-                                           size_t *capacity)
+static const struct expression **
+add_value(struct cursor *cursor, struct expectation *expectation, size_t *capacity)
 {
     const struct expression **values;
 
-    values = arena_grow(cursor->assembler->arena, wish->values, wish->count, capacity,
-                        sizeof *values);
+    values = arena_grow(cursor->assembler->arena, expectation->values,
+                        expectation->count, capacity, sizeof *values);
     if (values)
-        wish->values = values;
+        expectation->values = values;
     return values;
 }
 
-static bool parse_values(struct cursor *cursor, struct wish *wish)
+static bool parse_values(struct cursor *cursor, struct expectation *expectation)
 {
     size_t capacity = 0;
 
     do {
         const struct expression *value = parse_expression(cursor);
 
-        if (!value || !add_value(cursor, wish, &capacity))
+        if (!value || !add_value(cursor, expectation, &capacity))
             return false;
-        wish->values[wish->count++] = value;
+        expectation->values[expectation->count++] = value;
     } while (cursor_take(cursor, ','));
-    if (cursor_take(cursor, '~') && !(wish->tolerance = parse_expression(cursor)))
+    if (cursor_take(cursor, '~')
+        && !(expectation->tolerance = parse_expression(cursor)))
         return false;
     return expect_end(cursor);
 }
 
-static bool parse_place(struct cursor *cursor, struct wish *wish)
+static bool parse_place(struct cursor *cursor, struct expectation *expectation)
 {
     return expect_operator(cursor, '[', "'['")
-           && (wish->address = parse_expression(cursor)) != NULL
+           && (expectation->address = parse_expression(cursor)) != NULL
            && expect_operator(cursor, ']', "']'");
 }
 
 /* [label] = 1, 2, 3 */
-static bool parse_memory(struct cursor *cursor, struct wish *wish)
+static bool parse_memory(struct cursor *cursor, struct expectation *expectation)
 {
-    return parse_place(cursor, wish) && expect_operator(cursor, '=', "'='")
-           && parse_values(cursor, wish);
+    return parse_place(cursor, expectation) && expect_operator(cursor, '=', "'='")
+           && parse_values(cursor, expectation);
 }
 
 /* r10 = 5, h10 = 5, or words of memory */
-static bool parse_expect(struct cursor *cursor, struct wish *wish)
+static bool parse_expect(struct cursor *cursor, struct expectation *expectation)
 {
     struct register_name named;
 
     if (cursor_at(cursor, '[')) {
-        wish->kind = EXPECT_WORDS;
-        return parse_memory(cursor, wish);
+        expectation->kind = EXPECT_WORDS;
+        return parse_memory(cursor, expectation);
     }
     if (!parse_any_register(cursor, &named) || !expect_operator(cursor, '=', "'='")
-        || !parse_values(cursor, wish))
+        || !parse_values(cursor, expectation))
         return false;
-    wish->kind = named.half ? EXPECT_HALF_REGISTER : EXPECT_REGISTER;
-    wish->number = named.number;
-    return wish->count == 1
+    expectation->kind = named.half ? EXPECT_HALF_REGISTER : EXPECT_REGISTER;
+    expectation->number = named.number;
+    return expectation->count == 1
            || report(cursor->assembler, cursor->line, cursor->line->begin,
                      "expected one value: a register holds one");
 }
 
 /* [label] = 1011 0010 */
-static bool parse_bits(struct cursor *cursor, struct wish *wish)
+static bool parse_bits(struct cursor *cursor, struct expectation *expectation)
 {
     const char *at, *end = cursor->line->end;
     c205_word *bits;
 
-    if (!parse_place(cursor, wish))
+    if (!parse_place(cursor, expectation))
         return false;
     if (!cursor_at(cursor, '='))
         return expected(cursor, "'='");
@@ -87,82 +88,87 @@ static bool parse_bits(struct cursor *cursor, struct wish *wish)
         if (*at != '0' && *at != '1')
             return report(cursor->assembler, cursor->line, at,
                           "expected the digits 0 and 1");
-        bits[wish->count / 64] |= (c205_word)(*at == '1') << (63 - wish->count % 64);
-        wish->count++;
+        bits[expectation->count / 64] |= (c205_word)(*at == '1')
+                                         << (63 - expectation->count % 64);
+        expectation->count++;
     }
-    wish->bits = bits;
+    expectation->bits = bits;
     return true;
 }
 
-static bool parse_one(struct cursor *cursor, struct wish *wish)
+static bool parse_one(struct cursor *cursor, struct expectation *expectation)
 {
-    wish->values = arena_take(cursor->assembler->arena, sizeof *wish->values);
-    wish->count = 1;
-    return wish->values && (wish->values[0] = parse_expression(cursor)) != NULL
+    expectation->values = arena_take(cursor->assembler->arena,
+                                     sizeof *expectation->values);
+    expectation->count = 1;
+    return expectation->values
+           && (expectation->values[0] = parse_expression(cursor)) != NULL
            && expect_end(cursor);
 }
 
-static bool parse_rest(struct cursor *cursor, struct wish *wish)
+static bool parse_rest(struct cursor *cursor, struct expectation *expectation)
 {
     const char *begin = cursor->line->begin, *end = cursor->line->end;
 
     begin += begin < end && *begin == ' ';
     while (begin < end && isspace((unsigned char)end[-1]))
         end--;
-    wish->text = arena_text(cursor->assembler->arena, begin, (size_t)(end - begin));
-    return wish->text != NULL;
+    expectation->text = arena_text(cursor->assembler->arena, begin,
+                                   (size_t)(end - begin));
+    return expectation->text != NULL;
 }
 
-static bool parse_trap(struct cursor *cursor, struct wish *wish)
+static bool parse_trap(struct cursor *cursor, struct expectation *expectation)
 {
     unsigned trap;
 
-    if (!parse_rest(cursor, wish))
+    if (!parse_rest(cursor, expectation))
         return false;
     for (trap = C205_TRAP_NONE + 1; trap < C205_TRAP_PAUSED; trap++)
-        if (strcmp(c205_trap_name((c205_trap)trap), wish->text) == 0)
+        if (strcmp(c205_trap_name((c205_trap)trap), expectation->text) == 0)
             return true;
     return report(cursor->assembler, cursor->line, cursor->token.begin,
-                  "expected the name of a trap, found '%s'", wish->text);
+                  "expected the name of a trap, found '%s'", expectation->text);
 }
 
-static bool parse_warning(struct cursor *cursor, struct wish *wish)
+static bool parse_warning(struct cursor *cursor, struct expectation *expectation)
 {
-    return parse_rest(cursor, wish)
-           && (warning_named(wish->text) != WARNINGS
+    return parse_rest(cursor, expectation)
+           && (warning_named(expectation->text) != WARNINGS
                || report(cursor->assembler, cursor->line, cursor->token.begin,
                          "expected the name of a warning, found '%s';"
                          " c205 asm -W list prints them",
-                         wish->text));
+                         expectation->text));
 }
 
 /* A program names one at the most. */
-static bool parse_model(struct cursor *cursor, struct wish *wish)
+static bool parse_model(struct cursor *cursor, struct expectation *expectation)
 {
     const struct assembler *assembler = cursor->assembler;
     size_t i;
 
-    for (i = 0; i < assembler->wish_count; i++)
-        if (assembler->wishes[i].kind == EXPECT_MODEL)
+    for (i = 0; i < assembler->expectation_count; i++)
+        if (assembler->expectations[i].kind == EXPECT_MODEL)
             return report(cursor->assembler, cursor->line, cursor->token.begin,
                           "there is an expect-model already, in %s:%zu",
-                          assembler->wishes[i].line->file,
-                          assembler->wishes[i].line->number);
+                          assembler->expectations[i].line->file,
+                          assembler->expectations[i].line->number);
     if (cursor_at_end(cursor))
         return expected(cursor, "the name of a model");
-    return parse_rest(cursor, wish);
+    return parse_rest(cursor, expectation);
 }
 
-static bool add_wish(struct assembler *assembler, struct wish wish)
+static bool add_expectation(struct assembler *assembler, struct expectation expectation)
 {
-    struct wish *wishes;
+    struct expectation *expectations;
 
-    wishes = arena_grow(assembler->arena, assembler->wishes, assembler->wish_count,
-                        &assembler->wish_capacity, sizeof *wishes);
-    if (!wishes)
+    expectations = arena_grow(assembler->arena, assembler->expectations,
+                              assembler->expectation_count,
+                              &assembler->expectation_capacity, sizeof *expectations);
+    if (!expectations)
         return false;
-    assembler->wishes = wishes;
-    wishes[assembler->wish_count++] = wish;
+    assembler->expectations = expectations;
+    expectations[assembler->expectation_count++] = expectation;
     return true;
 }
 
@@ -172,17 +178,17 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
     static const struct {
         const char *name;
         enum expectation_kind kind;
-        bool (*parse)(struct cursor *, struct wish *);
-    } wishes[] = { { "expect", EXPECT_REGISTER, parse_expect },
-                   { "expect-halves", EXPECT_HALVES, parse_memory },
-                   { "expect-bits", EXPECT_BITS, parse_bits },
-                   { "expect-flags", EXPECT_FLAGS, parse_one },
-                   { "expect-clocks", EXPECT_CLOCKS, parse_one },
-                   { "expect-trap", EXPECT_TRAP, parse_trap },
-                   { "expect-print", EXPECT_PRINT, parse_rest },
-                   { "expect-model", EXPECT_MODEL, parse_model },
-                   { "expect-warning", EXPECT_WARNING, parse_warning } };
-    static const struct wish empty;
+        bool (*parse)(struct cursor *, struct expectation *);
+    } expectations[] = { { "expect", EXPECT_REGISTER, parse_expect },
+                         { "expect-halves", EXPECT_HALVES, parse_memory },
+                         { "expect-bits", EXPECT_BITS, parse_bits },
+                         { "expect-flags", EXPECT_FLAGS, parse_one },
+                         { "expect-clocks", EXPECT_CLOCKS, parse_one },
+                         { "expect-trap", EXPECT_TRAP, parse_trap },
+                         { "expect-print", EXPECT_PRINT, parse_rest },
+                         { "expect-model", EXPECT_MODEL, parse_model },
+                         { "expect-warning", EXPECT_WARNING, parse_warning } };
+    static const struct expectation empty;
     struct line *line = arena_take(cursor->assembler->arena, sizeof *line);
     size_t i;
 
@@ -190,16 +196,17 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
         return false;
     *line = *cursor->line;
     line->begin = rest;
-    for (i = 0; i < sizeof wishes / sizeof *wishes; i++) {
+    for (i = 0; i < sizeof expectations / sizeof *expectations; i++) {
         struct cursor inside = cursor_start(cursor->assembler, line);
-        struct wish wish = empty;
+        struct expectation expectation = empty;
 
-        if (strlen(wishes[i].name) != length
-            || memcmp(wishes[i].name, name, length) != 0)
+        if (strlen(expectations[i].name) != length
+            || memcmp(expectations[i].name, name, length) != 0)
             continue;
-        wish.line = line;
-        wish.kind = wishes[i].kind;
-        return wishes[i].parse(&inside, &wish) && add_wish(cursor->assembler, wish);
+        expectation.line = line;
+        expectation.kind = expectations[i].kind;
+        return expectations[i].parse(&inside, &expectation)
+               && add_expectation(cursor->assembler, expectation);
     }
     return report(cursor->assembler, cursor->line, name,
                   "expected expect: or expect-halves: -bits: -flags: -clocks:"
@@ -250,7 +257,7 @@ static bool goes_on(const char *at, const char *end, bool dashed)
     return !dashed && is_equation(at, end);
 }
 
-bool parse_wish(struct cursor *cursor)
+bool parse_expectation(struct cursor *cursor)
 {
     const char *at = cursor->token.begin, *end = cursor->line->end, *name;
     size_t length;
