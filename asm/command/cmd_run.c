@@ -10,7 +10,7 @@
 #include "asm/print.h"
 #include "asm/state.h"
 #include "asm/trap_report.h"
-#include "asm/watch.h"
+#include "asm/runtime_check.h"
 
 /* Instructions lie on half words; a short one needs only the first. */
 static c205_word word_at(const c205 *machine, uint64_t address)
@@ -166,18 +166,18 @@ static void put_message(void *context, const char *text, size_t length)
 /* A watch for a program whose object is known; not if nothing is warned of. */
 static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
                         const struct object *object, const struct sink *report,
-                        struct program_watch **watch)
+                        struct runtime_checker **watch)
 {
     const struct warning_choice *choice = &arguments->warnings.choice;
     *watch = NULL;
     if (!object || !warning_any(choice)) {
         return true;
     }
-    *watch = watch_new(object, program_name(arguments), choice, report);
-    if (!*watch || !c205_listen(machine, watch_listen, *watch)) {
+    *watch = runtime_new(object, program_name(arguments), choice, report);
+    if (!*watch || !c205_listen(machine, runtime_listen, *watch)) {
         return false;
     }
-    watch_begin(*watch, machine);
+    runtime_begin(*watch, machine);
     return true;
 }
 
@@ -224,7 +224,7 @@ static c205_stop run_slices(c205 *machine, uint64_t limit)
 static int run(const struct c205_arguments *arguments, c205 *machine,
                const struct object *object)
 {
-    struct program_watch *watch;
+    struct runtime_checker *watch;
     struct command_output results = arguments->results;
     if (!output_open(&results, arguments->command, arguments->save)) {
         return CMD_FAILED;
@@ -249,8 +249,8 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
     }
     interrupt_catch();
     c205_stop stop = run_slices(machine, find_limit(arguments, machine));
-    bool errors = watch && watch_errors(watch) > 0;
-    watch_free(watch);
+    bool errors = watch && runtime_errors(watch) > 0;
+    runtime_free(watch);
     line_tracker_close(&printed);
     int code = show_accounts(arguments, machine, &stop, &results);
     if (profile && code == CMD_DONE) {

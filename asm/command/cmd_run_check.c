@@ -9,7 +9,7 @@
 #include "asm/expect.h"
 #include "asm/object.h"
 #include "asm/print.h"
-#include "asm/watch.h"
+#include "asm/runtime_check.h"
 #include "base/model.h"
 
 /* A program that never ends is a failure, too. */
@@ -22,9 +22,9 @@ struct checker {
     c205_model *model;   /* of the last program, kept for the next */
     c205 *machine;
     struct printer printer;
-    struct program_watch *watch; /* of this program, or NULL */
-    struct text_buffer printed;  /* by the program */
-    struct text_buffer report;   /* what is wrong */
+    struct runtime_checker *watch; /* of this program, or NULL */
+    struct text_buffer printed;    /* by the program */
+    struct text_buffer report;     /* what is wrong */
     size_t failures;
 };
 
@@ -40,13 +40,13 @@ static bool meets(struct checker *checker, const struct object *object,
 {
     struct sink sink = text_buffer_sink(&checker->report);
     const char *printed = checker->printed.text;
-    warning_set warned = object->warned | watch_warned(checker->watch);
+    warning_set warned = object->warned | runtime_warned(checker->watch);
     if (!expect_anything(object)) {
         return fail(checker, "the program expects nothing");
     }
     return expect_check(object, checker->machine, stop, printed ? printed : "", warned,
                         &sink)
-           && watch_errors(checker->watch) == 0;
+           && runtime_errors(checker->watch) == 0;
 }
 
 /* ---- The machine for a program ------------------------------------------ */
@@ -63,7 +63,7 @@ static void drop_machine(struct checker *checker)
 static void listen(void *context, const c205 *machine, const c205_event *event)
 {
     const struct checker *checker = context;
-    watch_listen(checker->watch, machine, event);
+    runtime_listen(checker->watch, machine, event);
 }
 
 static bool make_machine(struct checker *checker, const char *model)
@@ -97,7 +97,7 @@ static bool have_machine(struct checker *checker, const struct object *object)
 static bool run_watched(struct checker *checker, const struct object *object)
 {
     uint64_t limit = checker->arguments->limit;
-    watch_begin(checker->watch, checker->machine);
+    runtime_begin(checker->watch, checker->machine);
     c205_stop stop = c205_run(checker->machine,
                               limit != C205_NO_LIMIT ? limit : patience);
     return meets(checker, object, &stop);
@@ -114,11 +114,11 @@ static bool run(struct checker *checker, const struct object *object, const char
         || !c205_load(checker->machine, &object->program, &error)) {
         return fail(checker, error.message);
     }
-    checker->watch = watch_new(object, path, &checker->arguments->warnings.choice,
-                               &report);
+    checker->watch = runtime_new(object, path, &checker->arguments->warnings.choice,
+                                 &report);
     bool good = checker->watch ? run_watched(checker, object)
                                : fail(checker, "no memory");
-    watch_free(checker->watch);
+    runtime_free(checker->watch);
     checker->watch = NULL;
     return good;
 }

@@ -7,7 +7,7 @@
 #include "asm/expect.h"
 #include "base/file.h"
 #include "asm/print.h"
-#include "asm/watch.h"
+#include "asm/runtime_check.h"
 
 static const char fence[] = "```c205\n";
 
@@ -20,24 +20,24 @@ static void run(const struct object *object, const char *name)
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = stream_sink(stderr);
     const struct warning_choice choice = { .errors = true };
-    struct program_watch *watch;
+    struct runtime_checker *watch;
     warning_set warned;
     c205_stop stop;
 
     assert_non_null(machine);
     assert_true(c205_listen(machine, printer_listen, &printer));
     assert_true(c205_load(machine, &object->program, &error));
-    watch = watch_new(object, name, &choice, &report);
+    watch = runtime_new(object, name, &choice, &report);
     assert_non_null(watch);
-    assert_true(c205_listen(machine, watch_listen, watch));
-    watch_begin(watch, machine);
+    assert_true(c205_listen(machine, runtime_listen, watch));
+    runtime_begin(watch, machine);
     stop = c205_run(machine, 1000000);
-    warned = object->warned | watch_warned(watch);
+    warned = object->warned | runtime_warned(watch);
     if (!expect_check(object, machine, &stop, printed.text ? printed.text : "", warned,
                       &report))
         fail_msg("%s", name);
-    assert_int_equal(watch_errors(watch), 0);
-    watch_free(watch);
+    assert_int_equal(runtime_errors(watch), 0);
+    runtime_free(watch);
     text_buffer_free(&printed);
     c205_free(machine);
     c205_model_free(model);

@@ -6,7 +6,7 @@
 #include "tests/unit/asm_helper.h"
 
 #include "asm/precision.h"
-#include "asm/watch.h"
+#include "asm/runtime_check.h"
 #include "tests/random.h"
 #include "vm/number/arith.h"
 
@@ -17,16 +17,16 @@ static char *watched(const struct object *object, const struct warning_choice *c
     c205 *machine = model ? c205_new(model, &error) : NULL;
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
-    struct program_watch *watch = watch_new(object, "test.o", choice, &sink);
+    struct runtime_checker *watch = runtime_new(object, "test.o", choice, &sink);
 
     assert_non_null(machine);
     assert_non_null(watch);
     assert_true(c205_load(machine, &object->program, &error));
-    assert_true(c205_listen(machine, watch_listen, watch));
-    watch_begin(watch, machine);
+    assert_true(c205_listen(machine, runtime_listen, watch));
+    runtime_begin(watch, machine);
     c205_run(machine, 1000000);
-    assert_int_equal(watch_warned(watch) != 0, report.length > 0);
-    watch_free(watch);
+    assert_int_equal(runtime_warned(watch) != 0, report.length > 0);
+    runtime_free(watch);
     c205_free(machine);
     c205_model_free(model);
     return report.text;
@@ -222,11 +222,11 @@ TEST(choice)
     {
         struct text_buffer buffer = { NULL, 0, 0, false };
         struct sink sink = text_buffer_sink(&buffer);
-        struct program_watch *watch = watch_new(object, "", &choice, &sink);
+        struct runtime_checker *watch = runtime_new(object, "", &choice, &sink);
 
         assert_non_null(watch);
-        assert_int_equal(watch_warned(watch), 0);
-        watch_free(watch);
+        assert_int_equal(runtime_warned(watch), 0);
+        runtime_free(watch);
     }
     object_free(object);
 }

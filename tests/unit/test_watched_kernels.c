@@ -3,7 +3,7 @@
  * a vector that is too long, fails here. */
 #include "tests/unit/asm_helper.h"
 
-#include "asm/watch.h"
+#include "asm/runtime_check.h"
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
@@ -11,7 +11,7 @@
 enum { WIDTH = 17, HEIGHT = 13 };
 
 struct watched {
-    struct program_watch *watch;
+    struct runtime_checker *watch;
     bool began;
 };
 
@@ -24,7 +24,7 @@ static void *begin(void *context, const struct object *program, c205_error *erro
     (void)context;
     (void)error;
     assert_non_null(watched);
-    watched->watch = watch_new(program, "kernels", &choice, report);
+    watched->watch = runtime_new(program, "kernels", &choice, report);
     assert_non_null(watched->watch);
     return watched;
 }
@@ -33,22 +33,22 @@ static void listen(void *band, const c205 *machine, const c205_event *event)
 {
     struct watched *watched = band;
     if (!watched->began)
-        watch_begin(watched->watch, machine);
+        runtime_begin(watched->watch, machine);
     watched->began = true;
-    watch_listen(watched->watch, machine, event);
+    runtime_listen(watched->watch, machine, event);
 }
 
 static void merge(void *context, const void *band)
 {
     const struct watched *watched = band;
     assert_true(watched->began);
-    *(warning_set *)context |= watch_warned(watched->watch);
+    *(warning_set *)context |= runtime_warned(watched->watch);
 }
 
 static void end(void *band)
 {
     FREED struct watched *watched = band;
-    watch_free(watched->watch);
+    runtime_free(watched->watch);
 }
 
 static void check(const char *path, const c205_model *model, enum trace_mode mode,

@@ -1,4 +1,4 @@
-#include "asm/watch.h"
+#include "asm/runtime_check.h"
 
 #include <ctype.h>
 #include <inttypes.h>
@@ -9,13 +9,13 @@
 
 #include "asm/disassemble.h"
 #include "asm/expect.h"
-#include "asm/watch_look.h"
+#include "asm/check_site.h"
 
-struct program_watch *watch_new(const struct object *object, const char *name,
-                                const struct warning_choice *choice,
-                                const struct sink *report)
+struct runtime_checker *runtime_new(const struct object *object, const char *name,
+                                    const struct warning_choice *choice,
+                                    const struct sink *report)
 {
-    struct program_watch *watch = calloc(1, sizeof *watch);
+    struct runtime_checker *watch = calloc(1, sizeof *watch);
 
     if (!watch)
         return NULL;
@@ -31,19 +31,19 @@ struct program_watch *watch_new(const struct object *object, const char *name,
     return NULL;
 }
 
-void watch_free(struct program_watch *watch)
+void runtime_free(struct runtime_checker *watch)
 {
     if (watch)
         storage_map_free(watch->storage);
     free(watch);
 }
 
-warning_set watch_warned(const struct program_watch *watch)
+warning_set runtime_warned(const struct runtime_checker *watch)
 {
     return watch->warned;
 }
 
-size_t watch_errors(const struct program_watch *watch)
+size_t runtime_errors(const struct runtime_checker *watch)
 {
     return watch->errors;
 }
@@ -51,7 +51,7 @@ size_t watch_errors(const struct program_watch *watch)
 /* ---- Telling ------------------------------------------------------------ */
 
 /* Once for a line. */
-static bool is_new(struct program_watch *watch, struct told told)
+static bool is_new(struct runtime_checker *watch, struct told told)
 {
     size_t i;
 
@@ -66,7 +66,7 @@ static bool is_new(struct program_watch *watch, struct told told)
     return true;
 }
 
-static void put(struct program_watch *watch, enum warning warning,
+static void put(struct runtime_checker *watch, enum warning warning,
                 const struct position *position, const char *message)
 {
     struct diagnostics diagnostics = { 0 };
@@ -78,7 +78,7 @@ static void put(struct program_watch *watch, enum warning warning,
 }
 
 /* Without source lines the instruction is told by its address. */
-static void put_at_address(struct program_watch *watch, const struct spot *spot,
+static void put_at_address(struct runtime_checker *watch, const struct spot *spot,
                            enum warning warning, const char *message)
 {
     const struct position position = { .file = watch->name };
@@ -89,8 +89,8 @@ static void put_at_address(struct program_watch *watch, const struct spot *spot,
     put(watch, warning, &position, text);
 }
 
-void watch_tell(struct program_watch *watch, const struct spot *spot,
-                enum warning warning, const char *format, ...)
+void runtime_tell(struct runtime_checker *watch, const struct spot *spot,
+                  enum warning warning, const char *format, ...)
 {
     const struct asm_line *line = object_line(watch->object, spot->view.pc);
     struct told told = { "", spot->view.pc, warning };
@@ -119,7 +119,8 @@ void watch_tell(struct program_watch *watch, const struct spot *spot,
 
 /* ---- The instructions --------------------------------------------------- */
 
-struct spot *watch_spot(struct program_watch *watch, const c205 *machine, uint64_t pc)
+struct spot *runtime_site(struct runtime_checker *watch, const c205 *machine,
+                          uint64_t pc)
 {
     static const struct spot empty;
     struct spot *spot = &watch->spots[pc / 32 % SPOTS];
@@ -133,21 +134,21 @@ struct spot *watch_spot(struct program_watch *watch, const c205 *machine, uint64
     return spot;
 }
 
-static void look_ahead(struct program_watch *watch, const c205 *machine)
+static void look_ahead(struct runtime_checker *watch, const c205 *machine)
 {
     uint64_t pc = c205_pc(machine);
     size_t i = pc / 32 % SPOTS;
 
     if (watch->quick[i].pc != pc) {
-        watch->quick[i].before = watch_spot(watch, machine, pc)->before;
+        watch->quick[i].before = runtime_site(watch, machine, pc)->before;
         watch->quick[i].pc = pc;
     }
     if (watch->quick[i].before)
-        watch->quick[i].before(watch, machine, watch_spot(watch, machine, pc));
+        watch->quick[i].before(watch, machine, runtime_site(watch, machine, pc));
 }
 
 /* CPSV and its kin give their result a length, 0 among them. */
-static void take_lengths(struct program_watch *watch, const c205_event *event)
+static void take_lengths(struct runtime_checker *watch, const c205_event *event)
 {
     for (unsigned r = 0; r < C205_REGISTERS; r++) {
         uint64_t written = event->written[r / 64];
@@ -165,20 +166,20 @@ static bool ends_run(const c205_event *event)
            && event->kind == C205_EVENT_INSTRUCTION;
 }
 
-void watch_listen(void *context, const c205 *machine, const c205_event *event)
+void runtime_listen(void *context, const c205 *machine, const c205_event *event)
 {
-    struct program_watch *watch = context;
+    struct runtime_checker *watch = context;
 
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     if (c205_unit_is_vector(event->insn->unit)) {
-        struct spot *spot = watch_spot(watch, machine, event->pc);
+        struct spot *spot = runtime_site(watch, machine, event->pc);
 
         take_lengths(watch, event);
         if (spot->after)
             spot->after(watch, machine, spot);
         if (event->recurrent > 0)
-            watch_recurrence(watch, machine, spot, event->recurrent);
+            runtime_recurrence(watch, machine, spot, event->recurrent);
     }
     if (!ends_run(event))
         look_ahead(watch, machine);
@@ -188,7 +189,7 @@ void watch_listen(void *context, const c205 *machine, const c205_event *event)
 
 /* What an instruction writes: w p m k, and where the machine sets lengths.  SWAP
  * may write all. */
-static void note_writes(struct program_watch *watch,
+static void note_writes(struct runtime_checker *watch,
                         const struct instruction_view *view)
 {
     size_t i;
@@ -208,7 +209,7 @@ static void note_writes(struct program_watch *watch,
 }
 
 /* What one instruction of the program writes may hold anything. */
-void watch_begin(struct program_watch *watch, const c205 *machine)
+void runtime_begin(struct runtime_checker *watch, const c205 *machine)
 {
     const struct object *object = watch->object;
     bool blind = object->line_count == 0;

@@ -1,9 +1,9 @@
-/* watch_look.c - what to look at, by the kind of an instruction. */
+/* check_site.c - what to look at, by the kind of an instruction. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <string.h>
 
-#include "asm/watch_look.h"
+#include "asm/check_site.h"
 #include "base/plural.h"
 
 enum { CHUNK = 256, LENGTH_SHIFT = 48, FULL_LOOKS = 16 };
@@ -27,7 +27,7 @@ static bool has_length(const struct operand_view *operand)
            && strchr("vubldeq", tolower((unsigned char)operand->letter));
 }
 
-static void look_at_length(struct program_watch *watch, const struct spot *spot,
+static void look_at_length(struct runtime_checker *watch, const struct spot *spot,
                            const struct operand_view *operand)
 {
     unsigned r = operand->number;
@@ -35,21 +35,21 @@ static void look_at_length(struct program_watch *watch, const struct spot *spot,
     if (operand->word >> LENGTH_SHIFT)
         return;
     if (!watch->is_written[r])
-        watch_tell(watch, spot, WARNING_UNSET_LENGTH,
-                   "r%u is never set, so it describes no vector", r);
+        runtime_tell(watch, spot, WARNING_UNSET_LENGTH,
+                     "r%u is never set, so it describes no vector", r);
     else if (watch->is_entered[r] && watch->entered[r] == operand->word)
-        watch_tell(watch, spot, WARNING_UNSET_LENGTH,
-                   "r%u has the address %" PRIX64 ", but no length: ELEN or"
-                   " the macro descriptor gives it one",
-                   r, operand->word);
+        runtime_tell(watch, spot, WARNING_UNSET_LENGTH,
+                     "r%u has the address %" PRIX64 ", but no length: ELEN or"
+                     " the macro descriptor gives it one",
+                     r, operand->word);
     else if (watch->is_emptied[r] && watch->emptied[r] == operand->word)
-        watch_tell(watch, spot, WARNING_ZERO_LENGTH, "the length of [r%u] was set to 0",
-                   r);
+        runtime_tell(watch, spot, WARNING_ZERO_LENGTH,
+                     "the length of [r%u] was set to 0", r);
 }
 
 /* ---- Storage ------------------------------------------------------------ */
 
-static void look_at_storage(struct program_watch *watch, const struct spot *spot,
+static void look_at_storage(struct runtime_checker *watch, const struct spot *spot,
                             const struct operand_view *result)
 {
     uint64_t base = result->word & ADDRESS_MASK, end, past;
@@ -57,24 +57,24 @@ static void look_at_storage(struct program_watch *watch, const struct spot *spot
 
     past = result->address + (uint64_t)result->length * result->width;
     if (name && result->length > 0 && past > end)
-        watch_tell(watch, spot, WARNING_PAST_STORAGE,
-                   "this writes up to address %" PRIX64
-                   ", and the storage of '%s' ends at %" PRIX64,
-                   past, name, end);
+        runtime_tell(watch, spot, WARNING_PAST_STORAGE,
+                     "this writes up to address %" PRIX64
+                     ", and the storage of '%s' ends at %" PRIX64,
+                     past, name, end);
 }
 
 /* One element, at an index from the base on. */
-static void look_at_store(struct program_watch *watch, const struct spot *spot,
+static void look_at_store(struct runtime_checker *watch, const struct spot *spot,
                           uint64_t base, int64_t index, unsigned width)
 {
     uint64_t end;
     const char *name = storage_at(watch->storage, base, &end);
 
     if (name && index > 0 && (uint64_t)index * width >= end - base)
-        watch_tell(watch, spot, WARNING_PAST_STORAGE,
-                   "index %" PRId64 " lies behind the storage of '%s', which"
-                   " ends at %" PRIX64,
-                   index, name, end);
+        runtime_tell(watch, spot, WARNING_PAST_STORAGE,
+                     "index %" PRId64 " lies behind the storage of '%s', which"
+                     " ends at %" PRIX64,
+                     index, name, end);
 }
 
 /* ---- Indices ------------------------------------------------------------ */
@@ -89,19 +89,19 @@ static bool is_float(c205_word word)
            && ((word >> 47 ^ word >> 46) & 1);
 }
 
-static void tell_float_index(struct program_watch *watch, const struct spot *spot,
+static void tell_float_index(struct runtime_checker *watch, const struct spot *spot,
                              const char *which, c205_word word)
 {
     char text[C205_TEXT_SIZE];
 
     c205_to_text(word, text);
-    watch_tell(watch, spot, WARNING_FLOAT_INDEX,
-               "%s is %s, which is no integer: TRU, FLR or their vector forms"
-               " make one of it",
-               which, text);
+    runtime_tell(watch, spot, WARNING_FLOAT_INDEX,
+                 "%s is %s, which is no integer: TRU, FLR or their vector forms"
+                 " make one of it",
+                 which, text);
 }
 
-static void look_at_index(struct program_watch *watch, const struct spot *spot,
+static void look_at_index(struct runtime_checker *watch, const struct spot *spot,
                           const struct operand_view *index, const char *what)
 {
     struct text_line which = { "", 0 };
@@ -119,7 +119,7 @@ static size_t least(size_t a, size_t b)
 }
 
 /* Of a gather or a scatter; the table of a scatter is written. */
-static void look_at_indices(struct program_watch *watch, const c205 *machine,
+static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
                             const struct spot *spot, const struct operand_view *list)
 {
     const struct operand_view *table = view_find(&spot->view, "xX");
@@ -150,7 +150,7 @@ static void look_at_indices(struct program_watch *watch, const c205 *machine,
 }
 
 /* Of a periodic gather or scatter; a scatter goes as far as its source is long. */
-static void look_at_period(struct program_watch *watch, const struct spot *spot,
+static void look_at_period(struct runtime_checker *watch, const struct spot *spot,
                            const struct operand_view *period)
 {
     const struct operand_view *source = view_find(&spot->view, "uU");
@@ -167,7 +167,7 @@ static void look_at_period(struct program_watch *watch, const struct spot *spot,
 /* ---- Integers ----------------------------------------------------------- */
 
 /* element: of a vector, or -1. */
-static void tell_integer(struct program_watch *watch, const struct spot *spot,
+static void tell_integer(struct runtime_checker *watch, const struct spot *spot,
                          const struct operand_view *operand, int64_t element,
                          c205_word word, const struct precision *precision)
 {
@@ -181,14 +181,14 @@ static void tell_integer(struct program_watch *watch, const struct spot *spot,
     else
         sink_print(&sink, "%c%u", half ? 'h' : 'r', operand->number);
     (half ? c205_half_to_text : c205_to_text)(word, number);
-    watch_tell(watch, spot, WARNING_INTEGER_OPERAND,
-               "%s is the integer %s, not %s.0, so few bits are kept: %.15g"
-               " becomes %.15g; ADDN with r0 would normalise it",
-               where.text, number, number, precision->exact, precision->kept);
+    runtime_tell(watch, spot, WARNING_INTEGER_OPERAND,
+                 "%s is the integer %s, not %s.0, so few bits are kept: %.15g"
+                 " becomes %.15g; ADDN with r0 would normalise it",
+                 where.text, number, number, precision->exact, precision->kept);
 }
 
 /* b NULL: there is one source. */
-static bool look_at_pair(struct program_watch *watch, const struct spot *spot,
+static bool look_at_pair(struct runtime_checker *watch, const struct spot *spot,
                          const struct operand_view *a, const struct operand_view *b,
                          int64_t element, c205_word word_a, c205_word word_b)
 {
@@ -238,7 +238,7 @@ static bool is_permitted(const struct spot *spot, const struct operand_view *con
     return !control || bit != ((spot->view.fields.g & C205_G_ZEROS) != 0);
 }
 
-static void look_at_integers(struct program_watch *watch, const c205 *machine,
+static void look_at_integers(struct runtime_checker *watch, const c205 *machine,
                              const struct spot *spot, const struct operand_view *a,
                              const struct operand_view *b)
 {
@@ -276,7 +276,7 @@ static size_t find_numbers(const struct instruction_view *view,
     return count;
 }
 
-static void look_at_numbers(struct program_watch *watch, const c205 *machine,
+static void look_at_numbers(struct runtime_checker *watch, const c205 *machine,
                             struct spot *spot)
 {
     const struct operand_view *sources[2] = { NULL, NULL };
@@ -302,7 +302,7 @@ static inline bool may_be_integer(const c205 *machine,
     return (c205_register(machine, n / 2) << n % 2 * 32) >> 56 == 0;
 }
 
-static void before_scalar(struct program_watch *watch, const c205 *machine,
+static void before_scalar(struct runtime_checker *watch, const c205 *machine,
                           struct spot *spot)
 {
     const struct operand_view *operands = spot->view.operands;
@@ -314,7 +314,7 @@ static void before_scalar(struct program_watch *watch, const c205 *machine,
     look_at_numbers(watch, machine, spot);
 }
 
-static void before_vector(struct program_watch *watch, const c205 *machine,
+static void before_vector(struct runtime_checker *watch, const c205 *machine,
                           struct spot *spot)
 {
     bool due = is_due(spot);
@@ -343,7 +343,7 @@ static void before_vector(struct program_watch *watch, const c205 *machine,
 }
 
 /* Results whose length the machine has set. */
-static void after_vector(struct program_watch *watch, const c205 *machine,
+static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct spot *spot)
 {
     size_t i;
@@ -363,8 +363,8 @@ static bool recurs(const struct operand_view *read, const struct operand_view *w
 }
 
 /* Of a linked pair the prefix is told, but the two are not looked into. */
-void watch_recurrence(struct program_watch *watch, const c205 *machine,
-                      struct spot *spot, size_t elements)
+void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
+                        struct spot *spot, size_t elements)
 {
     const struct instruction_view *view = &spot->view;
     const struct operand_view *read = NULL, *written;
@@ -375,33 +375,33 @@ void watch_recurrence(struct program_watch *watch, const c205 *machine,
         if (recurs(&view->operands[i], written))
             read = &view->operands[i];
     if (read)
-        watch_tell(watch, spot, WARNING_RECURRENCE,
-                   "%zu element%s of [r%u] %s of this instruction,"
-                   " and %s; the real machine promised"
-                   " nothing here",
-                   elements, plural(elements), read->number,
-                   elements == 1 ? "is a result" : "are results",
-                   elements == 1 ? "waits for it" : "wait for them one by one");
+        runtime_tell(watch, spot, WARNING_RECURRENCE,
+                     "%zu element%s of [r%u] %s of this instruction,"
+                     " and %s; the real machine promised"
+                     " nothing here",
+                     elements, plural(elements), read->number,
+                     elements == 1 ? "is a result" : "are results",
+                     elements == 1 ? "waits for it" : "wait for them one by one");
     else
-        watch_tell(watch, spot, WARNING_RECURRENCE,
-                   "%zu element%s of a source %s of this %s, and"
-                   " %s; the real machine promised"
-                   " nothing here",
-                   elements, plural(elements),
-                   elements == 1 ? "is a result" : "are results",
-                   view->insn->timing == C205_TIMING_vlink ? "pair" : "instruction",
-                   elements == 1 ? "waits for it" : "wait for them one by one");
+        runtime_tell(watch, spot, WARNING_RECURRENCE,
+                     "%zu element%s of a source %s of this %s, and"
+                     " %s; the real machine promised"
+                     " nothing here",
+                     elements, plural(elements),
+                     elements == 1 ? "is a result" : "are results",
+                     view->insn->timing == C205_TIMING_vlink ? "pair" : "instruction",
+                     elements == 1 ? "waits for it" : "wait for them one by one");
 }
 
 /* The two after the prefix run as one stream. */
-static void before_link(struct program_watch *watch, const c205 *machine,
+static void before_link(struct runtime_checker *watch, const c205 *machine,
                         struct spot *spot)
 {
     uint64_t pc = spot->view.pc + 32 * (uint64_t)spot->view.halves;
-    struct spot *first = watch_spot(watch, machine, pc), *second;
+    struct spot *first = runtime_site(watch, machine, pc), *second;
 
     pc += 32 * (uint64_t)first->view.halves;
-    second = watch_spot(watch, machine, pc);
+    second = runtime_site(watch, machine, pc);
     if (!first->view.insn || !second->view.insn
         || !c205_unit_links(first->view.insn->unit)
         || !c205_unit_links(second->view.insn->unit))
@@ -412,7 +412,7 @@ static void before_link(struct program_watch *watch, const c205 *machine,
     first->hands_over = second->is_handed = 0;
 }
 
-static void before_memory(struct program_watch *watch, const c205 *machine,
+static void before_memory(struct runtime_checker *watch, const c205 *machine,
                           struct spot *spot)
 {
     const struct operand_view *operands = spot->view.operands;
@@ -427,7 +427,7 @@ static void before_memory(struct program_watch *watch, const c205 *machine,
                       c205_to_integer(operands[1].word), width);
 }
 
-static void before_enter(struct program_watch *watch, const c205 *machine,
+static void before_enter(struct runtime_checker *watch, const c205 *machine,
                          struct spot *spot)
 {
     unsigned r = spot->view.operands[0].number;
@@ -437,7 +437,7 @@ static void before_enter(struct program_watch *watch, const c205 *machine,
     watch->entered[r] = (c205_word)spot->view.fields.immediate & ADDRESS_MASK;
 }
 
-static void before_length(struct program_watch *watch, const c205 *machine,
+static void before_length(struct runtime_checker *watch, const c205 *machine,
                           struct spot *spot)
 {
     unsigned r = spot->view.operands[0].number;

@@ -1,14 +1,14 @@
-/* watch_look.h - what the files of the watch share.  Not public. */
-#ifndef ASM_WATCH_LOOK_H
-#define ASM_WATCH_LOOK_H
+/* check_site.h - what the files of the watch share.  Not public. */
+#ifndef ASM_CHECK_SITE_H
+#define ASM_CHECK_SITE_H
 
 #include "asm/operand_view.h"
 #include "asm/precision.h"
 #include "asm/storage_map.h"
-#include "asm/watch.h"
+#include "asm/runtime_check.h"
 
 struct spot;
-typedef void spot_look(struct program_watch *watch, const c205 *machine,
+typedef void spot_look(struct runtime_checker *watch, const c205 *machine,
                        struct spot *spot);
 
 /* An instruction of the program, and what there is to look at before it is
@@ -31,7 +31,7 @@ struct told {
     enum warning warning;
 };
 
-struct program_watch {
+struct runtime_checker {
     const struct object *object;
     const char *name;
     const struct warning_choice *choice;
@@ -53,15 +53,16 @@ struct program_watch {
     } quick[SPOTS];
 };
 
-/* watch_look.c: set before and after. */
+/* check_site.c: set before and after. */
 void spot_choose(struct spot *spot);
-void watch_recurrence(struct program_watch *watch, const c205 *machine,
-                      struct spot *spot, size_t elements);
+void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
+                        struct spot *spot, size_t elements);
 
-/* watch.c */
-struct spot *watch_spot(struct program_watch *watch, const c205 *machine, uint64_t pc);
-void watch_tell(struct program_watch *watch, const struct spot *spot,
-                enum warning warning, const char *format, ...)
+/* runtime_check.c */
+struct spot *runtime_site(struct runtime_checker *watch, const c205 *machine,
+                          uint64_t pc);
+void runtime_tell(struct runtime_checker *watch, const struct spot *spot,
+                  enum warning warning, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))
 #endif
