@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/contents.h"
+#include "asm/data_map.h"
 #include "asm/expression.h"
 #include "asm/storage.h"
 #include "asm/syntax.h"
@@ -293,7 +293,7 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
                 return false;
     storage_sort_symbols(storage);
     symbols = (struct asm_symbol *)(uintptr_t)storage->object.symbols;
-    if (!contents_tell(assembler, symbols, storage->object.symbol_count))
+    if (!data_map_fill(assembler, symbols, storage->object.symbol_count))
         storage->arena.failed = true;
     return !storage->arena.failed;
 }

@@ -1,4 +1,4 @@
-#include "asm/contents.h"
+#include "asm/data_map.h"
 
 #include <stdlib.h>
 
@@ -77,7 +77,7 @@ static void tell_all(const struct assembler *assembler, struct asm_symbol *symbo
     }
 }
 
-bool contents_tell(const struct assembler *assembler, struct asm_symbol *symbols,
+bool data_map_fill(const struct assembler *assembler, struct asm_symbol *symbols,
                    size_t count)
 {
     uint64_t *labels = malloc((count + 1) * sizeof *labels);
