@@ -261,7 +261,7 @@ bool symbol_define(struct assembler *assembler, const struct line *line, const c
 /* parse.c */
 bool parse_line(struct assembler *assembler, const struct line *line);
 
-/* run_off.c: warns of code that has no end. */
+/* fallthrough.c: warns of code that has no end. */
 void check_ends(struct assembler *assembler);
 
 /* encode.c: the object, or NULL. */

@@ -1,4 +1,4 @@
-/* run_off.c - code that can run on where there is none. */
+/* fallthrough.c - code that can run on where there is none. */
 #include <inttypes.h>
 
 #include "asm/expression.h"
