@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/calculator.h"
+#include "asm/constant_folder.h"
 #include "asm/expand.h"
 #include "asm/lex.h"
 #include "base/text_file.h"
@@ -113,7 +113,7 @@ static struct object *assemble(struct asm_source *source,
         assembler->first_error = diagnostics->errors;
         if (take_text(assembler, source))
             object = run_passes(assembler, source);
-        calculator_free(assembler->calculator);
+        constant_folder_free(assembler->constant_folder);
     }
     if (arena.failed) {
         report_file(diagnostics, source->name, "the host has no memory left");

@@ -197,7 +197,7 @@ struct assembler {
     struct symbols symbols;
     struct registers registers;
     struct expander *expander;
-    struct calculator *calculator; /* NULL: nothing was to be computed yet */
+    struct constant_folder *constant_folder; /* NULL: nothing was to be computed yet */
 
     struct section sections[2];
     struct section *section;

@@ -149,17 +149,17 @@ static bool number_of(struct assembler *assembler, const struct line *line,
 
 static bool compute(struct assembler *assembler, const struct line *line,
                     const struct expression *expression,
-                    const struct calculator_function *function, c205_word x,
+                    const struct constant_folder_function *function, c205_word x,
                     c205_word y, struct value *value)
 {
-    if (!assembler->calculator)
-        assembler->calculator = calculator_new();
-    if (!assembler->calculator) {
+    if (!assembler->constant_folder)
+        assembler->constant_folder = constant_folder_new();
+    if (!assembler->constant_folder) {
         assembler->arena->failed = true;
         return false;
     }
     value->kind = VALUE_FLOATING;
-    value->bits = calculator_compute(assembler->calculator, function, x, y);
+    value->bits = constant_folder_compute(assembler->constant_folder, function, x, y);
     if (value->bits == C205_INDEFINITE)
         return report(assembler, line, expression->at,
                       "the machine has no number for this");
@@ -233,7 +233,7 @@ static bool calculate_numbers(struct assembler *assembler, const struct line *li
     return number_of(assembler, line, expression->left, left, &x)
            && number_of(assembler, line, expression->right, right, &y)
            && compute(assembler, line, expression,
-                      calculator_find(rule->name, strlen(rule->name)),
+                      constant_folder_find(rule->name, strlen(rule->name)),
                       rule->turned ? y : x, rule->turned ? x : y, result);
 }
 
@@ -278,7 +278,7 @@ static bool evaluate_unary(struct assembler *assembler, const struct line *line,
     if (!evaluate(assembler, line, expression->left, &value))
         return false;
     if (value.kind == VALUE_FLOATING && expression->code == '-')
-        return compute(assembler, line, expression, calculator_find("-", 1),
+        return compute(assembler, line, expression, constant_folder_find("-", 1),
                        C205_MACHINE_ZERO, value.bits, result);
     if (value.kind == VALUE_FLOATING)
         return report(assembler, line, expression->at,

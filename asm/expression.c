@@ -136,7 +136,7 @@ static const struct expression *parse_function(struct cursor *cursor,
 
 /* sin(x), atan2(y, x) .. */
 static const struct expression *
-parse_computed(struct cursor *cursor, const struct calculator_function *function)
+parse_computed(struct cursor *cursor, const struct constant_folder_function *function)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, FUNCTION);
 
@@ -207,10 +207,10 @@ static bool is_function(const struct token *token, const char *name)
     return is_call(token) && token_is(token, name);
 }
 
-static const struct calculator_function *computed(const struct token *token)
+static const struct constant_folder_function *computed(const struct token *token)
 {
     return is_call(token)
-               ? calculator_find(token->begin, (size_t)(token->end - token->begin))
+               ? constant_folder_find(token->begin, (size_t)(token->end - token->begin))
                : NULL;
 }
 

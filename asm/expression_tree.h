@@ -4,7 +4,7 @@
 #ifndef ASM_EXPRESSION_TREE_H
 #define ASM_EXPRESSION_TREE_H
 
-#include "asm/calculator.h"
+#include "asm/constant_folder.h"
 #include "asm/expression.h"
 
 enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD, FUNCTION };
@@ -16,7 +16,7 @@ struct expression {
     const char *at;
     struct value value;
     const struct symbol *symbol;
-    const struct calculator_function *function;
+    const struct constant_folder_function *function;
     const struct expression *left, *right;
 };
 

@@ -1,4 +1,4 @@
-#include "asm/calculator.h"
+#include "asm/constant_folder.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 /* Where f_x, f_y and f_r are (asm/lib/formula.s). */
 enum { X = 210, Y, RESULT };
 
-static const struct calculator_function functions[] = {
+static const struct constant_folder_function functions[] = {
     { "+", 2, false, "plus" },         { "-", 2, false, "minus" },
     { "*", 2, false, "times" },        { "/", 2, false, "over" },
     { "<", 2, true, "less" },          { ">=", 2, true, "not_less" },
@@ -60,13 +60,14 @@ static const char program[] = "        .include \"atan2.s\"\n"
                               "        do      atan2\n"
                               "        do      power\n";
 
-struct calculator {
+struct constant_folder {
     struct object *object;
     c205_model *model;
     c205 *machine;
 };
 
-const struct calculator_function *calculator_find(const char *name, size_t length)
+const struct constant_folder_function *constant_folder_find(const char *name,
+                                                            size_t length)
 {
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         if (strlen(functions[i].name) == length
@@ -75,46 +76,48 @@ const struct calculator_function *calculator_find(const char *name, size_t lengt
     return NULL;
 }
 
-struct calculator *calculator_new(void)
+struct constant_folder *constant_folder_new(void)
 {
-    struct calculator *calculator = calloc(1, sizeof *calculator);
+    struct constant_folder *constant_folder = calloc(1, sizeof *constant_folder);
     struct diagnostics errors = { 0 };
     c205_error error;
 
-    if (!calculator)
+    if (!constant_folder)
         return NULL;
-    calculator->object = assemble_text("calculator", program, NULL, &errors);
+    constant_folder->object = assemble_text("constant_folder", program, NULL, &errors);
     diagnostics_free(&errors);
-    calculator->model = c205_model_find(C205_DEFAULT_MODEL, &error);
-    if (calculator->object && calculator->model)
-        calculator->machine = c205_new(calculator->model, &error);
-    if (calculator->machine
-        && c205_load(calculator->machine, &calculator->object->program, &error))
-        return calculator;
-    calculator_free(calculator);
+    constant_folder->model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    if (constant_folder->object && constant_folder->model)
+        constant_folder->machine = c205_new(constant_folder->model, &error);
+    if (constant_folder->machine
+        && c205_load(constant_folder->machine, &constant_folder->object->program,
+                     &error))
+        return constant_folder;
+    constant_folder_free(constant_folder);
     return NULL;
 }
 
-void calculator_free(struct calculator *calculator)
+void constant_folder_free(struct constant_folder *constant_folder)
 {
-    if (!calculator)
+    if (!constant_folder)
         return;
-    c205_free(calculator->machine);
-    c205_model_free(calculator->model);
-    object_free(calculator->object);
-    free(calculator);
+    c205_free(constant_folder->machine);
+    c205_model_free(constant_folder->model);
+    object_free(constant_folder->object);
+    free(constant_folder);
 }
 
-c205_word calculator_compute(struct calculator *calculator,
-                             const struct calculator_function *function, c205_word x,
-                             c205_word y)
+c205_word constant_folder_compute(struct constant_folder *constant_folder,
+                                  const struct constant_folder_function *function,
+                                  c205_word x, c205_word y)
 {
-    c205 *machine = calculator->machine;
+    c205 *machine = constant_folder->machine;
 
     c205_set_register(machine, X, x);
     c205_set_register(machine, Y, y);
     c205_set_pc(machine,
-                (uint64_t)object_symbol(calculator->object, function->label)->value);
+                (uint64_t)object_symbol(constant_folder->object, function->label)
+                    ->value);
     c205_run(machine, C205_NO_LIMIT);
     return c205_register(machine, RESULT);
 }
