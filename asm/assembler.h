@@ -170,7 +170,7 @@ struct section {
 };
 
 /* A warning before it is known which of them the program means. */
-struct caution {
+struct pending_warning {
     enum warning warning;
     struct position position;
     const char *message;
@@ -213,8 +213,8 @@ struct assembler {
     struct open_record record;
     struct expectation *expectations;
     size_t expectation_count, expectation_capacity;
-    struct caution *cautions;
-    size_t caution_count, caution_capacity;
+    struct pending_warning *pending_warnings;
+    size_t pending_count, pending_capacity;
     /* Labels that move on with the data after them when that is aligned. */
     struct symbol **waiting;
     size_t waiting_count, waiting_capacity;
@@ -242,7 +242,7 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
 #endif
     ;
 /* All of them; which there were, told or not. */
-warning_set tell_cautions(struct assembler *assembler);
+warning_set report_pending_warnings(struct assembler *assembler);
 bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
 bool too_many_errors(const struct assembler *assembler);

@@ -522,7 +522,7 @@ struct object *encode_program(struct assembler *assembler)
            && assembler->diagnostics->errors == assembler->first_error;
     if (good)
         check_ends(assembler);
-    storage->object.warned = tell_cautions(assembler);
+    storage->object.warned = report_pending_warnings(assembler);
     if (good && !storage->arena.failed
         && assembler->diagnostics->errors == assembler->first_error)
         return &storage->object;

@@ -82,26 +82,27 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
           const char *at, const char *format, ...)
 {
     char message[512];
-    struct caution *cautions;
+    struct pending_warning *pending_warnings;
     va_list arguments;
 
-    if (assembler->caution_count >= MAX_ERRORS)
+    if (assembler->pending_count >= MAX_ERRORS)
         return;
-    cautions = arena_grow(assembler->arena, assembler->cautions,
-                          assembler->caution_count, &assembler->caution_capacity,
-                          sizeof *cautions);
-    if (!cautions)
+    pending_warnings = arena_grow(assembler->arena, assembler->pending_warnings,
+                                  assembler->pending_count,
+                                  &assembler->pending_capacity,
+                                  sizeof *pending_warnings);
+    if (!pending_warnings)
         return;
-    assembler->cautions = cautions;
-    cautions += assembler->caution_count;
+    assembler->pending_warnings = pending_warnings;
+    pending_warnings += assembler->pending_count;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     say_caller(message, sizeof message, line);
-    cautions->warning = warning;
-    cautions->position = position_of(line, at);
-    cautions->message = arena_text(assembler->arena, message, strlen(message));
-    assembler->caution_count += cautions->message != NULL;
+    pending_warnings->warning = warning;
+    pending_warnings->position = position_of(line, at);
+    pending_warnings->message = arena_text(assembler->arena, message, strlen(message));
+    assembler->pending_count += pending_warnings->message != NULL;
 }
 
 /* Those that the program says it means. */
@@ -116,7 +117,7 @@ static warning_set meant(const struct assembler *assembler)
     return set;
 }
 
-warning_set tell_cautions(struct assembler *assembler)
+warning_set report_pending_warnings(struct assembler *assembler)
 {
     static const struct warning_choice all;
     const struct asm_options *options = assembler->options;
@@ -124,14 +125,14 @@ warning_set tell_cautions(struct assembler *assembler)
     warning_set silent = choice->off | meant(assembler), found = 0;
     size_t i;
 
-    for (i = 0; i < assembler->caution_count; i++) {
-        const struct caution *caution = &assembler->cautions[i];
-        warning_set bit = WARNING_BIT(caution->warning);
+    for (i = 0; i < assembler->pending_count; i++) {
+        const struct pending_warning *pending = &assembler->pending_warnings[i];
+        warning_set bit = WARNING_BIT(pending->warning);
 
         found |= bit;
         if (!(silent & bit))
-            warning_add(assembler->diagnostics, choice, caution->warning,
-                        &caution->position, caution->message);
+            warning_add(assembler->diagnostics, choice, pending->warning,
+                        &pending->position, pending->message);
     }
     return found;
 }
