@@ -230,8 +230,8 @@ $(BUILD)/c205: $(call objects,$(c205_c)) \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
 # Both commands hold dialogues with a debugger.
-$(BUILD)/rt205: $(call objects,$(rt205_c) asm/command/dialogue.c \
-		asm/command/lines.c) $(libraries)
+$(BUILD)/rt205: $(call objects,$(rt205_c) asm/command/repl.c \
+		asm/command/line_editor.c) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
 		$(BUILD)/rt/study/fit/ceres_fit.o $(libraries)
@@ -635,7 +635,7 @@ check-web:
 # place of the files of rt of that name.
 web_tracer_own = $(wildcard web/tracer/host/*.c)
 web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
-	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
+	$(rt205_c)) $(web_tracer_own) asm/command/repl.c asm/command/line_editor.c
 web-tracer:
 	$(call in_wasm,rt205.wasm)
 	@mkdir -p $(BUILD)/web

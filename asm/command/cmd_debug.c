@@ -1,6 +1,6 @@
 /* cmd_debug.c - c205 debug: a program under control, by a person or a script. */
 #include "asm/command/cmd_debug.h"
-#include "asm/command/dialogue.h"
+#include "asm/command/repl.h"
 
 static int debug_program(const struct c205_arguments *arguments,
                          const struct object *object, const c205_model *model)
@@ -11,19 +11,19 @@ static int debug_program(const struct c205_arguments *arguments,
                                           .out = visible_stream(stdout),
                                           .printed = stream_sink(stdout),
                                           .clocks_most = CMD_LIMIT,
-                                          .interrupted = dialogue_interrupted,
+                                          .interrupted = repl_interrupted,
                                           .warm = arguments->warm };
-    const struct dialogue_setup dialogue = { .command = arguments->command,
-                                             .prompt = "(c205) ",
-                                             .verb = debugger_verb,
-                                             .scripts = &arguments->scripts };
+    const struct repl_setup dialogue = { .command = arguments->command,
+                                         .prompt = "(c205) ",
+                                         .verb = debugger_verb,
+                                         .scripts = &arguments->scripts };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
     if (!debugger) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    code = dialogue_hold(&dialogue, debugger);
+    code = repl_hold(&dialogue, debugger);
     debugger_free(debugger);
     return code;
 }

@@ -1,6 +1,6 @@
 /* cmd_render_debug.c - rt205 render --debug: the program of a frame under control, in the band
  * that has a pixel. */
-#include "asm/command/dialogue.h"
+#include "asm/command/repl.h"
 #include "rt/command/rt205_command.h"
 #include "rt/trace/form.h"
 #include "rt/view/pixel_verbs.h"
@@ -13,21 +13,21 @@ static int debug(const struct rt205_arguments *arguments, struct frame_pixel *pi
                                           .out = visible_stream(stdout),
                                           .printed = stream_sink(stdout),
                                           .clocks_most = C205_NO_LIMIT,
-                                          .interrupted = dialogue_interrupted,
+                                          .interrupted = repl_interrupted,
                                           .machine = pixel_machine,
                                           .verbs = pixel_verbs,
                                           .context = pixel };
-    const struct dialogue_setup dialogue = { .command = arguments->command,
-                                             .prompt = "(rt205) ",
-                                             .verb = pixel_verb,
-                                             .scripts = &arguments->scripts };
+    const struct repl_setup dialogue = { .command = arguments->command,
+                                         .prompt = "(rt205) ",
+                                         .verb = pixel_verb,
+                                         .scripts = &arguments->scripts };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
 
     if (!debugger)
         return cmd_failed(arguments->command, "%s", error.message);
-    code = dialogue_hold(&dialogue, debugger);
+    code = repl_hold(&dialogue, debugger);
     debugger_free(debugger);
     return code;
 }

@@ -1,10 +1,10 @@
-/* lines.h - lines from a person or a file.
+/* line_editor.h - lines from a person or a file.
  *
  * On a terminal the package libedit reads them, if it is installed: with a history,
  * and Tab completes.  It is opened only there.
  */
-#ifndef ASM_LINES_H
-#define ASM_LINES_H
+#ifndef ASM_LINE_EDITOR_H
+#define ASM_LINE_EDITOR_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,20 +1,20 @@
-#include "asm/command/dialogue.h"
+#include "asm/command/repl.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "asm/command/lines.h"
+#include "asm/command/line_editor.h"
 #include "base/interrupt.h"
 
-struct dialogue {
-    const struct dialogue_setup *setup;
+struct repl {
+    const struct repl_setup *setup;
     struct debugger *debugger;
     bool quit, terminal, interrupted;
 };
 
 /* Ctrl-C ends one movement. */
-static void note_interrupt(struct dialogue *dialogue)
+static void note_interrupt(struct repl *dialogue)
 {
     dialogue->interrupted |= interrupt_pending();
     interrupt_clear();
@@ -22,7 +22,7 @@ static void note_interrupt(struct dialogue *dialogue)
 
 /* Lines of a script are shown as if somebody had typed them.  The reason why they
  * cannot be read, or NULL. */
-static const char *obey_all(struct dialogue *dialogue, FILE *file)
+static const char *obey_all(struct repl *dialogue, FILE *file)
 {
     const char *prompt = dialogue->setup->prompt;
     struct typed_lines lines = typed_lines_of(file, dialogue->setup->verb);
@@ -46,7 +46,7 @@ static const char *obey_all(struct dialogue *dialogue, FILE *file)
     return fault;
 }
 
-static const char *obey_script(struct dialogue *dialogue, const char *path)
+static const char *obey_script(struct repl *dialogue, const char *path)
 {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
     const char *fault = file ? obey_all(dialogue, file) : strerror(errno);
@@ -56,16 +56,16 @@ static const char *obey_script(struct dialogue *dialogue, const char *path)
     return fault;
 }
 
-static bool is_good(const struct dialogue *dialogue)
+static bool is_good(const struct repl *dialogue)
 {
     return dialogue->terminal
            || (!dialogue->interrupted && debugger_faults(dialogue->debugger) == 0);
 }
 
-int dialogue_hold(const struct dialogue_setup *setup, struct debugger *debugger)
+int repl_hold(const struct repl_setup *setup, struct debugger *debugger)
 {
     const struct command_texts *scripts = setup->scripts;
-    struct dialogue dialogue = { .setup = setup, .debugger = debugger };
+    struct repl dialogue = { .setup = setup, .debugger = debugger };
     const char *fault = NULL, *unread = "stdin";
     interrupt_catch();
     debugger_greet(debugger);
@@ -85,7 +85,7 @@ int dialogue_hold(const struct dialogue_setup *setup, struct debugger *debugger)
     return is_good(&dialogue) ? CMD_DONE : CMD_FAILED;
 }
 
-bool dialogue_interrupted(void *asked)
+bool repl_interrupted(void *asked)
 {
     (void)asked;
     return interrupt_pending();

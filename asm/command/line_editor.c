@@ -1,4 +1,4 @@
-#include "asm/command/lines.h"
+#include "asm/command/line_editor.h"
 
 #include <stdlib.h>
 #include <string.h>

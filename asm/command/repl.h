@@ -1,11 +1,11 @@
-/* dialogue.h - what a person, a pipe or scripts say to a debugger. */
-#ifndef ASM_DIALOGUE_H
-#define ASM_DIALOGUE_H
+/* repl.h - what a person, a pipe or scripts say to a debugger. */
+#ifndef ASM_REPL_H
+#define ASM_REPL_H
 
 #include "asm/debug/debugger.h"
 #include "base/command.h"
 
-struct dialogue_setup {
+struct repl_setup {
     const char *command; /* for complaints */
     const char *prompt;
     const char *(*verb)(size_t i);       /* those that Tab completes */
@@ -14,8 +14,8 @@ struct dialogue_setup {
 
 /* All of it, until somebody quits; Ctrl-C is caught.  The exit code: of a script or a pipe
  * CMD_FAILED after a fault, a person's mistakes are none. */
-int dialogue_hold(const struct dialogue_setup *setup, struct debugger *debugger);
+int repl_hold(const struct repl_setup *setup, struct debugger *debugger);
 /* For a debugger's setup: Ctrl-C has come. */
-bool dialogue_interrupted(void *asked);
+bool repl_interrupted(void *asked);
 
 #endif
