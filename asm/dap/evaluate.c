@@ -53,7 +53,7 @@ static bool has_moved(struct stand a, struct stand b)
 
 static void tell_moved(struct dap *dap)
 {
-    dap->end_told = dap->debugger->halted;
+    dap->exit_reported = dap->debugger->halted;
     dap_stopped(dap, "goto");
 }
 
@@ -78,12 +78,12 @@ static void obey_line(struct dap *dap, const char *text)
     bool goes_on;
 
     dap->state = DAP_RUNNING;
-    dap->pending = WISH_NONE;
+    dap->pending = PENDING_NONE;
     goes_on = debugger_obey(dap->debugger, text);
     dap->state = DAP_STANDING;
-    if (!goes_on || dap->pending == WISH_TERMINATE)
+    if (!goes_on || dap->pending == PENDING_TERMINATE)
         dap->then = dap_finish;
-    else if (dap->pending == WISH_RESTART)
+    else if (dap->pending == PENDING_RESTART)
         dap->then = dap_begin;
     else if (has_moved(before, stand_of(dap)))
         dap->then = tell_moved;

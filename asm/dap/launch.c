@@ -229,7 +229,7 @@ bool request_restart(struct dap *dap, const struct json_value *arguments,
     (void)arguments;
     (void)body;
     if (dap->state == DAP_RUNNING)
-        dap->pending = WISH_RESTART;
+        dap->pending = PENDING_RESTART;
     else
         dap->then = dap_begin;
     return true;
@@ -241,7 +241,7 @@ bool request_terminate(struct dap *dap, const struct json_value *arguments,
     (void)arguments;
     (void)body;
     if (dap->state == DAP_RUNNING)
-        dap->pending = WISH_TERMINATE;
+        dap->pending = PENDING_TERMINATE;
     else
         dap->then = dap_finish;
     return true;

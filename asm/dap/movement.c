@@ -116,10 +116,10 @@ static void tell_halt(struct dap *dap)
 
     if (stop->trap != C205_TRAP_NONE) {
         tell_trap(dap);
-    } else if (dap->stop_on_end && !dap->end_told) {
+    } else if (dap->stop_on_end && !dap->exit_reported) {
         show_halt(dap->debugger);
         dap_stopped(dap, "end");
-        dap->end_told = true;
+        dap->exit_reported = true;
     } else {
         tell_exit(dap, stop->status);
     }
@@ -132,7 +132,7 @@ static void arrive(struct dap *dap, enum moved moved)
     struct sink say = dap_saying(dap);
 
     if (moved != MOVED_TO_HALT)
-        dap->end_told = false;
+        dap->exit_reported = false;
     switch (moved) {
     case MOVED_TO_STOP: tell_stopped(dap, met_reason(dap), true); break;
     case MOVED_TO_HALT: tell_halt(dap); break;
@@ -173,14 +173,14 @@ static void go(struct dap *dap)
     enum moved moved;
 
     do {
-        if (dap->pending == WISH_RESTART)
+        if (dap->pending == PENDING_RESTART)
             prepare_beginning(dap);
-        dap->pending = WISH_NONE;
+        dap->pending = PENDING_NONE;
         dap->state = DAP_RUNNING;
         moved = dap->move(dap->debugger);
         dap->state = DAP_STANDING;
-    } while (!dap->over && dap->pending == WISH_RESTART);
-    if (dap->pending == WISH_TERMINATE)
+    } while (!dap->over && dap->pending == PENDING_RESTART);
+    if (dap->pending == PENDING_TERMINATE)
         dap_finish(dap);
     else if (!dap->over)
         arrive(dap, moved);
@@ -188,7 +188,7 @@ static void go(struct dap *dap)
 
 void dap_begin(struct dap *dap)
 {
-    dap->pending = WISH_RESTART;
+    dap->pending = PENDING_RESTART;
     go(dap);
 }
 
@@ -277,7 +277,7 @@ bool request_pause(struct dap *dap, const struct json_value *arguments,
     (void)arguments;
     (void)body;
     if (dap->state == DAP_RUNNING)
-        dap->pending = WISH_PAUSE;
+        dap->pending = PENDING_PAUSE;
     return true;
 }
 

@@ -25,7 +25,12 @@ enum dap_state {
 };
 
 /* What the client wants of a program that runs. */
-enum dap_wish { WISH_NONE, WISH_PAUSE, WISH_TERMINATE, WISH_RESTART };
+enum pending_request {
+    PENDING_NONE,
+    PENDING_PAUSE,
+    PENDING_TERMINATE,
+    PENDING_RESTART
+};
 
 struct dap {
     struct dap_setup setup;
@@ -47,10 +52,10 @@ struct dap {
     const char **files; /* of the source lines, as the object calls them */
 
     bool stop_on_entry, stop_on_end, stop_at_traps;
-    bool end_told;       /* the program stands at its end, and the client knows */
+    bool exit_reported;  /* the program stands at its end, and the client knows */
     bool client_redraws; /* it takes the event invalidated */
     int64_t first_line, first_column; /* as the client counts: 0 or 1 */
-    enum dap_wish pending;
+    enum pending_request pending;
     enum moved (*move)(struct debugger *debugger);
     const char *reason; /* of the stop, if the motion ends where it was to */
     void (*then)(struct dap *dap);
@@ -87,7 +92,7 @@ dap_request request_read_memory, request_write_memory, request_disassemble;
  * type of the protocol; false after a fault. */
 bool dap_check(struct dap *dap, const char *owner, const struct json_value *object);
 
-/* ---- What is said (say.c) --------------------------------------------------- */
+/* ---- What is said (respond.c) --------------------------------------------------- */
 
 /* One sentence; false. */
 bool dap_fault(struct dap *dap, const char *format, ...)
@@ -117,7 +122,7 @@ void say_refusal(struct dap *dap, const struct json_value *request, const char *
 /* Hear what the client says while a program runs (session.c): shall it stop? */
 bool dap_listen(void *dap);
 
-/* ---- Numbers and addresses (say.c) -------------------------------------------- */
+/* ---- Numbers and addresses (respond.c) -------------------------------------------- */
 
 /* An address as the protocol has them, "0x4001C0": the machine's own, of a bit. */
 enum { DAP_ADDRESS_SIZE = 24 };

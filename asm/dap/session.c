@@ -203,9 +203,9 @@ bool dap_listen(void *given)
     say_printed(dap);
     if (dap->setup.ready(dap->setup.context))
         read_more(dap);
-    while (!dap->over && dap->pending == WISH_NONE && handle_next(dap))
+    while (!dap->over && dap->pending == PENDING_NONE && handle_next(dap))
         continue;
-    return dap->over || dap->pending != WISH_NONE;
+    return dap->over || dap->pending != PENDING_NONE;
 }
 
 /* ---- All of it --------------------------------------------------------------------- */

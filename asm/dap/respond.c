@@ -1,4 +1,4 @@
-/* say.c - responses and events. */
+/* respond.c - responses and events. */
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
