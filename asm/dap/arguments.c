@@ -5,7 +5,7 @@
  */
 #include <string.h>
 
-#include "asm/dap/parts.h"
+#include "asm/dap/dap_internal.h"
 
 enum kind { TEXT, TRUTH, WHOLE, OBJECT, SOURCE, LIST, TEXTS, WHOLES };
 enum { MAX_KEYS = 8 };

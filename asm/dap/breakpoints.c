@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/dap/parts.h"
+#include "asm/dap/dap_internal.h"
 
 /* ---- One stop ------------------------------------------------------------------- */
 

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "asm/dap/parts.h"
+#include "asm/dap/dap_internal.h"
 
 void put_bits(c205_word word, unsigned width, const struct sink *sink)
 {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/dap/parts.h"
+#include "asm/dap/dap_internal.h"
 #include "base/file.h"
 #include "base/text_file.h"
 #include "vm/text.h"

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/dap/parts.h"
+#include "asm/dap/dap_internal.h"
 #include "asm/disassemble.h"
 #include "asm/operand_view.h"
 

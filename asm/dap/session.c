@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "asm/dap/message.h"
-#include "asm/dap/parts.h"
+#include "asm/dap/dap_internal.h"
 
 /* ---- Requests ----------------------------------------------------------------- */
 

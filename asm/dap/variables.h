@@ -6,7 +6,7 @@
 #ifndef ASM_DAP_VARIABLES_H
 #define ASM_DAP_VARIABLES_H
 
-#include "asm/dap/parts.h"
+#include "asm/dap/dap_internal.h"
 
 enum reference_kind {
     OF_NAMED = 1, /* registers that the program has named */

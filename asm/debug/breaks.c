@@ -1,7 +1,7 @@
 /* breaks.c - the verbs that make and delete stops. */
 #include <inttypes.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 
 /* "if CONDITION", or nothing. */
 static bool add(struct debugger *debugger, struct rest *rest, struct stop_point *stop)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "asm/object.h"
 #include "base/spelling.h"
 

@@ -2,7 +2,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "asm/trap_report.h"
 #include "base/plural.h"
 

@@ -1,7 +1,7 @@
 /* move.c - the verbs of motions. */
 #include <inttypes.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 
 static bool arrive(struct debugger *debugger, enum moved moved)
 {

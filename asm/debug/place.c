@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "asm/operand_view.h"
 
 static bool is_region(const struct debugger *debugger, const char *name,

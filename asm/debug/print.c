@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "asm/operand_view.h"
 
 /* ---- Values --------------------------------------------------------------- */

@@ -1,7 +1,7 @@
 /* set.c - registers, memory and the next instruction, changed by hand. */
 #include <inttypes.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 
 static bool can_change(struct debugger *debugger)
 {

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "asm/disassemble.h"
 #include "asm/operand_view.h"
 #include "asm/trap_report.h"

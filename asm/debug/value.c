@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "base/visible.h"
 
 enum { MAX_DEPTH = 100, LENGTH_SHIFT = 48, HALF_DIGITS = 8 };

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 
 /* ---- Elements -------------------------------------------------------------- */
 

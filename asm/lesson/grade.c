@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "asm/expect.h"
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 #include "asm/object.h"
 #include "asm/print.h"
 #include "asm/trap_report.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 #include "base/error.h"
 #include "base/spelling.h"
 #include "vm/text.h"

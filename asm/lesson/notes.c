@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 #include "base/error.h"
 #include "base/spelling.h"
 

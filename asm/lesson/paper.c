@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "asm/expect.h"
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 #include "base/error.h"
 #include "base/model.h"
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 #include "base/word_wrap.h"
 #include "base/plural.h"
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 
 /* ---- Elements -------------------------------------------------------------- */
 

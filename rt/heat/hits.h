@@ -8,7 +8,7 @@
 #define RT_HITS_H
 
 #include "rt/heat/factors.h"
-#include "rt/scene/parts.h"
+#include "rt/scene/scene_internal.h"
 
 struct hits_options {
     enum trace_mode mode; /* scalar or vector */

@@ -2,7 +2,7 @@
 #ifndef RT_MASS_BODIES_H
 #define RT_MASS_BODIES_H
 
-#include "rt/scene/parts.h"
+#include "rt/scene/scene_internal.h"
 
 /* Parts that reach for ever, or have no bound that is known, are marked endless.
  * False: no memory. */

@@ -10,7 +10,7 @@
 #define RT_GIVEN_VALUES_H
 
 #include "base/diagnostic.h"
-#include "rt/scene/parts.h"
+#include "rt/scene/scene_internal.h"
 
 /* What is given. */
 struct value_kind {

@@ -1,4 +1,4 @@
-#include "rt/scene/parts.h"
+#include "rt/scene/scene_internal.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  * say, the clock is what the accounts sum to, and the way back leads to step 0. */
 #include <string.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "tests/fuzz/fuzz.h"
 
 bool fuzz_accepted;

@@ -4,7 +4,7 @@
 #define MEASURED_H
 
 #include "rt/mass/figures.h"
-#include "rt/scene/parts.h"
+#include "rt/scene/scene_internal.h"
 
 enum { MEASURED_PARTS = 4 };
 

@@ -2,7 +2,7 @@
 #ifndef TESTS_DEBUGGER_SESSION_H
 #define TESTS_DEBUGGER_SESSION_H
 
-#include "asm/debug/parts.h"
+#include "asm/debug/debug_internal.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/prior_model.h"
 

@@ -1,6 +1,6 @@
 /* test_lesson_texts.c - what is expected of a run; what results look like; lessons that are none,
  * and their names; any texts. */
-#include "asm/lesson/parts.h"
+#include "asm/lesson/lesson_internal.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/drawn_lesson.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "rt/mass/figures.h"
-#include "rt/scene/parts.h"
+#include "rt/scene/scene_internal.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"

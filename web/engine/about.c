@@ -1,6 +1,6 @@
 /* about.c - what there is: models, instructions, directives. */
 #include "asm/syntax.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 static bool put_models(struct json *reply, c205_error *error)
 {

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 /* ---- What is wrong ----------------------------------------------------------- */
 

@@ -3,7 +3,7 @@
 
 #include "asm/compare/compared.h"
 #include "asm/object.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 struct compared_text {
     char *name;

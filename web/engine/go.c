@@ -1,7 +1,7 @@
 /* go.c - movements, a slice at a time. */
 #include <string.h>
 
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 /* ---- Ways to go -------------------------------------------------------------- */
 

@@ -5,7 +5,7 @@
 
 #include "asm/disassemble.h"
 #include "asm/vector_view.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 #include "base/plural.h"
 
 /* ---- The next one -------------------------------------------------------------- */

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "asm/lesson/lesson.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 static void put_goals(const struct lesson_test *test, struct json *reply)
 {

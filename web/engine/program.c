@@ -7,7 +7,7 @@
 #include "asm/object.h"
 #include "base/array.h"
 #include "vm/text.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 /* ---- What is said of a text ------------------------------------------------------ */
 

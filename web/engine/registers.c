@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "asm/vector_view.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 /* ---- Words ------------------------------------------------------------------------ */
 

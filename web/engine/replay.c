@@ -1,7 +1,7 @@
 /* replay.c - the run so far once more, for who listens; and where its clocks went line by
  * line.  What somebody has changed on the way is changed again.
  */
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 /* ---- Once more ------------------------------------------------------------------ */
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "asm/sweep/swept.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 /* All that it is made of lives as long as it does. */
 struct laboratory {

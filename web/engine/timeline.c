@@ -2,7 +2,7 @@
  * file as c205 timeline writes it.
  */
 #include "asm/timeline/lanes.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 /* ---- Spans ------------------------------------------------------------------------ */
 

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "base/accounts.h"
-#include "web/engine/parts.h"
+#include "web/engine/engine_internal.h"
 
 const c205 *engine_machine(const struct engine *engine)
 {

@@ -1,11 +1,11 @@
-/* parts.h - the inside of an engine.  Not public.
+/* engine_internal.h - the inside of an engine.  Not public.
  *
  * A request is a function that reads its members and writes those of its reply.  One that
  * cannot do its work tells why in the error, and what it has written is dropped.  One
  * that takes long leaves in `goes_on` what does the next slice, which `more` asks for.
  */
-#ifndef WEB_ENGINE_PARTS_H
-#define WEB_ENGINE_PARTS_H
+#ifndef WEB_ENGINE_ENGINE_INTERNAL_H
+#define WEB_ENGINE_ENGINE_INTERNAL_H
 
 #include "asm/assemble.h"
 #include "asm/debug/motion.h"

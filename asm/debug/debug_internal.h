@@ -1,10 +1,10 @@
-/* parts.h - the verbs of a debugger, and what they share.  Not public.
+/* debug_internal.h - the verbs of a debugger, and what they share.  Not public.
  *
  * A verb gets the rest of its line; each part reads of it what it knows, by a
  * struct rest that moves on.
  */
-#ifndef ASM_DEBUG_PARTS_H
-#define ASM_DEBUG_PARTS_H
+#ifndef ASM_DEBUG_DEBUG_INTERNAL_H
+#define ASM_DEBUG_DEBUG_INTERNAL_H
 
 #include "asm/debug/engine.h"
 

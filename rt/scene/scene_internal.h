@@ -1,11 +1,11 @@
-/* parts.h - the parts of a scene, and what they are made of.
+/* scene_internal.h - the parts of a scene, and what they are made of.
  *
  * What a statement of the scene's file puts into the world is an object.  Objects of
  * one name, that of the #declare that they come from, and of one material, the name of
  * their texture, are one part; without a name they are called by their line.
  */
-#ifndef RT_PARTS_H
-#define RT_PARTS_H
+#ifndef RT_SCENE_INTERNAL_H
+#define RT_SCENE_INTERNAL_H
 
 #include "rt/scene/scene.h"
 #include "vm/c205.h"

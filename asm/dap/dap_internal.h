@@ -1,12 +1,12 @@
-/* parts.h - the inside of a session.  Not public.
+/* dap_internal.h - the inside of a session.  Not public.
  *
  * A request is a function that reads its arguments and writes the body of its
  * response.  What is wrong it tells by dap_fault or by a debug_fault of the engine,
  * and returns false.  What is to be done when the client has its response, as a motion,
  * it leaves in `then`.
  */
-#ifndef ASM_DAP_PARTS_H
-#define ASM_DAP_PARTS_H
+#ifndef ASM_DAP_DAP_INTERNAL_H
+#define ASM_DAP_DAP_INTERNAL_H
 
 #include "asm/dap/dap.h"
 #include "asm/debug/engine.h"

@@ -1,6 +1,6 @@
-/* parts.h - what the parts of grading share.  Not public. */
-#ifndef ASM_LESSON_PARTS_H
-#define ASM_LESSON_PARTS_H
+/* lesson_internal.h - what the parts of grading share.  Not public. */
+#ifndef ASM_LESSON_LESSON_INTERNAL_H
+#define ASM_LESSON_LESSON_INTERNAL_H
 
 #include "asm/lesson/lesson.h"
 #include "asm/line_profile.h"
