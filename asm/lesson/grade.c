@@ -15,7 +15,7 @@
 /* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
  * endless loop; one that prints more characters than this never comes to an end either. */
 static const uint64_t patience_least = 20000000;
-enum { PATIENCE = 10, MAX_PRINTED = 1 << 16 };
+enum { TIME_LIMIT_FACTOR = 10, MAX_PRINTED = 1 << 16 };
 
 /* An answer before a test. */
 struct sitting {
@@ -278,13 +278,15 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
     trial->medal = medal_for(trial->test, trial->clocks);
     trial->passed = trial->medal != MEDAL_NONE;
     if (trial->medal != MEDAL_GOLD)
-        slow_tell(trial, sitting->machine, sitting->profile, &trial->report);
+        performance_hint_report(trial, sitting->machine, sitting->profile,
+                                &trial->report);
 }
 
 static bool run(struct sitting *sitting)
 {
     struct lesson_trial *trial = sitting->trial;
-    uint64_t limit = patience_least + PATIENCE * trial->test->goals[MEDAL_BRONZE];
+    uint64_t limit = patience_least
+                     + TIME_LIMIT_FACTOR * trial->test->goals[MEDAL_BRONZE];
     c205_stop stop = c205_run(sitting->machine, limit);
 
     if (stop.trap == C205_TRAP_NO_MEMORY || sitting->printed.failed)

@@ -20,10 +20,10 @@ void report_buffer(struct lesson_report *report, struct text_buffer *buffer);
 /* A source line without its margin. */
 const char *lesson_source(const char *line);
 
-/* ---- exchange.c: data between a test and an answer ------------------------- */
+/* ---- test_data.c: data between a test and an answer ------------------------- */
 
 /* A label of both. */
-struct exchanged {
+struct test_data {
     const char *label; /* of the answer */
     enum asm_contents contents;
     size_t count;
@@ -39,7 +39,7 @@ struct lesson_exchange {
     const c205 *data; /* the test's, loaded */
     c205 *machine;    /* the answer's, loaded */
     size_t count;
-    struct exchanged *items;
+    struct test_data *items;
     const struct lesson_test *notes;
     struct lesson_report *report, *general; /* of this test; of all */
     struct arena *kept;
@@ -53,11 +53,12 @@ bool exchange_end(struct lesson_exchange *exchange);
 
 /* ---- In words -------------------------------------------------------------- */
 
-/* wrong.c: false, and told, if what was found is not what was wanted. */
-bool wrong_tell(const struct exchanged *exchanged, struct lesson_report *report);
+/* mismatch.c: false, and told, if what was found is not what was wanted. */
+bool mismatch_report(const struct test_data *exchanged, struct lesson_report *report);
 
-/* slow.c: why it takes more clocks than the next goal. */
-void slow_tell(const struct lesson_trial *trial, const c205 *machine,
-               const struct line_profile *profile, struct lesson_report *report);
+/* performance_hint.c: why it takes more clocks than the next goal. */
+void performance_hint_report(const struct lesson_trial *trial, const c205 *machine,
+                             const struct line_profile *profile,
+                             struct lesson_report *report);
 
 #endif

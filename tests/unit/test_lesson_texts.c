@@ -309,7 +309,7 @@ TEST(likeness)
         c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
         struct arena arena = { 0 };
         struct lesson_report report = { .kept = &arena };
-        struct exchanged exchanged = { .label = "y",
+        struct test_data exchanged = { .label = "y",
                                        .contents = rows[i].contents,
                                        .wanted = wanted,
                                        .before = before,
@@ -318,7 +318,7 @@ TEST(likeness)
         take_elements(rows[i].before, rows[i].contents, before);
         take_elements(rows[i].found, rows[i].contents, found);
         exchanged.count = take_elements(rows[i].wanted, rows[i].contents, wanted);
-        assert_false(wrong_tell(&exchanged, &report));
+        assert_false(mismatch_report(&exchanged, &report));
         if (rows[i].said ? !strstr(report.sentences[0], rows[i].said)
                          : !strstr(report.sentences[0], " (counted from 0).")
                                || strstr(report.sentences[0], ").  "))

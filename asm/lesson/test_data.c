@@ -1,4 +1,4 @@
-/* exchange.c - the data of a test go into the answer's memory, and its results are looked
+/* test_data.c - the data of a test go into the answer's memory, and its results are looked
  * at. */
 #include <inttypes.h>
 #include <string.h>
@@ -53,7 +53,7 @@ static void set_element(c205 *machine, uint64_t at, unsigned width, c205_word el
 }
 
 static void get_elements(const c205 *machine, uint64_t at,
-                         const struct exchanged *exchanged, c205_word *words)
+                         const struct test_data *exchanged, c205_word *words)
 {
     unsigned width = width_of(exchanged->contents);
 
@@ -62,7 +62,7 @@ static void get_elements(const c205 *machine, uint64_t at,
 }
 
 static void put_elements(const struct lesson_exchange *exchange,
-                         const struct exchanged *exchanged)
+                         const struct test_data *exchanged)
 {
     unsigned width = width_of(exchanged->contents);
 
@@ -113,7 +113,7 @@ static const struct lesson_tolerance *find_tolerance(const struct lesson_test *t
     return found;
 }
 
-static void begin_wanted(struct lesson_exchange *exchange, struct exchanged *item)
+static void begin_wanted(struct lesson_exchange *exchange, struct test_data *item)
 {
     size_t size = (item->count + 1) * sizeof *item->wanted;
 
@@ -131,7 +131,7 @@ static bool begin_label(struct lesson_exchange *exchange, const struct asm_symbo
     const char *wanted = lesson_wanted(ours->name);
     const char *label = wanted ? wanted : ours->name;
     const struct asm_symbol *theirs = object_symbol(exchange->answer, label);
-    struct exchanged *item = &exchange->items[exchange->count];
+    struct test_data *item = &exchange->items[exchange->count];
 
     if (!theirs || !theirs->is_label) {
         if (wanted)
@@ -143,7 +143,7 @@ static bool begin_label(struct lesson_exchange *exchange, const struct asm_symbo
     }
     if (!check_room(exchange, ours, theirs))
         return false;
-    *item = (struct exchanged){ .label = label,
+    *item = (struct test_data){ .label = label,
                                 .contents = ours->contents,
                                 .count = (size_t)ours->count,
                                 .here = (uint64_t)ours->value,
@@ -197,12 +197,12 @@ bool exchange_end(struct lesson_exchange *exchange)
     bool good = true;
 
     for (size_t i = 0; i < exchange->count; i++) {
-        struct exchanged *item = &exchange->items[i];
+        struct test_data *item = &exchange->items[i];
 
         if (!item->wanted)
             continue;
         get_elements(exchange->machine, item->there, item, item->found);
-        good = wrong_tell(item, exchange->report) && good;
+        good = mismatch_report(item, exchange->report) && good;
     }
     if (!good)
         tell_missing(exchange);

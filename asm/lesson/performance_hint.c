@@ -1,4 +1,4 @@
-/* slow.c - why an answer is slower than the next goal: the cause and the lines that took most
+/* performance_hint.c - why an answer is slower than the next goal: the cause and the lines that took most
  * of its clocks. */
 #include <inttypes.h>
 #include <string.h>
@@ -175,8 +175,9 @@ static void tell_lines(const struct lesson_trial *trial,
     }
 }
 
-void slow_tell(const struct lesson_trial *trial, const c205 *machine,
-               const struct line_profile *profile, struct lesson_report *report)
+void performance_hint_report(const struct lesson_trial *trial, const c205 *machine,
+                             const struct line_profile *profile,
+                             struct lesson_report *report)
 {
     struct accounts accounts = { .model = c205_machine_model(machine) };
     c205_account all;

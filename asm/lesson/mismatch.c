@@ -1,4 +1,4 @@
-/* wrong.c - what is wrong with a result: which elements, and what they look like. */
+/* mismatch.c - what is wrong with a result: which elements, and what they look like. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 /* ---- Elements -------------------------------------------------------------- */
 
-static double number_of(const struct exchanged *exchanged, c205_word element)
+static double number_of(const struct test_data *exchanged, c205_word element)
 {
     switch (exchanged->contents) {
     case ASM_WORDS: return c205_to_double(element);
@@ -18,7 +18,7 @@ static double number_of(const struct exchanged *exchanged, c205_word element)
     }
 }
 
-static bool is_same(const struct exchanged *exchanged, c205_word wanted,
+static bool is_same(const struct test_data *exchanged, c205_word wanted,
                     c205_word found)
 {
     return wanted == found
@@ -27,7 +27,7 @@ static bool is_same(const struct exchanged *exchanged, c205_word wanted,
                       <= exchanged->tolerance->most);
 }
 
-static bool is_right(const struct exchanged *exchanged, size_t i)
+static bool is_right(const struct test_data *exchanged, size_t i)
 {
     return is_same(exchanged, exchanged->wanted[i], exchanged->found[i]);
 }
@@ -35,10 +35,10 @@ static bool is_right(const struct exchanged *exchanged, size_t i)
 /* ---- What they look like --------------------------------------------------- */
 
 /* Of a result of which something is wrong: an element, or all of it. */
-typedef bool of_element(const struct exchanged *exchanged, size_t i);
-typedef bool of_result(const struct exchanged *exchanged);
+typedef bool of_element(const struct test_data *exchanged, size_t i);
+typedef bool of_result(const struct test_data *exchanged);
 
-static bool all(const struct exchanged *exchanged, of_element *is)
+static bool all(const struct test_data *exchanged, of_element *is)
 {
     size_t i = 0;
 
@@ -47,68 +47,68 @@ static bool all(const struct exchanged *exchanged, of_element *is)
     return i == exchanged->count;
 }
 
-static bool is_untouched(const struct exchanged *exchanged, size_t i)
+static bool is_untouched(const struct test_data *exchanged, size_t i)
 {
     return exchanged->found[i] == exchanged->before[i];
 }
 
-static bool is_zero(const struct exchanged *exchanged, size_t i)
+static bool is_zero(const struct test_data *exchanged, size_t i)
 {
     return number_of(exchanged, exchanged->found[i]) == 0;
 }
 
-static bool is_equal(const struct exchanged *exchanged, size_t i)
+static bool is_equal(const struct test_data *exchanged, size_t i)
 {
     return is_right(exchanged, i)
            || number_of(exchanged, exchanged->found[i])
                   == number_of(exchanged, exchanged->wanted[i]);
 }
 
-static bool is_late(const struct exchanged *exchanged, size_t i)
+static bool is_late(const struct test_data *exchanged, size_t i)
 {
     return i == 0 || is_same(exchanged, exchanged->wanted[i - 1], exchanged->found[i]);
 }
 
-static bool is_early(const struct exchanged *exchanged, size_t i)
+static bool is_early(const struct test_data *exchanged, size_t i)
 {
     return i + 1 == exchanged->count
            || is_same(exchanged, exchanged->wanted[i + 1], exchanged->found[i]);
 }
 
-static bool is_first(const struct exchanged *exchanged, size_t i)
+static bool is_first(const struct test_data *exchanged, size_t i)
 {
     return exchanged->wanted[i] == exchanged->wanted[0];
 }
 
 /* What so few bits look like is chance. */
-static bool is_chance(const struct exchanged *exchanged)
+static bool is_chance(const struct test_data *exchanged)
 {
     return exchanged->contents == ASM_BITS && exchanged->count < 16;
 }
 
 /* Elements that are all the same, or one or two, stand nowhere too early. */
-static bool have_places(const struct exchanged *exchanged)
+static bool have_places(const struct test_data *exchanged)
 {
     return exchanged->count > 2 && !is_chance(exchanged) && !all(exchanged, is_first);
 }
 
-static bool too_late(const struct exchanged *exchanged)
+static bool too_late(const struct test_data *exchanged)
 {
     return have_places(exchanged) && all(exchanged, is_late);
 }
 
-static bool too_early(const struct exchanged *exchanged)
+static bool too_early(const struct test_data *exchanged)
 {
     return have_places(exchanged) && all(exchanged, is_early);
 }
 
-static bool is_backwards(const struct exchanged *exchanged, size_t i)
+static bool is_backwards(const struct test_data *exchanged, size_t i)
 {
     return is_same(exchanged, exchanged->wanted[exchanged->count - 1 - i],
                    exchanged->found[i]);
 }
 
-static bool backwards(const struct exchanged *exchanged)
+static bool backwards(const struct test_data *exchanged)
 {
     return !is_chance(exchanged) && all(exchanged, is_backwards);
 }
@@ -121,7 +121,7 @@ static int compare_words(const void *a, const void *b)
 }
 
 /* The same elements, each as often; of bits that says little. */
-static bool other_order(const struct exchanged *exchanged)
+static bool other_order(const struct test_data *exchanged)
 {
     size_t size = exchanged->count * sizeof(c205_word);
     c205_word *wanted = malloc(size), *found = malloc(size);
@@ -139,31 +139,31 @@ static bool other_order(const struct exchanged *exchanged)
     return same;
 }
 
-static bool is_above(const struct exchanged *exchanged, size_t i)
+static bool is_above(const struct test_data *exchanged, size_t i)
 {
     return i == 0
            || number_of(exchanged, exchanged->wanted[i - 1])
                   <= number_of(exchanged, exchanged->wanted[i]);
 }
 
-static bool unsorted(const struct exchanged *exchanged)
+static bool unsorted(const struct test_data *exchanged)
 {
     return all(exchanged, is_above) && other_order(exchanged);
 }
 
-static bool has_other_sign(const struct exchanged *exchanged, size_t i)
+static bool has_other_sign(const struct test_data *exchanged, size_t i)
 {
     return number_of(exchanged, exchanged->found[i])
            == -number_of(exchanged, exchanged->wanted[i]);
 }
 
-static bool is_other_bit(const struct exchanged *exchanged, size_t i)
+static bool is_other_bit(const struct test_data *exchanged, size_t i)
 {
     return exchanged->contents == ASM_BITS && exchanged->count > 1
            && exchanged->found[i] != exchanged->wanted[i];
 }
 
-static bool is_little_off(const struct exchanged *exchanged, size_t i)
+static bool is_little_off(const struct test_data *exchanged, size_t i)
 {
     double little = exchanged->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
     double wanted = number_of(exchanged, exchanged->wanted[i]);
@@ -172,12 +172,12 @@ static bool is_little_off(const struct exchanged *exchanged, size_t i)
     return is_right(exchanged, i) || fabs(found - wanted) <= little * fabs(wanted);
 }
 
-static bool is_indefinite(const struct exchanged *exchanged, size_t i)
+static bool is_indefinite(const struct test_data *exchanged, size_t i)
 {
     return is_right(exchanged, i) || isnan(number_of(exchanged, exchanged->found[i]));
 }
 
-static bool is_normalised(const struct exchanged *exchanged, c205_word element)
+static bool is_normalised(const struct test_data *exchanged, c205_word element)
 {
     switch (exchanged->contents) {
     case ASM_WORDS: return c205_from_double(c205_to_double(element)) == element;
@@ -187,19 +187,19 @@ static bool is_normalised(const struct exchanged *exchanged, c205_word element)
     }
 }
 
-static bool keeps_bits(const struct exchanged *exchanged, size_t i)
+static bool keeps_bits(const struct test_data *exchanged, size_t i)
 {
     return is_zero(exchanged, i) || is_normalised(exchanged, exchanged->found[i])
            || !is_normalised(exchanged, exchanged->wanted[i]);
 }
 
-static bool lost_bits(const struct exchanged *exchanged)
+static bool lost_bits(const struct test_data *exchanged)
 {
     return !all(exchanged, keeps_bits);
 }
 
 /* Some at the beginning are right, and nothing was stored behind them. */
-static bool only_begun(const struct exchanged *exchanged)
+static bool only_begun(const struct test_data *exchanged)
 {
     size_t i = 0;
 
@@ -248,7 +248,7 @@ static const struct likeness {
     { NULL, only_begun, "Nothing new was stored behind those that are right." },
 };
 
-static bool fits(const struct likeness *likeness, const struct exchanged *exchanged)
+static bool fits(const struct likeness *likeness, const struct test_data *exchanged)
 {
     return likeness->each ? all(exchanged, likeness->each) : likeness->whole(exchanged);
 }
@@ -258,7 +258,7 @@ static bool fits(const struct likeness *likeness, const struct exchanged *exchan
 enum { TOLD = 3 };
 
 /* Words of equal numbers are told by their bits as well. */
-static void say_value(const struct exchanged *exchanged, c205_word element,
+static void say_value(const struct test_data *exchanged, c205_word element,
                       bool with_bits, const struct sink *sink)
 {
     char text[C205_TEXT_SIZE], bits[C205_TEXT_SIZE];
@@ -278,7 +278,7 @@ static void say_value(const struct exchanged *exchanged, c205_word element,
         sink_put(sink, text);
 }
 
-static void say_element(const struct exchanged *exchanged, size_t i,
+static void say_element(const struct test_data *exchanged, size_t i,
                         const struct sink *sink)
 {
     c205_word wanted = exchanged->wanted[i], found = exchanged->found[i];
@@ -290,7 +290,7 @@ static void say_element(const struct exchanged *exchanged, size_t i,
     say_value(exchanged, wanted, with_bits, sink);
 }
 
-static void say_elements(const struct exchanged *exchanged, size_t wrong,
+static void say_elements(const struct test_data *exchanged, size_t wrong,
                          const struct sink *sink)
 {
     size_t told = 0;
@@ -306,7 +306,7 @@ static void say_elements(const struct exchanged *exchanged, size_t wrong,
 }
 
 /* What single results are is told without counting. */
-static void say_wrong(const struct exchanged *exchanged, size_t wrong,
+static void say_wrong(const struct test_data *exchanged, size_t wrong,
                       const struct sink *sink)
 {
     const char *label = exchanged->label;
@@ -329,7 +329,7 @@ static void say_wrong(const struct exchanged *exchanged, size_t wrong,
     sink_put(sink, " (counted from 0).");
 }
 
-static void say_likeness(const struct exchanged *exchanged, const struct sink *sink)
+static void say_likeness(const struct test_data *exchanged, const struct sink *sink)
 {
     size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
 
@@ -339,7 +339,7 @@ static void say_likeness(const struct exchanged *exchanged, const struct sink *s
         sink_print(sink, "  %s", likenesses[i].sentence);
 }
 
-bool wrong_tell(const struct exchanged *exchanged, struct lesson_report *report)
+bool mismatch_report(const struct test_data *exchanged, struct lesson_report *report)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);

@@ -1,4 +1,4 @@
-/* paper.c - the text of a test, assembled. */
+/* test_source.c - the text of a test, assembled. */
 #include <stdio.h>
 #include <string.h>
 
