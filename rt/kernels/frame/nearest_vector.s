@@ -46,19 +46,19 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
 
 ; Rays of the queue have met the primitive, so its look is on the list.
         .macro  mark_met
-        load_record P_LOOK, 2, s2               ; and P_MET
+        load_record P_LOOK, 2, s2               ; and P_TESTED
         IBXEQ   s2, r0, primitive, mark_own\@
         RTOR    s2, s3
         IX      s3, 64 * P_SHARED
         STO     [s3], one_index
-        IX      s3, 64 * (P_MET - P_SHARED)
+        IX      s3, 64 * (P_TESTED - P_SHARED)
         LOD     [s3], s3
 mark_own\@:
         IBXNE   s3, r0, r0, marked\@
         EX      s3, first_met
         LOD     [s3], s4
         STO     [s3], s2
-        IX      s2, 64 * P_MET
+        IX      s2, 64 * P_TESTED
         STO     [s2], s4
 marked\@:
         .endm

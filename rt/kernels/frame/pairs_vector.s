@@ -379,7 +379,7 @@ spheres_look:
         RTOR    s2, s3
         IX      s3, 64 * P_SHARED
         STO     [s3], one_index
-        IX      s3, 64 * (P_MET - P_SHARED)
+        IX      s3, 64 * (P_TESTED - P_SHARED)
         LOD     [s3], s4
         IBXNE   s4, r0, r0, spheres_listed
         EX      s5, first_met

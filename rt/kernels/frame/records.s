@@ -198,7 +198,7 @@
         .field  P_LOOK             ; address of the first primitive that looks
                                 ; alike: a sphere not in a space of its own,
                                 ; as this one; else its own
-        .field  P_MET              ; written by the vector form, of the first of
+        .field  P_TESTED              ; written by the vector form, of the first of
                                 ; a look: address of the next look that rays
                                 ; of the queue have met, 1: there is none, 0:
                                 ; it has not been met

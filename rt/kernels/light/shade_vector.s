@@ -162,9 +162,9 @@ shade_sort:
 
 ; s8 rays are not sorted: their places in s4, what they hit in s5.
 sort_next:
-        load_record P_MET, 2, s2
+        load_record P_TESTED, 2, s2
         RTOR    s2, s9
-        store_field P_MET, r0
+        store_field P_TESTED, r0
         store_field P_SHARED, r0
         RTOR    primitive, identity
         IBXNE   s6, r0, r0, sort_find
@@ -209,8 +209,8 @@ sort_none:
 sort_rest:
         RTOR    s9, primitive
         IBXEQ   primitive, r0, one_index, sort_done
-        load_field P_MET, s9
-        store_field P_MET, r0
+        load_field P_TESTED, s9
+        store_field P_TESTED, r0
         store_field P_SHARED, r0
         BIM     sort_rest
 sort_done:

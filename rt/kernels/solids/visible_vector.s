@@ -195,7 +195,7 @@ tree_squeeze:
 
 ; What is seen at the events of a column, one for each ray.  In: column, whose
 ; they are in event_met; active.  Out: seen, of active; s0 = the count of its
-; ones; event_met: what is seen there; P_MET of it.
+; ones; event_met: what is seen there; P_TESTED of it.
 find_seen:
         load_word k_delta, s0
         SUBNV   [column], s0, [before]
