@@ -11,7 +11,7 @@
 #include "rt/layout/record.h"
 #include "rt/layout/solids.h"
 #include "rt/layout/surface.h"
-#include "rt/layout/surroundings.h"
+#include "rt/layout/environment.h"
 #include "rt/layout/trees.h"
 #include "rt/picture/picture.h"
 

@@ -6,7 +6,7 @@
 
 #include "rt/layout/bumps.h"
 #include "rt/layout/images.h"
-#include "rt/layout/looks.h"
+#include "rt/layout/materials.h"
 #include "rt/layout/pigment.h"
 #include "rt/layout/regions.h"
 #include "rt/layout/surface.h"
@@ -427,7 +427,7 @@ static struct row layout_primitives(struct record_layout *layout,
             record_address(&record, "P_BUMP", bumps[i]);
         look = look_of(&record, &scene->primitives[i], looks);
         alike = alike || look != record.address;
-        record_address(&record, "P_LOOK", look);
+        record_address(&record, "P_MATERIAL", look);
         record_write(&record);
     }
     record_end(&record);

@@ -46,7 +46,7 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
 
 ; Rays of the queue have met the primitive, so its look is on the list.
         .macro  mark_met
-        load_record P_LOOK, 2, s2               ; and P_TESTED
+        load_record P_MATERIAL, 2, s2               ; and P_TESTED
         IBXEQ   s2, r0, primitive, mark_own\@
         RTOR    s2, s3
         IX      s3, 64 * P_SHARED

@@ -373,7 +373,7 @@ spheres_found:
         set_pairs pair_count
 
 ; Their looks: each once where it stands several times in a row.
-        pair_field pair_node, P_LOOK, pair_x
+        pair_field pair_node, P_MATERIAL, pair_x
 spheres_look:
         LOD     [pair_x], s2
         RTOR    s2, s3

@@ -195,7 +195,7 @@
         .field  P_PASSING, 8       ; the colour that passes and the greatest
                                 ; of it, below 0 if it is too dim to be
                                 ; followed; twice as P_COLOR
-        .field  P_LOOK             ; address of the first primitive that looks
+        .field  P_MATERIAL             ; address of the first primitive that looks
                                 ; alike: a sphere not in a space of its own,
                                 ; as this one; else its own
         .field  P_TESTED              ; written by the vector form, of the first of

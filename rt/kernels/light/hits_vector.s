@@ -2,7 +2,7 @@
 ; of them belongs to which primitive.
 ;
 ; All have their registers from at on (queue.s); a table has where they begin.
-; What belongs to one look (records.s, P_LOOK) is a part, one behind the other;
+; What belongs to one look (records.s, P_MATERIAL) is a part, one behind the other;
 ; of a part the vectors that are kept stand in those of all, the others at their
 ; beginning (surface_vector.s).
 

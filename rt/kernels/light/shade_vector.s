@@ -157,7 +157,7 @@ shade_sort:
         EX      s5, found_store + 64 * QUEUE
         CPSV    [iota], [s4] ? [near_bits]
         CPSV    [met], [s5] ? [near_bits]
-        find_records s5, s5, P_LOOK, s1
+        find_records s5, s5, P_MATERIAL, s1
         VXTOV   [s5], [s1], [s5]
 
 ; s8 rays are not sorted: their places in s4, what they hit in s5.

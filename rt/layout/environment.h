@@ -1,7 +1,7 @@
-/* surroundings.h - what is around a scene's things, in the machine's memory:
+/* environment.h - what is around a scene's things, in the machine's memory:
  * its sky and its fogs. */
-#ifndef RT_SURROUNDINGS_H
-#define RT_SURROUNDINGS_H
+#ifndef RT_ENVIRONMENT_H
+#define RT_ENVIRONMENT_H
 
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"

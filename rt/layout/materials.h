@@ -1,10 +1,10 @@
-/* looks.h - which primitives look alike, so that they can be shaded at once.
+/* materials.h - which primitives look alike, so that they can be shaded at once.
  *
  * A look is a row of words; each goes by the address of the first primitive
  * that has it.
  */
-#ifndef RT_LOOKS_H
-#define RT_LOOKS_H
+#ifndef RT_MATERIALS_H
+#define RT_MATERIALS_H
 
 #include "vm/c205.h"
 

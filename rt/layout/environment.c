@@ -1,4 +1,4 @@
-#include "rt/layout/surroundings.h"
+#include "rt/layout/environment.h"
 
 #include <math.h>
 #include <stdlib.h>

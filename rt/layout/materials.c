@@ -1,4 +1,4 @@
-#include "rt/layout/looks.h"
+#include "rt/layout/materials.h"
 
 #include <stdlib.h>
 #include <string.h>
