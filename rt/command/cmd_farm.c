@@ -35,7 +35,7 @@ int cmd_tell_share(const struct rt205_arguments *arguments, size_t units)
     if (farm->file)
         cmd_print_line(stderr, "%s: part %zu of %zu is done: %s has %zu of %zu unit%s",
                        arguments->command, farm->part, farm->parts, farm->paths[0],
-                       unit_file_count(farm->file), units, plural(units));
+                       checkpoint_count(farm->file), units, plural(units));
     return CMD_DONE;
 }
 

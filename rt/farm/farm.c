@@ -26,17 +26,17 @@ bool farm_keep(struct farm *farm, uint64_t key, c205_error *error)
         return true;
     if (key == 0)
         return error_say(error, "no memory");
-    farm->file = unit_file_open(farm->paths[0], key, error);
+    farm->file = checkpoint_open(farm->paths[0], key, error);
     for (size_t i = 1; farm->file && i < farm->path_count; i++)
-        if (!unit_file_merge(farm->file, farm->paths[i], error))
+        if (!checkpoint_merge(farm->file, farm->paths[i], error))
             farm_end(farm, false);
-    farm->kept = farm->file ? unit_file_count(farm->file) : 0;
+    farm->kept = farm->file ? checkpoint_count(farm->file) : 0;
     return farm->file;
 }
 
 void farm_end(struct farm *farm, bool remove_it)
 {
-    unit_file_close(farm->file, remove_it);
+    checkpoint_close(farm->file, remove_it);
     farm->file = NULL;
 }
 
@@ -144,7 +144,7 @@ static void take_unit(struct pool *pool, size_t unit, struct unit_words *words)
     if (words->failed
         || (farm_collects(work->farm) && !work->take(work->context, unit, words, &why))
         || (work->farm->file
-            && !unit_file_add(work->farm->file, work->first + unit, words, &why))) {
+            && !checkpoint_add(work->farm->file, work->first + unit, words, &why))) {
         stop(pool, &why);
         return;
     }
@@ -159,7 +159,7 @@ static bool has_unit(const struct farm_work *work, size_t unit,
     const struct farm *farm = work->farm;
     c205_error why;
 
-    return farm->file && unit_file_read(farm->file, work->first + unit, words)
+    return farm->file && checkpoint_read(farm->file, work->first + unit, words)
            && (!farm_collects(farm) || work->take(work->context, unit, words, &why));
 }
 

@@ -2,7 +2,7 @@
  * process, and by other ranks (ranks.h) if there are any.
  *
  * What a unit comes to is a row of words.  Those that are done are taken one at a time in
- * any order, and kept in a file if one is named (unit_file.h); those that this
+ * any order, and kept in a file if one is named (checkpoint_file.h); those that this
  * file has are not done again.  A process may do a share of them: those of all shares come
  * together from their files.
  */
@@ -10,15 +10,15 @@
 #define RT_FARM_H
 
 #include "rt/farm/ranks.h"
-#include "rt/farm/unit_file.h"
+#include "rt/farm/checkpoint_file.h"
 
 struct farm {
     size_t part, parts;       /* 1 .. parts; parts 0: all units are done */
     const char *const *paths; /* of the file, then of others to take from */
     size_t path_count;
-    struct ranks *ranks;    /* NULL: this process is alone */
-    struct unit_file *file; /* once it is kept */
-    size_t kept;            /* units that the files had */
+    struct ranks *ranks;          /* NULL: this process is alone */
+    struct checkpoint_file *file; /* once it is kept */
+    size_t kept;                  /* units that the files had */
 };
 
 /* Open the files: of the run of that key. */

@@ -154,7 +154,7 @@ static void plant(struct trace *trace, struct farm *farm, uint64_t unit, size_t 
     for (size_t i = 0; i < count; i++)
         band.words[i] = c205_from_integer(205);
     band_put(&band, WIDTH, &words);
-    assert_true(unit_file_add(farm->file, unit, &words, &error));
+    assert_true(checkpoint_add(farm->file, unit, &words, &error));
     words_free(&words);
 }
 

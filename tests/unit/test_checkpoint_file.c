@@ -1,7 +1,7 @@
-/* test_unit_file.c - units that are kept in files are compared with those that were
+/* test_checkpoint_file.c - units that are kept in files are compared with those that were
  * written, after cuts, flipped bits and merges.  A harmed unit that is taken, or a good
  * one that is lost, fails here. */
-#include "rt/farm/unit_file.h"
+#include "rt/farm/checkpoint_file.h"
 #include "tests/unit/unit.h"
 
 #include <signal.h>
@@ -17,7 +17,7 @@ FIXTURE(set_up)
 {
     bool good = true;
     for (size_t i = 0; i < FILES; i++) {
-        strcpy(paths[i], "/tmp/test_unit_file.XXXXXX");
+        strcpy(paths[i], "/tmp/test_checkpoint_file.XXXXXX");
         int file = mkstemp(paths[i]);
         good = good && file >= 0 && close(file) == 0 && remove(paths[i]) == 0;
     }
@@ -44,18 +44,18 @@ static struct unit_words words_of(uint64_t number)
     return words;
 }
 
-static void add(struct unit_file *file, uint64_t number)
+static void add(struct checkpoint_file *file, uint64_t number)
 {
     struct unit_words words = words_of(number);
     c205_error error = { "" };
-    REQUIRE(unit_file_add(file, number, &words, &error));
+    REQUIRE(checkpoint_add(file, number, &words, &error));
     words_free(&words);
 }
 
-static void assert_unit(struct unit_file *file, uint64_t number)
+static void assert_unit(struct checkpoint_file *file, uint64_t number)
 {
     struct unit_words expected = words_of(number), found = { .items = NULL };
-    assert_true(unit_file_read(file, number, &found));
+    assert_true(checkpoint_read(file, number, &found));
     assert_int_equal(found.count, expected.count);
     for (size_t i = 0; i < found.count; i++)
         assert_int_equal(found.items[i], expected.items[i]);
@@ -63,32 +63,32 @@ static void assert_unit(struct unit_file *file, uint64_t number)
     words_free(&found);
 }
 
-static struct unit_file *open_file(size_t i)
+static struct checkpoint_file *open_file(size_t i)
 {
     c205_error error = { "" };
-    struct unit_file *file = unit_file_open(paths[i], KEY, &error);
+    struct checkpoint_file *file = checkpoint_open(paths[i], KEY, &error);
     REQUIRE(file);
     return file;
 }
 
 /* Those of the list, and no others. */
-static void assert_units(struct unit_file *file, const bool *there)
+static void assert_units(struct checkpoint_file *file, const bool *there)
 {
     size_t count = 0;
     for (uint64_t number = 0; number < UNITS; number++) {
-        assert_int_equal(unit_file_has(file, number), there[number]);
+        assert_int_equal(checkpoint_has(file, number), there[number]);
         if (there[number])
             assert_unit(file, number);
         count += there[number];
     }
-    assert_int_equal(unit_file_count(file), count);
+    assert_int_equal(checkpoint_count(file), count);
 }
 
 static void expect(size_t i, const bool *there)
 {
-    struct unit_file *file = open_file(i);
+    struct checkpoint_file *file = open_file(i);
     assert_units(file, there);
-    unit_file_close(file, false);
+    checkpoint_close(file, false);
 }
 
 /* ---- A file that is harmed ----------------------------------------------- */
@@ -124,7 +124,7 @@ struct written {
 static void write_some(size_t i, struct written *written)
 {
     bool there[UNITS] = { false };
-    struct unit_file *file = open_file(i);
+    struct checkpoint_file *file = open_file(i);
     written->count = 1 + below(8);
     for (size_t k = 0; k < written->count;) {
         uint64_t number = below(UNITS);
@@ -137,7 +137,7 @@ static void write_some(size_t i, struct written *written)
         written->end[k++] = size_of(paths[i]);
     }
     assert_units(file, there);
-    unit_file_close(file, false);
+    checkpoint_close(file, false);
 }
 
 /* Those that end before that byte. */
@@ -153,11 +153,11 @@ static void expect_and_mend(const struct written *written, long at)
 {
     bool there[UNITS];
     whole_before(written, at, there);
-    struct unit_file *file = open_file(0);
+    struct checkpoint_file *file = open_file(0);
     assert_units(file, there);
     for (size_t k = 0; k < written->count; k++)
         add(file, written->number[k]);
-    unit_file_close(file, false);
+    checkpoint_close(file, false);
     whole_before(written, written->end[written->count - 1], there);
     expect(0, there);
     assert_int_equal(size_of(paths[0]), written->end[written->count - 1]);
@@ -206,11 +206,11 @@ static void check_merge(void)
         for (size_t k = 0; k < written.count; k++)
             there[written.number[k]] = true;
     }
-    struct unit_file *file = open_file(0);
+    struct checkpoint_file *file = open_file(0);
     for (size_t i = 1; i < count; i++)
-        REQUIRE(unit_file_merge(file, paths[i], &error));
+        REQUIRE(checkpoint_merge(file, paths[i], &error));
     assert_units(file, there);
-    unit_file_close(file, false);
+    checkpoint_close(file, false);
     expect(0, there);
     for (size_t i = 0; i < count; i++)
         remove(paths[i]);
@@ -222,10 +222,11 @@ TEST_WITH(merged, set_up, tear_down)
         check_merge();
 }
 
-static void refuse_merge(struct unit_file *file, const char *path, const char *message)
+static void refuse_merge(struct checkpoint_file *file, const char *path,
+                         const char *message)
 {
     c205_error error = { "" };
-    assert_false(unit_file_merge(file, path, &error));
+    assert_false(checkpoint_merge(file, path, &error));
     assert_non_null(strstr(error.message, message));
 }
 
@@ -234,15 +235,15 @@ TEST_WITH(not_merged, set_up, tear_down)
     struct written written;
     c205_error error;
     write_some(0, &written);
-    struct unit_file *file = open_file(0);
+    struct checkpoint_file *file = open_file(0);
     refuse_merge(file, paths[0], "named twice");
     refuse_merge(file, paths[1], "No such file");
     assert_int_not_equal(access(paths[1], F_OK), 0);
-    struct unit_file *other = unit_file_open(paths[1], KEY + 1, &error);
+    struct checkpoint_file *other = checkpoint_open(paths[1], KEY + 1, &error);
     assert_non_null(other);
-    unit_file_close(other, false);
+    checkpoint_close(other, false);
     refuse_merge(file, paths[1], "of another run");
-    unit_file_close(file, false);
+    checkpoint_close(file, false);
 }
 
 /* ---- Files that are not taken -------------------------------------------- */
@@ -250,7 +251,7 @@ TEST_WITH(not_merged, set_up, tear_down)
 static void refuse(uint64_t key, const char *message)
 {
     c205_error error = { "" };
-    assert_null(unit_file_open(paths[0], key, &error));
+    assert_null(checkpoint_open(paths[0], key, &error));
     assert_non_null(strstr(error.message, message));
 }
 
@@ -281,7 +282,7 @@ static pid_t open_elsewhere(void)
     assert_true(child >= 0);
     if (child == 0) {
         c205_error error;
-        if (unit_file_open(paths[0], KEY, &error) && write(ready[1], "", 1) == 1)
+        if (checkpoint_open(paths[0], KEY, &error) && write(ready[1], "", 1) == 1)
             pause();
         _exit(1);
     }
@@ -294,7 +295,7 @@ static pid_t open_elsewhere(void)
 TEST_WITH(in_use, set_up, tear_down)
 {
     struct written written;
-    struct unit_file *file = open_file(1);
+    struct checkpoint_file *file = open_file(1);
     pid_t other;
 
     write_some(0, &written);
@@ -303,9 +304,9 @@ TEST_WITH(in_use, set_up, tear_down)
     refuse_merge(file, paths[0], "another run is using it");
     assert_int_equal(kill(other, SIGKILL), 0);
     assert_int_equal(waitpid(other, NULL, 0), other);
-    unit_file_close(open_file(0), true);
+    checkpoint_close(open_file(0), true);
     assert_int_not_equal(access(paths[0], F_OK), 0);
-    unit_file_close(file, true);
+    checkpoint_close(file, true);
 }
 
 /* Names for which there are no files yet. */

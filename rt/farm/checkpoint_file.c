@@ -1,4 +1,4 @@
-#include "rt/farm/unit_file.h"
+#include "rt/farm/checkpoint_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -24,7 +24,7 @@ struct unit_place {
     long at;
 };
 
-struct unit_file {
+struct checkpoint_file {
     FILE *stream;
     char *path;
     uint64_t key;
@@ -93,7 +93,7 @@ static bool write_unit(FILE *stream, uint64_t number, const struct unit_words *w
 /* ---- Which there are ----------------------------------------------------- */
 
 /* The first place of that number or a higher one. */
-static size_t place_of(const struct unit_file *file, uint64_t number)
+static size_t place_of(const struct checkpoint_file *file, uint64_t number)
 {
     size_t low = 0, high = file->count;
 
@@ -108,23 +108,23 @@ static size_t place_of(const struct unit_file *file, uint64_t number)
     return low;
 }
 
-bool unit_file_has(const struct unit_file *file, uint64_t number)
+bool checkpoint_has(const struct checkpoint_file *file, uint64_t number)
 {
     size_t i = place_of(file, number);
 
     return i < file->count && file->places[i].number == number;
 }
 
-size_t unit_file_count(const struct unit_file *file)
+size_t checkpoint_count(const struct checkpoint_file *file)
 {
     return file->count;
 }
 
-static bool note_unit(struct unit_file *file, uint64_t number, long at)
+static bool note_unit(struct checkpoint_file *file, uint64_t number, long at)
 {
     size_t i = place_of(file, number);
 
-    if (unit_file_has(file, number))
+    if (checkpoint_has(file, number))
         return true;
     if (file->count == file->room) {
         size_t room = file->room > 0 ? 2 * file->room : 64;
@@ -142,7 +142,7 @@ static bool note_unit(struct unit_file *file, uint64_t number, long at)
 }
 
 /* What follows the last whole one is dropped. */
-static bool find_units(struct unit_file *file)
+static bool find_units(struct checkpoint_file *file)
 {
     struct unit_words words = { NULL, 0, 0, 0, false };
     uint64_t number;
@@ -157,26 +157,27 @@ static bool find_units(struct unit_file *file)
     return memory && file->end >= 0;
 }
 
-static bool drop_tail(struct unit_file *file)
+static bool drop_tail(struct checkpoint_file *file)
 {
     return fseek(file->stream, file->end, SEEK_SET) == 0
            && ftruncate(fileno(file->stream), (off_t)file->end) == 0;
 }
 
-bool unit_file_read(struct unit_file *file, uint64_t number, struct unit_words *words)
+bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
+                     struct unit_words *words)
 {
     uint64_t found;
 
-    return unit_file_has(file, number)
+    return checkpoint_has(file, number)
            && fseek(file->stream, file->places[place_of(file, number)].at, SEEK_SET)
                   == 0
            && read_unit(file->stream, &found, words) && found == number;
 }
 
-bool unit_file_add(struct unit_file *file, uint64_t number,
-                   const struct unit_words *words, c205_error *error)
+bool checkpoint_add(struct checkpoint_file *file, uint64_t number,
+                    const struct unit_words *words, c205_error *error)
 {
-    if (unit_file_has(file, number))
+    if (checkpoint_has(file, number))
         return true;
     if (words->failed || fseek(file->stream, file->end, SEEK_SET) != 0
         || !write_unit(file->stream, number, words)
@@ -206,7 +207,7 @@ static bool write_head(FILE *stream, uint64_t key)
 
 /* Whether the path still leads to the file: a picture of that name may have
  * come in its place. */
-static bool is_there(const struct unit_file *file)
+static bool is_there(const struct checkpoint_file *file)
 {
     struct stat kept, named;
 
@@ -232,7 +233,7 @@ static FILE *open_locked(const char *path, c205_error *error)
 }
 
 /* The run that held the lock before may have removed the file at its end. */
-static bool open_stream(struct unit_file *file, c205_error *error)
+static bool open_stream(struct checkpoint_file *file, c205_error *error)
 {
     do {
         if (file->stream)
@@ -242,14 +243,14 @@ static bool open_stream(struct unit_file *file, c205_error *error)
     return file->stream != NULL;
 }
 
-static bool is_empty(const struct unit_file *file)
+static bool is_empty(const struct checkpoint_file *file)
 {
     struct stat status;
 
     return fstat(fileno(file->stream), &status) == 0 && status.st_size == 0;
 }
 
-static bool begin(struct unit_file *file, c205_error *error)
+static bool begin(struct checkpoint_file *file, c205_error *error)
 {
     bool fresh;
 
@@ -263,9 +264,9 @@ static bool begin(struct unit_file *file, c205_error *error)
            || error_say(error, "no memory, or no room");
 }
 
-static struct unit_file *new_file(const char *path, uint64_t key)
+static struct checkpoint_file *new_file(const char *path, uint64_t key)
 {
-    struct unit_file *file = calloc(1, sizeof *file);
+    struct checkpoint_file *file = calloc(1, sizeof *file);
     char *copy = malloc(strlen(path) + 1);
 
     if (!file || !copy) {
@@ -278,7 +279,7 @@ static struct unit_file *new_file(const char *path, uint64_t key)
     return file;
 }
 
-static void give_back(struct unit_file *file)
+static void give_back(struct checkpoint_file *file)
 {
     if (file->stream)
         fclose(file->stream);
@@ -287,9 +288,10 @@ static void give_back(struct unit_file *file)
     free(file);
 }
 
-struct unit_file *unit_file_open(const char *path, uint64_t key, c205_error *error)
+struct checkpoint_file *checkpoint_open(const char *path, uint64_t key,
+                                        c205_error *error)
 {
-    struct unit_file *file = new_file(path, key);
+    struct checkpoint_file *file = new_file(path, key);
     c205_error why = { "no memory" };
 
     if (file && begin(file, &why))
@@ -300,7 +302,7 @@ struct unit_file *unit_file_open(const char *path, uint64_t key, c205_error *err
     return NULL;
 }
 
-void unit_file_close(struct unit_file *file, bool remove_it)
+void checkpoint_close(struct checkpoint_file *file, bool remove_it)
 {
     if (!file)
         return;
@@ -311,20 +313,20 @@ void unit_file_close(struct unit_file *file, bool remove_it)
 
 /* ---- Two files ----------------------------------------------------------- */
 
-static bool add_units(struct unit_file *file, FILE *stream, c205_error *error)
+static bool add_units(struct checkpoint_file *file, FILE *stream, c205_error *error)
 {
     struct unit_words words = { NULL, 0, 0, 0, false };
     uint64_t number;
     bool good = true;
 
     while (good && read_unit(stream, &number, &words))
-        good = unit_file_add(file, number, &words, error);
+        good = checkpoint_add(file, number, &words, error);
     words_free(&words);
     return good;
 }
 
 /* That nobody writes to, and that is not the same: to close it would unlock it. */
-static FILE *open_other(const struct unit_file *file, const char *path,
+static FILE *open_other(const struct checkpoint_file *file, const char *path,
                         c205_error *error)
 {
     struct stat kept, named;
@@ -347,7 +349,7 @@ static FILE *open_other(const struct unit_file *file, const char *path,
     return NULL;
 }
 
-bool unit_file_merge(struct unit_file *file, const char *path, c205_error *error)
+bool checkpoint_merge(struct checkpoint_file *file, const char *path, c205_error *error)
 {
     c205_error why;
     FILE *stream = open_other(file, path, &why);
