@@ -5,7 +5,7 @@
 #include <time.h>
 
 #include "base/error.h"
-#include "rt/host/adapter.h"
+#include "rt/host/dynamic_library.h"
 
 bool ranks_are_many(void)
 {
@@ -21,14 +21,14 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
     c205_error why;
     const void *table;
 
-    if (!adapter_find(RANKS_FILE, path, &why)) {
+    if (!dynamic_find(RANKS_FILE, path, &why)) {
         error_say(error,
                   "ranks: %.160s: make mpi builds it, of the package "
                   "libopenmpi-dev",
                   why.message);
         return NULL;
     }
-    table = adapter_open(path, RANKS_SYMBOL, true, &why);
+    table = dynamic_open(path, RANKS_SYMBOL, true, &why);
     if (!table)
         error_say(error,
                   "ranks: %.160s: the package openmpi-bin has what is "

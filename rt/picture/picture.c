@@ -4,7 +4,7 @@
 
 #include "base/file.h"
 #include "base/atomic_file.h"
-#include "rt/host/adapter.h"
+#include "rt/host/dynamic_library.h"
 #include "rt/host/threads.h"
 
 #include <errno.h>
@@ -161,7 +161,7 @@ static void separate(const struct picture_image *image, const struct frame *fram
 static bool adapter_path(char path[ADAPTER_PATH], struct picture_error *error)
 {
     c205_error cause;
-    return adapter_find(PICTURE_ADAPTER_FILE, path, &cause)
+    return dynamic_find(PICTURE_ADAPTER_FILE, path, &cause)
            || fail(error, "pictures: %s", cause.message);
 }
 
@@ -172,7 +172,7 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     if (!adapter_path(path, error))
         return NULL;
     c205_error cause;
-    const void *table = adapter_open(path, PICTURE_ADAPTER_SYMBOL, false, &cause);
+    const void *table = dynamic_open(path, PICTURE_ADAPTER_SYMBOL, false, &cause);
     if (!table)
         fail(error, "pictures: %s", cause.message);
     return table;

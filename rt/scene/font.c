@@ -19,7 +19,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#include "rt/host/adapter.h"
+#include "rt/host/dynamic_library.h"
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
@@ -51,16 +51,16 @@ struct font {
 
 static bool open_library(struct freetype *calls)
 {
-    void *library = adapter_library("libfreetype.so.6");
+    void *library = dynamic_library("libfreetype.so.6");
 
-    return library && adapter_call(library, "FT_Init_FreeType", &calls->init)
-           && adapter_call(library, "FT_Done_FreeType", &calls->done)
-           && adapter_call(library, "FT_New_Memory_Face", &calls->new_face)
-           && adapter_call(library, "FT_Done_Face", &calls->done_face)
-           && adapter_call(library, "FT_Get_Char_Index", &calls->char_index)
-           && adapter_call(library, "FT_Load_Glyph", &calls->load_glyph)
-           && adapter_call(library, "FT_Outline_Decompose", &calls->decompose)
-           && adapter_call(library, "FT_Get_Kerning", &calls->kerning);
+    return library && dynamic_call(library, "FT_Init_FreeType", &calls->init)
+           && dynamic_call(library, "FT_Done_FreeType", &calls->done)
+           && dynamic_call(library, "FT_New_Memory_Face", &calls->new_face)
+           && dynamic_call(library, "FT_Done_Face", &calls->done_face)
+           && dynamic_call(library, "FT_Get_Char_Index", &calls->char_index)
+           && dynamic_call(library, "FT_Load_Glyph", &calls->load_glyph)
+           && dynamic_call(library, "FT_Outline_Decompose", &calls->decompose)
+           && dynamic_call(library, "FT_Get_Kerning", &calls->kerning);
 }
 
 static const char *open_face(struct font *font, const char *bytes, size_t length)

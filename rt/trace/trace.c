@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "rt/farm/farm.h"
-#include "rt/host/planes.h"
+#include "rt/host/framebuffer.h"
 #include "rt/host/threads.h"
 #include "rt/trace/band_words.h"
 #include "rt/trace/form.h"
@@ -185,7 +185,7 @@ static bool prepare(struct trace *trace, const struct scene *scene, c205_error *
     if (!lay_out(trace, scene, error))
         return false;
     snprintf(error->message, sizeof error->message, "no memory for the frame");
-    return planes_take(&trace->planes, FRAME_CHANNELS * pixels);
+    return framebuffer_take(&trace->planes, FRAME_CHANNELS * pixels);
 }
 
 enum trace_order trace_order(const struct trace_options *options)
@@ -276,7 +276,7 @@ static void copy_rows(struct trace *trace, const struct band *band)
 
         memcpy(trace->planes.words + first, band->words + (size_t)i * count,
                done * sizeof *band->words);
-        planes_leave(&trace->planes, first, done);
+        framebuffer_leave(&trace->planes, first, done);
     }
     for (size_t i = 0; i < done; i++)
         trace->hits += c205_to_integer(ids[i]) != 0;
@@ -495,7 +495,7 @@ void trace_read(const struct trace *trace, size_t first_row, struct frame *part)
         size_t first = (size_t)i * pixels_of(trace) + first_row * width;
 
         read_channel(trace, i, trace->planes.words + first, part);
-        planes_leave(&trace->planes, first, part->height * width);
+        framebuffer_leave(&trace->planes, first, part->height * width);
     }
 }
 
@@ -519,7 +519,7 @@ uint64_t trace_checksum(const struct trace *trace)
         size_t count = words - i < AT_A_TIME ? words - i : AT_A_TIME;
 
         checksum = hash_words(checksum, trace->planes.words + i, count);
-        planes_leave(&trace->planes, i, count);
+        framebuffer_leave(&trace->planes, i, count);
     }
     return checksum;
 }

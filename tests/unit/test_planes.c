@@ -2,7 +2,7 @@
  * kept in memory, are written, left and compared.  A word that is lost, that is not zero
  * at first, or pages that stay in memory fail here.
  */
-#include "rt/host/planes.h"
+#include "rt/host/framebuffer.h"
 #include "tests/unit/unit.h"
 
 #include <unistd.h>
@@ -34,14 +34,14 @@ static void check_words(size_t words, bool in_file)
 {
     size_t before = resident(), most = 0;
     struct frame_planes planes;
-    assert_true(planes_take(&planes, words));
+    assert_true(framebuffer_take(&planes, words));
     assert_int_equal(planes.file >= 0, in_file);
     for (size_t i = 0; i < words; i += PART) {
         for (size_t k = i; k < i + part_at(words, i); k++) {
             assert_true(planes.words[k] == 0);
             planes.words[k] = word_at(k);
         }
-        planes_leave(&planes, i, part_at(words, i));
+        framebuffer_leave(&planes, i, part_at(words, i));
         if (resident() > most)
             most = resident();
     }
@@ -49,7 +49,7 @@ static void check_words(size_t words, bool in_file)
         assert_true(most - before < planes.bytes / 4);
     for (size_t i = 0; i < words; i++)
         assert_true(planes.words[i] == word_at(i));
-    planes_leave(&planes, 0, words);
+    framebuffer_leave(&planes, 0, words);
     planes_give_back(&planes);
 }
 

@@ -7,7 +7,7 @@
 
         .share  local
         .regs   r32, samples, sample_plane, plane_end, sample_row, sample_at
-        .regs   r37, row_stride, pixel_at, planes_left, columns
+        .regs   r37, row_stride, pixel_at, framebuffer_left, columns
         .regs   r41, columns_left, rows_left, grid_row, grid_left, grid_at
         .regs   r46, share, middle, average_at, average_t, sum
         .regs   r51, plane_bits, sample_step, grid_step, colours_end
@@ -43,7 +43,7 @@ average_begin:
         SHIFTI  plane_bits, 6, plane_bits
         SHIFTI  samples, 6, sample_step
         MPYX    row_stride, samples, grid_step
-        ES      planes_left, FRAME_CHANNELS
+        ES      framebuffer_left, FRAME_CHANNELS
         ES      colours_end, FRAME_CHANNELS - 3
 average_plane:
         ADDX    sample_plane, plane_bits, plane_end
@@ -52,7 +52,7 @@ average_row:
         RTOR    sample_row, sample_at
         RTOR    columns, columns_left
 average_pixel:
-        IBXLE   planes_left, r0, colours_end, average_middle
+        IBXLE   framebuffer_left, r0, colours_end, average_middle
         RTOR    m_zero, sum
         RTOR    sample_at, grid_row
         RTOR    samples, rows_left
@@ -82,6 +82,6 @@ average_store:
         ADDX    sample_row, grid_step, sample_row
         IBXNE   sample_row, r0, plane_end, average_row
         RTOR    plane_end, sample_plane
-        IBXNE   planes_left, m_index_minus_one, r0, average_plane, planes_left
+        IBXNE   framebuffer_left, m_index_minus_one, r0, average_plane, framebuffer_left
         BIM     0, link
         .endkernel

@@ -5,7 +5,7 @@
 
         .share  scratch
         .regs   r233, samples, sample_plane, plane_end, sample_row, sample_at
-        .regs   r238, row_stride, pixel_at, pixel_to, planes_left, columns
+        .regs   r238, row_stride, pixel_at, pixel_to, framebuffer_left, columns
         .regs   r243, columns_left, rows_left, grid_row, grid_left, grid_at
         .regs   r248, share, middle
         .endshare
@@ -37,7 +37,7 @@ average_begin:
         MPYX    s2, s3, middle
         load_word scene_frame, sample_plane
         load_word scene_picture, pixel_at
-        ES      planes_left, FRAME_CHANNELS
+        ES      framebuffer_left, FRAME_CHANNELS
         ES      h, 0
 average_plane:
         load_word scene_pixels, s2
@@ -60,7 +60,7 @@ average_lengths:
 average_some:
         ADDLEN  pixel_at, h, pixel_to
         ES      s2, FRAME_CHANNELS - 3
-        IBXLE   planes_left, r0, s2, average_middle
+        IBXLE   framebuffer_left, r0, s2, average_middle
         VTOV    r0, [red]
         RTOR    sample_at, grid_row
         RTOR    samples, rows_left
@@ -93,7 +93,7 @@ average_next:
         ADDX    sample_row, s2, sample_row
         IBXNE   sample_row, r0, plane_end, average_row
         RTOR    plane_end, sample_plane
-        IBXNE   planes_left, minus_one_index, r0, average_plane, planes_left
+        IBXNE   framebuffer_left, minus_one_index, r0, average_plane, framebuffer_left
         RTOR    link_levels, link
         BIM     0, link
         .endkernel

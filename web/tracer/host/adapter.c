@@ -1,34 +1,34 @@
 /* adapter.c - the page opens no libraries: what writes its pictures is linked to
  * it, and nothing else is there.
  */
-#include "rt/host/adapter.h"
+#include "rt/host/dynamic_library.h"
 
 #include <string.h>
 
 #include "base/error.h"
 #include "web/tracer/host/png.h"
 
-bool adapter_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
+bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 {
     strcpy(path, file);
     return strcmp(file, PICTURE_ADAPTER_FILE) == 0
            || error_say(error, "no %s in the page", file);
 }
 
-const void *adapter_open(const char *path, const char *table, bool shared,
+const void *dynamic_open(const char *path, const char *table, bool shared,
                          c205_error *error)
 {
     (void)path, (void)table, (void)shared, (void)error;
     return &png_adapter;
 }
 
-void *adapter_library(const char *name)
+void *dynamic_library(const char *name)
 {
     (void)name;
     return NULL;
 }
 
-bool adapter_call(void *library, const char *name, void *call)
+bool dynamic_call(void *library, const char *name, void *call)
 {
     (void)library, (void)name, (void)call;
     return false;

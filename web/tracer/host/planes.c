@@ -1,9 +1,9 @@
 /* planes.c - in the page a frame of any size stands in memory. */
-#include "rt/host/planes.h"
+#include "rt/host/framebuffer.h"
 
 #include <stdlib.h>
 
-bool planes_take(struct frame_planes *planes, size_t words)
+bool framebuffer_take(struct frame_planes *planes, size_t words)
 {
     planes->words = calloc(words, sizeof *planes->words);
     return planes->words;
@@ -15,7 +15,7 @@ void planes_give_back(struct frame_planes *planes)
     planes->words = NULL;
 }
 
-void planes_leave(const struct frame_planes *planes, size_t first, size_t count)
+void framebuffer_leave(const struct frame_planes *planes, size_t first, size_t count)
 {
     (void)planes, (void)first, (void)count;
 }

@@ -1,4 +1,4 @@
-#include "rt/host/planes.h"
+#include "rt/host/framebuffer.h"
 
 #include <fcntl.h>
 #include <stdio.h>
@@ -51,7 +51,7 @@ static bool map_file(struct frame_planes *planes)
     return false;
 }
 
-bool planes_take(struct frame_planes *planes, size_t words)
+bool framebuffer_take(struct frame_planes *planes, size_t words)
 {
     planes->bytes = words * sizeof *planes->words;
     planes->file = -1;
@@ -74,7 +74,7 @@ void planes_give_back(struct frame_planes *planes)
     planes->words = NULL;
 }
 
-void planes_leave(const struct frame_planes *planes, size_t first, size_t count)
+void framebuffer_leave(const struct frame_planes *planes, size_t first, size_t count)
 {
     size_t page = (size_t)sysconf(_SC_PAGESIZE);
     size_t begin = first * sizeof *planes->words / page * page;

@@ -1,4 +1,4 @@
-/* planes.h - the words of a whole frame, in memory by the band.
+/* framebuffer.h - the words of a whole frame, in memory by the band.
  *
  * A frame of few pixels stands in memory.  One of many stands in a file
  * without a name, in the folder that the environment's TMPDIR names or in
@@ -6,8 +6,8 @@
  * says so, whereupon they cost no memory until they are looked at again.
  * Where there is no room for such a file, memory is taken after all.
  */
-#ifndef RT_HOST_PLANES_H
-#define RT_HOST_PLANES_H
+#ifndef RT_HOST_FRAMEBUFFER_H
+#define RT_HOST_FRAMEBUFFER_H
 
 #include "vm/c205.h"
 
@@ -21,10 +21,10 @@ struct frame_planes {
 };
 
 /* False: there is no memory. */
-bool planes_take(struct frame_planes *planes, size_t words);
+bool framebuffer_take(struct frame_planes *planes, size_t words);
 void planes_give_back(struct frame_planes *planes);
 
 /* These words are not looked at for now. */
-void planes_leave(const struct frame_planes *planes, size_t first, size_t count);
+void framebuffer_leave(const struct frame_planes *planes, size_t first, size_t count);
 
 #endif

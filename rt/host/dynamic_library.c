@@ -1,4 +1,4 @@
-#include "rt/host/adapter.h"
+#include "rt/host/dynamic_library.h"
 
 #include <dlfcn.h>
 #include <stdio.h>
@@ -31,7 +31,7 @@ static bool is_in(const char *folder, const char *file, char path[ADAPTER_PATH])
     return access(path, R_OK) == 0;
 }
 
-bool adapter_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
+bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 {
     const char *named = getenv("RT205_LIBDIR");
     char beside[4096], installed[sizeof beside + sizeof FROM_BIN];
@@ -44,7 +44,7 @@ bool adapter_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
            || error_say(error, "no %s in %.80s or %.80s", file, beside, installed);
 }
 
-const void *adapter_open(const char *path, const char *table, bool shared,
+const void *dynamic_open(const char *path, const char *table, bool shared,
                          c205_error *error)
 {
     /* Lazily: a third of the time that a large one takes goes for names that
@@ -57,13 +57,13 @@ const void *adapter_open(const char *path, const char *table, bool shared,
     return found;
 }
 
-void *adapter_library(const char *name)
+void *dynamic_library(const char *name)
 {
     return dlopen(name, RTLD_LAZY | RTLD_LOCAL);
 }
 
 /* Function pointers are no objects in C99; POSIX lets this be done. */
-bool adapter_call(void *library, const char *name, void *call)
+bool dynamic_call(void *library, const char *name, void *call)
 {
     void *found = dlsym(library, name);
 
