@@ -40,7 +40,7 @@ rt_c = $(call c_of,$(addprefix rt/,host farm scene scene/language shapes layout 
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \
-	untouched.c)
+	unidentifiable.c)
 fit205_c = rt/command/fit205.c \
 	$(filter-out $(observing_c),$(call c_of,rt/study/fit))
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
@@ -392,8 +392,8 @@ $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)) \
 $(BUILD)/tests/unit/test_signals $(BUILD)/tests/unit/test_terminal: | \
 		$(programs) $(adapter)
 # goal.c alone: what it asks of the fit, the test answers.
-$(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
-		$(BUILD)/rt/study/fit/goal.o $(BUILD)/libbase.a \
+$(BUILD)/tests/unit/test_objective: $(BUILD)/tests/unit/test_objective.o \
+		$(BUILD)/rt/study/fit/objective.o $(BUILD)/libbase.a \
 		$(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm
 $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \

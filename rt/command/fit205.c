@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "base/command_options.h"
-#include "rt/study/fit/goal.h"
+#include "rt/study/fit/objective.h"
 #include "rt/study/fit/report.h"
-#include "rt/study/fit/written.h"
+#include "rt/study/fit/model_writer.h"
 #include "rt/trace/processors.h"
 
 enum { PATH_SIZE = 512 };

@@ -15,7 +15,7 @@
 #include "rt/mass/units.h"
 #include "rt/roots/roots.h"
 #include "rt/scene/language/scene_read.h"
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 
 extern const struct command render_command, profile_command, speedup_command,
     sweep_command, quartic_command, heat_command, mass_command, timeline_command;

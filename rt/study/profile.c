@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "rt/shapes/shape.h"
-#include "rt/study/tasks.h"
+#include "rt/study/thread_pool.h"
 
 const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR, TRACE_KERNELS,
                                                       TRACE_VECTOR };

@@ -7,7 +7,7 @@
 
 #include "base/provenance.h"
 #include "rt/scene/language/scene_read.h"
-#include "rt/study/tasks.h"
+#include "rt/study/thread_pool.h"
 
 const char speedup_solver[] = "root_solver";
 const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {

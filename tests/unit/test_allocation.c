@@ -18,7 +18,7 @@
 #include "asm/print.h"
 #include "asm/state.h"
 #include "rt/study/speedup_report.h"
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 #include "web/engine/engine.h"
 
 void *__real_malloc(size_t size);

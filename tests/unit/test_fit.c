@@ -3,7 +3,7 @@
  * region that is not counted or a report at another place fails here. */
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
-#include "rt/study/fit/untouched.h"
+#include "rt/study/fit/unidentifiable.h"
 #include "tests/oracle/points.h"
 #include "tests/unit/unit.h"
 

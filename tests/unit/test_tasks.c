@@ -4,7 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "rt/study/tasks.h"
+#include "rt/study/thread_pool.h"
 #include "rt/trace/processors.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"

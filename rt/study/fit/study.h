@@ -4,7 +4,7 @@
 #ifndef RT_FIT_STUDY_H
 #define RT_FIT_STUDY_H
 
-#include "rt/study/fit/untouched.h"
+#include "rt/study/fit/unidentifiable.h"
 
 enum { MAX_STUDY_SUBJECTS = 8, MAX_STUDY_GROUPS = 8 };
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 
 #include "rt/scene/elementary.h"
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 
 enum { SIDE = 256, SHARES = 10 };
 static const double degrees = 57.29577951308232; /* of a radian */

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 
 /* Where the scalar form is cheaper than so long a queue, the lengths between
  * are not tried one by one. */

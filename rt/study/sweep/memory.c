@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "rt/layout/trees.h"
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 
 enum { SMALLEST_PAGE = 512, SIDE = 32 };
 

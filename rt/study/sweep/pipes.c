@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 
 /* From the slowest on, as in the table. */
 static const struct {

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 
 /* A band holds the queue, which nothing could fill otherwise: a queue longer
  * than the tracer's own bands takes longer planes as well. */

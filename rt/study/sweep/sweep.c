@@ -7,7 +7,7 @@
 
 #include "base/accounts.h"
 #include "base/array.h"
-#include "rt/study/tasks.h"
+#include "rt/study/thread_pool.h"
 
 /* ---- What is measured ---------------------------------------------------- */
 

@@ -1,4 +1,4 @@
-#include "rt/study/tasks.h"
+#include "rt/study/thread_pool.h"
 
 #include <stdint.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
-/* written.h - a fitted model as a file, which says from what it was fitted and
+/* model_writer.h - a fitted model as a file, which says from what it was fitted and
  * how well.
  */
-#ifndef RT_FIT_WRITTEN_H
-#define RT_FIT_WRITTEN_H
+#ifndef RT_FIT_MODEL_WRITER_H
+#define RT_FIT_MODEL_WRITER_H
 
 #include "rt/study/fit/study.h"
 

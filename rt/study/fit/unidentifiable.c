@@ -1,4 +1,4 @@
-#include "rt/study/fit/untouched.h"
+#include "rt/study/fit/unidentifiable.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "rt/study/fit/goal.h"
+#include "rt/study/fit/objective.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "rt/study/sweep/kinds.h"
+#include "rt/study/sweep/sweep_types.h"
 
 #include <string.h>
 

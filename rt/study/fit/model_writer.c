@@ -1,4 +1,4 @@
-#include "rt/study/fit/written.h"
+#include "rt/study/fit/model_writer.h"
 
 #include <math.h>
 #include <stdio.h>

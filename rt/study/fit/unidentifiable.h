@@ -1,9 +1,9 @@
-/* untouched.h - the constants of the models on which no fitted observation
+/* unidentifiable.h - the constants of the models on which no fitted observation
  * depends: of them the fit can tell nothing, whatever it makes of those with
  * which they move.
  */
-#ifndef RT_FIT_UNTOUCHED_H
-#define RT_FIT_UNTOUCHED_H
+#ifndef RT_FIT_UNIDENTIFIABLE_H
+#define RT_FIT_UNIDENTIFIABLE_H
 
 #include "rt/study/fit/fit.h"
 

@@ -1,6 +1,6 @@
-/* kinds.h - what can be swept: queue, pipes, hits, length. */
-#ifndef RT_SWEEP_KINDS_H
-#define RT_SWEEP_KINDS_H
+/* sweep_types.h - what can be swept: queue, pipes, hits, length. */
+#ifndef RT_SWEEP_SWEEP_TYPES_H
+#define RT_SWEEP_SWEEP_TYPES_H
 
 #include "rt/study/sweep/report.h"
 

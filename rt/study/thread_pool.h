@@ -1,11 +1,11 @@
-/* tasks.h - runs that do not depend on one another, several at a time in
+/* thread_pool.h - runs that do not depend on one another, several at a time in
  * threads, with one progress over all of them.
  *
  * A run puts what it finds where its number says, so that nothing depends on
  * which ends first.
  */
-#ifndef RT_STUDY_TASKS_H
-#define RT_STUDY_TASKS_H
+#ifndef RT_STUDY_THREAD_POOL_H
+#define RT_STUDY_THREAD_POOL_H
 
 #include "vm/c205.h"
 

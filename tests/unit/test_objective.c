@@ -1,7 +1,7 @@
-/* test_goal.c - fits that are made up are compared with the limits of the goal, at the
+/* test_objective.c - fits that are made up are compared with the limits of the goal, at the
  * limits themselves.  A limit that is compared by another sign, or left out, fails
  * here. */
-#include "rt/study/fit/goal.h"
+#include "rt/study/fit/objective.h"
 #include "tests/unit/unit.h"
 
 enum { ROWS = 12 };
