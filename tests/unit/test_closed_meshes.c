@@ -6,7 +6,7 @@
  *     test_closed_meshes [SCENES [SEED]]
  */
 #define MIDDLING_FRAMES
-#include "tests/unit/nets.h"
+#include "tests/unit/random_mesh.h"
 #include "tests/unit/random_solids.h"
 
 static size_t scene_count = 4; /* of each sort */

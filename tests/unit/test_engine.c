@@ -5,7 +5,7 @@
 #include "base/json.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
-#include "tests/unit/talking_engine.h"
+#include "tests/unit/engine_client.h"
 
 /* ---- What there is -------------------------------------------------------------------------- */
 

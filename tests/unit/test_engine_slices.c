@@ -4,7 +4,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/drawn_walk.h"
-#include "tests/unit/talking_engine.h"
+#include "tests/unit/engine_client.h"
 
 /* Some 200,000 steps, calls among them. */
 static const char long_program[] = "        .include \"core.s\"\n"

@@ -7,7 +7,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/drawn_walk.h"
 #include "tests/unit/plain_run.h"
-#include "tests/unit/talking_engine.h"
+#include "tests/unit/engine_client.h"
 
 /* ---- A machine of its own ------------------------------------------------------- */
 

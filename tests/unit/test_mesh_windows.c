@@ -9,7 +9,7 @@
 #include "rt/layout/eyes.h"
 #include "rt/shapes/mesh_hierarchy.h"
 #include "rt/shapes/shape_words.h"
-#include "tests/unit/nets.h"
+#include "tests/unit/random_mesh.h"
 #include "tests/unit/random_solids.h"
 
 static size_t scene_count = 12;

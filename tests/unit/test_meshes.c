@@ -5,7 +5,7 @@
  *     test_meshes [SCENES [SEED]]
  */
 #define MIDDLING_FRAMES
-#include "tests/unit/nets.h"
+#include "tests/unit/random_mesh.h"
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/random_solids.h"
 

@@ -1,7 +1,7 @@
 /* test_plain_meshes.c - lines that cross meshes: the plain tracer's crossings are
  * compared with drawn points, volumes in closed form and closed bodies.  A line that
  * slips between triangles, or a wrong normal, fails here. */
-#include "tests/unit/nets.h"
+#include "tests/unit/random_mesh.h"
 #include "tests/unit/plain_surface.h"
 
 static struct net net;

@@ -1,7 +1,7 @@
 /* test_regions.c - the regions, nodes and steps in a machine's memory are compared with
  * the scene, and their values with those of the trees, over random solids.  A wrong
  * kernel, link, bound or operation of a step fails here. */
-#include "tests/unit/laid_out.h"
+#include "tests/unit/scene_fixture.h"
 
 #include "rt/layout/trees.h"
 #include "rt/shapes/bound.h"

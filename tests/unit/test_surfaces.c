@@ -1,6 +1,6 @@
 /* test_surfaces.c - the finishes, bodies and levels in a machine's memory are compared
  * with the words of the scene.  A wrong field, weight or index of a body fails here. */
-#include "tests/unit/laid_out.h"
+#include "tests/unit/scene_fixture.h"
 
 #include <math.h>
 

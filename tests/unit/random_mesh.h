@@ -1,8 +1,8 @@
-/* nets.h - nets of triangles, which tests of meshes are made of: closed bodies
+/* random_mesh.h - nets of triangles, which tests of meshes are made of: closed bodies
  * about the origin, sheets and fans; as texts of the scene language, and as
  * primitives.  Points are shared: what meets in one has its bits. */
-#ifndef TESTS_NETS_H
-#define TESTS_NETS_H
+#ifndef TESTS_RANDOM_MESH_H
+#define TESTS_RANDOM_MESH_H
 
 #include "rt/shapes/primitive.h"
 

@@ -1,6 +1,6 @@
-/* talking_engine.h - an engine that is asked, and its replies read. */
-#ifndef TESTS_TALKING_ENGINE_H
-#define TESTS_TALKING_ENGINE_H
+/* engine_client.h - an engine that is asked, and its replies read. */
+#ifndef TESTS_ENGINE_CLIENT_H
+#define TESTS_ENGINE_CLIENT_H
 
 #include "base/json_read.h"
 #include "tests/unit/asm_helper.h"

@@ -1,7 +1,7 @@
-/* laid_out.h - scenes laid out in a machine's memory, for tests that read them
+/* scene_fixture.h - scenes laid out in a machine's memory, for tests that read them
  * back by the names of the records' fields. */
-#ifndef TESTS_LAID_OUT_H
-#define TESTS_LAID_OUT_H
+#ifndef TESTS_SCENE_FIXTURE_H
+#define TESTS_SCENE_FIXTURE_H
 
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"

@@ -1,5 +1,5 @@
-/* laid_out.c - a stage: a scene, a program with the records, a machine. */
-#include "laid_out.h"
+/* scene_fixture.c - a stage: a scene, a program with the records, a machine. */
+#include "scene_fixture.h"
 
 #include "rt/layout/layout.h"
 #include "rt/layout/program.h"

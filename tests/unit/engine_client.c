@@ -1,4 +1,4 @@
-#include "tests/unit/talking_engine.h"
+#include "tests/unit/engine_client.h"
 
 #include "base/json.h"
 

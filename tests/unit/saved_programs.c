@@ -1,4 +1,4 @@
-/* kept_programs.c - what tests have assembled of the kernels is kept.
+/* saved_programs.c - what tests have assembled of the kernels is kept.
  *
  * A program depends on the kernel and the constants alone, and a test of many scenes
  * asks for the same few again and again.  Calls of program_assemble and object_free

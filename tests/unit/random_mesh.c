@@ -1,5 +1,5 @@
-/* nets.c - see nets.h. */
-#include "nets.h"
+/* random_mesh.c - see random_mesh.h. */
+#include "random_mesh.h"
 
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/traced_frame.h"
