@@ -1,4 +1,4 @@
-; example-digits.s - an integer has few digits, and a product has no more.
+; example-digits.s - an integer has few digits, and so has its product.
 
         .include "print.s"
         .regs   r10, x, y, product, text

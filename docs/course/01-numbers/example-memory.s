@@ -1,4 +1,4 @@
-; example-memory.s - a number from memory, and one to memory.
+; example-memory.s - load a number from memory and store one.
 
         .include "core.s"
         .regs   r10, address, x, twice

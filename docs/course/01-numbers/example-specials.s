@@ -1,4 +1,4 @@
-; example-specials.s - machine zero, and what is no number.
+; example-specials.s - machine zero and indefinite.
 
         .include "print.s"
         .regs   r10, one, zero, nothing, sum, text

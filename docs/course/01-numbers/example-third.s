@@ -1,4 +1,4 @@
-; example-third.s - three thirds are not one.
+; example-third.s - three times a third is not one.
 
         .include "print.s"
         .regs   r10, one, three, third, all

@@ -1,4 +1,4 @@
-; example-upper.s - the two sums: normalised, and upper.
+; example-upper.s - two differences: normalised and upper.
 
         .include "print.s"
         .regs   r10, a, b, normal, upper

@@ -1,4 +1,4 @@
-; example-zeros.s - 0.001 and a zero of .space, and 0.001 and 0.0.
+; example-zeros.s - the sum of 0.001 and a zero of .space, and of 0.001 and 0.0.
 
         .include "print.s"
         .regs   r10, address, x, zero, sum

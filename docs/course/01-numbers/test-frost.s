@@ -1,4 +1,4 @@
-; test: -17.9 degrees Celsius: below 0 in Fahrenheit, where cutting off is not the floor
+; test: -17.9 degrees Celsius: below 0 in Fahrenheit, where truncation is not the floor
 ; tolerance: fahrenheit 1e-9
 
         .warm

@@ -1,4 +1,4 @@
-; test: 100 degrees Celsius are 212 degrees Fahrenheit, not a bit less
+; test: 100 degrees Celsius are exactly 212 degrees Fahrenheit
 ; tolerance: fahrenheit 1e-9
 
         .warm
