@@ -1,4 +1,4 @@
-; example-loads-first.s - the sum of six numbers, all of them loaded before the first is needed.
+; example-loads-first.s - the sum of six numbers, all loaded before the first addition.
 
         .include "print.s"
 

@@ -1,4 +1,4 @@
-; example-one-by-one.s - the sum of six numbers, each loaded when it is needed.
+; example-one-by-one.s - the sum of six numbers, each loaded just before it is needed.
 
         .include "print.s"
 

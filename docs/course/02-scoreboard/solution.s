@@ -1,10 +1,10 @@
-; solution.s - a polynomial of degree 7 of one number, with as few waits as can be.
+; solution.s - a polynomial of degree 7 of one number, with few waits.
 ;
 ;   p = (a0 + a1 x) + (a2 + a3 x) x^2 + ((a4 + a5 x) + (a6 + a7 x) x^2) x^4
 ;
-; The brackets do not need each other, and so do not wait for each other.  The highest
-; coefficients have the longest way to go: they are loaded first, while the registers for
-; the next indices are made.
+; The brackets are independent, so they do not wait for each other.  The highest coefficients
+; start the longest chains: they are loaded first.  The registers of the next indices are
+; entered between the loads.
 
         .include "core.s"
 

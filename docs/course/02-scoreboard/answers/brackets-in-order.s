@@ -1,4 +1,4 @@
-; brackets-in-order.s - four brackets that do not wait for each other, but loads as the coefficients stand.
+; brackets-in-order.s - four independent brackets, but loads in the order of the coefficients.
 
         .include "core.s"
 

@@ -1,4 +1,4 @@
-; horner-in-a-loop.s - Horner's rule, a turn for each coefficient.
+; horner-in-a-loop.s - Horner's rule, an iteration for each coefficient.
 
         .include "core.s"
 

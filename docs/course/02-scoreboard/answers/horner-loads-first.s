@@ -1,4 +1,4 @@
-; horner-loads-first.s - Horner's rule, all coefficients loaded before.
+; horner-loads-first.s - Horner's rule, all coefficients loaded first.
 
         .include "core.s"
 
