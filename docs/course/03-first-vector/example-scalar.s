@@ -1,4 +1,4 @@
-; example-scalar.s - c := a + b, number by number.
+; example-scalar.s - c := a + b, in a loop.
 
         .include "core.s"
 

@@ -1,4 +1,4 @@
-; example-two.s - two vector instructions, one behind the other: c := (a + b) b.
+; example-two.s - two vector instructions, one after the other: c := (a + b) b.
 
         .include "core.s"
 

@@ -1,11 +1,11 @@
 ; solution.s - clean := (raw - dark) gain, for all pixels of a picture.
 ;
-; A row begins where the one before ends, so the whole picture is one vector.
+; Each row follows the previous one without a gap, so the whole picture is one vector.
 
         .include "core.s"
 
         .ifndef rows
-        .equ    rows, 3                 ; the tests have others
+        .equ    rows, 3                 ; the tests define it
         .endif
         .ifndef columns
         .equ    columns, 4

@@ -3,7 +3,7 @@
         .include "core.s"
 
         .ifndef rows
-        .equ    rows, 3                 ; the tests have others
+        .equ    rows, 3                 ; the tests define it
         .endif
         .ifndef columns
         .equ    columns, 4
