@@ -1,9 +1,9 @@
-; solution.s - a step of time: v := v + h f, then x := x + h v, as two linked triads.
+; solution.s - a time step: v := v + h f, then x := x + h v, as two linked triads.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 10                   ; the tests have others
+        .equ    n, 10                   ; the tests define it
         .endif
 
         .data
@@ -29,7 +29,7 @@ x:
         descriptor fs, f, n
         descriptor vs, v, n
         descriptor xs, x, n
-        descriptor link, v, n           ; only a name, as long as the results
+        descriptor link, v, n           ; not stored; as long as the results
         LINKV
         MPYSV   [fs], step, [link]
         ADDNV   [link], [vs], [vs]

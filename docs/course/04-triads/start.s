@@ -1,9 +1,9 @@
-; start.s - a step of time: v := v + h f, then x := x + h v.
+; start.s - a time step: v := v + h f, then x := x + h v.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 10                   ; the tests have others
+        .equ    n, 10                   ; the tests define it
         .endif
 
         .data

@@ -1,9 +1,9 @@
-; four-instructions.s - a step of time, each operation an instruction of its own.
+; four-instructions.s - a time step, an instruction for each operation.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 10                   ; the tests have others
+        .equ    n, 10                   ; the tests define it
         .endif
 
         .data

@@ -1,9 +1,9 @@
-; one-line-linked.s - a step of time, the first line linked, the second not.
+; one-line-linked.s - a time step, with only the first line linked.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 10                   ; the tests have others
+        .equ    n, 10                   ; the tests define it
         .endif
 
         .data

@@ -1,9 +1,9 @@
-; point-by-point.s - a step of time, a loop over the points.
+; point-by-point.s - a time step, a loop over the points.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 10                   ; the tests have others
+        .equ    n, 10                   ; the tests define it
         .endif
 
         .data
