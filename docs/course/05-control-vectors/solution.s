@@ -1,26 +1,26 @@
-; solution.s - a tax of two rates, of many incomes.
+; solution.s - a tax of two rates for many incomes.
 ;
 ;   tax = low x,             where x < limit
 ;         high x - excess,   elsewhere, with excess = (high - low) limit
 ;
-; The low tax is computed of all; where the limit is reached the other one is stored over it.
+; The low tax is computed for all incomes; the other tax replaces it where the limit is reached.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 6                    ; the tests have others
+        .equ    n, 6                    ; the tests define it
         .endif
 
         .data
 limit:  .word   1000.0
 low:    .word   0.25                    ; the rate up to the limit
-high:   .word   0.5                     ; and of what is above it
+high:   .word   0.5                     ; the rate above it
 income:
         .rept   n
         .word   500.0 * float(\+)
         .endr
 tax:    .space  n
-above:  .space  1                       ; how many reach the limit, an integer
+above:  .space  1                       ; incomes that reach the limit, an integer
         .bitvector rich, n
         .code
 
@@ -36,7 +36,7 @@ above:  .space  1                       ; how many reach the limit, an integer
         descriptor incomes, income, n
         descriptor taxes, tax, n
         descriptor riches, rich, n
-        descriptor link, tax, n         ; only a name
+        descriptor link, tax, n         ; not stored
         CMPGEV  [incomes], bound, [riches]
         SUBN    high_rate, low_rate, excess
         MPYS    excess, bound, excess

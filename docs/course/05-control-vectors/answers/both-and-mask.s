@@ -1,21 +1,21 @@
-; both-and-mask.s - a tax of two rates, both computed by the formula as it stands, and a mask.
+; both-and-mask.s - a tax of two rates, both computed by the given formula, and a mask.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 6                    ; the tests have others
+        .equ    n, 6                    ; the tests define it
         .endif
 
         .data
 limit:  .word   1000.0
 low:    .word   0.25                    ; the rate up to the limit
-high:   .word   0.5                     ; and of what is above it
+high:   .word   0.5                     ; the rate above it
 income:
         .rept   n
         .word   500.0 * float(\+)
         .endr
 tax:    .space  n
-above:  .space  1                       ; how many reach the limit, an integer
+above:  .space  1                       ; incomes that reach the limit, an integer
 high_tax:
         .space  n
         .bitvector rich, n
