@@ -1,11 +1,11 @@
-; example-compressed.s - roots of what is positive, compressed.
+; example-compressed.s - roots of the positive numbers, compressed.
 
         .include "core.s"
 
         .ifndef n
         .equ    n, 4000
         .endif
-        .ifndef m                       ; so many of them are positive
+        .ifndef m                       ; m of them are positive
         .equ    m, 400
         .endif
 

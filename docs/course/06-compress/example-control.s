@@ -1,11 +1,11 @@
-; example-control.s - roots of what is positive, under a control vector.
+; example-control.s - roots of the positive numbers, under a control vector.
 
         .include "core.s"
 
         .ifndef n
         .equ    n, 4000
         .endif
-        .ifndef m                       ; so many of them are positive
+        .ifndef m                       ; m of them are positive
         .equ    m, 400
         .endif
 

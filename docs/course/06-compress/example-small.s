@@ -1,4 +1,4 @@
-; example-small.s - compress a vector, work on what is left, put it back in its places.
+; example-small.s - compress a vector, process it, and merge the results back.
 
         .include "print.s"
 
@@ -14,21 +14,21 @@
         .regs   r10, xs, fews, ys, zs, count
 
         descriptor xs, x, n
-        descriptor fews, few, n         ; room for all: nobody knows how many come
+        descriptor fews, few, n         ; room for the worst case
         descriptor ys, y, n
         descriptor zs, z, n
 
         CMPGEV  [xs], r0, [zs]
-        CPSV    [xs], [fews] ? [zs]     ; those where the bit is one, close together
+        CPSV    [xs], [fews] ? [zs]     ; the elements whose bit is one
         print_vector fews
         newline
-        LTOR    fews, count             ; how many they are
+        LTOR    fews, count             ; their number
         print_integer count
         newline
-        SQRTV   [fews], [fews]          ; the length is that of fews: four
+        SQRTV   [fews], [fews]          ; four elements, as fews has
         print_vector fews
         newline
-        MRGV    [fews], r0, [ys] ? [zs] ; back to their places; 0 elsewhere
+        MRGV    [fews], r0, [ys] ? [zs] ; to their positions; 0 elsewhere
         print_vector ys
         newline
         EXIT

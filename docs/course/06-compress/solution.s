@@ -1,12 +1,12 @@
 ; solution.s - the nearer root of many quadratic equations, t = (b - sqrt(d)) / a, where there is one.
 ;
-; The equations with a root are brought together, solved, and put back to their places;
-; elsewhere the merge puts -1.  Root and difference are one stream.
+; The equations with a root are compressed and solved.  A merge puts the roots back, and -1
+; elsewhere.  Root and difference are one stream.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 6                    ; the tests have others
+        .equ    n, 6                    ; the tests define it
         .endif
 
         .data

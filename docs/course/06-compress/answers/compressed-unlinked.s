@@ -1,9 +1,9 @@
-; compressed-unlinked.s - the nearer root of many quadratic equations, compressed, nothing linked.
+; compressed-unlinked.s - the nearer root of many quadratic equations, compressed and not linked.
 
         .include "core.s"
 
         .ifndef n
-        .equ    n, 6                    ; the tests have others
+        .equ    n, 6                    ; the tests define it
         .endif
 
         .data

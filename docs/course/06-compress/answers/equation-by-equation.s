@@ -3,7 +3,7 @@
         .include "core.s"
 
         .ifndef n
-        .equ    n, 6                    ; the tests have others
+        .equ    n, 6                    ; the tests define it
         .endif
 
         .data
