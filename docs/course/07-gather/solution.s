@@ -3,11 +3,11 @@
 ;   y(place(i)) = value + x(i) (slope + x(i) bend)     with the record of cell(i)
 ;
 ; A record has four words, so four times the cell is an index into the table.  Cells
-; are counted from 1: the table is taken to begin one record earlier.
+; are counted from 1, so the table is addressed one record earlier.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 6
         .equ    m, 3
         .endif
@@ -16,7 +16,7 @@
         .field  VALUE
         .field  SLOPE
         .field  BEND
-        .at     4                       ; words a record
+        .at     4                       ; words of a record
         .endrecord
 
         .data

@@ -4,7 +4,7 @@
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 6                    ; points
         .equ    m, 3                    ; cells
         .endif
@@ -13,7 +13,7 @@
         .field  VALUE
         .field  SLOPE
         .field  BEND
-        .at     4                       ; words a record
+        .at     4                       ; words of a record
         .endrecord
 
         .data
@@ -31,7 +31,7 @@ table:  .rept   m
         .endr
 y:      .space  n
 
-; your code here: vectors for what lies between
+; your code here: vectors for intermediate results
         .code
 
         .regs   r10, cells, xs, places

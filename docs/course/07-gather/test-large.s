@@ -1,4 +1,4 @@
-; test: 1,000 points in 50 cells, places in an order of their own
+; test: 1,000 points in 50 cells, in permuted order
 ; tolerance: y 1e-9
 ; goals: gold 7200, silver 7900, bronze 14000
         .equ    n, 1000

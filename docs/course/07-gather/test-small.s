@@ -1,4 +1,4 @@
-; test: six points in three cells, put down in reverse order
+; test: six points in three cells, stored in reverse order
 ; tolerance: y 1e-9
         .equ    n, 6
         .equ    m, 3

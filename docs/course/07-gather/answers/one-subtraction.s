@@ -1,10 +1,10 @@
-; one-subtraction.s - the parabola of each cell; cells are counted from 0 first.
+; one-subtraction.s - the parabola of each cell; 1 is subtracted from the cells first.
 ;
 ;   y(place(i)) = value + x(i) (slope + x(i) bend)     with the record of cell(i)
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 6
         .equ    m, 3
         .endif
@@ -13,7 +13,7 @@
         .field  VALUE
         .field  SLOPE
         .field  BEND
-        .at     4                       ; words a record
+        .at     4                       ; words of a record
         .endrecord
 
         .data

@@ -2,7 +2,7 @@
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 6
         .equ    m, 3
         .endif
@@ -11,7 +11,7 @@
         .field  VALUE
         .field  SLOPE
         .field  BEND
-        .at     4                       ; words a record
+        .at     4                       ; words of a record
         .endrecord
 
         .data
