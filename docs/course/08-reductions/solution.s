@@ -1,13 +1,13 @@
-; solution.s - weighted sums of the rows of a matrix, the greatest and their mean.
+; solution.s - weighted sums of the rows of a matrix, the maximum and the mean.
 ;
 ;   score(i) = sum over j of weights(j) marks(i, j)
 ;
-; All rows go side by side: column by column, each times its weight, is added to the
-; scores.  Nothing is reduced until there is one vector left.
+; Each column, times its weight, is added to the vector of scores.  The only reductions are
+; those of this vector.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    m, 4
         .equ    n, 3
         .endif
@@ -33,7 +33,7 @@ column: .space  m
         .regs   r20, period, one, word, count, rows, factor, at, index, value
 
         descriptor columns, column, m
-        descriptor products, column, m  ; only a name
+        descriptor products, column, m  ; not stored
         descriptor sums, scores, m
         EX      from, marks
         EX      weight_at, weights
@@ -48,7 +48,7 @@ column: .space  m
         LOD     [weight_at], factor
         VGATHP  period, [from], [columns]
         MPYSV   [columns], factor, [sums]
-        IBXLE   count, r0, one, reduce  ; one column alone
+        IBXLE   count, r0, one, reduce  ; there is only one column
 next:   ADDX    from, word, from
         ADDX    weight_at, word, weight_at
         LOD     [weight_at], factor

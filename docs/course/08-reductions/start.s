@@ -1,10 +1,10 @@
-; start.s - weighted sums of the rows of a matrix, the greatest and their mean.
+; start.s - weighted sums of the rows of a matrix, the maximum and the mean.
 ;
 ;   score(i) = sum over j of weights(j) marks(i, j)
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    m, 4                    ; rows
         .equ    n, 3                    ; columns
         .endif
@@ -18,11 +18,11 @@ weights:
         .word   1.0 + 0.5 * \+
         .endr
 scores: .space  m
-best:   .space  1                       ; the row with the greatest score, an integer
+best:   .space  1                       ; the row with the highest score, an integer
 top:    .space  1                       ; that score
 mean:   .space  1                       ; of all scores
 
-; your code here: vectors for what lies between
+; your code here: vectors for intermediate results
         .code
 
         .regs   r10, rows

@@ -1,4 +1,4 @@
-; test: great scores of both signs, whose sum is small
+; test: large scores of both signs, whose sum is small
 ; tolerance: scores 1e-9
 ; tolerance: top 1e-9
 ; tolerance: mean 1e-9

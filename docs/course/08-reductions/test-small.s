@@ -1,4 +1,4 @@
-; test: four rows of three, the best of them twice
+; test: four rows of three, two of them with the highest score
 ; tolerance: scores 1e-9
 ; tolerance: top 1e-9
 ; tolerance: mean 1e-9

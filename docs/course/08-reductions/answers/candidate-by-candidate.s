@@ -2,7 +2,7 @@
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    m, 4
         .equ    n, 3
         .endif
@@ -30,7 +30,7 @@ mean:   .space  1
         descriptor weight, weights, n
         descriptor sums, scores, m
         EX      score_at, scores
-        EX      bits, 64 * n            ; of a row
+        EX      bits, 64 * n            ; the size of a row
         ES      word, 64
         ES      count, m
         ES      one, 1

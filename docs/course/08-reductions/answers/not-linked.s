@@ -2,7 +2,7 @@
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    m, 4
         .equ    n, 3
         .endif
@@ -42,7 +42,7 @@ column: .space  m
         LOD     [weight_at], factor
         VGATHP  period, [from], [columns]
         MPYSV   [columns], factor, [sums]
-        IBXLE   count, r0, one, reduce  ; one column alone
+        IBXLE   count, r0, one, reduce  ; there is only one column
 next:   ADDX    from, word, from
         ADDX    weight_at, word, weight_at
         LOD     [weight_at], factor
