@@ -1,5 +1,5 @@
-; solution.s - the roots of many quartics in 0 .. 1 by regula falsi, in the form of Illinois;
-; the loop runs over those that are not found yet.
+; solution.s - the roots of many quartics in 0 .. 1 by regula falsi, with the Illinois rule; the
+; loop runs over the roots that are not found yet.
 ;
 ;   f(s) = k4 s^4 + k3 s^3 + k2 s^2 + k1 s + k0
 ;
@@ -10,8 +10,8 @@
 ; If the sign has changed from B to x, A := B, else f(A) is halved.  B := x.  The root is found
 ; when |B - A| <= CLOSE.  Sign of 0: +.
 ;
-; What is found is scattered to its place at once.  When fewer than half of those in the loop
-; are active, these are compressed.
+; A root is scattered to its place as soon as it is found.  When fewer than half of the elements
+; in the loop are active, these are compressed.
 
         .include "core.s"
 

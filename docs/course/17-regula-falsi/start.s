@@ -1,5 +1,5 @@
-; start.s - the roots of many quartics in 0 .. 1 by regula falsi, in the form of Illinois: right,
-; but all of them go round until the last one is found.
+; start.s - the roots of many quartics in 0 .. 1 by regula falsi, with the Illinois rule.  The
+; program is correct, but all quartics iterate until the last root is found.
 ;
 ;   f(s) = k4 s^4 + k3 s^3 + k2 s^2 + k1 s + k0
 ;
@@ -10,7 +10,7 @@
 ; If the sign has changed from B to x, A := B, else f(A) is halved.  B := x.  The root is found
 ; when |B - A| <= CLOSE.  Sign of 0: +.
 ;
-; your code begins where something has been found.
+; Your code begins after roots have been found and stored.
 
         .include "core.s"
 
@@ -151,8 +151,8 @@ long_enough:
         IBXEQ   left, r0, r0, end
         ANDNB   [active], [done], [active]
 
-; your code here: left of the count in the loop are active, and the bits say which.  Take the
-; others out of the loop.  Where do the roots that are found later belong?
+; your code here: `left` elements of the loop are active, selected by the bits.  Take the others
+; out of the loop.  Where do the roots that are found later belong?
 
 again:  BIM     step
         .endkernel

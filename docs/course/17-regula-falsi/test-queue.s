@@ -1,4 +1,4 @@
-; test: 2,000 quartics, most of which need few steps and some of which need many
+; test: 2,000 quartics, most of which need few steps and some many
 ; tolerance: root 2e-10
 ; goals: gold 325000, silver 350000, bronze 465000
         .equ    n, 2000

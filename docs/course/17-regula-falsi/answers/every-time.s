@@ -1,5 +1,5 @@
-; every-time.s - the roots of many quartics in 0 .. 1 by regula falsi, in the form of Illinois:
-; compressed after each step in which one is found.
+; every-time.s - the roots of many quartics in 0 .. 1 by regula falsi, with the Illinois rule:
+; compressed after each step that finds a root.
 ;
 ;   f(s) = k4 s^4 + k3 s^3 + k2 s^2 + k1 s + k0
 ;

@@ -1,5 +1,5 @@
-; once.s - the roots of many quartics in 0 .. 1 by regula falsi, in the form of Illinois:
-; compressed once, when half of them are found.
+; once.s - the roots of many quartics in 0 .. 1 by regula falsi, with the Illinois rule:
+; compressed once, when half of the roots are found.
 ;
 ;   f(s) = k4 s^4 + k3 s^3 + k2 s^2 + k1 s + k0
 ;
