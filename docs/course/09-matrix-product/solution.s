@@ -1,11 +1,11 @@
 ; solution.s - c := a b for matrices that are stored by columns.
 ;
-; Column j of c is the sum of the columns of a, each times a number of column j of b: what
-; lies side by side in memory is a vector.
+; Column j of c is the sum of the columns of a, each times a number of column j of b.  The
+; columns are contiguous, so they are the vectors.
 
         .include "core.s"
 
-        .ifndef m                       ; the tests have others
+        .ifndef m                       ; the tests define it
         .equ    m, 3                    ; rows of a and c
         .equ    n, 2                    ; columns of a, rows of b
         .equ    p, 2                    ; columns of b and c
@@ -36,7 +36,7 @@ c:      .space  m * p
         .kernel product
 next_column:
         descriptor a_column, a, m
-        RTOR    c_column, products      ; only a name
+        RTOR    c_column, products      ; not stored
         LOD     [b_at], factor
         MPYSV   [a_column], factor, [c_column]
         ADDX    b_at, word, b_at

@@ -2,7 +2,7 @@
 
         .include "core.s"
 
-        .ifndef m                       ; the tests have others
+        .ifndef m                       ; the tests define it
         .equ    m, 3                    ; rows of a and c
         .equ    n, 2                    ; columns of a, rows of b
         .equ    p, 2                    ; columns of b and c

@@ -1,4 +1,4 @@
-; test: three rows, two columns; c holds something else before
+; test: three rows, two columns; c is not zero before
 ; tolerance: c 1e-9
         .equ    m, 3
         .equ    n, 2

@@ -1,8 +1,8 @@
-; cleared-first.s - columns, linked, into a matrix that was made zero.
+; cleared-first.s - columns, linked, after c was cleared.
 
         .include "core.s"
 
-        .ifndef m                       ; the tests have others
+        .ifndef m                       ; the tests define it
         .equ    m, 3                    ; rows of a and c
         .equ    n, 2                    ; columns of a, rows of b
         .equ    p, 2                    ; columns of b and c
@@ -33,7 +33,7 @@ c:      .space  m * p
         .kernel product
 next_column:
         descriptor a_column, a, m
-        RTOR    c_column, products      ; only a name
+        RTOR    c_column, products      ; not stored
         VTOV    r0, [c_column]
         ES      k, 0
 next:   LOD     [b_at], factor

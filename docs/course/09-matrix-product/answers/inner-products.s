@@ -2,7 +2,7 @@
 
         .include "core.s"
 
-        .ifndef m                       ; the tests have others
+        .ifndef m                       ; the tests define it
         .equ    m, 3                    ; rows of a and c
         .equ    n, 2                    ; columns of a, rows of b
         .equ    p, 2                    ; columns of b and c
@@ -27,7 +27,7 @@ row:    .space  n
         descriptor row_of_a, row, n
         EX      a_row, a
         EX      c_row, c
-        EX      b_bits, 64 * n          ; of a column of b
+        EX      b_bits, 64 * n          ; bits of a column of b
         EX      c_bits, 64 * m
         ES      period, m
         ES      word, 64

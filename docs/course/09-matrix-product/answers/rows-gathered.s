@@ -1,8 +1,8 @@
-; rows-gathered.s - by rows, as for matrices that are stored by rows: gathered and scattered.
+; rows-gathered.s - by rows, as for storage by rows; the rows are gathered and scattered.
 
         .include "core.s"
 
-        .ifndef m                       ; the tests have others
+        .ifndef m                       ; the tests define it
         .equ    m, 3                    ; rows of a and c
         .equ    n, 2                    ; columns of a, rows of b
         .equ    p, 2                    ; columns of b and c
@@ -28,7 +28,7 @@ sum:    .space  p
         descriptor row_of_c, sum, p
         EX      a_row, a
         EX      c_row, c
-        EX      a_bits, 64 * m          ; of a column of a
+        EX      a_bits, 64 * m          ; bits of a column of a
         ES      a_period, m
         ES      b_period, n
         ES      word, 64
