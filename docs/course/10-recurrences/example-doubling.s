@@ -4,7 +4,7 @@
         .include "example-data.inc"
 
         .data
-        .space  n                       ; zeros in front of the first element
+        .space  n                       ; zeros before the first element
 x:      .rept   n
         .word   1.0
         .endr
@@ -20,7 +20,7 @@ y:      .space  n
         EX      limit, 64 * n
 next:   SUBX    from, distance, shifted
         ADDNV   [from], [shifted], [to]
-        RTOR    to, other               ; what was made is the source of the next pass
+        RTOR    to, other               ; the result is the source of the next pass
         RTOR    from, to
         RTOR    other, from
         IBXLT   distance, distance, limit, next, distance

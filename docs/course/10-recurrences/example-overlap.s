@@ -1,4 +1,4 @@
-; example-overlap.s - running sums by one instruction whose result lies upon its source.
+; example-overlap.s - running sums by one instruction whose result overlaps its source.
 
         .include "example-data.inc"
 

@@ -1,14 +1,14 @@
 ; solution.s - x(i) = a(i) x(i - 1) + b(i), by cyclic reduction.
 ;
-; Putting each equation into the next one leaves every second unknown in a recurrence of
-; half the length, which is solved in the same way; then the others follow at once.
+; Substituting each equation into the next one leaves a recurrence of every second unknown, of
+; half the length.  It is solved in the same way; then vectors compute the other unknowns.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 100
         .endif
-        .equ    SHORT, 40               ; so few are solved one by one
+        .equ    SHORT, 40               ; the scalar loop solves up to SHORT
 
         .data
 a:      .rept   n
@@ -32,7 +32,7 @@ x:      .space  n
         descriptor odd, every_second, n
         MRKZ    zeros, group, [odd]
 
-; One by one.  The first equation has no unknown before it: its a does not count.
+; The scalar loop.  The first equation has no unknown before it: its a is not used.
         .macro  solve_short a, b, x, length
         EX      as, \a
         EX      bs, \b
@@ -49,9 +49,9 @@ short\@:
         IBXLT   i, one, count, short\@, i
         .endm
 
-; Of the equations those with odd numbers stay:
+; The equations with odd numbers are reduced:
 ;   x(2k+1) = a(2k+1) a(2k) x(2k-1)  +  a(2k+1) b(2k) + b(2k+1)
-; Those with even numbers are kept: x(2k) = a(2k) x(2k-1) + b(2k).
+; Those with even numbers are stored: x(2k) = a(2k) x(2k-1) + b(2k).
         .macro  solve a, b, x, length
         .if     (\length) <= SHORT
         solve_short \a, \b, \x, \length

@@ -2,10 +2,10 @@
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 100
         .endif
-        .equ    SHORT, 40               ; so few are solved one by one
+        .equ    SHORT, 40               ; the scalar loop solves up to SHORT
 
         .data
 a:      .rept   n
@@ -29,7 +29,7 @@ x:      .space  n
         descriptor odd, every_second, n
         MRKZ    zeros, group, [odd]
 
-; One by one.
+; The scalar loop.
         .macro  solve_short a, b, x, length
         EX      as, \a
         EX      bs, \b
@@ -46,7 +46,7 @@ short\@:
         IBXLT   i, one, count, short\@, i
         .endm
 
-; The recurrence of a, b and x, three labels, of so many elements.
+; The recurrence of the labels a, b and x, with that many elements.
         .macro  solve a, b, x, length
         .if     (\length) <= SHORT
         solve_short \a, \b, \x, \length
@@ -57,7 +57,7 @@ short\@:
         .vector even_a\@, (\length) - (\length) / 2
         .vector even_b\@, (\length) - (\length) / 2
 before\@:
-        .word   0                       ; what stands before the first x
+        .word   0                       ; the element before the first x
         .vector half_x\@, (\length) / 2
         .code
         descriptor as, \a, \length

@@ -1,4 +1,4 @@
-; test: 183 elements: a half of them is an odd number again and again
+; test: 183 elements: halves are odd several times
 ; tolerance: x 1e-9
         .equ    n, 183
         .warm

@@ -1,4 +1,4 @@
-; test: ten elements: fewer than are worth halving
+; test: ten elements: too few for a reduction
 ; tolerance: x 1e-9
         .equ    n, 10
         .warm

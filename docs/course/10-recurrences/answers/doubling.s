@@ -1,10 +1,10 @@
 ; doubling.s - the recurrence by doubling: after the pass with distance s each equation has
-; the unknown 2 s places before it.  Two pairs of vectors take turns; in front of them stand
-; zeros, for what has no element so far before it.
+; the unknown 2 s places before it.  Two pairs of vectors alternate; zeros before them stand
+; for missing elements.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 100
         .endif
 

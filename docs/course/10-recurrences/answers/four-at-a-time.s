@@ -1,9 +1,9 @@
-; four-at-a-time.s - the recurrence as a scalar loop of four steps: loads come early, and a
-; branch is taken once for four elements.  A rest of up to three goes into the words behind x.
+; four-at-a-time.s - the recurrence as a scalar loop of four steps: loads are early, and a
+; branch is taken once for four elements.  Up to three results are stored after x.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 100
         .endif
 

@@ -2,10 +2,10 @@
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 100
         .endif
-        .equ    SHORT, 40               ; so few are solved one by one
+        .equ    SHORT, 40               ; the scalar loop solves up to SHORT
 
         .data
 a:      .rept   n
@@ -25,7 +25,7 @@ x:      .space  n
         ES      one, 1
         ES      two, 2
 
-; One by one.  The first equation has no unknown before it: its a does not count.
+; The scalar loop.  The first equation has no unknown before it: its a is not used.
         .macro  solve_short a, b, x, length
         EX      as, \a
         EX      bs, \b
@@ -42,9 +42,9 @@ short\@:
         IBXLT   i, one, count, short\@, i
         .endm
 
-; Of the equations those with odd numbers stay:
+; The equations with odd numbers are reduced:
 ;   x(2k+1) = a(2k+1) a(2k) x(2k-1)  +  a(2k+1) b(2k) + b(2k+1)
-; Those with even numbers are kept: x(2k) = a(2k) x(2k-1) + b(2k).
+; Those with even numbers are stored: x(2k) = a(2k) x(2k-1) + b(2k).
         .macro  solve a, b, x, length
         .if     (\length) <= SHORT
         solve_short \a, \b, \x, \length
