@@ -1,11 +1,11 @@
 ; solution.s - the primes below a limit, by the sieve of Eratosthenes on a string of bits.
 ;
-; Even numbers are left out: bit k of odds stands for 2 k + 1.  In there, too, the
-; multiples of p lie p bits apart, from that of p p on.
+; Even numbers are left out: bit k of odds represents 2 k + 1.  There, too, the multiples
+; of p are p bits apart, from that of p p on.
 
         .include "core.s"
 
-        .ifndef limit                   ; the tests have others
+        .ifndef limit                   ; the tests define it
         .equ    limit, 100
         .endif
         .equ    half, limit / 2         ; odd numbers below the limit
@@ -56,7 +56,7 @@ composite:
         MPYX    p, p, square
         IBXLT   square, r0, bound, next, square
 
-; the odd places of all numbers, and 2
+; Expand the odd numbers to all numbers, and set 2.
 done:   MRKZ    one, two, [odd_places]
         MRGB    [sieve], [r0], [primes] ? [odd_places]
         BAB     [primes, two], [r0], SET

@@ -2,13 +2,13 @@
 
         .include "core.s"
 
-        .ifndef limit                   ; the tests have others
+        .ifndef limit                   ; the tests define it
         .equ    limit, 100
         .endif
 
         .data
         .bitvector prime, limit         ; bit i: i is a prime
-count:  .space  1                       ; how many there are
+count:  .space  1                       ; the number of primes
 
         .bitvector mask, limit
         .code

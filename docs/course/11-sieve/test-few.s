@@ -1,4 +1,4 @@
-; test: below 6 nothing is struck out but 4
+; test: below 6 only 4 is struck out
         .equ    limit, 6
         .warm
         .data

@@ -1,8 +1,8 @@
-; bit-by-bit.s - the primes below a limit: one bit after another is struck out.
+; bit-by-bit.s - the primes below a limit: struck out bit by bit.
 
         .include "core.s"
 
-        .ifndef limit                   ; the tests have others
+        .ifndef limit                   ; the tests define it
         .equ    limit, 20000
         .endif
 

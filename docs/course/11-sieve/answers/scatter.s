@@ -3,7 +3,7 @@
 
         .include "core.s"
 
-        .ifndef limit                   ; the tests have others
+        .ifndef limit                   ; the tests define it
         .equ    limit, 20000
         .endif
 
