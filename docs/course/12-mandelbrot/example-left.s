@@ -1,5 +1,5 @@
-; example-left.s - how many points are inside after each step, and the picture of those that
-; are at the end.
+; example-left.s - the number of points inside after each step, and a picture of those that are
+; inside at the end.
 
         .include "print.s"
 

@@ -1,13 +1,13 @@
-; solution.s - after how many steps points leave the circle of radius 2.
+; solution.s - the number of steps after which points leave the circle of radius 2.
 ;
 ;   z(1) = c,  z(k + 1) = z(k)^2 + c;  the count of c: the least k with |z(k)|^2 >= 4
 ;
-; A point outside stays outside, so it may be carried along: its count does not grow any
-; more.  When a quarter of the points are outside, the others are moved together.
+; A point outside stays outside, so it may be kept for some steps: its count does not grow.
+; When a quarter of the points are outside, the others are compressed.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 6
         .equ    most, 20
         .endif

@@ -1,10 +1,10 @@
-; start.s - after how many steps points leave the circle of radius 2.
+; start.s - the number of steps after which points leave the circle of radius 2.
 ;
 ;   z(1) = c,  z(k + 1) = z(k)^2 + c;  the count of c: the least k with |z(k)|^2 >= 4
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 6                    ; points
         .equ    most, 20                ; steps
         .endif
@@ -17,7 +17,7 @@ cy:     .rept   n
         .word   0.25
         .endr
 counts: .space  n                       ; integers
-total:  .space  1                       ; the sum of them, a number
+total:  .space  1                       ; their sum, a number
 
 x:      .space  n
 y:      .space  n
@@ -48,7 +48,7 @@ yy:     .space  n
 
 next:   MPYSV   [xs], [xs], [xxs]
         MPYSV   [ys], [ys], [yys]
-; your code here: which points are inside, and what follows from it
+; your code here: which points are inside, and their counts
 
         MPYSV   [xs], [ys], [ys]
         SUBNV   [xxs], [yys], [xs]
@@ -58,7 +58,7 @@ next:   MPYSV   [xs], [xs], [xxs]
         ADDNV   [ys], [cys], [ys]       ; 2 x y + cy
         IBXLT   k, one, last, next, k
 
-; your code here: the counts of those that are left
+; your code here: the counts of the remaining points
 
         SUMV    [result], upper
         join_parts upper, lower, upper

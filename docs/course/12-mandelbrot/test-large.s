@@ -1,4 +1,4 @@
-; test: 4,000 points, 50 steps; the total tells whether all counts are right
+; test: 4,000 points, 50 steps; the total checks all counts
 ; tolerance: counts 0.1
 ; goals: gold 400000, silver 560000, bronze 950000
         .equ    n, 4000

@@ -1,4 +1,4 @@
-; test: all points have left when there are steps to come
+; test: all points have left before the last step
 ; tolerance: counts 0.1
         .equ    n, 3
         .equ    most, 100

@@ -1,4 +1,4 @@
-; test: points whose counts are known, among them some on the edge
+; test: points with known counts, some of them on the edge
 ; tolerance: counts 0.1
         .equ    n, 8
         .equ    most, 30
@@ -7,7 +7,7 @@
 cx:     .word   0.0, 1.0, -2.0, -1.0, 0.0, 0.5, 3.0, 0.0
 cy:     .word   0.0, 0.0,  0.0,  0.0, 1.0, 0.0, 4.0, 2.5
 
-; 0 stays, 1 comes to 2, -2 is on the circle, -1 and i go round for ever, 0.5 needs 5 steps.
+; 0 stays, 1 comes to 2, -2 is on the circle, -1 and i stay on cycles, 0.5 needs 5 steps.
 want_counts:
         .word   30, 2, 1, 30, 30, 5, 1, 1
 want_total:

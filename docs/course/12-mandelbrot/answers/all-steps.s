@@ -1,8 +1,8 @@
-; all-steps.s - the count of points: all go through all steps, and a control vector counts.
+; all-steps.s - the counts of points: all steps for all points, and a control vector.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 4000
         .equ    most, 50
         .endif

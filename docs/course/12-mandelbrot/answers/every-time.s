@@ -1,10 +1,10 @@
-; every-time.s - the count of points, moved together whenever one has left.
+; every-time.s - the counts of points, compressed whenever one has left.
 ;
 ;   z(1) = c,  z(k + 1) = z(k)^2 + c;  the count of c: the least k with |z(k)|^2 >= 4
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 4000
         .equ    most, 50
         .endif

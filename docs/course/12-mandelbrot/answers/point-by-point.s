@@ -1,8 +1,8 @@
-; point-by-point.s - the count of points, each in a scalar loop until it has left.
+; point-by-point.s - the counts of points, in a scalar loop for each point.
 
         .include "core.s"
 
-        .ifndef n                       ; the tests have others
+        .ifndef n                       ; the tests define it
         .equ    n, 4000
         .equ    most, 50
         .endif
