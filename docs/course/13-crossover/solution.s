@@ -1,5 +1,5 @@
 ; solution.s - forward substitution with the columns of a profile matrix: short columns in
-; the scalar unit, three elements at a time, long ones in vector form.
+; a scalar loop, three elements at a time, long ones in vector form.
 
         .include "core.s"
 
@@ -7,7 +7,7 @@
         .equ    n, 12                   ; columns
         .equ    m, 18                   ; elements of l
         .endif
-        .equ    CROSSOVER, 10           ; the length from which on a vector is faster
+        .equ    CROSSOVER, 10           ; the least length at which vectors are faster
 
         .data
 lengths:
@@ -20,7 +20,7 @@ l:      .rept   m
 x:      .rept   n
         .word   1.0 + \+
         .endr
-        .space  2                       ; three elements are read where there may be one
+        .space  2                       ; three elements are read even if there is one
         .code
 
         .regs   r10, length_at, l_at, x_at, columns, next_at, one, two, three, word, triple
@@ -48,7 +48,7 @@ next:   LOD     [length_at], length
         IBXEQ   length, r0, r0, done
         IBXGE   length, r0, crossover, long
 
-; Six loads are in flight at a time.
+; Six loads may be pending.
 short:  LOD     [l_at], l0
         LOD     [below], x0
         LOD     [l_at, one], l1
@@ -79,7 +79,7 @@ last:   SHIFTI  length, 6, bits
 
 long:   ADDLEN  l_at, length, column
         ADDLEN  x_at, length, below
-        ADDLEN  x_at, length, handed    ; only a name
+        ADDLEN  x_at, length, handed    ; not stored
         LINKV
         MPYSV   [column], factor, [handed]
         SUBNV   [below], [handed], [below]

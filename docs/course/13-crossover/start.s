@@ -1,5 +1,5 @@
 ; start.s - forward substitution with the columns of a profile matrix: the loop over the
-; columns is here, what a column does to the rows below is yours.
+; columns is complete; the update of the rows below a column is missing.
 
         .include "core.s"
 
@@ -33,12 +33,12 @@ x:      .rept   n
 
         .kernel substitution
 next:   LOD     [length_at], length     ; elements of this column
-        LOD     [x_at], factor          ; x(j), which is known now
+        LOD     [x_at], factor          ; x(j), now known
         ADDX    length_at, word, length_at
         ADDX    x_at, word, x_at        ; the row below
 
-; your code here: length elements from l_at on, times factor, are taken from the words
-; from x_at on.  Behind it l_at is at the next column, and x_at where it was.
+; your code here: subtract length elements from l_at on, times factor, from the words from
+; x_at on.  Afterwards l_at points to the next column, and x_at is unchanged.
 
         DBNZ    columns, [next_at]
         .endkernel

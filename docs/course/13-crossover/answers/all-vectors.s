@@ -1,5 +1,5 @@
-; all-vectors.s - forward substitution with the columns of a profile matrix: all of
-; them in vector form.
+; all-vectors.s - forward substitution with the columns of a profile matrix: all in
+; vector form.
 
         .include "core.s"
 
@@ -40,7 +40,7 @@ next:   LOD     [length_at], length
 
         ADDLEN  l_at, length, column
         ADDLEN  x_at, length, below
-        ADDLEN  x_at, length, handed    ; only a name
+        ADDLEN  x_at, length, handed    ; not stored
         LINKV
         MPYSV   [column], factor, [handed]
         SUBNV   [below], [handed], [below]

@@ -1,5 +1,5 @@
 ; one-at-a-time-or-vectors.s - forward substitution with the columns of a profile matrix: short
-; ones one element after another, long ones in vector form.
+; ones element by element, long ones in vector form.
 
         .include "core.s"
 
@@ -21,7 +21,7 @@ x:      .rept   n
         .endr
         .code
 
-        .equ    CROSSOVER, 4            ; the length from which on a vector is faster
+        .equ    CROSSOVER, 4            ; the least length at which vectors are faster
 
         .regs   r10, length_at, l_at, x_at, columns, next_at, short_at, word, crossover
         .regs   r20, length, factor, below, left, value, product, column, handed, bits
@@ -57,7 +57,7 @@ short:  LOD     [l_at], left
 
 long:   ADDLEN  l_at, length, column
         ADDLEN  x_at, length, below
-        ADDLEN  x_at, length, handed    ; only a name
+        ADDLEN  x_at, length, handed    ; not stored
         LINKV
         MPYSV   [column], factor, [handed]
         SUBNV   [below], [handed], [below]

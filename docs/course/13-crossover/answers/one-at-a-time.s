@@ -1,5 +1,5 @@
-; one-at-a-time.s - forward substitution with the columns of a profile matrix: one
-; element after another.
+; one-at-a-time.s - forward substitution with the columns of a profile matrix: a
+; loop over single elements.
 
         .include "core.s"
 
