@@ -4,7 +4,7 @@
         .equ    pages, 17
         .endif
         .ifndef back
-        .equ    back, 0                 ; 1: every other time backwards
+        .equ    back, 0                 ; 1: every second pass backwards
         .endif
 
         .data
@@ -21,8 +21,8 @@ page:   LOD     [at], x
         ADDX    at, step, at
         DBNZ    left, [each_page]
         .if     back
-        SUBX    at, step, at            ; the last page first
-        SUBX    r0, step, step          ; and the other way
+        SUBX    at, step, at            ; start with the last page
+        SUBX    r0, step, step          ; in the other direction
         .else
         EX      at, store
         .endif

@@ -1,5 +1,5 @@
-; solution.s - the mean of 20 frames, and how many are above it.  The second pass begins with
-; the frames that are still in memory; the first ones, which are not, were copied side by side.
+; solution.s - the mean of 20 frames, and how many are above it.  The second pass starts
+; with the frames that are still in memory; the evicted ones were copied side by side.
 
         .include "core.s"
 
@@ -8,7 +8,7 @@
         .endif
         .equ    COUNT, 20
         .equ    PAGE, 65536
-        .equ    LOST, 5                 ; frames that the others will have driven out
+        .equ    LOST, 5                 ; frames that the others evict
 
         .data
 mean:   .space  n
@@ -36,7 +36,7 @@ frames: .rept   COUNT
         load_constant one, 1.0
         load_constant share, 1.0 / COUNT
 
-; Do what stands between repeat and again so many times.
+; repeat N .. again executes the lines between N times.
         .macro  repeat count
         ES      left, \count
         EX      next_at, repeat\@

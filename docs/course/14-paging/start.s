@@ -1,5 +1,5 @@
-; start.s - the mean of 20 frames, and how many are above it: data and registers are here,
-; the two passes are yours.
+; start.s - the mean of 20 frames, and how many are above it: data and registers are
+; complete; the two passes are missing.
 
         .include "core.s"
 
@@ -24,7 +24,7 @@ frames: .rept   COUNT
         .regs   r10, frame, means, counts, bits, page, left, next_at
         .regs   r20, one, share
 
-        descriptor frame, frames, n     ; the first one; page bits on is the next one
+        descriptor frame, frames, n     ; the first frame; the next one is page bits further
         descriptor means, mean, n
         descriptor counts, above, n
         descriptor bits, higher, n

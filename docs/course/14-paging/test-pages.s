@@ -1,10 +1,10 @@
-; test: 20 frames of 300 numbers, which come from disc
+; test: 20 frames of 300 numbers, not in memory at the start
 ; tolerance: mean 1e-9
 ; goals: gold 34700, silver 38000, bronze 54000
         .equ    n, 300
 
-; Number i of frame k is 1000 or so with a square, where i is odd, or a peak, where it is even,
-; upside down for every third i; these begin at another frame for each i.
+; Number i of frame k is 1000 plus a term, or minus it for every third i.  The term is the square
+; of (k + i) mod 20 for odd i, and for even i it is 1 in every tenth frame, else 0.
         .macro  number i, k
         .if     \i % 2
         .word   1000 + (2 * (\i % 3 > 0) - 1) * float((\k + \i) % 20 * ((\k + \i) % 20))

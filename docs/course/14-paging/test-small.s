@@ -1,4 +1,4 @@
-; test: 20 frames of 6 numbers, some of which are their mean; results hold something before
+; test: 20 frames of 6 numbers, some of which equal their mean; results are not zero before
 ; tolerance: mean 1e-9
         .equ    n, 6
 

@@ -1,5 +1,5 @@
-; all-copied.s - the mean of 20 frames, and how many are above it: all are copied side by side in
-; the first pass, for the second one.
+; all-copied.s - the mean of 20 frames, and how many are above it: the first pass copies all of
+; them side by side for the second pass.
 
         .include "core.s"
 
@@ -35,7 +35,7 @@ frames: .rept   COUNT
         load_constant one, 1.0
         load_constant share, 1.0 / COUNT
 
-; Do what stands between repeat and again so many times.
+; repeat N .. again executes the lines between N times.
         .macro  repeat count
         ES      left, \count
         EX      next_at, repeat\@

@@ -1,5 +1,5 @@
-; element-by-element.s - the mean of 20 frames, and how many are above it, of one element after
-; another.
+; element-by-element.s - the mean of 20 frames, and how many are above it, in a loop over
+; single elements.
 
         .include "core.s"
 

@@ -1,4 +1,4 @@
-; in-a-circle.s - the mean of 20 frames, and how many are above it: both times from the first
+; in-a-circle.s - the mean of 20 frames, and how many are above it: both passes from the first
 ; frame to the last.
 
         .include "core.s"
@@ -32,7 +32,7 @@ frames: .rept   COUNT
         load_constant one, 1.0
         load_constant share, 1.0 / COUNT
 
-; Do what stands between repeat and again so many times.
+; repeat N .. again executes the lines between N times.
         .macro  repeat count
         ES      left, \count
         EX      next_at, repeat\@
