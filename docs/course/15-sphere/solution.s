@@ -1,4 +1,4 @@
-; solution.s - a queue of rays meets a sphere.
+; solution.s - the intersections of a queue of rays with a sphere.
 ;
 ; With L = C - O, D of length one:
 ;
@@ -7,7 +7,7 @@
 ;   h = r^2 - w . w        h < 0: the ray misses
 ;   tin = b - sqrt(h),  tout = b + sqrt(h)
 ;
-; Differences are linked to their squares.  Rays that miss are left out of the root.
+; Differences are linked to their squares.  The root is computed for the hits only.
 
         .include "core.s"
 
@@ -68,7 +68,7 @@ square: .space  n
         descriptor b, along, n
         descriptor h, square, n
         descriptor bits, hits, n
-        descriptor handed, part, n      ; only a name
+        descriptor handed, part, n      ; not stored
         load_constant big, 1e30
         load_constant minus_big, -1e30
 

@@ -1,4 +1,4 @@
-; start.s - a queue of rays meets a sphere: data and descriptors are here, the formulas are yours.
+; start.s - a queue of rays and a sphere: data and descriptors are complete, the formulas are missing.
 
         .include "core.s"
 
@@ -64,6 +64,6 @@ square: .space  n
 
         .kernel sphere
 ; your code here: tin and tout of all rays.  l0, l1, l2, t, b, h and bits are room for
-; what comes between.
+; intermediate results.
         .endkernel
         EXIT

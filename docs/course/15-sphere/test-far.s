@@ -4,7 +4,7 @@
         .equ    n, 3
         .warm
 
-; The sphere is 0.1 wide and 100,000 away; the rays pass it by at 0.05 times 0, 0.6 and 0.8.
+; The sphere is 0.1 wide and 100,000 away; the rays pass the centre at 0.05 times 0, 0.6 and 0.8.
         .data
 ox:     .word   0.0, 0.03, 0.04
 oy:     .rept   3

@@ -1,4 +1,4 @@
-; as-the-kernel.s - a queue of rays meets a sphere, in the instructions of the project's kernel.
+; as-the-kernel.s - a queue of rays and a sphere, with the instructions of the project's kernel.
 ;
 ; With L = C - O, D of length one:
 ;

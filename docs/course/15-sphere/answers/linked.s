@@ -1,4 +1,4 @@
-; linked.s - a queue of rays meets a sphere: differences are linked to their squares; roots for all.
+; linked.s - a queue of rays and a sphere: differences are linked to their squares; roots of all rays.
 ;
 ; With L = C - O, D of length one:
 ;
@@ -66,7 +66,7 @@ square: .space  n
         descriptor b, along, n
         descriptor h, square, n
         descriptor bits, hits, n
-        descriptor handed, part, n      ; only a name
+        descriptor handed, part, n      ; not stored
         load_constant big, 1e30
         load_constant minus_big, -1e30
 

@@ -1,4 +1,4 @@
-; ray-by-ray.s - a queue of rays meets a sphere, one ray after the other.
+; ray-by-ray.s - a queue of rays and a sphere, in a scalar loop.
 
         .include "core.s"
 
