@@ -1,15 +1,15 @@
-; solution.s - how much of a scene is seen, and how far away it is: a queue of rays meets each
-; sphere as a whole, and the rays are made and used in vectors, too.
+; solution.s - the rays that hit a scene, and their depth: a whole queue of rays is intersected
+; with each sphere, and the rays are made and used in vectors, too.
 ;
 ; Ray k runs along z from (x, y, 0), where x and y are the fractions of k STEP_X and k STEP_Y.
-; Of each sphere that it meets it finds the nearer point,
+; For each sphere that it hits it computes the nearer point,
 ;
 ;   h = r^2 - (x - cx)^2 - (y - cy)^2,   z = cz - sqrt(h)   if h >= 0
 ;
-; and keeps the least z.  seen counts the rays that met one, depth is the sum of their z.
+; and the minimum z.  seen counts the rays with a hit, depth is the sum of their z.
 ;
 ; With q = x^2 + y^2, once for all spheres, -h = q - 2 cx x - 2 cy y - (r^2 - cx^2 - cy^2) is two
-; linked pairs and a comparison.  Nothing much cancels: all numbers are below 3.
+; linked pairs and a comparison.  Few digits cancel: all numbers are below 3.
 
         .include "core.s"
 
@@ -36,9 +36,9 @@ nearest:
 qs:     .space  queue                   ; x^2 + y^2
 us:     .space  queue
 ss:     .space  queue
-places: .space  queue                   ; of the rays that meet the sphere,
-zs:     .space  queue                   ; their z
-olds:   .space  queue                   ; and what was nearest
+places: .space  queue                   ; of the rays that hit the sphere:
+zs:     .space  queue                   ; their z,
+olds:   .space  queue                   ; and the previous nearest z
         .bitvector meets, queue
         .code
 
@@ -81,7 +81,7 @@ full:   vector  order, iota
         vector  u, us
         vector  s, ss
         vector  q, qs
-        vector  handed, us              ; only a name
+        vector  handed, us              ; not stored
         vector  near, nearest
         vector  bits, meets
         INTVLV  first_x, step_x, [x]
@@ -122,7 +122,7 @@ a_body: SWAP    [body_at], cx, [r0]
         ADDX    at, apart, z
         ADDX    z, apart, old
         LTOR    at, count
-        EX      nearer, meets           ; as long as these
+        EX      nearer, meets           ; with the same length
         ADDLEN  nearer, count, nearer
         VXTOV   [at], [s], [z]
         VXTOV   [at], [near], [old]

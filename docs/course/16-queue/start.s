@@ -1,17 +1,17 @@
-; start.s - how much of a scene is seen, and how far away it is: ray by ray, in scalar code.
+; start.s - the rays that hit a scene, and their depth: ray by ray, in scalar code.
 ;
-; Right, and slow.  Ray k runs along z from (x, y, 0), where x and y are the fractions of k STEP_X
-; and k STEP_Y.  Of each sphere that it meets it finds the nearer point,
+; Correct, and slow.  Ray k runs along z from (x, y, 0), where x and y are the fractions of
+; k STEP_X and k STEP_Y.  For each sphere that it hits it computes the nearer point,
 ;
 ;   h = r^2 - (x - cx)^2 - (y - cy)^2,   z = cz - sqrt(h)   if h >= 0
 ;
-; and keeps the least z.  seen counts the rays that met one, depth is the sum of their z.
+; and the minimum z.  seen counts the rays with a hit, depth is the sum of their z.
 
         .include "core.s"
 
         .ifndef rays
         .equ    rays, 1000
-        .equ    queue, 100              ; rays in the queue, as yet not used
+        .equ    queue, 100              ; rays in the queue, not yet used
         .equ    bodies, 2
         .endif
         .equ    STEP_X, 648056.0 / 1048576
@@ -44,7 +44,7 @@ depth:  .word   0.0
         EX      next_body, a_body
         EX      record, 4 * 64
 
-; your code here: instead of this loop a queue of rays, which meets each sphere as a whole.
+; your code here: replace this loop by a queue of rays; intersect the whole queue with each sphere.
 
         .kernel use
 a_ray:  RTOR    big, nearest

@@ -1,4 +1,4 @@
-; test: queues of a single ray, the first of which just touches a sphere
+; test: queues of a single ray, the first of which touches a sphere
 ; tolerance: depth 1e-8
         .equ    rays, 12
         .equ    queue, 1

@@ -1,12 +1,12 @@
-; differences-squared.s - how much of a scene is seen, and how far away it is: all in vectors, and
+; differences-squared.s - the rays that hit a scene, and their depth: all in vectors, and
 ; the differences of each sphere squared.
 ;
 ; Ray k runs along z from (x, y, 0), where x and y are the fractions of k STEP_X and k STEP_Y.
-; Of each sphere that it meets it finds the nearer point,
+; For each sphere that it hits it computes the nearer point,
 ;
 ;   h = r^2 - (x - cx)^2 - (y - cy)^2,   z = cz - sqrt(h)   if h >= 0
 ;
-; and keeps the least z.  seen counts the rays that met one, depth is the sum of their z.
+; and the minimum z.  seen counts the rays with a hit, depth is the sum of their z.
 
         .include "core.s"
 
@@ -32,9 +32,9 @@ nearest:
         .space  queue
 us:     .space  queue
 ss:     .space  queue
-places: .space  queue                   ; of the rays that meet the sphere,
-zs:     .space  queue                   ; their z
-olds:   .space  queue                   ; and what was nearest
+places: .space  queue                   ; of the rays that hit the sphere:
+zs:     .space  queue                   ; their z,
+olds:   .space  queue                   ; and the previous nearest z
         .bitvector meets, queue
         .code
 
@@ -76,7 +76,7 @@ full:   vector  order, iota
         vector  y, ys
         vector  u, us
         vector  s, ss
-        vector  handed, us              ; only a name
+        vector  handed, us              ; not stored
         vector  near, nearest
         vector  bits, meets
         INTVLV  first_x, step_x, [x]
@@ -109,7 +109,7 @@ a_body: SWAP    [body_at], cx, [r0]
         ADDX    at, apart, z
         ADDX    z, apart, old
         LTOR    at, count
-        EX      nearer, meets           ; as long as these
+        EX      nearer, meets           ; with the same length
         ADDLEN  nearer, count, nearer
         VXTOV   [at], [s], [z]
         VXTOV   [at], [near], [old]

@@ -1,12 +1,12 @@
-; with-masks.s - how much of a scene is seen, and how far away it is: all in vectors, with all rays
+; with-masks.s - the rays that hit a scene, and their depth: all in vectors, with all rays
 ; for each sphere.
 ;
 ; Ray k runs along z from (x, y, 0), where x and y are the fractions of k STEP_X and k STEP_Y.
-; Of each sphere that it meets it finds the nearer point,
+; For each sphere that it hits it computes the nearer point,
 ;
 ;   h = r^2 - (x - cx)^2 - (y - cy)^2,   z = cz - sqrt(h)   if h >= 0
 ;
-; and keeps the least z.  seen counts the rays that met one, depth is the sum of their z.
+; and the minimum z.  seen counts the rays with a hit, depth is the sum of their z.
 
         .include "core.s"
 
@@ -68,7 +68,7 @@ full:   vector  x, xs
         vector  y, ys
         vector  u, us
         vector  s, ss
-        vector  handed, us              ; only a name
+        vector  handed, us              ; not stored
         vector  near, nearest
         vector  bits, meets
         vector  nearer, nearers
