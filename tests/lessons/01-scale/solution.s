@@ -1,11 +1,11 @@
-; y := 2 x, and how many elements of y are above 1000.
+; y := 2 x, and the number of elements of y above 1000.
 
         .include "core.s"
         .warm
         .regs   r16, xs, ys, two, limit, count, place, hits
 
         .ifndef n
-        .equ    n, 5                    ; the tests have others
+        .equ    n, 5                    ; the tests define it
         .endif
 
         .data
