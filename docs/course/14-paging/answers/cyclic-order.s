@@ -1,4 +1,4 @@
-; in-a-circle.s - the mean of 20 frames, and how many are above it: both passes from the first
+; cyclic-order.s - the mean of 20 frames, and how many are above it: both passes from the first
 ; frame to the last.
 
         .include "core.s"

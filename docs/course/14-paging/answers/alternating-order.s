@@ -1,4 +1,4 @@
-; turned-round.s - the mean of 20 frames, and how many are above it: the second pass goes back
+; alternating-order.s - the mean of 20 frames, and how many are above it: the second pass goes back
 ; from the last frame to the first.
 
         .include "core.s"
