@@ -98,7 +98,7 @@ struct naming {
     const struct symbol *symbol;
     struct register_name named;
     size_t owner;                       /* the first naming of what this is */
-    const struct register_share *share; /* the block it stands in, or NULL */
+    const struct register_share *share; /* the block it is in, or NULL */
     bool ended;                         /* the name has moved on */
     size_t below;                       /* the one of this register before it, from 1 */
 };

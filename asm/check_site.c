@@ -456,7 +456,7 @@ static bool is_named(const c205_insn *insn, const char *names)
            && (found[length] == ' ' || found[length] == '\0');
 }
 
-/* SPARSE elements stand where their bits are; which meet is not looked at. */
+/* SPARSE elements are where their bits are; which meet is not looked at. */
 void spot_choose(struct spot *spot)
 {
     const c205_insn *insn = spot->view.insn;

@@ -15,7 +15,7 @@
 bool disassemble(const struct object *object, const struct sink *sink);
 
 enum { DISASSEMBLE_TEXT_SIZE = TEXT_LINE_SIZE };
-/* One instruction, in the high half of word if it is short, as it stands at
+/* One instruction, in the high half of word if it is short, as it is at
  * a bit address.  Returns its length in half words; one that the language
  * cannot express is one .half. */
 unsigned disassemble_one(c205_word word, uint64_t address,

@@ -1,4 +1,4 @@
-/* expectation.c - expectations, as they stand in the comments of test programs. */
+/* expectation.c - expectations, as they are in the comments of test programs. */
 #include <ctype.h>
 #include <string.h>
 
@@ -141,7 +141,7 @@ static bool parse_warning(struct cursor *cursor, struct expectation *expectation
                          expectation->text));
 }
 
-/* A program names one at the most. */
+/* A program names one at most. */
 static bool parse_model(struct cursor *cursor, struct expectation *expectation)
 {
     const struct assembler *assembler = cursor->assembler;

@@ -1,6 +1,6 @@
 /* incfile.c - .incfile: words from the numbers of a file.
  *
- * Fields stand between commas in a line that has one, else between blanks; they may stand in
+ * Fields are between commas in a line that has one, else between blanks; they may be in
  * quotes.  A # begins a comment.  A first line of which no field is a number is a heading, the
  * names of the columns.
  */

@@ -179,7 +179,7 @@ static void add_pieces(struct line_profile *profile, const c205_times *times)
     }
 }
 
-/* Of a run that was stopped within an instruction: what no record has.  If it goes on the
+/* Of a run that was stopped within an instruction: what no record has.  If it continues the
  * instruction's own record will have it. */
 static void add_end(struct line_profile *profile, const c205 *machine)
 {

@@ -38,7 +38,7 @@ size_t line_profile_count(const struct line_profile *profile);
 const struct profile_row *line_profile_row(const struct line_profile *profile,
                                            size_t i);
 
-/* Rows that took time: the hottest first, or as they stand. */
+/* Rows that took time: the hottest first, or as they are. */
 enum profile_order { PROFILE_HOTTEST, PROFILE_AS_WRITTEN };
 struct profile_view {
     enum profile_order order;

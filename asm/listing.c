@@ -32,7 +32,7 @@ static bool put_half(const c205_program *program, uint64_t address,
     return true;
 }
 
-/* Two halves a row; the source stands in the first one. */
+/* Two halves a row; the source is in the first one. */
 static void put_line(const c205_program *program, const struct asm_line *line,
                      const struct sink *sink)
 {

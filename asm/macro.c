@@ -213,7 +213,7 @@ static size_t name_length(const char *at, const char *end)
     return (size_t)(at - begin);
 }
 
-/* What stands after a backslash at at; returns where to go on.  What has no
+/* What is after a backslash at at; returns where to continue.  What has no
  * meaning stays as it is, so that strings keep their escapes. */
 static const char *substitute_one(const struct substitution *substitution,
                                   const char *at, const char *end,

@@ -199,7 +199,7 @@ static bool check_operands(struct cursor *cursor, struct instruction *instructio
            || report(cursor->assembler, cursor->line, at[blamed], "%s", problem);
 }
 
-/* What stands before an operand that is not the first. */
+/* What is before an operand that is not the first. */
 static bool parse_between(struct cursor *cursor, const struct operand *operand,
                           c205_fields *fields)
 {

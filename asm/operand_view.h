@@ -1,5 +1,5 @@
 /* operand_view.h - what an instruction is about to work on: its operands, as
- * the registers of a machine that stands before it describe them.  Not public.
+ * the registers of a machine that is before it describe them.  Not public.
  *
  * For who watches a program or tells why it trapped.  It reads the machine
  * and changes nothing.

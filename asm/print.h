@@ -8,7 +8,7 @@
  *   7  bit vector R
  *
  * S says how numbers look (1, 2, 6): its low 8 bits are digits, the next 8 the width, 16 how many
- * elements of a vector stand in a line, 8 the notation: 0 as short as can be, 1 fixed,
+ * elements of a vector are in a line, 8 the notation: 0 as short as can be, 1 fixed,
  * 2 scientific (c205_to_decimal).  Register 0: plainly.
  */
 #ifndef ASM_PRINT_H

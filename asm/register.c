@@ -19,7 +19,7 @@ static bool overlap(struct register_name a, struct register_name b)
     return a.half && b.half ? a.number == b.number : whole_number(a) == whole_number(b);
 }
 
-/* The naming that stands behind an index as registers keep it, from 1. */
+/* The naming that is behind an index as registers keep it, from 1. */
 static struct naming *naming_at(const struct registers *registers, size_t index)
 {
     return index > 0 ? &registers->namings[index - 1] : NULL;
@@ -43,7 +43,7 @@ static bool has_word(const struct register_share *share,
     return false;
 }
 
-/* What is declared in the one block says that it may stand where what is
+/* What is declared in the one block says that it may be where what is
  * declared in the other does. */
 static bool says_so(const struct register_share *share,
                     const struct register_share *other)
@@ -248,7 +248,7 @@ bool parse_endshare(struct cursor *cursor)
     return true;
 }
 
-/* A name stands in an instruction. */
+/* A name is in an instruction. */
 bool mention_register(struct assembler *assembler, struct register_name named)
 {
     struct registers *registers = &assembler->registers;

@@ -80,7 +80,7 @@ static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
 
 static const char defined_by_command[] = "'%s' is defined by the command already";
 
-/* A name means one thing in a program; but registers are named anew by each
+/* A name means one thing in a program; but registers are named again by each
  * routine, and a constant may be given the same value twice. */
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
                    struct symbol *symbol, enum symbol_kind kind, struct value value)

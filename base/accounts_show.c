@@ -111,7 +111,7 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 
 /* ---- Causes are rows ----------------------------------------------------- */
 
-/* The share stands beside the sum, not below it, and both in the first part
+/* The share is beside the sum, not below it, and both in the first part
  * alone. */
 static void add_cause(struct table *table, const struct matrix *matrix, int line,
                       size_t first, size_t count)

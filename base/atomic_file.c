@@ -112,7 +112,7 @@ static FILE *open_place(struct atomic_file *whole)
     return file < 0 ? NULL : fdopen(file, "w");
 }
 
-/* stdout goes on. */
+/* stdout continues. */
 static bool close_place(struct atomic_file *whole)
 {
     return whole->file == stdout || fclose(whole->file) == 0;

@@ -5,7 +5,7 @@
 
 #include "base/command_rows.h"
 
-/* Explanations stand in a column of their own. */
+/* Explanations are in a column of their own. */
 enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0, EXAMPLE = 6 };
 
 /* ---- Words for a row ---------------------------------------------------- */

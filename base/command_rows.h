@@ -54,7 +54,7 @@ void command_print_fish(const struct command_program *program, FILE *file);
 /* The number of the next value that has a name, from this one on.  *name is
  * NULL: there is none. */
 size_t command_next_choice(command_choice *choice, size_t number, const char **name);
-/* What stands behind an operand's or option's name in help. */
+/* What is behind an operand's or option's name in help. */
 void command_option_meaning(const struct command_option *option,
                             const struct sink *sink);
 

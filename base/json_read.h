@@ -28,7 +28,7 @@ struct json_value {
     const struct json_value *next;  /* in the same one; NULL: this is the last */
 };
 
-/* Arrays and objects lie in each other so deep at the most. */
+/* Arrays and objects lie in each other so deep at most. */
 #define JSON_DEEPEST 64
 
 /* It lives in the arena.  NULL: the error says what is wrong, and at which byte. */

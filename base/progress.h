@@ -1,6 +1,6 @@
 /* progress.h - one line on the terminal while a command works.
  *
- * It stands on stderr, only if that is a terminal and the work takes more than
+ * It is on stderr, only if that is a terminal and the work takes more than
  * a second, and tells how much is done and how long the rest takes at that
  * pace.  Work that begins with something done (from another day) is timed by
  * what is done since.  The line is gone when the work is.

@@ -20,7 +20,7 @@ const char *provenance_left_out(const c205_model *model);
 /* With every table, in one line: what its figures are, on which model, and
  * where to read on.  Or whole, in several: how near the model came to published
  * figures, what it leaves out, and from where its constants are.  Each line
- * stands behind a text of the caller's ("# ", say). */
+ * is behind a text of the caller's ("# ", say). */
 void provenance_print(const c205_model *model, bool whole, const char *before,
                       FILE *file);
 /* All of that as the member "model". */

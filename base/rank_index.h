@@ -1,4 +1,4 @@
-/* ranks.h - numbers that lie far apart, counted anew from 1 on in their order.
+/* ranks.h - numbers that lie far apart, counted again from 1 on in their order.
  *
  *   rank_index_begin(&ranks, 3) and rank_index_add 70, 20, 70, then
  *   rank_index_sort; rank_index_place of 20 is 1, of 70 it is 2, of 50 it is 0

@@ -1,6 +1,6 @@
 /* table.h - a table, printed with its columns in line or in other formats.
  *
- * Cells are added from left to right, row after row.  Text stands at the left
+ * Cells are added from left to right, row after row.  Text is at the left
  * of its column, numbers at the right.  In print
  * text in the last column is folded where its line would be long (word_wrap.h).  The same table goes to the reader, to
  * other programs and to the JSON file, so that no figure is worked out twice.
@@ -25,7 +25,7 @@ struct table_column {
  * of their columns; CSV has the names and all the digits that JSON has. */
 enum table_format { TABLE_PLAIN, TABLE_CSV, TABLE_MARKDOWN };
 
-/* Columns that stand in an array, and their number. */
+/* Columns that are in an array, and their number. */
 #define TABLE_COLUMNS(list) list, sizeof list / sizeof *list
 
 struct table;

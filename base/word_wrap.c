@@ -6,7 +6,7 @@
 
 enum { NARROWEST = 20 };
 
-/* How much of a text stands in a line of that width: at least a word. */
+/* How much of a text is in a line of that width: at least a word. */
 static size_t fold(const char *text, size_t width)
 {
     size_t length = 0;

@@ -11,7 +11,7 @@
 enum { WORD_WRAP_WIDTH = 100 };
 
 /* Prints a text that begins in that column, and ends the line.  What would go
- * beyond WORD_WRAP_WIDTH goes on below, from the same column on; a column too far
+ * beyond WORD_WRAP_WIDTH continues below, from the same column on; a column too far
  * to the right for that is not folded. */
 void word_wrap_print(const char *text, size_t column, FILE *file);
 /* The same to a sink. */

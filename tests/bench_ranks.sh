@@ -8,7 +8,7 @@
 # What one processor does in a minute changes by a tenth on a machine that others use, too,
 # and the least of several runs compares the best moment of one with that of two.  So the three
 # are timed at once, one after the other, and of several such trials the one counts whose
-# ratio is in the middle; the lowest and the highest ratio stand beside it.
+# ratio is in the middle; the lowest and the highest ratio are beside it.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

@@ -27,7 +27,7 @@ plain_text() { # PDF
             s/±//g; s/|/!/g"
 }
 
-# Rows that do not stand in the text so: behind a name and its code marks, the
+# Rows that are not in the text: behind a name and its code marks, the
 # class, perhaps the letter of a part of the vector unit, operands and effect.
 missing_rows() { # TEXT ROWS
     awk '

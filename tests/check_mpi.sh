@@ -2,7 +2,7 @@
 # check_mpi.sh BUILD - a frame, mass and heat over several processes: the bytes of one
 # alone, whatever the ranks, and whoever is killed.
 #
-# KILLS: so many runs of each kind are killed at a time by chance, rank 0, another rank or
+# KILLS: so many runs of each kind are killed at a time at random, rank 0, another rank or
 # mpirun, and go on from their file with another number of ranks (3).  SEED: of these (1).
 # USES: all: also heat and mass of every scene.
 set -u

@@ -3,7 +3,7 @@
 # they are played, to the byte: from a file, from a pipe, and once more.
 #
 # tests/debugger/forty.lines, 40 commands, over five programs says what is recorded beside it;
-# --write records it anew.  Then scripts of 40 lines that test_debugger_scripts draws.
+# --write records it again.  Then scripts of 40 lines that test_debugger_scripts draws.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 write=${2:-}

@@ -175,7 +175,7 @@ function without_code(text) {
     return text
 }
 
-# A sentence may go on in a block, for instance a formula, in a table or in a list.
+# A sentence may continue in a block, for instance a formula, in a table or in a list.
 function check_end(next_line) {
     if (open_end && next_line !~ /^(    |<| ? ? ?[|]|[-*+] |[0-9]+\.)/)
         complain(open_line, "a paragraph without an end: .." open_end)

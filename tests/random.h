@@ -1,4 +1,4 @@
-/* random.h - words by chance, the same on every run for the same seed. */
+/* random.h - random words, the same on every run for the same seed. */
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 

@@ -7,7 +7,7 @@
 
 /* ---- Which instructions go into blocks ----------------------------------- */
 
-/* Those whose semantics ask for the clock, which must stand where they begin:
+/* Those whose semantics ask for the clock, which must be where they begin:
  * see machine_clocks. */
 static bool asks_for_the_time(const struct decoded *decoded)
 {
@@ -28,7 +28,7 @@ static bool goes_by_itself(const struct decoded *decoded)
            || asks_for_the_time(decoded);
 }
 
-/* What stands behind other branches may be no code, and where a program has
+/* What is behind other branches may be no code, and where a program has
  * stored on what was decoded, behind any.  What SWAP costs depends on its
  * operands, so that it is the last one. */
 static bool may_go_on(const struct c205 *machine, const struct decoded *decoded)

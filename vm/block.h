@@ -1,6 +1,6 @@
 /* block.h - scalar instructions that control goes through one after the
  * other, decoded once: up to a branch, or to one that goes by itself.  Where
- * the branch is a forward one that depends on something, the block goes on
+ * the branch is a forward one that depends on something, the block continues
  * behind it: control leaves the block there, or does not.
  *
  * Semantics know no time, so all of a block can be executed first and then

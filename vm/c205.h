@@ -90,7 +90,7 @@ void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE]);
  *   | exponent 8, two's complement | coefficient 24, two's complement |
  *
  * with the exponents 80-8F hex for machine zero, 70-7F for indefinite.  Here
- * it always stands at the left of a c205_word, zeros behind it, so that
+ * it always is at the left of a c205_word, zeros behind it, so that
  * C205_MACHINE_ZERO and C205_INDEFINITE serve both sizes.
  */
 #define C205_HALF_ONE UINT64_C(0xEA40000000000000)
@@ -414,7 +414,7 @@ typedef struct c205_piece {
 } c205_piece;
 
 /* The time of one instruction, from the clock itself.  Its pieces, in the order of time,
- * are by how much it moved the clock.  A vector instruction goes on after that; its
+ * are by how much it moved the clock.  A vector instruction continues after that; its
  * phases follow each other from the clock at which it issued to the end, those of no
  * length left out. */
 enum { C205_PIECES = 40, C205_PHASES = 5 };
@@ -484,7 +484,7 @@ bool c205_map(c205 *machine, uint64_t address, size_t words, c205_access access,
 
 /* Words that machines have in common, in any threads: a page is copied before the first
  * of them writes there, for that machine.  They must stay as long as any of these runs or is
- * looked at; to free it, or load it anew, is not that. */
+ * looked at; to free it, or load it again, is not that. */
 typedef struct c205_shared c205_shared;
 /* With zeros behind them, to the end of a page.  NULL: no memory. */
 c205_shared *c205_shared_new(const c205_word *words, size_t count);
@@ -514,7 +514,7 @@ bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t 
 /* Run until the program ends, a trap, or the clock has reached limit: between
  * two instructions, or in the middle of a vector instruction, whose first
  * elements are stored then and which stays the one at the program counter.
- * The next run goes on there, and its results, clocks and accounts are those
+ * The next run continues there, and its results, clocks and accounts are those
  * of a run that was not stopped.  Nothing happens where the clock has reached
  * the limit already. */
 c205_stop c205_run(c205 *machine, uint64_t limit);
@@ -542,7 +542,7 @@ c205_word c205_data_flags(const c205 *machine);
  * the clocks of that instruction up to there are in the accounts (it is
  * counted when it is done).
  *
- * After a trap or at the limit a run may go on as if it had not been stopped:
+ * After a trap or at the limit a run may continue as if it had not been stopped:
  * from the clock at which the instruction at the program counter issues.  So
  * where a page was missing and has been mapped, the end is as if it had been
  * there from the beginning. */
@@ -563,7 +563,7 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 /* ---- Stops (vm/stops.c) ---------------------------------------------------
  *
  * They end a run behind an instruction, with a trap of their own, of which listeners hear
- * as of others, and the next run goes on there as if nothing had been.  A load leaves
+ * as of others, and the next run continues there as if nothing had been.  A load leaves
  * them as they are, a machine that is saved leaves them out.
  */
 
@@ -620,7 +620,7 @@ bool c205_retime(const c205_recording *recording, const c205_model *model,
  * A machine that is not running (not in a listener) as a list of bytes:
  * format version, model, program, registers, memory, the clock with all that
  * is in flight, and how far an interrupted vector instruction came.  A
- * restored machine goes on as the saved one would have: same results, same
+ * restored machine continues as the saved one would have: same results, same
  * clocks, same accounts.  Listeners are not saved.
  */
 
@@ -642,8 +642,8 @@ c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
  */
 typedef struct c205_history c205_history;
 
-/* The machine as it stands is step 0; it is the history's from then on.  Snapshots
- * take so many bytes at the most, but two are always kept, and those that c205_history_changed
+/* The machine as it is is step 0; it is the history's from then on.  Snapshots
+ * take so many bytes at most, but two are always kept, and those that c205_history_changed
  * made: with fewer of them it is farther to go.  NULL: no memory, and the machine remains the caller's. */
 c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error);
 void c205_history_free(c205_history *history);

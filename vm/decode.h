@@ -47,7 +47,7 @@ struct touch {
     uint64_t address, bits;
     bool stored; /* into it, or into parts of it */
 };
-/* A vector instruction uses six at the most, those of a block one each, but for
+/* A vector instruction uses six at most, those of a block one each, but for
  * a SWAP, which is its last and uses two. */
 enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS + 1 };
 

@@ -1,4 +1,4 @@
-/* direct.h - operands of a vector instruction where they stand in the host's
+/* direct.h - operands of a vector instruction where they are in the host's
  * memory.
  *
  * Most instructions are simple: of words, without offsets and signs, begun

@@ -244,7 +244,7 @@ static struct vector describe_table(const struct c205 *machine,
     return table;
 }
 
-/* ---- Where all stands in pages of the host ------------------------------- */
+/* ---- Where all is in pages of the host ------------------------------- */
 
 /* The elements that a list names; counted in words. */
 struct table_place {

@@ -18,7 +18,7 @@ enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
 
 struct snapshot {
     uint64_t step, clock;
-    bool changed; /* by hand: whoever comes to this step goes on from here */
+    bool changed; /* by hand: whoever comes to this step continues from here */
     size_t size;
     unsigned char *bytes;
 };
@@ -29,7 +29,7 @@ struct c205_history {
     uint64_t known;         /* .. the most that there ever were */
     bool ended;             /* behind the last of them the program has ended */
     c205_stop end;          /* .. that way */
-    size_t budget, held;    /* bytes of snapshots: at the most, now */
+    size_t budget, held;    /* bytes of snapshots: at most, now */
     uint64_t steps, clocks; /* so far apart are the next */
     size_t count, capacity;
     struct snapshot *list; /* by step */

@@ -25,7 +25,7 @@ static void clear_registers(struct c205 *machine)
     machine->request = NO_REQUEST;
 }
 
-/* What was decoded from there is not what stands in memory, perhaps. */
+/* What was decoded from there is not what is in memory, perhaps. */
 static void clear_resume(struct c205 *machine)
 {
     if (!machine->resume.interrupted)
@@ -184,7 +184,7 @@ static bool stop_before(struct c205 *machine, c205_trap trap, const c205_insn *i
 }
 
 /* In the middle of a vector instruction: at the limit, or at a trap that came
- * when it was to go on. */
+ * when it was to continue. */
 static bool stop_within(struct c205 *machine, c205_trap trap,
                         const struct decoded *decoded, uint64_t limit, c205_stop *stop)
 {
@@ -246,7 +246,7 @@ static inline void clear_effect(struct effect *effect)
     effect->swapped = effect->saved = 0;
 }
 
-/* A vector instruction may go on until the limit comes. */
+/* A vector instruction may continue until the limit comes. */
 static void limit_elements(struct c205 *machine, const struct decoded *decoded,
                            uint64_t limit)
 {
@@ -341,7 +341,7 @@ static inline bool go_on(struct c205 *machine, uint64_t limit, c205_stop *stop)
 
 /* ---- From a beginning to an end ------------------------------------------ */
 
-/* The first one goes on where the run before was stopped. */
+/* The first one continues where the run before was stopped. */
 static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     machine->pausing = false;

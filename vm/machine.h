@@ -18,7 +18,7 @@ struct serializer;
 
 /* Places for vectors that need a copy. */
 enum scratch {
-    SCRATCH_KEPT, /* goes on with an instruction that was interrupted */
+    SCRATCH_KEPT, /* continues with an instruction that was interrupted */
     SCRATCH_OLD_WORDS,
     SCRATCH_ADDRESSES,
     SCRATCH_ORDERS, /* of sparse vectors */

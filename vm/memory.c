@@ -229,7 +229,7 @@ void memory_mark_code(struct memory *memory, uint64_t address)
     page->holds_code = true;
 }
 
-/* The marks are taken away: what is still code will be decoded anew. */
+/* The marks are taken away: what is still code will be decoded again. */
 void memory_change_code(struct memory *memory, struct page *page, size_t first,
                         size_t count)
 {

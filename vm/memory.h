@@ -75,7 +75,7 @@ struct page *memory_own(const struct memory *memory, uint64_t address);
 
 /* Is every bit of the range mapped (and writable)?  NONE, UNMAPPED_ADDRESS
  * or PROTECTED_ADDRESS with the first such address in *fault.  A range does
- * not go on from the end of the address space to its beginning. */
+ * not continue from the end of the address space to its beginning. */
 c205_trap memory_check(const struct memory *memory, uint64_t address, uint64_t bits,
                        bool write, uint64_t *fault);
 

@@ -38,7 +38,7 @@ c205_trap describe_string(struct vector *string, const struct c205 *machine,
     return offset ? advance(string, machine->slot[offset]) : C205_TRAP_NONE;
 }
 
-/* What a source that is too short goes on with. */
+/* What a source that is too short continues with. */
 static c205_word padding_of(const c205_insn *insn, unsigned width)
 {
     if (insn->flags & C205_INSN_PADO)

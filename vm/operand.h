@@ -74,7 +74,7 @@ c205_trap claim_vector(struct c205 *machine, struct vector *vector, size_t count
 c205_trap claim_source(struct c205 *machine, struct source *source, size_t count);
 c205_trap claim_control(struct c205 *machine, struct control *control, size_t count);
 
-/* How many elements of one, but most at the most, may be read before the first
+/* How many elements of one, but most at most, may be read before the first
  * of the other is stored. */
 size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most);
@@ -93,7 +93,7 @@ const c205_word *source_read(struct source *source, size_t first, size_t n);
 /* Bit i is 1 where element first + i is permitted. */
 void control_read(const struct control *control, size_t first, size_t n,
                   uint64_t *permitted);
-/* n elements from the first on; half words stand in the left half of a word.
+/* n elements from the first on; half words are in the left half of a word.
  */
 void vector_read(const struct memory *memory, const struct vector *vector, size_t first,
                  c205_word *words, size_t n);

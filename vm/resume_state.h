@@ -5,8 +5,8 @@
  * An instruction whose elements are not all done when the clock limit comes
  * leaves here what its loop carries from one element to the next; what it
  * stored is in memory already, and its other operands are described and
- * claimed anew when it goes on.  The instruction itself is kept as well: it
- * goes on even if its result lies upon its own code.
+ * claimed again when it continues.  The instruction itself is kept as well: it
+ * continues even if its result lies upon its own code.
  */
 #ifndef C205_RESUME_STATE_H
 #define C205_RESUME_STATE_H

@@ -165,7 +165,7 @@ TO_T(or, a | b)
 
 /* ---- Fields of bits ---------------------------------------------------- */
 
-/* Of a word: the length of a field stands where a vector has it, its first
+/* Of a word: the length of a field is where a vector has it, its first
  * bit where a vector has its address. */
 struct field {
     uint64_t ones;  /* as many, right-justified */

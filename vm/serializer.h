@@ -7,7 +7,7 @@
  *
  * Reading trusts nothing: a walk states what each field may be.  The first
  * thing that is wrong is kept as the error; from then on every word reads as
- * zero and every count and text as empty, so that a walk may go on to its
+ * zero and every count and text as empty, so that a walk may continue to its
  * end, and nothing more is written.
  */
 #ifndef C205_SERIALIZER_H

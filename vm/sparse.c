@@ -205,7 +205,7 @@ static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
     return count;
 }
 
-/* Results for which an operand at the least is one that was stored before. */
+/* Results for which an operand at least is one that was stored before. */
 static void tell_recurrence_of_sparse(const struct sparse *sparse)
 {
     const struct vector *a = &sparse->a.vector, *b = &sparse->b.vector;

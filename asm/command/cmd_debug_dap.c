@@ -58,7 +58,7 @@ static bool add_define(struct cmd_defines *defines, const struct asm_define *def
     return true;
 }
 
-/* What the client gives counts before what stands on the command line. */
+/* What the client gives counts before what is on the command line. */
 static bool open_program(void *context, const struct dap_program *program,
                          const struct sink *report, struct object **object,
                          c205_model **model)

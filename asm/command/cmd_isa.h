@@ -27,7 +27,7 @@ struct isa_operand {
 bool isa_next_operand(const c205_insn *insn, const char **letter,
                       struct isa_operand *operand);
 
-/* How many elements there are, and what a short source goes on with. */
+/* How many elements there are, and what a short source continues with. */
 const char *isa_length(const c205_insn *insn);
 const char *isa_padding(const c205_insn *insn);
 /* Which elements the clock counts, where those are others. */

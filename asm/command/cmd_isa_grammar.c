@@ -8,7 +8,7 @@
 #include "asm/syntax.h"
 #include "base/json.h"
 
-/* No name goes on before it, or behind it. */
+/* No name continues before it, or behind it. */
 #define BEGINS "(?<![\\w$.])"
 #define ENDS "(?![\\w$.])"
 

@@ -52,7 +52,7 @@ struct dap {
     const char **files; /* of the source lines, as the object calls them */
 
     bool stop_on_entry, stop_on_end, stop_at_traps;
-    bool exit_reported;  /* the program stands at its end, and the client knows */
+    bool exit_reported;  /* the program is at its end, and the client knows */
     bool client_redraws; /* it takes the event invalidated */
     int64_t first_line, first_column; /* as the client counts: 0 or 1 */
     enum pending_request pending;
@@ -150,7 +150,7 @@ enum dap_group {
 bool sources_find(struct dap *dap);
 /* The file that a Source names, NULL: the program has none such. */
 const char *source_file(const struct dap *dap, const struct json_value *source);
-/* The member source of an object; and what stands in it. */
+/* The member source of an object; and what is in it. */
 void put_source(struct dap *dap, struct json *json, const char *file);
 void put_source_members(struct dap *dap, struct json *json, const char *file);
 /* A line of ours, from what the client calls it; and back. */

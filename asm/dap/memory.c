@@ -237,7 +237,7 @@ static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t add
     return (address + 32 * (uint64_t)view.halves) & ((UINT64_C(1) << 48) - 1);
 }
 
-/* As many as are wanted, whatever stands there. */
+/* As many as are wanted, whatever is there. */
 bool request_disassemble(struct dap *dap, const struct json_value *arguments,
                          struct json *body)
 {

@@ -15,7 +15,7 @@ enum message_state {
     MESSAGE_BROKEN
 };
 
-/* What stands at the beginning of what was read; of a whole message where its content
+/* What is at the beginning of what was read; of a whole message where its content
  * is.  Of a broken one the error says what is wrong. */
 struct message_content {
     size_t begin, length;

@@ -35,7 +35,7 @@ static void put_operand(struct dap *dap, struct json *json,
     json_end(json);
 }
 
-/* Not where it goes on, nor that there is no control vector. */
+/* Not where it continues, nor that there is no control vector. */
 static bool is_shown(const struct operand_view *operand)
 {
     return operand->field && !strchr("wWpP", operand->letter)

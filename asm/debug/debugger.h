@@ -15,7 +15,7 @@ struct debugger;
 struct debugger_verb {
     const char *name; /* NULL behind the last */
     const char *arguments, *help;
-    /* What stands behind the name on its line; says what it says to debugger_out.  False: it
+    /* What is behind the name on its line; says what it says to debugger_out.  False: it
      * cannot be done, the error says why. */
     bool (*obey)(void *context, struct debugger *debugger, const char *rest,
                  c205_error *error);
@@ -30,7 +30,7 @@ struct debugger_setup {
     bool printed_apart;   /* replies are not among the output of the program */
     bool warm;            /* all pages are in memory when the program begins */
     uint64_t clocks_most; /* that one movement takes: a script has no Ctrl-C */
-    size_t history;       /* bytes for the way back at the most; 0: as many as usual */
+    size_t history;       /* bytes for the way back at most; 0: as many as usual */
     bool (*interrupted)(void *asked); /* asked while the program runs: shall
                                          it stop?  NULL: never */
     void *asked;
@@ -41,7 +41,7 @@ struct debugger_setup {
     void *context;                     /* of these two */
 };
 
-/* The program stands before its first instruction.  NULL: it cannot be loaded, no
+/* The program is before its first instruction.  NULL: it cannot be loaded, no
  * memory. */
 struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *error);
 void debugger_free(struct debugger *debugger);
@@ -61,7 +61,7 @@ const char *debugger_verb(size_t i);
 
 const c205 *debugger_machine(const struct debugger *debugger);
 const struct sink *debugger_out(const struct debugger *debugger);
-/* On, by one instruction at the least, to where the machine is there, or to a stop; where
+/* On, by one instruction at least, to where the machine is there, or to a stop; where
  * that is is told. */
 void debugger_seek(struct debugger *debugger,
                    bool (*is_there)(void *context, const c205 *machine), void *context);

@@ -145,7 +145,7 @@ debug_verb verb_print, verb_set;
 
 bool debug_set_register(struct debugger *debugger, struct register_of named,
                         const struct value_of *value);
-/* So many bits, 64 at the most and in one word, at the left of what is given. */
+/* So many bits, 64 at most and in one word, at the left of what is given. */
 bool debug_set_bits(struct debugger *debugger, uint64_t address, unsigned width,
                     c205_word bits);
 /* From a byte on; all of them must be there. */
@@ -165,7 +165,7 @@ bool place_line(struct debugger *debugger, const char *file, size_t number,
 /* One address; one at which an instruction of the program begins. */
 bool place_address(struct debugger *debugger, struct rest *rest, uint64_t *address);
 bool place_code(struct debugger *debugger, struct rest *rest, uint64_t *address);
-/* Where the machine stands before it executes what is at an address: behind a LINKV that is
+/* Where the machine is before it executes what is at an address: behind a LINKV that is
  * the LINKV. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address);
 /* Whether code of that source line, or of a macro called there, begins at an address. */
@@ -183,7 +183,7 @@ bool stops_watch(struct debugger *debugger, struct rest *rest, struct stop_point
 /* All of a text; "" or NULL: none. */
 bool stops_condition(struct debugger *debugger, struct stop_point *stop,
                      const char *text);
-/* An operator and what stands behind it, or a number: from so many on. */
+/* An operator and what is behind it, or a number: from so many on. */
 bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char *text);
 /* It has its number then.  False: no memory. */
 bool stops_add(struct debugger *debugger, struct stop_point *stop);

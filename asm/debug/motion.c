@@ -39,7 +39,7 @@ static bool is_interrupted(struct debugger *debugger)
            && debugger->setup.interrupted(debugger->setup.asked);
 }
 
-/* Whether a movement that began at a clock goes on. */
+/* Whether a movement that began at a clock continues. */
 static enum moved look_up(struct debugger *debugger, uint64_t begun)
 {
     if (clock_of(debugger) - begun > debugger->setup.clocks_most)

@@ -2,8 +2,8 @@
  * lines.
  *
  * A motion tells what is wrong to the debugger's sink, once, and is MOVED_NOT then.  One that
- * the debugger's `interrupted` has ended, MOVED_INTERRUPTED, stands where it has come to, by an
- * instruction at the least, and goes on from there if it is asked for again.
+ * the debugger's `interrupted` has ended, MOVED_INTERRUPTED, is where it has come to, by an
+ * instruction at least, and continues from there if it is asked for again.
  */
 #ifndef ASM_DEBUG_MOTION_H
 #define ASM_DEBUG_MOTION_H
@@ -46,7 +46,7 @@ enum moved motion_run(struct debugger *debugger); /* from the beginning */
 enum moved motion_back(struct debugger *debugger, uint64_t count);
 /* To the beginning of a macro call, if that is where it comes from. */
 enum moved motion_back_line(struct debugger *debugger);
-/* To the stop before this place.  The search is zero when it begins, and is kept by who goes on
+/* To the stop before this place.  The search is zero when it begins, and is kept by who continues
  * with one that was interrupted: that stands anywhere. */
 struct back_search {
     bool begun;

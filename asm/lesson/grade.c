@@ -223,7 +223,7 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
     return false;
 }
 
-/* "test-small.s:7: expected ..": a sentence each, without where it stands in the test. */
+/* "test-small.s:7: expected ..": a sentence each, without where it is in the test. */
 static void say_expectations(struct lesson_report *report, const char *text)
 {
     static const char before[] = "expected ";

@@ -1,8 +1,8 @@
 /* lesson.h - lessons with an exercise, and what an answer to one is worth.
  *
  * A lesson is a folder: its text, a program to complete and tests.  A test is a text in the
- * assembler's language that holds other data: what stands at its label L is put to the
- * answer's label L before the run, what stands at want_L must be at L behind it, and its
+ * assembler's language that holds other data: what is at its label L is put to the
+ * answer's label L before the run, what is at want_L must be at L behind it, and its
  * integer constants are defined in the answer before the first line.  Comments of a test say
  *
  *   ; test: what it tries, a sentence

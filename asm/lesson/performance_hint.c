@@ -32,7 +32,7 @@ static const char *const helps[C205_CAUSES] = {
     [C205_BANK_CONFLICT] = "Elements that lie some power of two apart come "
                            "from the same banks: another distance does "
                            "better.",
-    [C205_TRANSLATION_MISS] = "Work page by page: each page touched anew "
+    [C205_TRANSLATION_MISS] = "Work page by page: each page touched again "
                               "must be looked up.",
     [C205_PAGE_FAULT] =
         "Each page costs its first touch, and another when it was driven "
@@ -135,7 +135,7 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     return found;
 }
 
-/* A linked pair has its clocks at the prefix; what it does stands in the two lines behind, which
+/* A linked pair has its clocks at the prefix; what it does is in the two lines behind, which
  * are never done by themselves. */
 static bool is_link(const struct profile_row *row)
 {

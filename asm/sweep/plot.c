@@ -22,7 +22,7 @@ enum {
     HEIGHT = 400,
     BELOW = 52
 };
-/* Labelled lines across, at the most. */
+/* Labelled lines across, at most. */
 enum { MAX_TICKS = 14, LABEL = 32 };
 /* Half lengths, and as many crossings as have room. */
 enum { MAX_MARKS = SWEPT_PROGRAMS + 4 };
@@ -289,7 +289,7 @@ static void find_marks(struct swept_picture *picture)
         mark_crossing(picture, &picture->sweep->crossings[i]);
 }
 
-/* A ring, and from there down to the axis; the labels stand in rows of their own, above all
+/* A ring, and from there down to the axis; the labels are in rows of their own, above all
  * these lines, on that side of their own where there is more room. */
 static void put_marks(const struct swept_picture *picture)
 {

@@ -6,7 +6,7 @@
 
 #include "asm/sweep/swept.h"
 
-/* An integer from 1 on, and what stands behind it. */
+/* An integer from 1 on, and what is behind it. */
 static bool take_count(const char **at, uint64_t *count)
 {
     char *end;

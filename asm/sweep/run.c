@@ -64,7 +64,7 @@ static struct object *assemble_at(struct program_sweep *sweep,
     return object;
 }
 
-/* In slices, between which it is asked whether to go on. */
+/* In slices, between which it is asked whether to continue. */
 static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
 {
     static const uint64_t slice = 5000000; /* clocks */

@@ -1,6 +1,6 @@
 /* swept.h - a program, or two, run for each of many values of a constant.
  *
- * A program is assembled anew for each value and run to its end; all figures of a point are
+ * A program is assembled again for each value and run to its end; all figures of a point are
  * those of the machine's accounts.  Through the points goes a line, and two programs are
  * told apart by where the second begins to be the faster one, or ceases to be.
  */

@@ -1,6 +1,6 @@
 /* svg.c - a timeline as a picture: a lane for what was charged, above those of the units.
  *
- * What stands in a box when there is room is told of all of them when they are pointed at.
+ * What is in a box when there is room is told of all of them when they are pointed at.
  */
 #include <inttypes.h>
 #include <math.h>

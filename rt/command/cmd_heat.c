@@ -425,7 +425,7 @@ static const struct command_option options[] = {
       .help = "four times the rays, or lines, until no factor's standard "
               "error is larger" },
     { CMD_COUNT("limit", heat.limit, 1, 1 << MAX_GLOBAL_LINES_LOG, 32768,
-                "of each repeat at the most, where there is a tolerance") },
+                "of each repeat at most, where there is a tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,

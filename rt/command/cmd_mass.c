@@ -349,7 +349,7 @@ static const struct command_option options[] = {
       .preset_text = "none",
       .help = "four times the rays until no error is larger" },
     { CMD_COUNT("limit", mass.limit, 1, MAX_RAYS, 1 << 19,
-                "rays of a view at the most, where there is a tolerance") },
+                "rays of a view at most, where there is a tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,

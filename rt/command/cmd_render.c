@@ -293,7 +293,7 @@ static void tell_resume(const struct rt205_arguments *arguments,
                  arguments->units.resume.items[0], kept, trace_bands(trace),
                  plural(trace_bands(trace)));
     else if (arguments->units.resume.count > 0)
-        snprintf(told, size, "; no band is done: --resume begins anew");
+        snprintf(told, size, "; no band is done: --resume begins again");
 }
 
 static int end_early(const struct rt205_arguments *arguments, const struct trace *trace,

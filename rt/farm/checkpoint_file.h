@@ -1,7 +1,7 @@
 /* checkpoint_file.h - the finished units of a long run, in a file.
  *
  * Each unit, a number and words, is added as soon as it is finished, with a checksum, so
- * whatever ends the run leaves a file that a later one can go on from: a last part
+ * whatever ends the run leaves a file that a later one can continue from: a last part
  * that is not whole is dropped.  The key says which run the units belong to:
  * everything that they depend on.
  */

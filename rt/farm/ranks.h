@@ -58,7 +58,7 @@ enum rank_message ranks_await(struct ranks *ranks, uint64_t *word);
 /* Tell rank 0 why a unit is not done. */
 void ranks_fail(const struct ranks *ranks, uint64_t unit, const char *failure);
 /* A moment in which others work: 50 us, then twice as long each time up to 4 ms, so that
- * who waits long asks seldom.  Begin with { 0 }, anew when a message has come. */
+ * who waits long asks seldom.  Begin with { 0 }, again when a message has come. */
 struct ranks_pause {
     long nanoseconds;
 };

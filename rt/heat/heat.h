@@ -20,7 +20,7 @@ struct heat_request {
     /* With four times as many until no factor's standard error, or what one of its rays
      * says, is larger; 0: once. */
     double tolerance;
-    size_t limit; /* drawn at the most, if there is a tolerance */
+    size_t limit; /* drawn at most, if there is a tolerance */
     bool smooth;  /* factors, too, and the exchange is by them (smooth.h) */
     bool exchange;
     const char *const *emissivities, *const *temperatures; /* NAME=VALUE */

@@ -3,7 +3,7 @@
  *
  * Lines go through a sphere about the primitive or about the region that it is a part of, the
  * smaller one, and cross the primitive alone: each crossing is a point, in whose direction
- * the line goes on.  So every surface radiates of which an end is known; one without inside,
+ * the line continues.  So every surface radiates of which an end is known; one without inside,
  * which has no emission, radiates from both of its sides, as often from one as from the other.
  */
 #ifndef RT_SOURCE_H

@@ -1,6 +1,6 @@
 /* framebuffer.h - the words of a whole frame, in memory by the band.
  *
- * A frame of few pixels stands in memory.  One of many stands in a file
+ * A frame of few pixels is in memory.  One of many is in a file
  * without a name, in the folder that the environment's TMPDIR names or in
  * /tmp: its words are reached like others, and who is done with some of them
  * says so, whereupon they cost no memory until they are looked at again.

@@ -37,7 +37,7 @@ static void layout_sky_pattern(struct record_layout *layout, const struct pigmen
                 stops);
 }
 
-/* .. that is an image, which stands in place of stops. */
+/* .. that is an image, which is in place of stops. */
 static void layout_sky_image(struct record_layout *layout, const struct pigment *sky,
                              const uint64_t *images)
 {

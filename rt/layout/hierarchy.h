@@ -3,8 +3,8 @@
  *
  * The host plans it, and traces nothing.  The parts of a great tree are put together
  * by one as well (nesting.h).  Each node has a sphere about all
- * regions below it; nodes stand in preorder, so that the first of two nodes
- * below another stands behind it, and the second where the first one's next
+ * regions below it; nodes are in preorder, so that the first of two nodes
+ * below another is behind it, and the second where the first one's next
  * points.
  */
 #ifndef RT_HIERARCHY_H
@@ -20,7 +20,7 @@ struct hierarchy_node {
     double way[3]; /* from the centre of the first one to the second's */
 };
 
-/* At the most so many nodes lie above another, itself counted: what the
+/* At most so many nodes lie above another, itself counted: what the
  * machine's stack has room for. */
 enum { HIERARCHY_DEPTH = 96 };
 

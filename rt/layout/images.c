@@ -54,7 +54,7 @@ void image_numbers(const struct image_map *map, double numbers[])
     numbers[3] = map->once;
 }
 
-/* Row after row, so that the words stand here but once. */
+/* Row after row, so that the words are here but once. */
 static void put_rows(struct record_layout *layout, const struct image_table *table,
                      const c205_word *light, uint64_t address)
 {

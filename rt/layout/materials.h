@@ -12,7 +12,7 @@ enum { LOOK_WORDS = 62 };
 
 struct looks;
 
-/* For so many primitives at the most; NULL: no memory. */
+/* For so many primitives at most; NULL: no memory. */
 struct looks *looks_new(size_t count);
 void looks_free(struct looks *looks);
 

@@ -6,7 +6,7 @@
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
 
-/* Of P_PATTERN so many stand before a gradient's stops; of a pattern there are so
+/* Of P_PATTERN so many are before a gradient's stops; of a pattern there are so
  * many words, and of its P_MAP so many numbers. */
 enum { GRADIENT_STOPS = 4, PATTERN_ROWS = 12, MAP_NUMBERS = 4 };
 

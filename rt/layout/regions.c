@@ -276,7 +276,7 @@ static void layout_clear(struct record_layout *layout, struct places *places)
     layout_word(layout, "scene_clear_count", c205_from_integer((int64_t)count));
 }
 
-/* One opaque sphere that stands in the world's space, casts a shadow, and is seen by
+/* One opaque sphere that is in the world's space, casts a shadow, and is seen by
  * all rays? */
 static bool is_sphere(const struct scene *scene, const struct region *region)
 {

@@ -199,7 +199,7 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
     record_integer(record, "P_MAP_STOP_COUNT", stop_count(pigment));
 }
 
-/* Of an image the table stands in place of stops. */
+/* Of an image the table is in place of stops. */
 static void put_image(struct record *record, const struct pigment *pigment,
                       const struct map_place *map)
 {

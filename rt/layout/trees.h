@@ -36,7 +36,7 @@ size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans);
 /* The crossings of the primitive that has most: what the kernels have room
  * for, if it is more than they have anyway (MAX_CROSSINGS in records.s). */
 size_t most_crossings(const struct scene *scene);
-/* The crossings of a line with all of the scene that may be seen, at the most. */
+/* The crossings of a line with all of the scene that may be seen, at most. */
 size_t seen_crossings_most(const struct scene *scene);
 
 /* A step of the evaluation, with the numbers of T_OPERATION. */

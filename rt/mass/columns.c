@@ -486,7 +486,7 @@ static bool check_options(const struct scene *scene,
     if (options->rays_log > MAX_COLUMNS_LOG)
         return error_say(error, "at most 2^20 rays of a view under a shift");
     if (options->repeats == 0)
-        return error_say(error, "one shift at the least");
+        return error_say(error, "one shift at least");
     if (scene->region_count == 0)
         return error_say(error, "the scene has no bodies");
     if (options->part_count > MAX_COLUMNS_PARTS)
@@ -494,8 +494,7 @@ static bool check_options(const struct scene *scene,
                          options->part_count, MAX_COLUMNS_PARTS);
     if (options->overlaps && options->overlaps->count > MAX_COLUMNS_PAIRS)
         return error_say(
-            error,
-            "%zu pairs of parts may overlap: of %d at the most it is found how much",
+            error, "%zu pairs of parts may overlap: of %d at most it is found how much",
             options->overlaps->count, MAX_COLUMNS_PAIRS);
     return true;
 }
@@ -533,7 +532,7 @@ void columns_sums_free(struct columns_sums *sums)
 
 /* ---- What they mean ------------------------------------------------------ */
 
-/* Of a sum, that which stands there among those of a shift. */
+/* Of a sum, that which is there among those of a shift. */
 static double integral_of(const struct columns_sums *sums, size_t view, size_t repeat,
                           size_t place)
 {

@@ -55,7 +55,7 @@ struct columns_options {
     enum trace_mode mode;
     size_t queue; /* rays at a time; not in scalar mode */
     enum columns_points points;
-    size_t rays_log; /* 2^rays_log rays of a view under a shift, at the most
+    size_t rays_log; /* 2^rays_log rays of a view under a shift, at most
                         2^MAX_COLUMNS_LOG */
     size_t repeats;  /* shifts, each with rays of its own */
     size_t seed;

@@ -25,7 +25,7 @@ struct integrals {
 };
 enum { INTEGRALS = sizeof(struct integrals) / sizeof(double) };
 
-/* Where the product of two axes stands in second. */
+/* Where the product of two axes is in second. */
 static size_t product_place(size_t i, size_t k)
 {
     return i == k ? i : i + k + 2;
@@ -166,7 +166,7 @@ static void find_values(const struct mass_body *body, const struct integrals *su
 
 /* ---- Errors -------------------------------------------------------------- */
 
-/* The quantile of 97.5 % with so many degrees of freedom, 3 at the least. */
+/* The quantile of 97.5 % with so many degrees of freedom, 3 at least. */
 static double student(double freedom)
 {
     const double terms[] = { 1.959964, 2.372271, 2.822500, 2.555852, 1.589534 };

@@ -29,7 +29,7 @@ struct mass_request {
     uint64_t seed;
     /* With four times the rays until no error is larger (mass_worst); 0: once. */
     double tolerance;
-    size_t limit;      /* rays at the most, if there is a tolerance */
+    size_t limit;      /* rays at most, if there is a tolerance */
     struct farm *farm; /* as in farm_work */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);

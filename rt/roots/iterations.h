@@ -32,7 +32,7 @@ struct iterations {
     struct stage_labels {
         uint64_t begin, wide, step, midpoint, left;
     } labels[STAGES];
-    size_t pass;     /* of the refinement that goes on */
+    size_t pass;     /* of the refinement that continues */
     uint64_t active; /* in it */
 };
 

@@ -171,7 +171,7 @@ static bool add_line(struct drawing *drawing, const double to[2])
            && add_point(drawing, to[0], to[1]);
 }
 
-/* Back to its first point, which stands at the end only when it has its place at the
+/* Back to its first point, which is at the end only when it has its place at the
  * beginning.  A loop of one point, by which fonts mark a place, goes. */
 static bool close_loop(struct drawing *drawing)
 {

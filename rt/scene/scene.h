@@ -1,6 +1,6 @@
 /* scene.h - a scene as the scene language describes it, in world units.
  *
- * Doubles stand here at the edge: rt/layout/layout.c turns them into the machine's
+ * Doubles are here at the edge: rt/layout/layout.c turns them into the machine's
  * own numbers.  Axes are left-handed as in POV-Ray: x right, y up, z away.
  * Colours are linear RGB as the file gives them.
  */
@@ -30,7 +30,7 @@ struct camera {
     bool orthographic;
     double lens_radius;    /* 0: none */
     double focal_distance; /* along direction, to what is sharp */
-    int lens_points;       /* from which a pixel is seen, at the least */
+    int lens_points;       /* from which a pixel is seen, at least */
 };
 
 /* Of a lens. */

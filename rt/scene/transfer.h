@@ -2,7 +2,7 @@
  *
  * Measured with POV-Ray 3.7, in a scene of #version 3.7: of PNG, JPEG, GIF, TGA
  * and BMP they are as in sRGB, of a PNG file that has another gamma a power; of
- * TIFF, PGM and PPM they are the scene's colours as they stand.
+ * TIFF, PGM and PPM they are the scene's colours as they are.
  */
 #ifndef RT_SCENE_TRANSFER_H
 #define RT_SCENE_TRANSFER_H

@@ -7,7 +7,7 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/shape.h"
 
-/* rt/scene/language/blob.c reads what stands in its braces. */
+/* rt/scene/language/blob.c reads what is in its braces. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };

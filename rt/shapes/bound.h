@@ -54,7 +54,7 @@ void bound_hull_box(const struct hull *hull, struct bound *bound);
 /* The box about others. */
 void bound_box(const struct bound *parts, size_t count, struct bound *whole);
 
-/* How much the way to the world stretches a vector at the most, of those with
+/* How much the way to the world stretches a vector at most, of those with
  * components at most as long as the weights are. */
 double bound_stretch(const struct primitive *primitive, double x, double y, double z);
 /* About a point of the primitive's own space, so far in the world. */

@@ -66,7 +66,7 @@ struct closed {
     size_t count; /* of the points, with those that close */
 };
 
-/* A segment that stands in what closes the path would be no face of the solid,
+/* A segment that is in what closes the path would be no face of the solid,
  * so that nothing of it were seen in others: that is moved by so much of the
  * radius. */
 #define ASIDE 1e-4
@@ -103,7 +103,7 @@ static double closing_radius(const struct outline *path)
     return stands ? least * (1 - ASIDE) : least;
 }
 
-/* Where it is closed level, at an end whose neighbour stands there, too. */
+/* Where it is closed level, at an end whose neighbour is there, too. */
 static double closing_height(const double *end, const double *neighbour)
 {
     return end[1] == neighbour[1] && neighbour[0] < end[0] ? end[1] + ASIDE * end[0]

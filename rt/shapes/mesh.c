@@ -9,7 +9,7 @@
 #include "rt/shapes/mesh_hierarchy.h"
 #include "rt/shapes/mesh_windows.h"
 
-/* rt/scene/language/mesh.c and mesh2.c read what stands in its braces. */
+/* rt/scene/language/mesh.c and mesh2.c read what is in its braces. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
@@ -168,7 +168,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 /* The table, whose rows are told in records.s: a row that stands for the end of a
  * walk, of zeros but for what tells of the eyes; the nodes, and the triangles as the
  * leaves have them; behind all the windows of the eyes.  A row is told by how many words
- * stand before it. */
+ * are before it. */
 enum {
     NODE_ROW = 25,
     NODE_LINKS = 6, /* from here on they are integers */
@@ -495,7 +495,7 @@ static void mark_integers(const struct primitive *primitive, const struct eyes *
                       marks + eyes_place(primitive));
 }
 
-/* A line crosses each triangle once at the most, and where that comes to an odd
+/* A line crosses each triangle once at most, and where that comes to an odd
  * number it begins inside. */
 static size_t even(size_t count)
 {

@@ -4,7 +4,7 @@
 
 #include "rt/shapes/primitive.h"
 
-/* The triangles' numbers, in the order in which their rows stand in the mesh's
+/* The triangles' numbers, in the order in which their rows are in the mesh's
  * table.  NULL: no memory; the caller frees them. */
 size_t *mesh_order(const struct primitive *mesh);
 /* Which row it is, from 0 on, before which so many words of the table stand. */

@@ -1,7 +1,7 @@
 /* mesh_hierarchy.h - a hierarchy of boxes over the triangles of a mesh.
  *
- * The host plans it, and traces nothing.  Nodes stand in preorder: of two nodes
- * below another the first stands behind it, and the second where the first
+ * The host plans it, and traces nothing.  Nodes are in preorder: of two nodes
+ * below another the first is behind it, and the second where the first
  * one's next points.  All leaves have TRIANGLES_IN_LEAF triangles but the
  * last, so that the number of nodes is known beforehand.
  */
@@ -43,16 +43,16 @@ enum mesh_way {
 };
 
 /* Rows of some words, behind one of zeros, in which a node is told by how many words
- * stand before its row, and 0 is the end. */
+ * are before its row, and 0 is the end. */
 struct mesh_rows {
-    double *links; /* of the first node; they stand beside one another */
+    double *links; /* of the first node; they are beside one another */
     size_t size;   /* words of a row */
 };
 /* More than where any row stands. */
 #define MESH_MET 0x1p40
 
 /* Where such rays go on, from each node: those that come near it, and the others; so
- * there is no stack.  Near a leaf they go on as the others do, and the link is greater
+ * there is no stack.  Near a leaf they continue as the others do, and the link is greater
  * by MESH_MET. */
 void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
                            const unsigned char *ways, const struct mesh_rows *rows);

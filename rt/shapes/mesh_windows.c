@@ -122,7 +122,7 @@ static struct mesh_window window_of(const struct eye *eye, const double corner[3
     return window;
 }
 
-/* Nodes stand before those below them. */
+/* Nodes are before those below them. */
 static void find_windows(const struct mesh_windows *of, const struct eye *eye,
                          struct mesh_window *windows)
 {

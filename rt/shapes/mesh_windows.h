@@ -2,7 +2,7 @@
  * eye: of each node of its hierarchy a window.
  *
  * The eye looks along the axis w on which it lies farthest beside the mesh.  With
- * u, v the axes next after w, a point p stands at
+ * u, v the axes next after w, a point p is at
  *
  *     z = sign (p - eye)_w     (p - eye)_u / z     (p - eye)_v / z
  *
@@ -32,7 +32,7 @@ struct mesh_windows {
 /* Room for the eyes that see what is in the box, in words; their number to *seeing. */
 size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole, size_t nodes,
                          size_t *seeing);
-/* Those words, and for how many eyes there are windows; so many words stand before them
+/* Those words, and for how many eyes there are windows; so many words are before them
  * in the table.  False: no memory. */
 bool mesh_windows_put(const struct mesh_windows *windows, const struct eyes *eyes,
                       double place, double *words, size_t *planned);

@@ -21,7 +21,7 @@ struct outline {
     double (*points)[2];
 };
 
-/* Normals, of any length above 0, stand at the corners of a smooth one. */
+/* Normals, of any length above 0, are at the corners of a smooth one. */
 struct triangle {
     double corners[3][3], normals[3][3];
     bool smooth;

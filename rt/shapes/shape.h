@@ -15,7 +15,7 @@
 /* How closely roots are found, beside the size of the shape. */
 #define ROOT_RESOLUTION 0x1p-44
 
-/* ---- What stands in its braces ------------------------------------------- */
+/* ---- What is in its braces ------------------------------------------- */
 
 /* Its arguments, one after another, with commas between them that may be left
  * out.  Messages say what it is. */
@@ -27,10 +27,10 @@ enum shape_takes {
     TAKES_SIZE,   /* a number above 0 */
     TAKES_MORE,   /* a number that may be left out */
     TAKES_TERMS,  /* numbers in < > */
-    TAKES_WORD,   /* may stand there: a bool says whether it does */
-    TAKES_USUAL,  /* a word that may stand there and says what is so anyway */
+    TAKES_WORD,   /* may be there: a bool says whether it does */
+    TAKES_USUAL,  /* a word that may be there and says what is so anyway */
     TAKES_OTHER,  /* a word of POV-Ray's that is not supported */
-    TAKES_PATH,   /* a number of points, count at the least, and the points,
+    TAKES_PATH,   /* a number of points, count at least, and the points,
                      to a struct outline; there is room for twice as many */
 };
 
@@ -39,7 +39,7 @@ struct shape_field {
     size_t offset;      /* where it goes, within struct primitive */
     const char *what;   /* its name in messages; the word itself */
     size_t count;       /* of them; 0: one */
-    const char *behind; /* they may be left out, and stand behind this word */
+    const char *behind; /* they may be left out, and are behind this word */
 };
 /* Where a member of shape.name stands. */
 #define SHAPE_AT(name, member) offsetof(struct primitive, shape.name.member)
@@ -50,9 +50,9 @@ struct shape_field {
 struct shape_kernels {
     const char *kernel; /* the crossing of a ray that it meets first */
     const char *normal;
-    size_t segments;               /* of a ray, inside, at the most; 0: a surface,
+    size_t segments;               /* of a ray, inside, at most; 0: a surface,
                                that has no inside */
-    const char *solid;             /* of one that stands in a tree: all crossings;
+    const char *solid;             /* of one that is in a tree: all crossings;
                                NULL: the first routine finds them all */
     const char *state;             /* in a tree, of an open shape: the segments
                                inside of the closed one; else NULL */
@@ -100,7 +100,7 @@ struct shape {
      * out; or NULL. */
     bool (*is_finite)(const struct primitive *primitive);
     /* Whether it needs no space of its own: its words are told, or are told
-     * anew, in the world.  NULL: it needs one. */
+     * again, in the world.  NULL: it needs one. */
     bool (*carry)(const struct primitive *primitive, double *words);
 
     /* Where it is not kernels.segments; NULL: it is. */
@@ -108,7 +108,7 @@ struct shape {
     /* Whether it has such a body.  NULL: it has none. */
     bool (*has_body)(const struct primitive *primitive);
     /* A hit has a triangle: all of a ray's crossings, of which there are so many
-     * at the most, have theirs.  NULL: it has none. */
+     * at most, have theirs.  NULL: it has none. */
     size_t (*crossings)(const struct primitive *primitive);
     const char *region; /* of the accounts, in which its kernels run */
     /* Of kernels that are assembled for scenes with such a shape alone: it is 1

@@ -15,7 +15,7 @@ enum { PATCH_CROSSINGS = 4 };
 struct shape_words {
     double words[MAX_SHAPE_WORDS];
     size_t count;
-    bool transformed;            /* it stands in a space of its own */
+    bool transformed;            /* it is in a space of its own */
     bool on_patch;               /* a hit has two parameters, too */
     bool on_mesh;                /* .. one of which is a triangle */
     const char *kernel, *normal; /* routines, in both forms of the program */
@@ -23,7 +23,7 @@ struct shape_words {
                           is used in trees */
     const char *state;           /* for the segments inside of the closed shape,
                           if it is open; or NULL */
-    size_t segments;             /* of a ray, inside, at the most */
+    size_t segments;             /* of a ray, inside, at most */
     size_t events;               /* crossings of a ray that can be seen */
 };
 

@@ -13,7 +13,7 @@ enum { MAX_SINGULAR = 12 };
 typedef double singular_matrix[MAX_SINGULAR][MAX_SINGULAR];
 
 struct singular {
-    size_t rows, columns;        /* each MAX_SINGULAR at the most */
+    size_t rows, columns;        /* each MAX_SINGULAR at most */
     singular_matrix scaled;      /* the columns of U, each by its value */
     singular_matrix right;       /* V: columns x columns */
     double values[MAX_SINGULAR]; /* not sorted, none below 0 */

@@ -23,7 +23,7 @@ void steiner_shape(const struct primitive *primitive, double *shape);
 /* K0 .. K5, x y z of each; their w; a vector for planes of another kind: so
  * much is STEINER_TABLE.  Then, for a surface of the fourth degree, what the
  * implicit way wants (rt/kernels/shapes/steiner_implicit_vector.s).  Returns the
- * number of words, MAX_STEINER_TABLE at the most. */
+ * number of words, MAX_STEINER_TABLE at most. */
 size_t steiner_table(const struct primitive *primitive, double *table);
 
 #endif

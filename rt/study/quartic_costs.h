@@ -1,7 +1,7 @@
 /* quartic_costs.h - what rt205 quartic tells after the roots: which clocks
  * they took, how falsi went, how many brackets were active pass by pass.
  *
- * As text it stands on lines that begin with #, so that the roots are what is
+ * As text it is on lines that begin with #, so that the roots are what is
  * left without them.
  */
 #ifndef RT_QUARTIC_COSTS_H

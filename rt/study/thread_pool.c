@@ -36,7 +36,7 @@ static size_t steps_done(const struct crew *crew)
     return (size_t)(STEPS * (done / crew->weight));
 }
 
-/* With lock held. What comes before a run that failed goes on to its own end, and what
+/* With lock held. What comes before a run that failed continues to its own end, and what
    comes after it is in vain: so the error is the same whoever is the faster. */
 static bool wanted(const struct crew *crew, size_t number)
 {

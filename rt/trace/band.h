@@ -67,7 +67,7 @@ struct band_tracer {
  * the band holds the words of the rows that are done, and no accounts. */
 bool band_trace(struct band_tracer *tracer, struct band *band, void *progress_context,
                 bool *stopped, c205_error *error);
-/* The band that the tracer is at, as it stands in the machine's memory: of
+/* The band that the tracer is at, as it is in the machine's memory: of
  * pixels that are not done their colour so far, and of a frame of samples
  * nothing before its end.  False: no memory.  The caller frees it. */
 bool band_look(const struct band_tracer *tracer, struct band *band);

@@ -185,7 +185,7 @@ static int integer_of(const struct column *column, size_t field, size_t line)
     return (int)c205_to_integer(word_of(column, field, line));
 }
 
-/* Of a mesh the point is where its row stands in the table. */
+/* Of a mesh the point is where its row is in the table. */
 static size_t triangle_of(const struct column *column, size_t line, size_t primitive)
 {
     const struct lines *lines = column->lines;

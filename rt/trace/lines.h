@@ -21,7 +21,7 @@
 struct lines_options {
     enum trace_mode mode;
     size_t queue; /* lines at a time; not in scalar mode */
-    /* Lines that a machine takes at the most, before it is loaded anew; 0:
+    /* Lines that a machine takes at most, before it is loaded again; 0:
      * LINES_PACKET. */
     size_t packet;
     /* Lines begin so far behind their origins, a length in the world, not below

@@ -48,7 +48,7 @@ struct job {
     size_t pixels; /* of its band that are begun */
 };
 
-/* ---- Whether to go on ---------------------------------------------------- */
+/* ---- Whether to continue ---------------------------------------------------- */
 
 static size_t pixels_done(const struct trace *trace)
 {
@@ -59,7 +59,7 @@ static size_t pixels_done(const struct trace *trace)
     return done;
 }
 
-/* Whether to go on, of whoever follows the progress; under the lock. */
+/* Whether to continue, of whoever follows the progress; under the lock. */
 static bool ask(struct trace *trace)
 {
     const struct trace_options *options = &trace->options;
@@ -86,7 +86,7 @@ static bool go_on(void *context)
 
 /* ---- To begin ------------------------------------------------------------ */
 
-/* As many as are asked for, and one for each point of a lens at the least. */
+/* As many as are asked for, and one for each point of a lens at least. */
 static size_t samples_across(const struct trace_options *options,
                              const struct scene *scene)
 {
@@ -113,9 +113,9 @@ static bool check_threshold(const struct trace_options *options,
         why = "a threshold does not go with a camera that has a lens: all of "
               "its pixels need their samples";
     else if (options->samples < 2)
-        why = "a threshold needs samples, 2 across a pixel at the least";
+        why = "a threshold needs samples, 2 across a pixel at least";
     else if (options->width > MAX_TRACE_COLUMNS)
-        why = "with a threshold a frame has 65534 columns at the most";
+        why = "with a threshold a frame has 65534 columns at most";
     if (why)
         snprintf(error->message, sizeof error->message, "%s", why);
     return !why;

@@ -41,7 +41,7 @@ enum {
 
 /* With a threshold a pixel has one ray, and the samples besides only if it differs
  * so much from a neighbour (rt/kernels/frame/adaptive.s).  That is so in blocks of
- * pixels, across and down; a band is as many whole rows of them, one at the least. A row
+ * pixels, across and down; a band is as many whole rows of them, one at least. A row
  * and the pixel to the left of it are one vector. */
 enum { TRACE_BLOCK = 32, MAX_TRACE_COLUMNS = 65534 };
 /* Pixels of a frame: what fits the memory that hosts commonly have. */
@@ -57,7 +57,7 @@ struct trace_options {
     size_t samples;         /* rays of a pixel, across and down; 0: one */
     double threshold;       /* see above TRACE_BLOCK; 0: none */
     size_t queue;           /* rays; not in scalar mode */
-    size_t band;            /* pixels of a band at the most, but one row at
+    size_t band;            /* pixels of a band at most, but one row at
                                 the least; 0: TRACE_BAND */
     size_t jobs;            /* bands traced at a time; 0: one */
     bool historical;        /* the paper's ways: to Steiner patches by their

@@ -4,7 +4,7 @@
  * All of it is read in the machine's memory and registers.  The program has a queue at hand
  * from when its rays are made to when they are shaded; a descriptor says which one
  * (queue_importance in rt/kernels/solids/levels_vector.s).  A ray of the camera is the
- * pixel's if its place in the band's planes is; places follow one another, or stand in a
+ * pixel's if its place in the band's planes is; places follow one another, or are in a
  * vector (queue_order).  Another ray has the place of the one that it comes of with it
  * (LIST_PARENT), and so on up to the camera.  While a kernel meets the rays at hand a vector
  * has their places in the queue (place), and the others that queue.s makes as long have the

@@ -1,4 +1,4 @@
-/* pixel_verbs.h - what a debugger of a band's program can be told of a pixel: to go on to a
+/* pixel_verbs.h - what a debugger of a band's program can be told of a pixel: to continue to a
  * queue that a ray of it is in, and to show what its vectors have of that ray. */
 #ifndef RT_PIXEL_VERBS_H
 #define RT_PIXEL_VERBS_H

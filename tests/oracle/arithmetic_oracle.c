@@ -444,7 +444,7 @@ ORACLE_RULE(exponent)
 /* ---- Adjust ------------------------------------------------------------- */
 
 /* A number shifted left, one place after the other, as far as it may be and
- * is wanted; limit: how far at the most. */
+ * is wanted; limit: how far at most. */
 static long shift_left(const struct oracle_format *format, long wanted, long limit)
 {
     long places = 0;

@@ -1,4 +1,4 @@
-/* chance.h - what scenes by chance are drawn with; the state is never 0. */
+/* chance.h - what random scenes are drawn with; the state is never 0. */
 #ifndef CHANCE_H
 #define CHANCE_H
 
@@ -30,7 +30,7 @@ static inline double of_any_size(uint64_t *state, double low, double high)
     return exp(between(state, log(low), log(high)));
 }
 
-/* Another stream: what the first one goes on to draw does not depend on it.  Several from one
+/* Another stream: what the first one continues to draw does not depend on it.  Several from one
  * state have other numbers, the first odd. */
 static inline uint64_t stream_beside(uint64_t state, uint64_t times, uint64_t more)
 {

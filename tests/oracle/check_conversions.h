@@ -17,7 +17,7 @@ struct converters {
 struct conversion {
     const char *name;
     const struct converters *converters;
-    /* One case by chance; prints what differs. */
+    /* One random case; prints what differs. */
     bool (*agrees)(const struct converters *converters, uint64_t *random);
 };
 

@@ -2,7 +2,7 @@
  *
  *     check_faces [SCENES [OF SHARE]] [--first]
  *
- * Traces scenes by chance (grid_scene.h), or every OF-th from the one of the
+ * Traces random scenes (grid_scene.h), or every OF-th from the one of the
  * number SHARE on: in scalar form, in vector form and in the way of 1984, with
  * several queues, both ways to what is seen of a solid, with and without
  * bounding spheres.  All give one frame, bit for bit.  Parts in another order

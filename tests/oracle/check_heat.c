@@ -1,4 +1,4 @@
-/* check_heat.c - factors of scenes by chance, found in two ways that have nothing in common
+/* check_heat.c - factors of random scenes, found in two ways that have nothing in common
  * but the crossings of lines.
  *
  *     check_heat [SCENES [OF SHARE]] [--first]

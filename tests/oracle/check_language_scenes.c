@@ -1,11 +1,11 @@
-/* check_language_scenes.c - scene texts by chance, in every form and beside
+/* check_language_scenes.c - scene random texts, in every form and beside
  * POV-Ray.
  *
  *     check_language_scenes [SCENES [OF SHARE]] [--first]
  *
  * Draws scene texts (language_scene.h), or every OF-th from the one of the number
  * SHARE on.  Each is read without an error or a report, by POV-Ray, too.  The
- * three stages, by rows and by tiles, with queues of lengths by chance, in one
+ * three stages, by rows and by tiles, with queues of random lengths, in one
  * job and in two, give one frame, bit for bit.  That frame is POV-Ray's picture:
  * a pixel is another one if a channel differs by more than .02 of white, as in
  * check_sample, and no more than one pixel in a thousand may be so.
@@ -15,7 +15,7 @@
  * moved a hundredth of a pixel to one of four sides.  What is moved is the
  * camera as rt205 has read it, and the picture is compared with POV-Ray's by
  * that same camera where it stood: a camera that is read wrongly forgives
- * nothing.  Of a picture at the most one pixel in fifty is forgiven.
+ * nothing.  Of a picture at most one pixel in fifty is forgiven.
  *
  * A scene that fails is made smaller, line by line and block by block, as long as
  * it fails in the same way, printed with its seed, and written to

@@ -2,9 +2,9 @@
  *
  *     check_lines [SCENES [OF SHARE]] [--first]
  *
- * Follows lines through scenes by chance, or every OF-th from the one of the number
+ * Follows lines through random scenes, or every OF-th from the one of the number
  * SHARE on: in turn such whose faces coincide (grid_scene.h) and such of many
- * regions (many_regions.h).  The scalar form and some ways by chance of the vector
+ * regions (many_regions.h).  The scalar form and some random ways of the vector
  * form (queues, packets, bounds) find the same, bit for bit, which keeps the rules
  * (line_rules.h); in another order of parts it is as far away, bit for bit; where no
  * roundings decide, the plain tracer sees the same.  A scene that fails is made

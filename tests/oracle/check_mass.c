@@ -1,8 +1,8 @@
-/* check_mass.c - the mass properties of solids by chance (placed_solid.h).
+/* check_mass.c - the mass properties of random solids (placed_solid.h).
  *
  *     check_mass [SCENES [OF SHARE]] [--first]
  *
- * Measures a solid, and the same one scaled, turned and moved by chance: the volume is
+ * Measures a solid, and the same one scaled, turned and moved at random: the volume is
  * times the determinant, the centroid goes where it should, and the second moments are
  * M S M^T times the determinant; where it is scaled alike in all directions the area
  * is times the square.  A plain count of points inside (plain_mass.h), in a box that is

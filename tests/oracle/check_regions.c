@@ -2,9 +2,9 @@
  *
  *     check_regions [SCENES [OF SHARE]] [--first]
  *
- * Traces scenes by chance (many_regions.h), or every OF-th from the one of the
+ * Traces random scenes (many_regions.h), or every OF-th from the one of the
  * number SHARE on, in vector form with every ray against every region, in scalar
- * form, and in some more ways by chance: stages, queues, bounds, ways to what
+ * form, and in some more random ways: stages, queues, bounds, ways to what
  * is seen of a solid, bands, jobs.  All give one frame, bit for bit, and follow
  * the same rays.  The plain tracer sees the same within the tolerances of
  * check_scene, but for pixels where a rounding decides.  A scene that fails is

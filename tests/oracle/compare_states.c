@@ -228,7 +228,7 @@ static void differ_in_faults(struct trial *trial, const c205_stop *stop)
     }
 }
 
-/* A trapped instruction is skipped, so that the program goes on.  False: it
+/* A trapped instruction is skipped, so that the program continues.  False: it
  * cannot. */
 static bool skip(struct trial *trial)
 {
@@ -310,7 +310,7 @@ static void run_steps(struct trial *trial)
         compare_all_memory(trial);
 }
 
-/* They load the machine anew. */
+/* They load the machine again. */
 static void compare_other_ways(struct trial *trial)
 {
     uint64_t hash = machine_hash(trial->machine);
@@ -356,7 +356,7 @@ static void print_registers(const struct random_program *program)
 void print_program(const struct random_program *program)
 {
     printf("; seed %llu, %s; model:\n%s", (unsigned long long)program->seed,
-           program->plain_data ? "all numbers one" : "data by chance",
+           program->plain_data ? "all numbers one" : "random data",
            random_models[program->model]);
     print_registers(program);
     printf("        .org    0x%llX\n", (unsigned long long)program->code);

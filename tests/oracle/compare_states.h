@@ -16,7 +16,7 @@ struct difference {
     char texts[DIFFERENCES][DIFFERENCE_TEXT];
 };
 
-/* Machines are made once for each model and loaded anew for each program. */
+/* Machines are made once for each model and loaded again for each program. */
 void compare_begin(void);
 void compare_end(void);
 

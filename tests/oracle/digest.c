@@ -87,7 +87,7 @@ static void run_texts(struct digest *digest, char **paths)
 
 /* ---- Random programs ---------------------------------------------------- */
 
-/* What traps is skipped, so that the program goes on. */
+/* What traps is skipped, so that the program continues. */
 static void run_on(c205 *machine)
 {
     for (int i = 0; i < MAX_TRAPS; i++) {

@@ -1,4 +1,4 @@
-/* draw_scenes.c - scene texts by chance, as files.
+/* draw_scenes.c - scene random texts, as files.
  *
  *     draw_scenes FOLDER FIRST COUNT
  *

@@ -19,7 +19,7 @@ struct grid {
     struct solid *solids[MAX_SOLIDS + 1]; /* with a ground */
 };
 
-/* --- by chance ------------------------------------------------------------ */
+/* --- random cases ------------------------------------------------------------ */
 
 static double on_grid(uint64_t *state)
 {

@@ -1,9 +1,9 @@
-/* grid_scene.h - scenes by chance in which faces coincide.
+/* grid_scene.h - random scenes in which faces coincide.
  *
  * Solids of solids, up to four deep, of all kinds of shapes, and meshes: their
  * coordinates are -1, -1/2, 0, 1/2 and 1, now and then ten thousand times as
  * small, their turns quarter turns.  Some parts are mirrors or glass.
- * The eye stands anywhere, or looks along an axis, or stands in or on a solid;
+ * The eye stands anywhere, or looks along an axis, or is in or on a solid;
  * so do lamps.
  */
 #ifndef GRID_SCENE_H

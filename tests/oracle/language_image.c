@@ -1,4 +1,4 @@
-/* language_image.c - pigments that are an image, by chance. */
+/* language_image.c - pigments that are an image, at random. */
 #include "tests/oracle/language_parts.h"
 #include "tests/oracle/language_scene.h"
 

@@ -1,4 +1,4 @@
-/* language_looks.c - pigments, finishes, normals, textures and motions by chance. */
+/* language_looks.c - pigments, finishes, normals, textures and random motions. */
 #include "tests/oracle/language_parts.h"
 
 /* Turns and sizes; what they move stays about the origin. */
@@ -13,7 +13,7 @@ void say_turns(struct language *draw)
 
 /* --- pigments ------------------------------------------------------------- */
 
-/* Entries may stand at one place, and not all of 0 to 1 need have one. */
+/* Entries may be at one place, and not all of 0 to 1 need have one. */
 void say_map(struct language *draw)
 {
     double at = between(&draw->state, -.1, .3);

@@ -1,4 +1,4 @@
-/* language_parts.h - what draws a scene text by chance: the drawing, and its
+/* language_parts.h - what draws a scene random text: the drawing, and its
  * parts from values up to objects.
  *
  * Texts are drawn by patterns: a pattern is text with parts, drawn from left to right.

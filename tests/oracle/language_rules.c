@@ -1,4 +1,4 @@
-/* language_rules.c - the scene language by chance: the rules of its texts. */
+/* language_rules.c - the scene random language: the rules of its texts. */
 #include "tests/oracle/language_parts.h"
 
 #define PLACE_OFF "translate <^4.1:.2^, ^4.1:.2^, ^4.1:.2^>\n"
@@ -68,7 +68,7 @@ const struct language_rule language_rules[] = {
       "|rgbft <^2.4:1^, ^2.4:1^, ^2.4:1^, .5, ~.1:.4~>"
       "|$color;$[ transmit .6| filter .7| filter .4 transmit .3$]$]\n" },
     { "pigment", say_pigment, NULL },
-    /* Of what goes on for ever: far out a gradient is another one in POV-Ray, whose
+    /* Of what continues for ever: far out a gradient is another one in POV-Ray, whose
      * values go round at 1.00001 below -1. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
     /* --- finishes --- */

@@ -1,4 +1,4 @@
-/* language_scene.h - scenes by chance, as texts in the scene language.
+/* language_scene.h - random scenes, as texts in the scene language.
  *
  * Declarations of every kind, expressions of every operator and function,
  * conditions, loops, macros and arrays; all shapes that POV-Ray has, too, solids,
@@ -14,7 +14,7 @@
 /* Pictures that they are made for. */
 enum { LANGUAGE_WIDTH = 40, LANGUAGE_HEIGHT = 30 };
 
-/* What they show by image_map stands in a file of this name, beside them. */
+/* What they show by image_map is in a file of this name, beside them. */
 #define LANGUAGE_IMAGE "language_image.ppm"
 extern const char language_image[];
 

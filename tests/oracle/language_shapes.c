@@ -1,4 +1,4 @@
-/* language_shapes.c - shapes by chance: each opens its block and leaves it open, for
+/* language_shapes.c - random shapes: each opens its block and leaves it open, for
  * modifiers. */
 #include "tests/oracle/language_parts.h"
 #include "tests/oracle/scene_words.h"

@@ -1,4 +1,4 @@
-/* language_things.c - solids, and things in their places, by chance. */
+/* language_things.c - solids, and things in their places, at random. */
 #include "tests/oracle/language_parts.h"
 
 /* Where a solid stands: in a list, as a part of another solid, or as what a
@@ -126,7 +126,7 @@ void say_macro(struct language *draw)
     }
 }
 
-/* Its middle comes to a place by chance. */
+/* Its middle comes to a random place. */
 void say_thing(struct language *draw)
 {
     size_t which = below(&draw->state, 18);

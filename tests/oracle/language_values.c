@@ -1,4 +1,4 @@
-/* language_values.c - patterns, names, and expressions by chance. */
+/* language_values.c - patterns, names, and random expressions. */
 #include "tests/oracle/language_parts.h"
 
 #include <stdarg.h>

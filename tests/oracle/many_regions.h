@@ -1,4 +1,4 @@
-/* many_regions.h - scenes by chance of no object at all up to some hundred.
+/* many_regions.h - random scenes of no object at all up to some hundred.
  *
  * Groups of things in clouds, clusters, rows and lattices on whole numbers, one
  * within the other, all in one point, the same thing again and again in other

@@ -11,7 +11,7 @@
 
 void give_up(const char *message)
 {
-    fprintf(stderr, "scenes by chance: %s\n", message);
+    fprintf(stderr, "random scenes: %s\n", message);
     exit(2);
 }
 

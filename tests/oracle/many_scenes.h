@@ -1,4 +1,4 @@
-/* many_scenes.h - what checks of scenes by chance have in common: how they are
+/* many_scenes.h - what checks of random scenes have in common: how they are
  * called, how they end, what they leave. */
 #ifndef MANY_SCENES_H
 #define MANY_SCENES_H
@@ -37,7 +37,7 @@ int check_many(int count, char **words, bool (*check)(size_t number, bool first)
  * a rounding decides which is seen, and where the eye may be in one, if it is. */
 enum certainty { NOTHING_CERTAIN, DEPTH_CERTAIN, ALL_CERTAIN };
 
-/* A scene by chance.  Other: of the same things, in another order or another place; or
+/* A random scene.  Other: of the same things, in another order or another place; or
  * NULL. */
 struct random_scene {
     size_t number;
@@ -48,7 +48,7 @@ struct random_scene {
     uint64_t state; /* after it was drawn */
 };
 
-/* A check of scenes by chance: of number N from the state RANDOM_SEED ^ (N + 1) x seed. */
+/* A check of random scenes: of number N from the state RANDOM_SEED ^ (N + 1) x seed. */
 struct random_check {
     const char *kind;
     uint64_t seed;

@@ -16,7 +16,7 @@ int64_t random_between(uint64_t *random, int64_t low, int64_t high)
     return low + (int64_t)(random_bits(random) % span);
 }
 
-/* What a family draws from: the format and the numbers by chance. */
+/* What a family draws from: the format and the random numbers. */
 struct draw {
     const struct oracle_format *format;
     uint64_t *random;

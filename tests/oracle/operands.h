@@ -22,7 +22,7 @@ struct operands operands_begin(const struct oracle_format *format, uint64_t seed
 /* The next n pairs. */
 void operands_next(struct operands *operands, c205_word *a, c205_word *b, size_t n);
 
-/* Numbers by chance: 64 bits; low..high, both included. */
+/* Random numbers: 64 bits; low..high, both included. */
 uint64_t random_bits(uint64_t *random);
 int64_t random_between(uint64_t *random, int64_t low, int64_t high);
 /* A word of any kind. */

@@ -10,7 +10,7 @@ typedef void span_rule(c205_word *c, const c205_word *a, const c205_word *b, siz
                        uint64_t *flags);
 
 /* scalar: as arith.h; NULL where only lanes.h has the operation.  span: of
- * SPAN elements at the most; NULL where only quick.h has it. */
+ * SPAN elements at most; NULL where only quick.h has it. */
 struct operation {
     const char *name;                   /* half_NAME for half words, fast_NAME */
     const struct oracle_format *format; /* of the operands */

@@ -10,7 +10,7 @@
 
 enum {
     HALF = 32,
-    CLOCKS = 6000, /* of a program that may go on for ever */
+    CLOCKS = 6000, /* of a program that may continue for ever */
     TRAPS = 120,
     LONGEST_SLICE = 150,
     ONE_SAVED_IN = 40,

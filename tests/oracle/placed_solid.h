@@ -1,4 +1,4 @@
-/* placed_solid.h - one thing by chance, about a place: a shape, or a tree of a
+/* placed_solid.h - one random thing, about a place: a shape, or a tree of a
  * few, and what it is made of.  All from a state, which is never 0. */
 #ifndef PLACED_SOLID_H
 #define PLACED_SOLID_H

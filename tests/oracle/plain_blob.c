@@ -130,7 +130,7 @@ static int by_place(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Eight for each component at the most. */
+/* Eight for each component at most. */
 static void find_places(const struct primitive *primitive, const struct ray *ray,
                         struct places *places)
 {

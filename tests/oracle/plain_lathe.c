@@ -27,7 +27,7 @@ static double turn_to(const double point[2], double from[2], const double to[2])
     return atan2(r0 * y1 - y0 * r1, r0 * r1 + y0 * y1);
 }
 
-/* Level and upright at the least radius; 1e-4 aside of a segment there. */
+/* Level and upright at least radius; 1e-4 aside of a segment there. */
 static double turn_back(const struct outline *path, const double point[2], double at[2])
 {
     const double(*points)[2] = (const double(*)[2])path->points;

@@ -52,7 +52,7 @@ void plain_describe(const struct scene *scene, const struct ray *ray,
 double plain_mirror(const struct plain_surface *surface, double index, double color[3]);
 
 /* The surface's colour without what comes through it or is mirrored: ambient,
- * and what each light adds through what stands before it. */
+ * and what each light adds through what is before it. */
 void plain_shade(const struct plain_tracer *tracer, const struct plain_surface *surface,
                  double color[3]);
 

@@ -56,7 +56,7 @@ static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
     return 1;
 }
 
-/* By what stands at the same z, farther along x. */
+/* By what is at the same z, farther along x. */
 static bool is_round(const struct outline *path, double x, double z)
 {
     struct arcs arcs = { .path = path };

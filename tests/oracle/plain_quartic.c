@@ -64,7 +64,7 @@ static size_t cross_surface(const struct along *surface,
 
 /* --- tori --------------------------------------------------------------- */
 
-/* The tube's ellipse stands at the distance `major` from y:
+/* The tube's ellipse is at the distance `major` from y:
  *     ((sqrt(x^2 + z^2) - major) / radial)^2 + (y / axial)^2 = 1.
  * Without the root, with r = (radial / axial)^2:
  *     (x^2 + z^2 + r y^2 + major^2 - radial^2)^2 = 4 major^2 (x^2 + z^2). */

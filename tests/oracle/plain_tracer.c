@@ -235,7 +235,7 @@ static bool is_clear(const struct scene *scene, const double passing[3])
 
 /* What is totally reflected keeps all of its colour, and the surface is then
  * no other mirror besides.  In a scene where nothing is clear each surface
- * tells anew on which side of it a ray is. */
+ * tells again on which side of it a ray is. */
 static void branch(const struct branching *from, const struct plain_hit *hit)
 {
     static const double all[3] = { 1, 1, 1 };

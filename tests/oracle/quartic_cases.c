@@ -27,7 +27,7 @@ const char *quartic_kind_name(enum quartic_kind kind)
     return names[kind];
 }
 
-/* ---- Numbers by chance -------------------------------------------------- */
+/* ---- Random numbers -------------------------------------------------- */
 
 static double unit(uint64_t *state) /* 0 .. 1 */
 {
@@ -198,7 +198,7 @@ static make_product *const products[QUARTIC_KINDS] = {
     [QUARTIC_BOUND] = make_separated,     [QUARTIC_SCALED] = make_spread,
 };
 
-/* A point by chance on the unit sphere. */
+/* A random point on the unit sphere. */
 static void direction(double *v, uint64_t *state)
 {
     double length;

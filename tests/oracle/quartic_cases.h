@@ -1,11 +1,11 @@
-/* quartic_cases.h - polynomials by chance, of every kind that is hard. */
+/* quartic_cases.h - random polynomials, of every kind that is hard. */
 #ifndef QUARTIC_CASES_H
 #define QUARTIC_CASES_H
 
 #include "rt/roots/roots.h"
 
 enum quartic_kind {
-    QUARTIC_COEFFICIENTS, /* by chance */
+    QUARTIC_COEFFICIENTS, /* at random */
     QUARTIC_INTEGERS,     /* small ones */
     QUARTIC_SEPARATED,    /* real roots and pairs of complex ones */
     QUARTIC_CLUSTERED,    /* roots 10^-1 .. 10^-9 apart */

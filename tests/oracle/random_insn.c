@@ -1,4 +1,4 @@
-/* random_insn.c - instructions by chance, drawn from the instruction table. */
+/* random_insn.c - random instructions, drawn from the instruction table. */
 #include "random_parts.h"
 
 #include "tests/oracle/operands.h"
@@ -366,7 +366,7 @@ static bool has_b(const c205_insn *insn)
 }
 
 /* What a source is that is neither handed over nor a vector, so that memory
- * has to feed two at the most: one of the first's, or the other one of the
+ * has to feed two at most: one of the first's, or the other one of the
  * second. */
 static void spare_a_stream(uint64_t *random, const c205_insn *const *rows,
                            c205_fields *first, c205_fields *second, bool a)

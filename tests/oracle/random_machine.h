@@ -6,7 +6,7 @@
 #include "tests/oracle/plain_memory.h"
 #include "tests/oracle/random_program.h"
 
-/* Machines are made once for each model and loaded anew for each program. */
+/* Machines are made once for each model and loaded again for each program. */
 void random_machines_begin(void);
 void random_machines_end(void);
 

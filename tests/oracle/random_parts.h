@@ -15,7 +15,7 @@ uint64_t draw_length(uint64_t *random);
  * n number, i integer, h number and j integer in a half register, v vector of
  * words, w of half words, b of bits, x index list, k code address, s short
  * vector for SWAP, f field of a register; p, o, q a vector of words, half
- * words or bits whose offset stands in the next register. */
+ * words or bits whose offset is in the next register. */
 unsigned draw_register(uint64_t *random, char role);
 c205_word draw_descriptor(uint64_t *random, char role);
 /* Of an instruction of the program; now and then off a half word. */

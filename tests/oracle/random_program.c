@@ -1,4 +1,4 @@
-/* random_program.c - programs by chance. */
+/* random_program.c - random programs. */
 #include "random_parts.h"
 
 #include "tests/oracle/operands.h"

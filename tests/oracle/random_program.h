@@ -1,4 +1,4 @@
-/* random_program.h - programs by chance, the same for the same seed.
+/* random_program.h - random programs, the same for the same seed.
  *
  * A program is a row of instructions drawn from the instruction table, the
  * registers it starts with and the contents of a few areas of memory.  Its
@@ -80,7 +80,7 @@ void program_data(const struct random_program *program, const struct random_area
 bool random_load(c205 *machine, const struct random_program *program,
                  c205_error *error);
 /* The same, with pages to be written that it has in common with others, which the
- * caller frees when the machine is loaded anew. */
+ * caller frees when the machine is loaded again. */
 struct random_shared {
     c205_shared *page[RANDOM_PAGES]; /* NULL: its own */
 };

@@ -74,7 +74,7 @@ void reference_begin(struct reference *reference);
 void reference_end(struct reference *reference);
 
 /* One instruction.  False: it has a certain fault, and nothing changed.
- * The stores it made stand in memory.changes until the next step. */
+ * The stores it made are in memory.changes until the next step. */
 bool reference_step(struct reference *reference);
 
 /* Take the last instruction back, which had possible faults only. */
@@ -87,7 +87,7 @@ bool reference_has_fault(const struct reference *reference, c205_trap trap,
 /* False: no rule for this instruction has been written yet. */
 bool reference_knows(const c205_insn *insn);
 
-/* The data flags as they stand at a clock: that of the timer comes by
+/* The data flags as they are at a clock: that of the timer comes by
  * itself. */
 uint64_t reference_flags(const struct reference *reference, uint64_t clock);
 

@@ -42,7 +42,7 @@ static c205_word polynomial(struct reference *reference, const struct pair *pair
     return value;
 }
 
-/* The first B to which x stands in the relation, or the length. */
+/* The first B to which x is in the relation, or the length. */
 static c205_word search(struct reference *reference, const struct pair *pair,
                         c205_word x, uint64_t *compared)
 {
@@ -191,7 +191,7 @@ bool lies_on_results(const struct source *source, uint64_t i, const struct targe
            && address < c->address + c->width * stored;
 }
 
-/* Elements of the result for which one of the sources at the least does. */
+/* Elements of the result for which one of the sources at least does. */
 static uint64_t recurrences(const struct source *sources, size_t count,
                             const struct target *c)
 {

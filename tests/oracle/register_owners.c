@@ -110,7 +110,7 @@ static struct names names_at(const struct object *program, uint64_t address)
     return names;
 }
 
-/* The last one for a register: results stand behind sources. */
+/* The last one for a register: results are behind sources. */
 static long name_of(const struct object *program, struct names names, unsigned number)
 {
     long found = ANYONE;

@@ -1,4 +1,4 @@
-/* scene_words.h - parts of scenes by chance in the scene language: lights that shine to one
+/* scene_words.h - parts of random scenes in the scene language: lights that shine to one
  * side, normals, closed meshes and fields of heights. */
 #ifndef SCENE_WORDS_H
 #define SCENE_WORDS_H
@@ -9,12 +9,12 @@
 
 /* Of every other light words of its beam, of its parallel rays, of how it fades, else
  * none.  They begin with an empty place.  What else a scene draws does not depend on
- * them: the state is a copy of that with which it goes on. */
+ * them: the state is a copy of that with which it continues. */
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS]);
 
 /* To one in so many looks a normal is added.  What else a scene draws does not depend
- * on it: the state is a copy of that with which it goes on. */
+ * on it: the state is a copy of that with which it continues. */
 void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS]);
 
 /* A box; each side is cut by either diagonal. */

@@ -58,7 +58,7 @@
         both_two ADJS, negative, -13, -2, X'0002 FFFF FFFF FFFC', X'02FF FFFC'
         both_two ADJS, all_lost, 5, -50, X'0032 0000 0000 0000', X'3200 0000'
         both_two ADJS, sign_left, -5, -50, X'0032 FFFF FFFF FFFF', X'32FF FFFF'
-; a coefficient of 0 moves 47 places at the most
+; a coefficient of 0 moves 47 places at most
         two     ADJS, zero_coefficient, X'0010000000000000', 60, X'FFE1000000000000'
         two_half ADJSH, zero_coefficient, X'1000 0000', 60, X'F900 0000'
 ; only the low 48 bits of S count

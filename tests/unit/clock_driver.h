@@ -11,7 +11,7 @@
 struct clock *clock_of(const char *text);
 struct clock *two_pipes(void);
 
-/* Where the code goes on. */
+/* Where the code continues. */
 extern uint64_t driven_pc;
 
 /* The next instruction of the code: of region, with one or two sources and a
@@ -25,7 +25,7 @@ void branch(struct clock *clock, const char *name, uint64_t target);
 void at_address(struct clock *clock, const char *name, uint64_t address);
 uint64_t clocks_for(const struct clock *clock, c205_cause cause);
 
-/* Drain and look at the total, then start anew. */
+/* Drain and look at the total, then start again. */
 void assert_total(struct clock *clock, uint64_t expected);
 
 #endif

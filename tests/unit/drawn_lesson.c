@@ -279,7 +279,7 @@ void drawn_open(const struct drawn_lesson *drawn, struct lesson *lesson)
     }
     take(lesson, "start.s", "        EXIT\n");
     take(lesson, "solution.s", "nothing of it is read\n");
-    take(lesson, "lesson.md", "# Drawn by chance\n\nText.\n");
+    take(lesson, "lesson.md", "# Drawn at random\n\nText.\n");
     if (!lesson_end(lesson, &error))
         fail_msg("%s", error.message);
 }

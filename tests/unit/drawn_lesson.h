@@ -1,4 +1,4 @@
-/* drawn_lesson.h - lessons by chance, and answers of which it is known what is wrong.
+/* drawn_lesson.h - random lessons, and answers of which it is known what is wrong.
  *
  * The exercise is y := 2 x (of bits: y := not x), n elements of one kind.  An answer does the
  * work in all tests but one, and there something else.

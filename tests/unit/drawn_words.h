@@ -1,4 +1,4 @@
-/* drawn_words.h - what a verdict has to say of an answer drawn by chance, worked out from
+/* drawn_words.h - what a verdict has to say of an answer drawn at random, worked out from
  * what was done to it.
  */
 #ifndef TESTS_DRAWN_WORDS_H
@@ -13,7 +13,7 @@ size_t drawn_count_wrong(const struct drawn_lesson *drawn);
 void drawn_say_wrong(const struct drawn_lesson *drawn, size_t wrong,
                      const struct sink *sink);
 /* The sentence about what they look like, or ""; NULL: it is not known, for bits that are
- * flipped by chance look like many things. */
+ * flipped at random look like many things. */
 const char *drawn_likeness(const struct drawn_lesson *drawn);
 /* The line of the answer in which the fault is, from 1 on. */
 size_t drawn_fault_line(const struct drawn_lesson *drawn);

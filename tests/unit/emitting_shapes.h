@@ -1,4 +1,4 @@
-/* emitting_shapes.h - shapes by chance that have an emission (rt/heat/emission.h). */
+/* emitting_shapes.h - random shapes that have an emission (rt/heat/emission.h). */
 #ifndef EMITTING_SHAPES_H
 #define EMITTING_SHAPES_H
 

@@ -1,4 +1,4 @@
-/* lane_operands.h - words and half words by chance, for spans of them: of all kinds that one of
+/* lane_operands.h - words and half random words, for spans of them: of all kinds that one of
  * the quick ways of vm/number may take for usual, or must not. */
 #ifndef TESTS_LANE_OPERANDS_H
 #define TESTS_LANE_OPERANDS_H

@@ -23,7 +23,7 @@ struct plain {
 };
 
 struct moment moment_of(const c205 *machine, uint64_t watched);
-/* A word of the last segment, by chance, is watched.  Takes the object. */
+/* A word of the last segment, at random, is watched.  Takes the object. */
 struct plain run_plainly(struct object *object, uint64_t *random_state);
 /* The region of an address, "" for none. */
 const char *plain_region(const struct plain *plain, uint64_t pc);

@@ -23,7 +23,7 @@ struct net {
 size_t net_point(struct net *net, const double point[3]);
 void net_face(struct net *net, size_t a, size_t b, size_t c);
 
-/* Bodies, which they set up anew; their points lie on whole numbers but those
+/* Bodies, which they set up again; their points lie on whole numbers but those
  * of the icosahedron. */
 enum net_body { OCTAHEDRON, BOX, ICOSAHEDRON, NET_BODIES };
 void net_take(struct net *net, enum net_body body);
@@ -52,7 +52,7 @@ void net_random_body(struct net *net, size_t times, uint64_t *random);
 /* The faces in another order, their corners too. */
 void net_shuffle(struct net *net, uint64_t *random);
 /* Normals at its points: the mean of those of the faces there, and they lean
- * by chance. */
+ * at random. */
 void net_smooth(struct net *net, double lean, uint64_t *random);
 
 /* Up to the modifiers: "mesh { .." or "mesh2 { ..". */

@@ -5,7 +5,7 @@
 
 enum { MAX_VARIABLES = 100, DEPTH = 4 };
 
-/* What stands in a list; NUMBER: one number and no more. */
+/* What is in a list; NUMBER: one number and no more. */
 enum place { OBJECTS, MODIFIERS, LAYER, FINISH, TERMS, NUMBER };
 
 struct making {

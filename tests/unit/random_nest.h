@@ -1,4 +1,4 @@
-/* random_nest.h - nests of directives of the scene language, by chance.
+/* random_nest.h - nests of directives of the scene language, at random.
  *
  * Each list is made from a seed in one of two ways: as it is written, with #for,
  * #while, #if, #switch, #macro, #local and #break at every place of it, or as it

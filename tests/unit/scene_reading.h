@@ -50,7 +50,7 @@ struct line_error {
 };
 void assert_errors(const struct line_error *errors, size_t count);
 
-/* A text is not read; there are so many reports at the most, and one of them
+/* A text is not read; there are so many reports at most, and one of them
  * says so. */
 void assert_refused(const char *text, size_t most, const char *message);
 

@@ -182,7 +182,7 @@ TEST(any_bits)
 }
 
 /* No piece of an object file, and none with a byte changed, does harm. */
-/* Labels keep their names, if these can stand in a text: once, on a line. */
+/* Labels keep their names, if these can be in a text: once, on a line. */
 TEST(names)
 {
     static const char file[] =

@@ -53,7 +53,7 @@ TEST(warnings)
         { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
           " .endshare\n",
           0, 0, "" },
-        /* What is named by a name stands where that stands. */
+        /* What is named by a name is where that stands. */
         { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
           " .share x\n .reg c, r5\n .endshare\n",
           0, 0, "" },

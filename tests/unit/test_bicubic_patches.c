@@ -176,7 +176,7 @@ static void expect_cell(const struct patch *patch, struct cell cell,
     }
 }
 
-/* ---- By chance ----------------------------------------------------------- */
+/* ---- Random cases ----------------------------------------------------------- */
 
 static struct patch random_patch(void)
 {

@@ -142,7 +142,7 @@ struct heard {
     uint64_t events, clock, operations;
 };
 
-/* Event by event, the clock goes on where it was. */
+/* Event by event, the clock continues where it was. */
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct heard *heard = context;
@@ -183,7 +183,7 @@ TEST(listener)
 
 /* ---- Code that changes --------------------------------------------------- */
 
-/* A store over what stands behind it, and before it, in its own block: the
+/* A store over what is behind it, and before it, in its own block: the
  * new instruction is executed from then on. */
 TEST(changes)
 {
@@ -219,7 +219,7 @@ TEST(changes)
 /* ---- Faults -------------------------------------------------------------- */
 
 /* Loads walk off the mapped memory, in the middle of a block; when the page
- * is there, the run goes on. */
+ * is there, the run continues. */
 TEST(fault)
 {
     static const char text[] = "        .regs   r10, at, x, sum, turns, to\n"
@@ -479,7 +479,7 @@ TEST(data_behind_branch)
 
 /* ---- No room ------------------------------------------------------------- */
 
-/* More than there is room for: all is forgotten, and begins anew. */
+/* More than there is room for: all is forgotten, and begins again. */
 TEST(many_blocks)
 {
     static const char text[] = "        .regs   r10, turns, to, sum\n"
@@ -499,7 +499,7 @@ TEST(many_blocks)
     c205_free(machine);
 }
 
-/* Each of many branches goes by chance, so that there are ever new flights:
+/* Each of many branches goes at random, so that there are ever new flights:
  * what was remembered is forgotten, and the blocks know it. */
 TEST(many_flights)
 {

@@ -137,7 +137,7 @@ TEST(known_boxes)
 }
 
 /* Lines through a shape in its own space, and where the points that they cross
- * it at stand in the world. */
+ * it at are in the world. */
 static size_t count_crossings(const struct primitive *primitive,
                               const struct bound *bound)
 {

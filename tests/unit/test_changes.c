@@ -183,7 +183,7 @@ TEST(pages)
 
 /* ---- Stops --------------------------------------------------------------- */
 
-/* Where stops are set, by what is met without any. */
+/* Where stops are set, by the hit without any. */
 struct places {
     uint64_t at[PLACES];
     uint64_t watched;
@@ -254,7 +254,7 @@ static void pause_now(void *context, const c205 *machine, const c205_event *even
         c205_pause((c205 *)(uintptr_t)machine);
 }
 
-/* So many instructions at the most, counted by the machine or by a listener. */
+/* So many instructions at most, counted by the machine or by a listener. */
 static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
 {
     c205_stop stop;

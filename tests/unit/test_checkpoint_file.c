@@ -114,7 +114,7 @@ static void turn_bit(const char *path, long at, int bit)
     assert_int_equal(fclose(file), 0);
 }
 
-/* Units in an order by chance; where each ends. */
+/* Units in an random order; where each ends. */
 struct written {
     size_t count;
     uint64_t number[UNITS];
@@ -148,7 +148,7 @@ static void whole_before(const struct written *written, long at, bool *there)
         there[written->number[k]] = true;
 }
 
-/* What is lost is done anew, at the end of what is left. */
+/* What is lost is done again, at the end of what is left. */
 static void expect_and_mend(const struct written *written, long at)
 {
     bool there[UNITS];

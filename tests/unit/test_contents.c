@@ -134,7 +134,7 @@ TEST(labels)
     }
 }
 
-/* The last line's code goes on after the last label of code; nothing lies at the end. */
+/* The last line's code continues after the last label of code; nothing lies at the end. */
 TEST(ends)
 {
     struct object *object = good("        .data\nx:      .word 1\nend:\n"

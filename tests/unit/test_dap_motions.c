@@ -1,4 +1,4 @@
-/* test_dap_motions.c - motions by chance in programs by chance, from an editor: where
+/* test_dap_motions.c - random motions in random programs, from an editor: where
  * they lead is what a plain run says.
  */
 #include <unistd.h>
@@ -9,7 +9,7 @@
 #include "tests/unit/drawn_walk.h"
 #include "tests/unit/plain_run.h"
 
-/* ---- Motions by chance --------------------------------------------------------------------- */
+/* ---- Random motions --------------------------------------------------------------------- */
 
 struct walk {
     struct dap_client client;

@@ -1,4 +1,4 @@
-/* test_debugger.c - lines by chance for the debugger: it stands where a plain run from the
+/* test_debugger.c - random lines for the debugger: it is where a plain run from the
  * beginning says that it must. */
 #include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
@@ -33,7 +33,7 @@ static size_t to_place(const struct plain *plain, const struct plain_stops *told
     return step;
 }
 
-/* ---- Lines by chance ------------------------------------------------------ */
+/* ---- Random lines ------------------------------------------------------ */
 
 struct session {
     const struct plain *plain;
@@ -86,7 +86,7 @@ static void choose_watch(struct session *session)
     obey(session, line);
 }
 
-/* A line, and where the program must stand behind it. */
+/* A line, and where the program must be behind it. */
 static size_t draw_line(struct session *session, char line[80])
 {
     const struct plain *plain = session->plain;

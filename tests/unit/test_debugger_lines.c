@@ -86,7 +86,7 @@ TEST(values)
     check_session(text, lines, COUNT(lines), 3);
 }
 
-/* What it cannot do it says, and stands where it stood. */
+/* What it cannot do it says, and is where it stood. */
 TEST(faults)
 {
     static const struct line_said lines[] = {
@@ -209,7 +209,7 @@ static const struct {
         { "delete", "" },
         { "break again if turns ==", "expected a value" } },
       1 },
-    /* Behind its end a program does not go on, whatever is asked. */
+    /* Behind its end a program does not continue, whatever is asked. */
     { "        ES  r10, 5\n"
       "        ES  r11, 6\n"
       "        DIVS r10, r11, r12\n"

@@ -1,6 +1,6 @@
-/* test_debugger_scripts.c - scripts by chance for the debugger, 40 lines of all verbs over
+/* test_debugger_scripts.c - random scripts for the debugger, 40 lines of all verbs over
  * five programs: they say the same whenever they are played, to the byte; and so do movements that
- * begin anew.
+ * begin again.
  *
  * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for who would
  * play it in another way (tests/check_replay.sh).
@@ -35,7 +35,7 @@ static struct object *open_program(const char **name)
     return *name == drawn ? open_drawn() : good_file(*name);
 }
 
-/* ---- Lines by chance ------------------------------------------------------- */
+/* ---- Random lines ------------------------------------------------------- */
 
 typedef char script_line[LINE];
 
@@ -328,7 +328,7 @@ static void check_anew(const struct object *object, const char *name)
     text_buffer_free(&said[1]);
 }
 
-TEST(anew)
+TEST(again)
 {
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         const char *name;

@@ -281,7 +281,7 @@ TEST(accuracy)
         most = fmax(most, (double)fabsl(c205_to_double(spot[1]) - (1 - 2 * u)));
         most = fmax(most, (double)fabsl(c205_to_double(spot[2]) - r * sinl(turn * t)));
     }
-    print_message("points of the unit circle: off by %.1e at the most\n", most);
+    print_message("points of the unit circle: off by %.1e at most\n", most);
     assert_true(most < 3e-13);
 }
 

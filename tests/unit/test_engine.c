@@ -189,7 +189,7 @@ TEST(bad)
         { "{'do': 'breaks'}", "'lines' is a list" },
         { "{'do': 'breaks', 'lines': [1, 'x']}", "'lines' is a list" },
         { "{'do': 'breaks', 'lines': [1e300]}", "'lines' is a list" },
-        { "{'do': 'view', 'elements': 70000}", "65536 at the most" },
+        { "{'do': 'view', 'elements': 70000}", "65536 at most" },
         { "{'do': 'view', 'all-registers': 1}", "'all-registers' is true or false" },
         { "{'do': 'profile', 'in-order': 'yes'}", "'in-order' is true or false" },
         { "{'do': 'view', 'first': 5}", "names with integers" },
@@ -209,7 +209,7 @@ TEST(bad)
     talk_end(&talk);
 }
 
-/* ---- Requests by chance ---------------------------------------------------------------------- */
+/* ---- Random requests ---------------------------------------------------------------------- */
 
 static const char *const seeds[] = {
     "{'do': 'about'}",
@@ -244,7 +244,7 @@ static const char *const values[] = {
 };
 enum { VALUES = COUNT(values) };
 
-/* What stands behind a colon is another value. */
+/* What is behind a colon is another value. */
 static void change_value(char *text, size_t size)
 {
     char *colon = text, copy[4096], *end;

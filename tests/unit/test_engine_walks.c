@@ -1,4 +1,4 @@
-/* test_engine_walks.c - what a page is told after walks by chance, forward and back, beside
+/* test_engine_walks.c - what a page is told after random walks, forward and back, beside
  * machines that were run for themselves; profiles, timelines and what was printed.
  */
 #include "asm/line_profile.h"
@@ -247,7 +247,7 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
     check_place(walk, how);
 }
 
-/* Forward to a stop behind one step, at the most so many. */
+/* Forward to a stop behind one step, at most so many. */
 static void go_on(struct walk *walk, const char *how, uint64_t n)
 {
     uint64_t step = plain_on(&walk->plain, &walk->stops, walk->step, n);

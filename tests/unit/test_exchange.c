@@ -123,7 +123,7 @@ TEST(finned_bay)
     check_bay(1, 0.8961829422213);
 }
 
-/* ---- By chance -------------------------------------------------------------- */
+/* ---- Random cases -------------------------------------------------------------- */
 
 /* Of exchange areas that are alike both ways; of areas, what closes the rows. */
 static void draw(struct enclosure *enclosure, uint64_t *random)

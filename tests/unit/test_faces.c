@@ -4,7 +4,7 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-/* The middle ray is the z axis from -5 on; a lamp stands on it. */
+/* The middle ray is the z axis from -5 on; a lamp is on it. */
 #define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
 
 /* What the middle ray meets: a primitive, from 1 (0: none), and how far away

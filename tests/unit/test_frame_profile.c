@@ -12,7 +12,7 @@
 
 static uint64_t random_state = RANDOM_SEED;
 
-/* ---- Models, and frames by chance ---------------------------------------- */
+/* ---- Models, and random frames ---------------------------------------- */
 
 enum { MAX_MODELS = 16 };
 static struct {

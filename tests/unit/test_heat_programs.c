@@ -233,7 +233,7 @@ TEST(staying)
 
 /* ---- Gaps ------------------------------------------------------------------ */
 
-/* Ends by chance: distances on a grid, whose step is the least gap. */
+/* Random ends: distances on a grid, whose step is the least gap. */
 struct gap_ends {
     size_t gaps, surfaces;
     c205_word *planes; /* distances, surfaces, within */

@@ -34,7 +34,7 @@ static struct grid random_grid(void)
 static void keep_grid(const struct grid *grid)
 {
     char text[2000];
-    int end = sprintf(text, "P2\n# by chance\n%d %d 65535", grid->columns, grid->rows);
+    int end = sprintf(text, "P2\n# random\n%d %d 65535", grid->columns, grid->rows);
     for (int z = grid->rows - 1; z >= 0; z--)
         for (int x = 0; x < grid->columns; x++)
             end += sprintf(text + end, "\n%d", grid->heights[z][x]);

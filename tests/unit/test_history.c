@@ -166,7 +166,7 @@ TEST(jumps)
 
 /* ---- The end -------------------------------------------------------------- */
 
-/* A program that has ended does not go on, and goes back all the same. */
+/* A program that has ended does not continue, and goes back all the same. */
 TEST(end)
 {
     c205_error error;

@@ -15,7 +15,7 @@ enum { WORDS = 8, MAX_RAYS = 700, MAX_CYLINDERS = 9 };
 
 static uint64_t chance = RANDOM_SEED + 41;
 
-/* ---- Rays and cylinders by chance ------------------------------------------------ */
+/* ---- Rays and random cylinders ------------------------------------------------ */
 
 struct bundle {
     size_t rays, cylinders;

@@ -19,7 +19,7 @@ static void keep(const char *bytes, size_t count)
     write_bytes(path, bytes, count);
 }
 
-/* Of a sphere in the image that words say; before: what stands before it. */
+/* Of a sphere in the image that words say; before: what is before it. */
 static struct scene *read_image(const char *before, const char *words,
                                 struct diagnostics *reports)
 {
@@ -305,7 +305,7 @@ TEST(kinds_left_out)
     }
 }
 
-/* A sky goes on for ever. */
+/* A sky continues for ever. */
 TEST(sky)
 {
     char text[200];

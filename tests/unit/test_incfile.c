@@ -1,4 +1,4 @@
-/* test_incfile.c - numbers of files among the data: tables by chance, written in all ways that are
+/* test_incfile.c - numbers of files among the data: random tables, written in all ways that are
  * allowed, and what is wrong with others.
  */
 #include <inttypes.h>

@@ -1,5 +1,5 @@
 /* Vector instructions that are interrupted: by the clock limit between any two
- * elements, or by a page that is not there.  A run that goes on ends like one
+ * elements, or by a page that is not there.  A run that continues ends like one
  * that was never stopped: same state, same clock, same accounts. */
 #include "tests/unit/machine_fixture.h"
 #include "tests/unit/saved_machine.h"
@@ -508,7 +508,7 @@ static void set_access(struct little *little, c205_access access)
     assert_true(c205_map(little->machine, DATA, 300, access, &error));
 }
 
-/* What traps when it is to go on stays where it was. */
+/* What traps when it is to continue stays where it was. */
 TEST(trap_in_the_middle)
 {
     struct little broken = make_little(), whole = make_little();

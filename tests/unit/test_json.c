@@ -1,4 +1,4 @@
-/* test_json.c - values by chance, written and read again: the same come back; of what is
+/* test_json.c - random values, written and read again: the same come back; of what is
  * written, cut off or with a byte changed, a tree or an error. */
 #include <math.h>
 

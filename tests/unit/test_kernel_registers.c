@@ -355,7 +355,7 @@ TEST(nothing_is_saved_in_vain)
     }
 }
 
-/* ---- Scenes by chance ---------------------------------------------------- */
+/* ---- Random scenes ---------------------------------------------------- */
 
 static void write_scene(char *text, size_t size)
 {

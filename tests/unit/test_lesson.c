@@ -1,4 +1,4 @@
-/* test_lesson.c - of answers drawn by chance a verdict says what was done to them, and nothing
+/* test_lesson.c - of answers drawn at random a verdict says what was done to them, and nothing
  * else; their clocks are those of plain runs. */
 #include <inttypes.h>
 #include <math.h>
@@ -320,7 +320,7 @@ static void check_json(const struct lesson_verdict *verdict)
     read = json_read(&arena, line.text, line.length, &error);
     assert_non_null(read);
     assert_string_equal(json_member_text(read, "lesson"), "drawn");
-    assert_string_equal(json_member_text(read, "title"), "Drawn by chance");
+    assert_string_equal(json_member_text(read, "title"), "Drawn at random");
     assert_string_equal(json_member_text(read, "answer"), "my.s");
     assert_string_equal(json_member_text(read, "medal"), medal_name(verdict->medal));
     assert_int_equal(json_member_truth(read, "passed", false), verdict->passed);

@@ -52,7 +52,7 @@ static bool is_within(const struct look *look, const double *window)
            && look->v <= window[3] && window[WINDOW_NEAR] < look->z;
 }
 
-/* Whether the walk comes to the triangle that stands there; *asked counts windows. */
+/* Whether the walk comes to the triangle that is there; *asked counts windows. */
 static bool comes_to(const double *table, const double *eye, const struct look *look,
                      double triangle, double row, size_t *asked)
 {

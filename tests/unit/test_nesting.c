@@ -6,7 +6,7 @@
 #include "tests/unit/scene_reading.h"
 #include "tests/unit/tree_value.h"
 
-/* --- trees by chance ------------------------------------------------------ */
+/* --- random trees ------------------------------------------------------ */
 
 enum { NODES = 2000 };
 
@@ -82,7 +82,7 @@ static void grow(struct forest *forest)
 
 /* --- what is asked of the nested tree ------------------------------------- */
 
-/* From the first node to the last: those below a node stand behind it, each
+/* From the first node to the last: those below a node are behind it, each
  * behind all of the one before, and a complement has one. */
 static void check_shape(const struct scene *scene, size_t node, size_t end)
 {
@@ -121,7 +121,7 @@ static void check_bounds(const struct nested_scene *nested)
             check_within(nested, i, &nested->bounds[i]);
 }
 
-/* Each stands there once. */
+/* Each is there once. */
 static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
     FREED bool *there = calloc(scene->primitive_count, sizeof *there);

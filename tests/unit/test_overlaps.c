@@ -12,7 +12,7 @@
 #define STUDENT 2.3646 /* with 7 degrees of freedom */
 enum { SIDE = 9, MAX_PARTS = 50, MAX_BOXES = 160, SCENES = 8 };
 
-/* ---- Boxes by chance ----------------------------------------------------- */
+/* ---- Random boxes ----------------------------------------------------- */
 
 struct box {
     size_t part;

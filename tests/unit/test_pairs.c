@@ -100,7 +100,7 @@ static bool all_are_moderate(const struct pair *pair)
     return true;
 }
 
-/* ---- Pairs by chance ----------------------------------------------------- */
+/* ---- Random pairs ----------------------------------------------------- */
 
 static void make_pair(struct pair *pair, uint64_t *seed)
 {

@@ -114,7 +114,7 @@ static double aside(double n, double depth)
 }
 
 /* A ray that falls at 45 degrees on what begins at z = 0 leaves it so far
- * aside and so deep, and goes on as before. */
+ * aside and so deep, and continues as before. */
 static void check_behind(const char *things, double shift, double depth)
 {
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
@@ -313,7 +313,7 @@ TEST(total_keeps)
 }
 
 /* A ray that goes straight on is of its parent's level, and of the last level
- * none goes on.  It does where the indices are the same. */
+ * none continues.  It does where the indices are the same. */
 static void check_level(int level, const char *things, double seen)
 {
     struct look look = ZAHEAD;

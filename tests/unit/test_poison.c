@@ -2,7 +2,7 @@
  *
  *   test_poison [CASES]
  *
- * Each row of the instruction table, with operands by chance, runs twice in a
+ * Each row of the instruction table, with random operands, runs twice in a
  * memory full of poison, another one each time: words before, between and
  * behind the operands, elements beyond the lengths and those that the control
  * vector holds back, what is left of the last word of a bit vector, the parts

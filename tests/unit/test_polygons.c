@@ -85,7 +85,7 @@ static double area_by_lines(const struct flat_outline *outline)
     return sum * 8 / LINES;
 }
 
-/* ---- By chance ----------------------------------------------------------- */
+/* ---- Random cases ----------------------------------------------------------- */
 
 static void add_point(struct flat_outline *outline, double x, double y)
 {

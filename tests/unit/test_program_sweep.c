@@ -171,7 +171,7 @@ TEST(programs)
     globfree(&found);
 }
 
-/* ---- Programs by chance ---------------------------------------------------- */
+/* ---- Random programs ---------------------------------------------------- */
 
 TEST(random_programs)
 {
@@ -291,7 +291,7 @@ static void make_points(struct program_sweep *sweep, double startup, double slop
 }
 
 /* The two equations in which no change of s or b makes the sum of ((s + b x - t) / t)^2
- * smaller, solved as they stand, in long doubles. */
+ * smaller, solved as they are, in long doubles. */
 static void solve(const struct program_sweep *sweep, long double *startup,
                   long double *slope)
 {

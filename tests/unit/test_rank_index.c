@@ -1,4 +1,4 @@
-/* test_rank_index.c - numbers that are counted anew: each once, in their order. */
+/* test_rank_index.c - numbers that are counted again: each once, in their order. */
 #include "base/rank_index.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"

@@ -8,7 +8,7 @@
 #include "tests/random.h"
 #include "tests/unit/tree_value.h"
 
-enum { PLACES = 400 }; /* of a tree's values, at the most */
+enum { PLACES = 400 }; /* of a tree's values, at most */
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -66,7 +66,7 @@ static int64_t way_of(const struct stage *stage, size_t i)
     return c205_to_integer(region(stage, i, "R_WAY"));
 }
 
-/* How many crossings, or values, of so many words it stands behind the first
+/* How many crossings, or values, of so many words it is behind the first
  * primitive's first. */
 static int64_t behind_first(const struct stage *stage, size_t i, const char *name,
                             const char *size)
@@ -418,7 +418,7 @@ static bool machine_value(const struct stage *stage, size_t i, const bool *insid
     return ask_value(&evaluation, region(stage, i, "R_RESULT"));
 }
 
-/* The region of that record: they stand in the hierarchy's order. */
+/* The region of that record: they are in the hierarchy's order. */
 static const struct region *region_of(const struct stage *stage, size_t i)
 {
     const struct region *tree = stage->scene->regions;

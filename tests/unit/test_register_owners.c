@@ -133,7 +133,7 @@ TEST(left_alone)
         /* Handed over in memory. */
         " ES u, 6\n ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
         " SWAP [r9], b, [r0]\n ADDX b, r8, r8\n",
-        /* Loaded anew. */
+        /* Loaded again. */
         " ES v, 7\n EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
         " ADDX q, r8, r8\n SWAP [r9], u, [r0]\n ADDX v, r8, r8\n",
     };

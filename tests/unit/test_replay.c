@@ -125,7 +125,7 @@ TEST(programs)
     assert_true(each_file("asm/examples/*.s", check_program) > 0);
 }
 
-/* Each operand stands in a page of its own, which nobody has touched yet. */
+/* Each operand is in a page of its own, which nobody has touched yet. */
 TEST(all_touches)
 {
     check_text("touches", "        .data\n"

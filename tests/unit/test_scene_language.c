@@ -89,7 +89,7 @@ TEST(errors)
         { "#declare A = \"a\\q\";", 14, "escape" },
         { "#declare A = \"\\u00\";", 14, "escape" },
         { "#declare A = str(1, 2);", 22, "expected ','" },
-        { "#declare A = str(1, 2e9, 0);", 19, "1000 at the most" },
+        { "#declare A = str(1, 2e9, 0);", 19, "1000 at most" },
         { "#declare A = vstr(6, x, \"\", 0, 0);", 19, "2 to 5" },
         { "#declare A = substr(\"abc\", 2, 3);", 26, "has 3 characters" },
         { "#declare A = substr(\"abc\", 0, 1);", 26, "has 3 characters" },

@@ -103,7 +103,7 @@ TEST(told_when_used)
     }
 }
 
-/* Objects by chance, some with names, out of each other: a look's note is told
+/* Random objects, some with names, out of each other: a look's note is told
  * if and only if a thing of the scene has come of it. */
 enum { NAMES = 12, LOOKS = 4 };
 struct drawing {

@@ -78,7 +78,7 @@ TEST(none)
     }
 }
 
-/* A normal goes on where the one before it ended; it moves with the object, its
+/* A normal continues where the one before it ended; it moves with the object, its
  * texture, its material. */
 TEST(motions)
 {
@@ -182,7 +182,7 @@ TEST(normal_maps)
     scene_free(scene);
 }
 
-/* The normal of several within a map: its first one, where it stands there. */
+/* The normal of several within a map: its first one, where it is there. */
 TEST(nested)
 {
     struct scene

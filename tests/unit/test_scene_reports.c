@@ -216,7 +216,7 @@ TEST(first_colors)
     }
 }
 
-/* One reading finds them all, and goes on behind each. */
+/* One reading finds them all, and continues behind each. */
 TEST(all_errors)
 {
     static const char text[] = "sphere { 0, foo finish { wibble 2 phong x } scale }\n"

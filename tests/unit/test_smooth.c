@@ -31,7 +31,7 @@ static void put(struct found *found, size_t i, size_t j, double flow, double var
     }
 }
 
-/* Some are not seen, some known exactly; what is found is off by chance. */
+/* Some are not seen, some known exactly; what is found is off at random. */
 static void draw(struct found *found, uint64_t *random)
 {
     memset(found, 0, sizeof *found);
@@ -134,7 +134,7 @@ static void check_oracle(const struct found *found, const double *smooth)
     }
 }
 
-/* ---- Enclosures by chance ----------------------------------------------------- */
+/* ---- Random enclosures ----------------------------------------------------- */
 
 static struct smooth_given given_of(const struct found *found, enum trace_mode mode)
 {

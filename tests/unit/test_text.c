@@ -269,7 +269,7 @@ TEST(outlines)
 
 enum { MAX_LOOP = 24 };
 
-/* Loops by chance on a small grid, so that they touch themselves: the same loop
+/* Random loops on a small grid, so that they touch themselves: the same loop
  * from another point, which is there once if any is. */
 static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
 {

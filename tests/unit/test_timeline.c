@@ -13,7 +13,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 /* ---- Runs ----------------------------------------------------------------- */
 
-/* The program as far as it goes, in so many instructions at the most; between two clocks. */
+/* The program as far as it goes, in so many instructions at most; between two clocks. */
 static c205 *run(const struct object *object, struct timeline *timeline)
 {
     c205_error error;

@@ -2,7 +2,7 @@
  *
  *   test_timing [CASES]
  *
- * The closed formula holds for every vector row with operands by chance;
+ * The closed formula holds for every vector row with random operands;
  * longer is never cheaper, more pipes are never slower; the causes sum to the
  * total at every step; and ten programs take what a pencil says.
  */
@@ -145,7 +145,7 @@ static c205_word unsigned_element(const struct vector_case *one, enum role role,
     return one->reg[role_half[role] / 2] << left >> HALF << HALF;
 }
 
-/* A half word stands on the left. */
+/* A half word is on the left. */
 static c205_word element(const struct vector_case *one, enum role role, size_t i)
 {
     unsigned g = one->fields.g;

@@ -1,5 +1,5 @@
 /* test_tokens.c - the tokens that are kept of macros and loops are compared with those
- * that a lexer reads anew, wherever a body begins and ends.  A token that is lost or of
+ * that a lexer reads again, wherever a body begins and ends.  A token that is lost or of
  * another place fails here. */
 #include "rt/scene/language/token.h"
 #include "tests/unit/unit.h"

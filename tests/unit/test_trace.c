@@ -70,7 +70,7 @@ static void add_torus(char *text, size_t size)
         add_text(text, size, ", %.9f", between(.1, .6));
 }
 
-/* Closed, since x^4 + y^4 + z^4 are there; the others by chance, many 0. */
+/* Closed, since x^4 + y^4 + z^4 are there; the others at random, many 0. */
 static void add_quartic(char *text, size_t size)
 {
     static const int fourth_powers[] = { 0, 20, 30 };

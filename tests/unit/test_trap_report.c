@@ -49,7 +49,7 @@ TEST(rules)
           "    [r11]: 3 words from 800000 on\n");
     CHECK(DATA " ES b, -1\n EXTB a, b, c\n", "must end within its word");
     CHECK(DATA " SWAP [a], r254, [r0]\n", "must end with 255");
-    CHECK(DATA " MRKO a, r0, [c]\n", "one bit at the least");
+    CHECK(DATA " MRKO a, r0, [c]\n", "one bit at least");
     CHECK(" .half X'DA00 000A', 11\n", "trap undefined-instruction",
           "a sum in two registers begins with an even one");
     CHECK(DATA " EX c, x + 32\n ELEN c, 2\n VTOV [a], [c]\n", "trap misaligned-operand",

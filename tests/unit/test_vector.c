@@ -3,7 +3,7 @@
  * then the next.
  *
  * Each row of the instruction table that has such operands is tried with
- * registers by chance.  They lie close together, so that operands of words,
+ * random registers.  They lie close together, so that operands of words,
  * half words and bits overlap in every way and lie across a page boundary;
  * some run into memory that may only be read, or out of all memory, are
  * misaligned or have a bad offset.  Then both must trap, and leave everything
@@ -45,7 +45,7 @@ static uint64_t begin_of(size_t border)
 
 /* ---- Registers ---------------------------------------------------------- */
 
-/* Which register is what.  A result may stand in two half registers. */
+/* Which register is what.  A result may be in two half registers. */
 enum {
     OFFSET = 13,
     TABLE,

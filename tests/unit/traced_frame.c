@@ -1,4 +1,4 @@
-/* traced_frame.c - frames of both forms, and scenes by chance to trace. */
+/* traced_frame.c - frames of both forms, and random scenes to trace. */
 #include "traced_frame.h"
 #include "tests/unit/scene_reading.h"
 

@@ -1,4 +1,4 @@
-/* vector_case.h - operands by chance for any vector instruction, from its
+/* vector_case.h - random operands for any vector instruction, from its
  * row of the instruction table: for tests of what holds for all of them.
  *
  * Each operand lies in a zone of its own, so that none overlaps another; a
@@ -72,7 +72,7 @@ size_t count_chosen(const struct vector_case *one, bool chosen);
 
 /* ---- Registers ---------------------------------------------------------- */
 
-/* Which register has which role; offsets stand in those after A .. C.  A half
+/* Which register has which role; offsets are in those after A .. C.  A half
  * register is the right or the left one of its own. */
 extern const uint8_t role_register[ROLES], role_half[ROLES];
 

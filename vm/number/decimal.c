@@ -9,7 +9,7 @@
 /* ---- From decimal text ---------------------------------------------------
  *
  * Every word is a multiple of 2^-28672, below 2^28718: it has no more than
- * 20,100 digits, and its first stands within 8,700 places of the point.  So
+ * 20,100 digits, and its first is within 8,700 places of the point.  So
  * whatever follows the first 20,100 digits of a text cannot reach the next
  * word: it is enough to know whether it is zero.
  */

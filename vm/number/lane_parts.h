@@ -195,8 +195,8 @@ static inline lane special_product(c205_word a, c205_word b, lane result)
 /* ---- Add, subtract ------------------------------------------------------ */
 
 /* The distance of the exponents of the larger and the smaller, in the place of an
- * exponent, limit at the most; what stands below is no part of it.  As long as
- * it stands there, a compiler does not take it for a shorter word. */
+ * exponent, limit at most; what stands below is no part of it.  As long as
+ * it is there, a compiler does not take it for a shorter word. */
 static inline uint64_t apart(c205_word l, c205_word s, int64_t limit)
 {
     uint64_t distance = l - (s & EXPONENT_MASK);
@@ -326,7 +326,7 @@ static inline lane lane_average_difference(c205_word a, c205_word b)
 
 /* ---- Parts of a number, sign -------------------------------------------- */
 
-/* A negative exponent stands in a word as its distance from 0 does. */
+/* A negative exponent is in a word as its distance from 0 does. */
 static inline int64_t without_fraction(int64_t c, c205_word a)
 {
     return shifted(c, apart(0, a, 63));

@@ -16,7 +16,7 @@ typedef struct pair_operand {
     bool is_constant;
 } pair_operand;
 
-enum { PAIR_LENGTH = 512 }; /* at the most */
+enum { PAIR_LENGTH = 512 }; /* at most */
 
 /* From a and b by the first operation, with d by the second; n <= PAIR_LENGTH
  * words.  Where c overlaps an operand it begins there or below.  Not *done: it is

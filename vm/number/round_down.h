@@ -84,7 +84,7 @@ static inline double moderate_value(c205_word w)
 /* A double to a normalised word, rounded down; not of zero.  -2^46 is no
  * normalised coefficient, -2^47 is one: a negative number counts as one place
  * shorter where the digits behind its first one are 0.  The floor of what has the
- * exponent of a coefficient stands in the last digits of its sum with a large
+ * exponent of a coefficient is in the last digits of its sum with a large
  * number. */
 static inline c205_word round_down_word(double value)
 {

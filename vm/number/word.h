@@ -7,7 +7,7 @@
  *
  * so that in every format the first four bits tell a machine zero (8) and an
  * indefinite (7).  The parts are taken by shifts alone, so these functions
- * may stand in loops that a compiler vectorises; the format should be one of
+ * may be in loops that a compiler vectorises; the format should be one of
  * the constants, for which they fold.
  */
 #ifndef C205_WORD_H

@@ -22,7 +22,7 @@ bool accounts_open(struct clock_accounts *accounts, const char *const *names,
 void accounts_close(struct clock_accounts *accounts);
 void accounts_clear(struct clock_accounts *accounts);
 
-/* Copy all that stands in them, and put it back. */
+/* Copy all that is in them, and put it back. */
 void accounts_keep(struct clock_accounts *accounts);
 void accounts_put_back(struct clock_accounts *accounts);
 

@@ -39,7 +39,7 @@ static inline double nearest_whole(double d)
 }
 
 /* What is left of an address, which lies below 2^42 words, by a whole quotient of
- * doubles that is off by one at the most, however the host rounds. */
+ * doubles that is off by one at most, however the host rounds. */
 #define FIND_BANKS_PARAMETERS \
     (double *restrict bank, const c205_word *restrict indices, size_t n, \
      uint64_t table, uint64_t step, double count)
@@ -55,7 +55,7 @@ LANEWISE void find_banks_span FIND_BANKS_PARAMETERS
 }
 
 /* How long access i waits from when the last one before it began, the second
- * last and the third.  The banks of the latest accesses stand in front. */
+ * last and the third.  The banks of the latest accesses are in front. */
 struct waits {
     int64_t last[SPAN], second[SPAN + 1], third[SPAN + 1];
 };
@@ -157,7 +157,7 @@ static uint64_t conflicts(const struct banks *banks, uint64_t table, unsigned st
 
 /* ---- The same list again -------------------------------------------------- */
 
-/* Then all banks are others by the same distance, as long as no address goes on at
+/* Then all banks are others by the same distance, as long as no address continues at
  * the beginning of memory. */
 static bool is_whole(uint64_t table, unsigned step, c205_word spread)
 {

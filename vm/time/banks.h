@@ -2,7 +2,7 @@
  *
  * Word w lies in bank w mod count.  A bank that was accessed is busy for some
  * clocks (80 ns: source P); an access to it waits, and those behind it wait
- * with it.  One access a clock at the most.
+ * with it.  One access a clock at most.
  */
 #ifndef C205_BANKS_H
 #define C205_BANKS_H

@@ -15,7 +15,7 @@
  *
  * An instruction is charged as a whole when it has executed.  Where a run
  * stops before that, by a trap or within a vector instruction, the clock
- * shows ahead the time at which it stopped; when the run goes on it goes back
+ * shows ahead the time at which it stopped; when the run continues it goes back
  * to what has been charged, so that the total does not depend on the stop.
  */
 #ifndef C205_CLOCK_H
@@ -68,7 +68,7 @@ uint64_t clock_issued(const struct clock *clock);
  * conflicts, does not count. */
 size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
                       uint64_t until);
-/* Show how the clock stands at that clock, within that instruction; or when
+/* Show how the clock is at that clock, within that instruction; or when
  * everything in flight is done. */
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until);
 void clock_show_drained(struct clock *clock);

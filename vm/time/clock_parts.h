@@ -67,7 +67,7 @@ struct clock {
     uint64_t now;
     bool ahead;            /* now and the accounts show a later time than .. */
     uint64_t kept_now;     /* .. this, with the accounts kept, from which the
-                              clock goes on */
+                              clock continues */
     c205_account *account; /* of the region in which the program is */
     size_t region;
 

@@ -188,7 +188,7 @@ static void write_page_list(const struct pages *pages, struct serializer *serial
     }
 }
 
-/* No page stands in the list twice. */
+/* No page is in the list twice. */
 static void read_page_list(struct pages *pages, struct serializer *serializer)
 {
     struct translation met = { 0, 0 };

@@ -3,7 +3,7 @@
  *
  * The registers are kept in move-to-front order (source P), real memory loses
  * its least recently used page (R).  Both see the same references, so one list
- * of pages, the latest first, serves for both: how deep a page stands in it
+ * of pages, the latest first, serves for both: how deep a page is in it
  * tells whether the registers know it, real memory holds it, or neither.
  *
  *      head -> latest -> .. -> edge -> .. -> oldest -> head
@@ -54,7 +54,7 @@ void pages_free(struct pages *pages);
 void pages_forget(struct pages *pages);
 
 /* Look up a page by its number; add to *met.  The pages in memory, looked up
- * from the oldest to the latest, make the same list anew. */
+ * from the oldest to the latest, make the same list again. */
 void pages_look_up(struct pages *pages, uint64_t page, struct translation *met);
 /* Do the registers know it? */
 bool pages_know(const struct pages *pages, uint64_t page);

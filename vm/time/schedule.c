@@ -99,7 +99,7 @@ static bool touches_memory(const struct decoded *decoded)
     return format == C205_FORMAT_MEMORY || format == C205_FORMAT_ALTERB;
 }
 
-/* SWAP uses two ranges, each on two pages at the most. */
+/* SWAP uses two ranges, each on two pages at most. */
 static uint64_t pages_most(const struct decoded *decoded)
 {
     return decoded->insn->timing == C205_TIMING_swap ? 4 : touches_memory(decoded);

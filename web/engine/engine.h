@@ -28,12 +28,12 @@
  * The request says how long a slice of it is: "ms" of the host's clock, or "clocks" of the machine
  * (of a sweep: runs), or as long as it takes. The reply has
  *
- *   done          false: there is more, which { "do": "more", "ms": .. } goes on with; the
+ *   done          false: there is more, which { "do": "more", "ms": .. } continues with; the
  *                 other members are those below once it is true
  *
  * Of the other requests about, grade, view and accounts leave work alone (a profile or a
  * timeline is given up by the last two), all the others give it up: then the program
- * stands where a movement has come to, and where it stood before a profile or a timeline.
+ * is where a movement has come to, and where it stood before a profile or a timeline.
  *
  * ---- about: what there is
  *
@@ -72,7 +72,7 @@
  *                 reverse-continue, step-to, clock-to (the first step that has it or more behind it),
  *                 start
  *   n             so many steps (1), of step, next and back; where to, of step-to and clock-to
- *   limit         clocks that it takes at the most (1000000000)
+ *   limit         clocks that it takes at most (1000000000)
  *
  *   why           moved, breakpoint, trap, end, start (there is no way farther back), limit; or
  *                 running, while done is false
@@ -82,7 +82,7 @@
  *
  * ---- view: what there is to be seen where the program stands
  *
- *   elements      of a vector that are shown (64, at the most 65536)
+ *   elements      of a vector that are shown (64, at most 65536)
  *   first         { "x": 100 }: of this vector from that one on (0)
  *   all-registers true: those without name and contents as well
  *
@@ -117,7 +117,7 @@
  * ---- timeline: of all that is known of the run
  *
  *   from, to      clocks
- *   most          instructions (2000, at the most 50000)
+ *   most          instructions (2000, at most 50000)
  *   file          "x.svg", "x.kanata", "x.json": as c205 timeline writes a file of such a name
  *
  *   from, to      to where there is something
@@ -136,7 +136,7 @@
  *   constant      its name
  *   from, to      its values; step, or factor: only those; points: so many (8 an octave, at the
  *                 most 25)
- *   model, warm, defines, files as of load; limit: clocks of a run at the most (100000000)
+ *   model, warm, defines, files as of load; limit: clocks of a run at most (100000000)
  *
  *   part          while done is false: so much is done, 0 .. 1
  *   constant, model, and points, lines, causes, crossings of c205 sweep --json; svg, its picture

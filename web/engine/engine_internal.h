@@ -66,7 +66,7 @@ struct replay {
     struct line_profile *profile;     /* NULL: it does not listen */
     struct timeline *timeline;        /* likewise */
     uint64_t stands, end;             /* steps */
-    bool halted;                      /* it stands where it cannot go on */
+    bool halted;                      /* it is where it cannot go on */
     bool in_order;                    /* the lines of the profile */
     const struct timeline_form *form; /* of the timeline as a file */
 };
@@ -83,7 +83,7 @@ struct engine {
     struct object *object;
     c205_model *model;
     struct debugger *debugger;
-    uint64_t bound; /* clocks of a movement or a run, at the most */
+    uint64_t bound; /* clocks of a movement or a run, at most */
     struct printed printed;
     struct text_buffer said;        /* by the debugger, and not told yet */
     struct diagnostics diagnostics; /* of the text of this request */
@@ -209,7 +209,7 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
  * `again`. */
 bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again,
                   engine_slice *put, c205_error *error);
-/* Nobody listens any more, and the program stands where it stood. */
+/* Nobody listens any more, and the program is where it stood. */
 void replay_drop(struct engine *engine);
 
 #endif

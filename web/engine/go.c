@@ -21,7 +21,7 @@ static enum moved go_steps(struct engine *engine)
                         engine->movement.step - debugger_step(engine->debugger));
 }
 
-/* A call that was interrupted goes on to where it comes back. */
+/* A call that was interrupted continues to where it comes back. */
 static enum moved go_next(struct engine *engine)
 {
     struct movement *movement = &engine->movement;

@@ -55,7 +55,7 @@ static void put_operand(const struct engine *engine,
     json_end(reply);
 }
 
-/* Not where it goes on, nor that there is no control vector. */
+/* Not where it continues, nor that there is no control vector. */
 static bool is_shown(const struct operand_view *operand)
 {
     return operand->field && !(operand->letter == 'z' && operand->number == 0);

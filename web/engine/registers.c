@@ -251,7 +251,7 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
     if (first && first->kind != JSON_OBJECT)
         return refuse(error, "\"first\" has names with integers");
     if (window.most > MAX_ELEMENTS)
-        return refuse(error, "\"elements\" is %d at the most", MAX_ELEMENTS);
+        return refuse(error, "\"elements\" is %d at most", MAX_ELEMENTS);
     json_array(reply, "vectors");
     for (size_t i = 0; good && i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];

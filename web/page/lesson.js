@@ -48,7 +48,7 @@ export function setFolded(folded) {
   $("fold").setAttribute("aria-expanded", String(!folded));
 }
 
-// A verdict stands where the text was.
+// A verdict is where the text was.
 function judged(so) {
   $("verdict").hidden = !so;
   $("lesson-panel").classList.toggle("judged", so);

@@ -42,7 +42,7 @@ export class Machine {
     clearTimeout(this.#watch);
     if (lost === undefined) return asked.resolve(reply);
     asked.resolve({ ok: false, error: `The engine has failed: ${lost}.` });
-    this.#lose("it was started anew");
+    this.#lose("it was started again");
   }
 
   // A new worker, which has no program; what was asked of the old one is answered with

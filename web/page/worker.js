@@ -1,4 +1,4 @@
-// worker.js - the engine behind the page: takes requests in turn, goes on with long
+// worker.js - the engine behind the page: takes requests in turn, continues with long
 // ones in slices and looks at its messages in between, so that each can be stopped.  One
 // that is only of use while nobody wants anything else ("idle") gives way to the next.
 

@@ -19,7 +19,7 @@ static bool mpi_begin(size_t *rank, size_t *count)
     return true;
 }
 
-/* The last message, which may still be under way: who sends goes on with its work, and does
+/* The last message, which may still be under way: who sends continues with its work, and does
  * not wait until the other one looks up. */
 static struct {
     MPI_Request request;

@@ -21,7 +21,7 @@
 ; The visits are in order, and a mean is known only when its rays have been traced,
 ; but a queue needs many rays.  So the visits are done for the whole band, with c
 ; wherever a mean is not known; all that they refine, and has no mean yet, is
-; traced, queue by queue; then the visits are done anew.  When they want no more
+; traced, queue by queue; then the visits are done again.  When they want no more
 ; means, every one that they used was known.  Only few pixels get a mean that is
 ; not used in the end.
 ;
@@ -46,7 +46,7 @@
         .equ    FINE_TRACED, 11
         .equ    FINE_REFINED, 12
         .equ    FINE_PLANES, 13
-        .equ    FINE_BLOCK, ADAPTIVE    ; pixels across and down, 32 at the most
+        .equ    FINE_BLOCK, ADAPTIVE    ; pixels across and down, 32 at most
         .equ    FINE_STRINGS, 10        ; of bits, a row long, behind the planes
 
         .data

@@ -13,7 +13,7 @@
         .include "frame/queue.s"
         .include "light/power_constants.s"
 ; Of pairs_vector.s: so many pairs are taken at a time; the rays of sets of which
-; they are made, at the most.
+; they are made, at most.
         .if     QUEUE < 512
         .equ    PAIRS, 64
         .equ    PAIR_SET, 16

@@ -15,7 +15,7 @@
 ; a time have fewer than n (3/4 + 9/16 + ..) = 3 n; a ray has 8 words.
 ;
 ; The limits of a set are those of its rays when it was taken; they are gathered
-; anew when a region has been met since that took hits (walk_last).
+; again when a region has been met since that took hits (walk_last).
 ;
 ; walk_pop: the next node that waits, or if there is none, of shadows, the next
 ;   of the regions with clear parts.  What they let pass is a product in the

@@ -5,7 +5,7 @@
 ; strip pixels are counted column by column: then a queue is a tile of the
 ; picture, nearly square, and its rays meet the same things.
 ;
-;   strips = floor(rows / sqrt(QUEUE) + 1/2), 1 at the least
+;   strips = floor(rows / sqrt(QUEUE) + 1/2), 1 at least
 ;   strip t, from 0 on, begins with row floor(t rows / strips)
 ;   place k of a strip h rows high:  column floor(k / h), row k - h column
 ;

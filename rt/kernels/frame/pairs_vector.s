@@ -25,7 +25,7 @@
 ; operation, and so is what is nearest.
 ;
 ; add_pairs: In: region, a node with spheres alone, s8 rays of walk_set.
-; drain_pairs: takes from the pool until pairs_room are left at the most.
+; drain_pairs: takes from the pool until pairs_room are left at most.
 ; Source: derived here.
 
         .share  hits

@@ -103,7 +103,7 @@
         .regs   r194, identity, on_patch
 
 ; Vectors for shading, h or m long; the order of shade_bases.  Kernels have
-; lanes in these registers; who shades loads them anew.
+; lanes in these registers; who shades loads them again.
         .share  hits
         .reg    m, r134
         .reg    m_high, r135

@@ -405,7 +405,7 @@
                                 ; more than MAX_SPHERES in a leaf
         .at     13              ; odd, for the banks: fields of many are gathered
         .endrecord
-        .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at the most
+        .equ    HIERARCHY_DEPTH, 96 ; nodes above one another, at most
         .equ    MAX_SPHERES, 8
 
 ; A node: the tree in preorder, without complements.  A ray that does not come

@@ -25,7 +25,7 @@
         find_count
         .endm
 
-; The seen_left crossings of the line, from seen_at on, 1 at the least.
+; The seen_left crossings of the line, from seen_at on, 1 at least.
         .macro  count_bodies_of_line
         ES      body_all, 0
 bodies_next\@:

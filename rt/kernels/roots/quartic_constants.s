@@ -42,7 +42,7 @@
         .word   X'FFA9 4000 0000 0000'  ; closeness 2^-41: so much of |t| may
                                         ; a bracket be long in the end
         .word   X'FFB6 4000 0000 0000'  ; 2^-28: that of a knot; it moves f by
-                                        ; 2^-56 of its terms at the most
+                                        ; 2^-56 of its terms at most
         .word   X'FFB8 4000 0000 0000'  ; 2^-26: a longer step of Newton's does
                                         ; not polish a knot
         .word   0.875                   ; of the closeness, the least step

@@ -10,7 +10,7 @@
 ; and crossings count for  low < s <= high,  low = lower + along or, if that is
 ; less, -high.  Where low is not below high the ray misses.  The others, m of
 ; n, are compressed: the lanes.  They use the registers of the shading, which
-; loads them anew; their vectors are their own.
+; loads them again; their vectors are their own.
 ;
 ; Source: the project's notes on ray tracing, 0 and 1.1.
 
@@ -25,7 +25,7 @@
         .regs   r151, e0, e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, e12
         .endshare
 
-; More of them, in registers that the shading loads anew: r233-r253.
+; More of them, in registers that the shading loads again: r233-r253.
         .share  scratch
         .regs   r233, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
         .regs   r244, n1x, n1y, n1z, n2x, n2y, n2z, spread, f0, f1, f2

@@ -12,7 +12,7 @@
         .reg    link_few, r188
         .endshare
 
-; So many crossings of them, at the most.
+; So many crossings of them, at most.
         .if     MAX_CROSSINGS > 3 * PATCH_CROSSINGS
         .equ    FEW_CROSSINGS, MAX_CROSSINGS
         .else

@@ -116,7 +116,7 @@ void reader_jump(struct reader *reader, const struct text_place *place)
     reader_step(reader);
 }
 
-/* The frame below goes on when this one ends. */
+/* The frame below continues when this one ends. */
 static bool close_frame(struct reader *reader)
 {
     if (reader->token.kind != TOKEN_END || reader->lexer.depth == 1)

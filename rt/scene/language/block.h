@@ -1,7 +1,7 @@
 /* block.h - blocks: `{`, words with their arguments, `}`.
  *
  * A grammar is a table of words; each word has the function that reads its
- * arguments into the block's subject.  After an error the block goes on at its
+ * arguments into the block's subject.  After an error the block continues at its
  * next word, so that one reading finds all errors.
  */
 #ifndef RT_SCENE_BLOCK_H
@@ -18,7 +18,7 @@ struct keyword {
     size_t detail; /* for the function: an offset, a kind */
 };
 
-/* A word that stands in the file; its token is read already. */
+/* A word that is in the file; its token is read already. */
 struct item {
     const struct keyword *keyword;
     struct scene_token at;

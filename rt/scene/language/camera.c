@@ -1,5 +1,5 @@
 /* camera.c - the camera, as POV-Ray 3.5 and later set it up: the words may
- * stand in any order; angle, then look_at, then the transforms are applied
+ * are in any order; angle, then look_at, then the transforms are applied
  * when all are read.
  */
 #include "rt/scene/elementary.h"

@@ -209,7 +209,7 @@ bool condition_ifdef(struct reader *reader, void *subject, const struct item *it
     return begin(reader, &item->at, good, (defined != 0) == wanted);
 }
 
-/* What stands before it has been read, so the rest is not. */
+/* What is before it has been read, so the rest is not. */
 bool condition_else(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);

@@ -1,5 +1,5 @@
 /* condition.h - directives that an #end closes: #if, #ifdef, #ifndef, #while,
- * #for, #switch, and what stands in them.
+ * #for, #switch, and what is in them.
  *
  * They choose which tokens come, so they may stand anywhere, between the words
  * of an expression too.  Each is closed in the file or the macro where it
@@ -26,7 +26,7 @@ void conditions_close(struct reader *reader);
 
 /* What is not to be read, to the first of the words that is at the depth of
  * the `depth` innermost directives that an #end closes; that token comes next,
- * as it stands.  False: it is the frame's end, which is an error. */
+ * as it is.  False: it is the frame's end, which is an error. */
 bool condition_skip(struct reader *reader, const struct scene_token *at,
                     const char *const *words, size_t depth);
 extern const char *const skip_to_end[];

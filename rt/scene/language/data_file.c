@@ -190,7 +190,7 @@ static bool take_datum(struct datum *datum, const struct data_file *file,
     return true;
 }
 
-/* The next value of the file, which goes on behind it; at its end it has no
+/* The next value of the file, which continues behind it; at its end it has no
  * source any more, and there may be no value: VALUE_FAULTY.  The file's frame lies
  * on the others meanwhile. */
 static bool read_datum(struct reader *reader, struct data_file *file,

@@ -15,7 +15,7 @@ bool is_expression_word(const struct scene_token *token);
 /* Sums; comparisons, logic and ?: stand only in parentheses. */
 bool read_expression(struct reader *reader, struct numbers *value);
 bool read_number(struct reader *reader, double *value);
-/* What stands in brackets: comparisons, logic and ?: too. */
+/* What is in brackets: comparisons, logic and ?: too. */
 bool read_full(struct reader *reader, struct numbers *value);
 bool read_full_number(struct reader *reader, double *value);
 /* Closer floats are equal, and a float closer to 0 is false. */

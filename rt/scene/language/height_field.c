@@ -1,7 +1,7 @@
 /* height_field.c - height_field: a field of heights, which becomes the
  * triangles of a mesh.
  *
- * The field fills the square from <0, 0, 0> to <1, 0, 1>, its heights stand on
+ * The field fills the square from <0, 0, 0> to <1, 0, 1>, its heights are on
  * the points of a grid.  The diagonal from the greater x to the greater z
  * halves each cell:
  *

@@ -23,7 +23,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of a byte the 5 bits that stand in a TGA file of 16 bits a pixel, which is told
+/* Of a byte the 5 bits that are in a TGA file of 16 bits a pixel, which is told
  * there. */
 enum { COARSE = 0xf8, TGA_BITS = 16 };
 

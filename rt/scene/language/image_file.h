@@ -14,7 +14,7 @@ struct image_file {
  * next token; else NULL. */
 const char *image_kind_unsupported(const struct reader *reader);
 /* The word for the kind, which may be left out but must not be a wrong one, and
- * the name; expected: what may stand there. */
+ * the name; expected: what may be there. */
 bool image_file_read(struct reader *reader, const char *expected,
                      struct image_file *file);
 /* The pixels that these bytes are, those of the file or as they were changed.

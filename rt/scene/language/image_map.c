@@ -67,7 +67,7 @@ static bool take_samples(struct reader *reader, const struct raster *raster,
     return true;
 }
 
-/* What is read anew with each turn of a loop has an end, too. */
+/* What is read again with each turn of a loop has an end, too. */
 static bool check_size(struct reader *reader, const struct raster *raster,
                        const struct scene_token *at)
 {

@@ -235,7 +235,7 @@ static const struct section_rule {
     row_reader *row;
     int rank;
     int least;          /* rows */
-    enum section after; /* what must stand before it; itself: nothing */
+    enum section after; /* what must be before it; itself: nothing */
 } rules[SECTIONS] = {
     { "vertex_vectors", read_vertex, 0, 1, SECTION_VERTICES },
     { "normal_vectors", read_normal, 0, 0, SECTION_NORMALS },

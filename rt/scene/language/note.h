@@ -32,7 +32,7 @@ struct note_place {
 
 /* The notes of a value that is being read: on the stack of who reads it. */
 struct note_page {
-    struct note_page *outer; /* of the value that this one stands in */
+    struct note_page *outer; /* of the value that this one is in */
     size_t serial;
     struct notes *notes;
 };

@@ -48,7 +48,7 @@ extern const struct keyword pattern_words[];
  * the map that a pattern has unless it is given; the two colours of a checker. */
 bool pattern_settle(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at);
-/* The colours that may stand behind the word of a pattern, count at the most; those
+/* The colours that may be behind the word of a pattern, count at most; those
  * that do not are left as they are. */
 enum { MAX_LISTED = 3 };
 bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count);

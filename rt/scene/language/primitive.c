@@ -234,7 +234,7 @@ static size_t terms_of(int order)
     return (n + 1) * (n + 2) * (n + 3) / 6;
 }
 
-/* Those of a lower order stand in the order of a quartic's, without what is
+/* Those of a lower order are in the order of a quartic's, without what is
  * beyond theirs. */
 static void make_quartic(const double *terms, int order, struct primitive *primitive)
 {

@@ -1,7 +1,7 @@
 /* reader.h - the state of reading one scene, and its tokens.
  *
  * Every function that reads returns false after it has reported an error; what
- * it was to make is then worth nothing.  The caller that can go on (a block,
+ * it was to make is then worth nothing.  The caller that can continue (a block,
  * or the file) skips to the next word that it knows.
  */
 #ifndef RT_SCENE_READER_H
@@ -113,7 +113,7 @@ struct reader {
 void reader_next(struct reader *reader);
 
 /* For directives.  What is behind a directive depends on what it does, so its
- * last token is left by reader_step, to the next token as it stands: it may be
+ * last token is left by reader_step, to the next token as it is: it may be
  * a directive, a macro's name or the end of a frame.  reader_settle makes of
  * that what reader_next comes to. */
 void reader_step(struct reader *reader);
@@ -122,7 +122,7 @@ void reader_settle(struct reader *reader);
 void reader_pass(struct reader *reader);
 /* The token after the next one, as the frame has it; it is not read yet. */
 struct scene_token reader_peek(struct reader *reader);
-/* The token comes again with the next step, if its frame goes on. */
+/* The token comes again with the next step, if its frame continues. */
 void reader_back(struct reader *reader);
 /* On from another place of the frame: the token is not read, nor is it a brace
  * that opens or closes anything. */
@@ -193,7 +193,7 @@ const struct scene_source *reader_find(struct reader *reader,
                                        const struct scene_token *at, const char *name,
                                        bool is_text);
 
-/* Enter and leave what may stand within itself; false: too deep. */
+/* Enter and leave what may be within itself; false: too deep. */
 bool reader_enter(struct reader *reader);
 void reader_leave(struct reader *reader);
 

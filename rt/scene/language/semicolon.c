@@ -71,7 +71,7 @@ static bool skip_statement(struct reader *reader)
 }
 
 /* What a condition would read first comes next; false: the directive is none
- * that stands within a value.  `open` conditions began after the value. */
+ * that is within a value.  `open` conditions began after the value. */
 static bool skip_directive(struct reader *reader, const struct scene_token *token,
                            size_t *open)
 {

@@ -161,7 +161,7 @@ static bool read_format(struct reader *reader, int *width, int *digits)
             return false;
     for (int i = 0; i < 2; i++)
         if (given[i] < -MAX_FORMAT || given[i] > MAX_FORMAT)
-            return reader_fault(reader, &at, "width and digits are %d at the most",
+            return reader_fault(reader, &at, "width and digits are %d at most",
                                 MAX_FORMAT);
     *width = (int)given[0];
     *digits = (int)given[1];

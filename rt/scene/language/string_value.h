@@ -14,10 +14,10 @@ enum { STRING_LONGEST = 4096 };
 bool is_string_word(const struct scene_token *token);
 bool starts_string(const struct reader *reader);
 bool string_read(struct reader *reader, char **string);
-/* The same of a file's name, which has no escapes where it stands in quotes,
+/* The same of a file's name, which has no escapes where it is in quotes,
  * as in POV-Ray. */
 bool file_name_read(struct reader *reader, char **name);
-/* What stands between the quotes of a token. */
+/* What is between the quotes of a token. */
 bool quoted_read(struct reader *reader, const struct scene_token *token, char **string);
 /* The same as a part of something else. */
 bool string_read_within(struct reader *reader, char **string);

@@ -328,7 +328,7 @@ static bool is_kept(const struct kept_token *kept, const struct open_text *frame
            && kept->behind.at <= frame->end;
 }
 
-/* Where a token ends depends on two bytes behind it at the most (1e+5). */
+/* Where a token ends depends on two bytes behind it at most (1e+5). */
 static void keep(struct kept_token *kept, const struct scene_token *token, size_t from,
                  const struct open_text *frame)
 {

@@ -19,7 +19,7 @@ enum scene_token_kind {
     TOKEN_WORD,
     TOKEN_DIRECTIVE, /* text is the word after '#' */
     TOKEN_NUMBER,
-    TOKEN_STRING, /* text is without the quotes, escapes as they stand */
+    TOKEN_STRING, /* text is without the quotes, escapes as they are */
     TOKEN_SIGN,
     TOKEN_BAD
 };
@@ -100,7 +100,7 @@ bool lexer_open(struct lexer *lexer, const struct scene_source *source);
 /* .. those of a macro's body, which `call` calls. */
 bool lexer_call(struct lexer *lexer, const struct scene_source *source,
                 struct text_place place, size_t end, const struct scene_token *call);
-/* The frame below goes on. */
+/* The frame below continues. */
 void lexer_close(struct lexer *lexer);
 /* On from another place of the frame, as a loop's turn begins. */
 void lexer_jump(struct lexer *lexer, const struct text_place *place);

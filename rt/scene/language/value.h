@@ -19,7 +19,7 @@ struct numbers numbers_of(double value);
 void numbers_widen(struct numbers *numbers, int count);
 bool numbers_are_finite(const struct numbers *numbers);
 
-/* A camera as its vectors stand before and after look_at. */
+/* A camera as its vectors are before and after look_at. */
 struct camera_setting {
     struct camera camera;
     double sky[3];
@@ -78,7 +78,7 @@ struct array {
     struct scene_value *cell[]; /* the last index runs fastest; NULL: not set */
 };
 
-/* The body of a macro, as it stands in its source. */
+/* The body of a macro, as it is in its source. */
 enum { MAX_PARAMETERS = 56 };
 struct scene_macro {
     const struct scene_source *source;

@@ -1,6 +1,6 @@
 /* csv.h - tables in files: a line a row, fields between commas.
  *
- * A field may stand in double quotes, which then may hold commas.  Empty lines
+ * A field may be in double quotes, which then may hold commas.  Empty lines
  * and lines that begin with # are passed over; the first other line names the
  * columns.
  */

@@ -1,6 +1,6 @@
 /* gnuplot.h - gnuplot as a process that draws a picture.
  *
- * No shell stands between, so names are as they are; and no settings of the
+ * No shell is between, so names are as they are; and no settings of the
  * user's come in, so that a script draws the same everywhere.
  */
 #ifndef RT_PLOT_GNUPLOT_H

@@ -2,7 +2,7 @@
  *
  * The title and small print stand above the frame, with a line more where y is
  * cut off; then the labels of the marks, each beside its line and as many rows
- * as they need; the key stands at the right.  So no text covers a curve.
+ * as they need; the key is at the right.  So no text covers a curve.
  */
 #ifndef RT_PLOT_SCRIPT_H
 #define RT_PLOT_SCRIPT_H

@@ -98,7 +98,7 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
 
 /* ---- Where to look ------------------------------------------------------- */
 
-/* Hits in the square moved by some columns, of SIDE at the most. */
+/* Hits in the square moved by some columns, of SIDE at most. */
 static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
 {
     size_t hits = 0;
@@ -118,7 +118,7 @@ static ptrdiff_t direction(const struct scout *scout)
     return 2 * scout->column + scout->side < SIDE ? -1 : 1;
 }
 
-/* Whether the primitive may go on beyond that side. */
+/* Whether the primitive may continue beyond that side. */
 static bool reaches_side(const struct scout *scout)
 {
     size_t column = direction(scout) < 0 ? 0 : SIDE - 1;

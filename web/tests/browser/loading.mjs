@@ -26,7 +26,7 @@ export const tests = {
     await visit.quiet();
     const time = await visit.page.evaluate("performance.now()");
     assert.equal((await visit.view()).ended, true);
-    say(`first run ${Math.round(time)} ms after loading began, at the most ${FIRST_RUN} wanted`);
+    say(`first run ${Math.round(time)} ms after loading began, at most ${FIRST_RUN} wanted`);
     assert.ok(time < SHARED * FIRST_RUN, `${time} ms`);
     await visit.close();
   },

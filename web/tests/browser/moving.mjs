@@ -53,7 +53,7 @@ export const tests = {
     await visit.close();
   },
 
-  async "a walk by chance shows each step as the way there did"(world) {
+  async "a random walk shows each step as the way there did"(world) {
     const visit = await open(world);
     const seed = Math.floor(Math.random() * 2 ** 31);
     const random = dice(seed);

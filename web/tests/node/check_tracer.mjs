@@ -5,8 +5,8 @@
 //
 // In the project's folder.  BUILD has rt205 and web/rt205.wasm, DRAWN scenes by
 // chance.  TEXT: only the runs whose command lines have it, or grow.  Runs: every scene of
-// scenes/ and tests/scenes, and those of DRAWN, each in a way by chance: stage, queue, model,
-// what is asked for; the other commands; scene texts that are damaged by chance; wrong
+// scenes/ and tests/scenes, and those of DRAWN, each in a random way: stage, queue, model,
+// what is asked for; the other commands; scene texts that are damaged at random; wrong
 // usage.  Last (grow) pictures while they grow, and how long they take.
 //
 // What only OpenImageIO and FreeType can read the page cannot: then the
@@ -128,7 +128,7 @@ function check(args, more) {
   console.log(`FAIL ${line}\n${why.slice(0, 2000)}`);
 }
 
-// ---- By chance -------------------------------------------------------------
+// ---- Random cases -------------------------------------------------------------
 
 let state = 205;
 const draw = (most) => { // 0 .. most - 1; Knuth's numbers for modulus 2^31

@@ -1,4 +1,4 @@
-/* planes.c - in the page a frame of any size stands in memory. */
+/* planes.c - in the page a frame of any size is in memory. */
 #include "rt/host/framebuffer.h"
 
 #include <stdlib.h>

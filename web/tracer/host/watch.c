@@ -1,5 +1,5 @@
 /* watch.c - in the page who waits sees how far the machines are, and the picture as
- * it stands in their memory.
+ * it is in their memory.
  */
 #include <stdlib.h>
 
@@ -81,7 +81,7 @@ static void show(const struct trace *trace, const struct band *band)
     frame_free(&part);
 }
 
-/* Without memory nothing is shown, and the work goes on. */
+/* Without memory nothing is shown, and the work continues. */
 static void look(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done)
 {

@@ -11,7 +11,7 @@
 ;
 ; which must be below n (32 for n = 100; a machine that rounds shows a few, this
 ; one cuts all sums in the same direction).  Published for the CYBER 205 with two pipes:
-; 17 Mflop/s; and 113 for ORDER = 1000, where the program could be written anew.
+; 17 Mflop/s; and 113 for ORDER = 1000, where the program could be written again.
 ; Source: Dongarra, Performance of Various Computers Using Standard Linear
 ; Equations Software in a FORTRAN Environment (1983 and later).
 
