@@ -259,8 +259,9 @@ unsigned reference_bits_of_g(const c205_insn *insn)
 
 bool reference_has_offset(const c205_insn *insn, const c205_fields *fields)
 {
-    return c205_unit_is_vector(insn->unit) && insn->format != C205_FORMAT_SPARSE
-           && fields->g & reference_bits_of_g(insn) & C205_G_OFFSET;
+    return fields->g & C205_G_OFFSET && c205_unit_is_vector(insn->unit)
+           && insn->format != C205_FORMAT_SPARSE
+           && reference_bits_of_g(insn) & C205_G_OFFSET;
 }
 
 /* In two parts: "p". */

@@ -28,11 +28,24 @@ struct found {
 /* What an instruction of the table does with its operands. */
 struct row {
     char letters[ROLES];
+    bool reads[ROLES], writes[ROLES];
     bool offsets; /* X and Y may hold some, */
     bool target;  /* Y and B a branch target */
 };
 
+/* The names that an instruction mentions. */
+struct names {
+    const struct asm_mention *first;
+    size_t count;
+};
+enum { KNOWN_NAMES = 1 << 12 };
+
 struct register_owners {
+    /* By their addresses: names that were looked up before. */
+    struct known_names {
+        uint64_t address;
+        struct names names;
+    } known[KNOWN_NAMES];
     struct row *rows; /* as c205_insns */
     const struct object *program;
     long owner[C205_REGISTERS]; /* index of a name, or ANYONE */
@@ -49,8 +62,12 @@ static struct row row_of(const c205_insn *insn)
     struct row row = { .offsets = strpbrk(syntax, "ab+") != NULL,
                        .target = strchr(syntax, '@') != NULL };
     row.offsets |= insn->format == C205_FORMAT_SPARSE || row.target;
-    for (int role = 0; role < ROLES; role++)
-        row.letters[role] = letter_of(insn, (enum role)role);
+    for (int role = 0; role < ROLES; role++) {
+        char letter = letter_of(insn, (enum role)role);
+        row.letters[role] = letter;
+        row.reads[role] = letter && !strchr("wWpk", letter);
+        row.writes[role] = letter && strchr("wWpkmM", letter);
+    }
     return row;
 }
 
@@ -87,11 +104,6 @@ static unsigned whole_number(const struct asm_register *name)
 }
 
 /* The names that an instruction has. */
-struct names {
-    const struct asm_mention *first;
-    size_t count;
-};
-
 static struct names names_at(const struct object *program, uint64_t address)
 {
     struct names names = { program->mentions, 0 };
@@ -108,6 +120,14 @@ static struct names names_at(const struct object *program, uint64_t address)
            && names.first[names.count].address == address)
         names.count++;
     return names;
+}
+
+static struct names known_names(struct register_owners *owners, uint64_t address)
+{
+    struct known_names *known = &owners->known[address / 32 % KNOWN_NAMES];
+    if (known->address != address)
+        *known = (struct known_names){ address, names_at(owners->program, address) };
+    return known->names;
 }
 
 /* The last one for a register: results are behind sources. */
@@ -259,7 +279,7 @@ static void read_operands(struct register_owners *owners, const c205_event *even
     c205_fields fields = event->fields;
     const uint8_t offsets[] = { fields.x, fields.y };
     for (int role = 0; role < ROLES; role++)
-        if (row->letters[role] && !strchr("wWpk", row->letters[role]))
+        if (row->reads[role])
             read_register(owners, event->pc, names,
                           *field_of_role(&fields, event->insn, (enum role)role));
     for (size_t i = 0; row->offsets && i < 2; i++)
@@ -277,13 +297,14 @@ static void write_results(struct register_owners *owners, const c205_event *even
     const struct row *row = &owners->rows[event->insn - c205_insns];
     c205_fields fields = event->fields;
     for (int role = 0; role < ROLES; role++) {
-        char letter = row->letters[role];
+        if (!row->writes[role])
+            continue;
         unsigned number = *field_of_role(&fields, event->insn, (enum role)role);
         long name = name_of(program, names, number);
-        if (!letter || number == 0 || !strchr("wWpkmM", letter))
+        if (number == 0)
             continue;
         write_register(owners, event->pc, number, name);
-        if (letter == 'p')
+        if (row->letters[role] == 'p')
             write_register(owners, event->pc, number + 1,
                            name_behind(program, name, 1));
     }
@@ -295,7 +316,7 @@ void register_owners_listen(void *context, const c205 *machine, const c205_event
     struct register_owners *owners = context;
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
-    struct names names = names_at(owners->program, event->pc);
+    struct names names = known_names(owners, event->pc);
     if (event->insn->format == C205_FORMAT_SWAP) {
         swap(owners, machine, event, names);
         return;

@@ -98,7 +98,7 @@ static void write_closed(void)
 TEST(closed)
 {
     static const size_t sizes[][2] = { { WIDTH, HEIGHT }, { 17, 9 }, { 40, 3 } };
-    for (size_t i = 0; i < share_of(3 * scene_count); i++) {
+    for (size_t i = 0; i < 3 * scene_count; i++) {
         set_size(sizes[i % 3][0], sizes[i % 3][1]);
         write_closed();
         check_closed();
@@ -208,7 +208,7 @@ static void write_aimed(const size_t face[3], const double location[3], double s
 TEST(rays_along_edges)
 {
     set_size(9, 9);
-    for (size_t i = 0; i < share_of(3 * scene_count); i++) {
+    for (size_t i = 0; i < 3 * scene_count; i++) {
         double scale = pow(10, between(-2, 3)), by[3], location[3];
         net_random_body(&net, 1 + i % 2, &traced.random);
         for (int k = 0; k < 3; k++) {
@@ -241,7 +241,7 @@ TEST_WITH(rays_from_outside, NULL, look_at_shell)
 {
     sight = BALL_APART;
     set_size(9, 9);
-    for (size_t i = 0; i < share_of(3 * scene_count); i++) {
+    for (size_t i = 0; i < 3 * scene_count; i++) {
         double scale = pow(10, between(-2, 3)), by[3], location[3];
         net_random_body(&net, 1 + i % 2, &traced.random);
         for (int k = 0; k < 3; k++) {

@@ -49,7 +49,7 @@ static void add_cylinder(char *text, size_t size)
 static void check_scenes(void)
 {
     char text[4096] = AHEAD;
-    check_random_scenes(add_cylinder, 3);
+    check_random_scenes(add_cylinder, share_of(3));
     for (int i = 0; i < 5; i++) {
         add_cylinder(text, sizeof text);
         add_text(text, sizeof text, "pigment { rgb <.3, .5, .%d> } }\n", i);

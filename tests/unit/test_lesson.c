@@ -527,5 +527,5 @@ TEST(said_of_all)
 
 ARGUMENTS(argc, argv)
 {
-    tries = argument(argc, argv, 1, tries);
+    tries = argument(argc, argv, 1, share_of(tries));
 }

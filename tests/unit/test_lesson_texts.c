@@ -329,5 +329,5 @@ TEST(likeness)
 
 ARGUMENTS(argc, argv)
 {
-    tries = argument(argc, argv, 1, tries);
+    tries = argument(argc, argv, 1, share_of(tries));
 }

@@ -344,7 +344,7 @@ ARGUMENTS(argc, argv)
 {
     traced.reported = true; /* patches in intersections */
     solids.patches = solids.meshes = true;
-    scene_count = argument(argc, argv, 1, scene_count);
+    scene_count = argument(argc, argv, 1, share_of(scene_count));
     traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
 

@@ -415,5 +415,5 @@ TEST(pairs)
 
 ARGUMENTS(argc, argv)
 {
-    cases = argument(argc, argv, 1, cases);
+    cases = argument(argc, argv, 1, share_of(cases));
 }

@@ -95,7 +95,7 @@ static void check_scenes(bool gridded, bool clear)
     solids.gridded = gridded;
     solids.clear = clear;
     solids.patches = solids.meshes = true;
-    for (size_t i = 0; i < share_of(scene_count); i++) {
+    for (size_t i = 0; i < scene_count; i++) {
         write_scene(text, sizeof text);
         check_scene(text);
     }
@@ -111,7 +111,7 @@ TEST_CALL(coincident_clear, check_scenes(true, true))
 ARGUMENTS(argc, argv)
 {
     traced.reported = true; /* patches in intersections */
-    scene_count = argument(argc, argv, 1, scene_count);
+    scene_count = argument(argc, argv, 1, share_of(scene_count));
     traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
 

@@ -307,7 +307,7 @@ FIXTURE(free_machines)
 
 ARGUMENTS(argc, argv)
 {
-    program_count = argument(argc, argv, 1, program_count);
+    program_count = argument(argc, argv, 1, share_of(program_count));
 }
 
 GROUP(make_machines, free_machines);

@@ -10,7 +10,7 @@ static void add_shape(char *text, size_t size)
     add_text(text, size, " ");
 }
 
-TEST_CALL(random_scenes, check_random_scenes(add_shape, 10))
+TEST_CALL(random_scenes, check_random_scenes(add_shape, share_of(10)))
 
 /* From far away, small: what is lost there would show here. */
 TEST(distant_patches)

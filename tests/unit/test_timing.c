@@ -425,7 +425,7 @@ TEST(small_programs)
 
 ARGUMENTS(argc, argv)
 {
-    cases = argument(argc, argv, 1, cases);
+    cases = argument(argc, argv, 1, share_of(cases));
 }
 
 GROUP(make_machines, free_machines);

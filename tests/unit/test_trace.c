@@ -114,10 +114,10 @@ static void add_discs(char *text, size_t size)
     add_text(text, size, "scale <%.3f, 1, %.3f> ", between(.6, 1.4), between(.6, 1.4));
 }
 
-TEST_CALL(random_simple_shapes, check_random_scenes(add_shape, 12))
-TEST_CALL(random_quadrics, check_random_scenes(add_quadric_or_cone, 12))
-TEST_CALL(random_quartics, check_random_scenes(add_quartic_or_torus, 8))
-TEST_CALL(random_discs, check_random_scenes(add_discs, 4))
+TEST_CALL(random_simple_shapes, check_random_scenes(add_shape, share_of(12)))
+TEST_CALL(random_quadrics, check_random_scenes(add_quadric_or_cone, share_of(12)))
+TEST_CALL(random_quartics, check_random_scenes(add_quartic_or_torus, share_of(8)))
+TEST_CALL(random_discs, check_random_scenes(add_discs, share_of(4)))
 
 /* The light lies behind a plane that is seen and lit along its surface: the
  * way to it is the ray's direction, half way between the two lies nowhere, and

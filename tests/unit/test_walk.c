@@ -214,7 +214,7 @@ TEST(windows)
 
 ARGUMENTS(count, words)
 {
-    scene_count = argument(count, words, 1, scene_count);
+    scene_count = argument(count, words, 1, share_of(scene_count));
     traced.random ^= argument(count, words, 2, 0) * 0x9E3779B97F4A7C15;
     traced.reported = true;
 }

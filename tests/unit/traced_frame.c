@@ -175,7 +175,6 @@ void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
 {
     static char text[1 << 18];
     size_t found = 0;
-    scenes = share_of(scenes);
     for (size_t scene = 0; scene < scenes; scene++) {
         strcpy(text, HEAD "camera { location <0, 1, -6> look_at 0 }\n");
         for (int i = 0; i < 6; i++) {

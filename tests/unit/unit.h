@@ -80,7 +80,7 @@ static inline uint64_t argument(int count, char **words, int place, uint64_t oth
 #define COUNT_AND_SEED(cases, seed) \
     ARGUMENTS(argc, argv) \
     { \
-        cases = argument(argc, argv, 1, cases); \
+        cases = argument(argc, argv, 1, share_of(cases)); \
         seed ^= argument(argc, argv, 2, 0) << 13; \
     } \
     struct unit_end
