@@ -1,4 +1,4 @@
-/* planes.c - in the page a frame of any size is in memory. */
+/* framebuffer.c - in the page a frame of any size is in memory. */
 #include "rt/host/framebuffer.h"
 
 #include <stdlib.h>

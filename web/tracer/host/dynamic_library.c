@@ -1,4 +1,4 @@
-/* adapter.c - the page opens no libraries: what writes its pictures is linked to
+/* dynamic_library.c - the page opens no libraries: what writes its pictures is linked to
  * it, and nothing else is there.
  */
 #include "rt/host/dynamic_library.h"
