@@ -55,11 +55,11 @@ ranks = $(BUILD)/rt205_mpi.so
 api = $(BUILD)/api
 vm_api = vm/c205.h vm/insn.def vm/arith.def
 asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h \
-	print.h state.h trap_report.h warning.def warning.h watch.h) \
+	print.h runtime_check.h state.h trap_report.h warning.def warning.h) \
 	base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
 	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
-	layout/layout.h layout/bounding.h farm/farm.h farm/ranks.h farm/unit_file.h \
+	layout/layout.h layout/bounding.h farm/farm.h farm/checkpoint_file.h farm/ranks.h \
 	farm/words.h picture/picture.h trace/band.h \
 	trace/observer.h trace/trace.h trace/order.h trace/vector_use.h trace/visible.h) \
 	$(addprefix base/,accounts.h arena.h json.h table.h)
