@@ -436,6 +436,7 @@ check-rooms: $(engine) $(libraries)
 	sh tests/check_rooms.sh
 	sh tests/check_state.sh $(BUILD)
 	sh tests/check_names.sh $(BUILD)
+	sh tests/check_words.sh
 	sh tests/mutants/check.sh
 
 check-programs: $(BUILD)/c205
@@ -719,6 +720,7 @@ lint:
 	@sh .ci/need git clang-format cppcheck shellcheck
 	clang-format --dry-run --Werror $(formatted)
 	sh tests/check_dialect.sh
+	sh tests/check_words.sh
 	sh tests/planted/fresh.sh
 	shellcheck $(scripts)
 	cppcheck --quiet --std=c99 --enable=warning,performance \

@@ -1,0 +1,85 @@
+#!/bin/sh
+# check_words.sh - no comment, page or name has a word that tests/words.txt replaces.
+#
+# Comments and identifiers are those of C files, pages the text of README.md and docs
+# outside of blocks of code.  A fault of each section is planted in a copy and found.
+set -u
+. "$(dirname "$0")/count.sh"
+cd "$(dirname "$0")/.." || exit 1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# The faults in files, a line each.
+faults() { # FILE ..
+    awk '
+    FILENAME == "tests/words.txt" {
+        if (/^\[[a-z ]+\]$/)
+            section = $0
+        else if (/^[^#]/ && (at = index($0, " = "))) {
+            n++
+            pattern[n] = substr($0, 1, at - 1)
+            instead[n] = substr($0, at + 3)
+            place[n] = section
+        }
+        next
+    }
+    FNR == 1 { page = FILENAME ~ /[.]md$/; comment = block = 0 }
+    {
+        prose = names = ""
+        if (page) {
+            if (/^```/)
+                block = !block
+            if (!block && !/^(    |<!--|\|)/)
+                prose = $0
+        } else {
+            rest = $0
+            while (rest != "")
+                if (comment) {
+                    end = index(rest, "*/")
+                    prose = prose " " (end ? substr(rest, 1, end - 1) : rest)
+                    rest = end ? substr(rest, end + 2) : ""
+                    comment = !end
+                } else {
+                    begin = index(rest, "/*")
+                    names = names " " (begin ? substr(rest, 1, begin - 1) : rest)
+                    rest = begin ? substr(rest, begin + 2) : ""
+                    comment = begin > 0
+                }
+            gsub(/"([^"\\]|\\.)*"/, "\"\"", names)
+        }
+        for (i = 1; i <= n; i++) {
+            text = place[i] == "[names]" ? names : page || place[i] != "[pages]" ? tolower(prose) : ""
+            if (text != "" && match(" " text " ", "[^A-Za-z0-9_](" pattern[i] ")[^A-Za-z0-9_]"))
+                printf "%s:%d: \"%s\": write: %s\n", FILENAME, FNR,
+                    substr(" " text " ", RSTART + 1, RLENGTH - 2), instead[i]
+        }
+    }' tests/words.txt "$@"
+}
+
+find vm base asm rt web/engine web/tracer/host tests README.md docs \
+    \( -name '*.[ch]' -o -name '*.md' \) ! -name isa.md >"$work/files"
+# The names have no blanks.
+# shellcheck disable=SC2046
+faults $(cat "$work/files") >"$work/faults"
+if [ -s "$work/faults" ]; then
+    cat "$work/faults"
+    fail "words that tests/words.txt replaces: $(wc -l <"$work/faults")"
+else
+    pass
+fi
+
+planted() { # FILE LINE WORD
+    cp "$1" "$work/planted.${1##*.}"
+    printf '%b\n' "$2" >>"$work/planted.${1##*.}"
+    if faults "$work/planted.${1##*.}" | grep -q "\"$3\""; then
+        pass
+    else
+        fail "a planted word is not found: $2"
+    fi
+}
+planted base/arena.c '/* Blocks by chance,\n * one at the most. */' 'by chance'
+planted base/arena.c '/* Blocks,\n * one at the most. */' 'at the most'
+planted base/arena.c 'enum { BLOCKS_MOST = 1 };' BLOCKS_MOST
+planted README.md 'The clock goes on.' 'goes on'
+planted README.md 'That is told later.' 'is told'
+counted
