@@ -27,7 +27,7 @@ extern "C" {
 #endif
 
 /* The release; the model that programs take unless told otherwise. */
-#define C205_VERSION "0.6.0"
+#define C205_VERSION "0.7.0"
 #define C205_DEFAULT_MODEL "cyber205-2pipe"
 
 typedef struct c205_error {
