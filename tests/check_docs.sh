@@ -8,6 +8,7 @@
 # shell runs it with the build's programs first in its path and the build's
 # folder in BUILD, and what comes before its first " | " once for all blocks.
 # What it draws in the folder DRAWN is what docs/pictures has under that name.
+# Below a block is the command that prints it (printed_by.awk).
 # The pages have none of the faults that page_faults.awk lists, and each kind of fault is
 # found in a copy of the pages into which it is put.
 # quick leaves out the slow ones, which take more than about two seconds.
@@ -104,6 +105,13 @@ for page in "$@"; do
             next
         }
         { print }' "$work/page" >"$work/new" && cp "$work/new" "$page"
+    if [ "$write" ]; then
+        awk -v write=1 -f tests/printed_by.awk "$page" >"$work/new" && cp "$work/new" "$page"
+    elif awk -f tests/printed_by.awk "$page" >"$work/diff" && [ ! -s "$work/diff" ]; then
+        pass
+    else
+        fail "$page: the command below a block:"
+    fi
 done
 
 # But for the line in which gnuplot names itself.
