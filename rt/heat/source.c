@@ -247,7 +247,7 @@ static bool make_spots(const struct heat_source *source, const c205_word *lines,
     made->count = found->first[found->line_count];
     if (made->count > MAX_EMISSION)
         return error_say(error,
-                         "the %s of line %zu is crossed %zu times: %d at the "
+                         "the %s of line %zu is crossed %zu times: %d at "
                          "most; take fewer rays",
                          primitive_kind_name(source->primitive.kind),
                          source->primitive.line, made->count, MAX_EMISSION);
