@@ -322,8 +322,7 @@ TEST(too_many_parts)
     options.part_count = 1;
     options.overlaps = &many;
     assert_false(columns_sum(scene, &options, &sums, &error));
-    assert_string_equal(error.message,
-                        "16385 pairs of parts may overlap: of 16384 at "
-                        "most it is found how much");
+    assert_string_equal(error.message, "16385 pairs of parts may overlap: of 16384 at "
+                                       "most it is found how much");
     c205_model_free((c205_model *)options.model);
 }
