@@ -117,8 +117,8 @@ void process_become(char *const words[])
     while (*words)
         all[count++] = *words++;
     all[count++] = program;
-    for (char **next = own; next && next[0] && next[1] && count < MAX;)
-        all[count++] = *++next;
+    for (size_t i = 0; own && own[i] && own[i + 1] && count < MAX; i++)
+        all[count++] = own[i + 1];
     all[count] = NULL;
     free(own);
     execvp(all[0], all);
