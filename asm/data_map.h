@@ -4,7 +4,7 @@
 
 #include "asm/assembler.h"
 
-/* Tells it to the labels among so many symbols; the items are in the order of their
+/* Sets the data types of the labels among the count symbols; the items are in the order of their
  * addresses.  False: no memory. */
 bool data_map_fill(const struct assembler *assembler, struct asm_symbol *symbols,
                    size_t count);

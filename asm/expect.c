@@ -38,7 +38,7 @@ static void say_where(const struct outcome *outcome,
                expectation->line);
 }
 
-/* A half word is at the left of a word; it is told with 8 digits. */
+/* A half word is at the left of a word; it is printed with 8 digits. */
 static void say_value(const struct outcome *outcome, bool half, c205_word word)
 {
     enum { HALF_DIGITS = 9 }; /* and the blank among them */

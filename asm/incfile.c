@@ -164,7 +164,7 @@ static bool read_numbers(struct number_file *file)
         if ((++i == file->column || file->column == 0) && !add_number(file, &field))
             return false;
     return i == 0 || i >= file->column
-           || fault(file, file->line.begin, "this line has not so many columns");
+           || fault(file, file->line.begin, "this line has too few columns");
 }
 
 static bool read_line(struct number_file *file)

@@ -1,7 +1,7 @@
 /* warning.h - what is no error but hardly meant, and which of it to tell.
  *
  * Some warnings are found in the text, by the assembler, the others while a
- * program runs (asm/runtime_check.h).  All are told but those that the user turns
+ * program runs (asm/runtime_check.h).  All are reported except those that the user turns
  * off, and those that a program says it means, by "; expect-warning: NAME".
  */
 #ifndef ASM_WARNING_H

@@ -14,7 +14,7 @@ struct rank_index {
     size_t *numbers;
 };
 
-/* Room for so many.  False: no memory; then it may only be freed. */
+/* Room for at most that many numbers.  False: no memory; then it may only be freed. */
 bool rank_index_begin(struct rank_index *ranks, size_t most);
 void rank_index_add(struct rank_index *ranks, size_t number);
 /* After the last. */

@@ -145,7 +145,7 @@ debug_verb verb_print, verb_set;
 
 bool debug_set_register(struct debugger *debugger, struct register_of named,
                         const struct value_of *value);
-/* So many bits, 64 at most and in one word, at the left of what is given. */
+/* At most 64 bits, all in one word, left-aligned in the value. */
 bool debug_set_bits(struct debugger *debugger, uint64_t address, unsigned width,
                     c205_word bits);
 /* From a byte on; all of them must be there. */
@@ -183,7 +183,7 @@ bool stops_watch(struct debugger *debugger, struct rest *rest, struct stop_point
 /* All of a text; "" or NULL: none. */
 bool stops_condition(struct debugger *debugger, struct stop_point *stop,
                      const char *text);
-/* An operator and what is behind it, or a number: from so many on. */
+/* An operator and its operand, or a number: the count from which it stops. */
 bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char *text);
 /* It has its number then.  False: no memory. */
 bool stops_add(struct debugger *debugger, struct stop_point *stop);

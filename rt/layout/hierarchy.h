@@ -20,7 +20,7 @@ struct hierarchy_node {
     double way[3]; /* from the centre of the first one to the second's */
 };
 
-/* At most so many nodes lie above another, itself counted: what the
+/* The most nodes on a path of the hierarchy, both ends included: what the
  * machine's stack has room for. */
 enum { HIERARCHY_DEPTH = 96 };
 

@@ -136,8 +136,8 @@ TEST(known_boxes)
     }
 }
 
-/* Lines through a shape in its own space, and where the points that they cross
- * it at are in the world. */
+/* Lines through a shape in its own space, and where in the world the points are at
+ * which they cross it. */
 static size_t count_crossings(const struct primitive *primitive,
                               const struct bound *bound)
 {

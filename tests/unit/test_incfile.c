@@ -179,7 +179,7 @@ TEST(faults)
         const char *message;
     } cases[] = {
         { "1, 2\n3, x\n", "", 2, 4, "not a number" },
-        { "1, 2\n3\n", ", 2", 2, 1, "not so many columns" },
+        { "1, 2\n3\n", ", 2", 2, 1, "too few columns" },
         { "1\n2,,3\n", "", 2, 3, "expected a number before this" },
         { "a b\n1 2\n", ", \"c\"", 1, 1, "no column of that name" },
         { "1 2\n", ", \"c\"", 1, 1, "expected a heading" },

@@ -12,7 +12,7 @@
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
 
-static size_t scene_count = 4; /* of each sort */
+static size_t scene_count = 10; /* of each sort; make check draws a third */
 
 /* ---- Normals ------------------------------------------------------------- */
 

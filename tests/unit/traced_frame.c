@@ -185,7 +185,7 @@ void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
         FREED struct words *words = plain_frame(text);
         found += hits(words);
     }
-    assert_true(found > scenes * traced.pixels / 8);
+    assert_true(found > scenes * traced.pixels / 4);
 }
 
 void check_middle_within(const char *text, int64_t id, double depth, double tolerance)

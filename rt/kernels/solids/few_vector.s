@@ -12,7 +12,7 @@
         .reg    link_few, r188
         .endshare
 
-; So many crossings of them, at most.
+; The largest number of their crossings.
         .if     MAX_CROSSINGS > 3 * PATCH_CROSSINGS
         .equ    FEW_CROSSINGS, MAX_CROSSINGS
         .else
