@@ -293,7 +293,7 @@ const char *const *c205_model_names(void);
 typedef struct c205_segment {
     uint64_t address;       /* bit address, a multiple of 64 */
     size_t length;          /* words */
-    const c205_word *words; /* NULL: zeros */
+    const c205_word *words; /* NULL: zeros, C205_WHEN_TOUCHED */
 } c205_segment;
 
 /* Code between two addresses belongs to a named region of the accounts.
