@@ -1,5 +1,6 @@
-/* test_farm.c - units in threads, in shares and in runs that are killed: each is taken once,
- * as it would be without all that. */
+/* test_farm.c - units of work in threads, in shares and in processes that are killed, over
+ * random counts, errors and kills: each unit is run and taken once. A unit that is lost,
+ * or is done twice, fails. */
 #include "rt/farm/farm.h"
 
 #include <signal.h>
@@ -20,11 +21,16 @@ static const char *const paths[SHARES] = { path[0], path[1], path[2], path[3],
 
 struct bench {
     size_t count;
-    size_t bad; /* the lowest that fails; count: none */
-    bool slow;
+    size_t bad;  /* the lowest that fails; count: none */
+    size_t last; /* the unit in which the process kills itself; count: none */
     int run[MAX], taken[MAX];
     uint64_t sum; /* of what units come to, by number */
 };
+
+static size_t between(size_t low, size_t high)
+{
+    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
+}
 
 static uint64_t worth(size_t unit)
 {
@@ -35,12 +41,14 @@ static uint64_t worth(size_t unit)
 static bool run(void *context, size_t job, size_t unit, struct unit_words *words,
                 c205_error *error)
 {
-    const struct timespec moment = { 0, 300000 };
     struct bench *bench = context;
     (void)job;
     bench->run[unit]++;
-    if (bench->slow)
+    if (unit == bench->last) {
+        struct timespec moment = { 0, (long)between(0, 300000) };
         nanosleep(&moment, NULL);
+        raise(SIGKILL);
+    }
     if (unit >= bench->bad && unit % 3 == bench->bad % 3)
         return error_say(error, "bad %zu", unit);
     words_put(words, worth(unit));
@@ -77,14 +85,9 @@ static void assert_all_taken(const struct bench *bench)
         assert_int_equal(bench->taken[unit], 1);
 }
 
-static size_t between(size_t low, size_t high)
-{
-    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
-}
-
 static struct bench new_bench(size_t count)
 {
-    return (struct bench){ .count = count, .bad = count };
+    return (struct bench){ .count = count, .bad = count, .last = count };
 }
 
 /* ---- Tests --------------------------------------------------------------- */
@@ -149,24 +152,23 @@ TEST(shares)
     }
 }
 
-/* At some moment of its work. */
+/* A process ends in a random unit while its other thread works. */
 static void kill_one(void)
 {
-    struct timespec moment = { 0, (long)between(0, 8000000) };
+    struct bench bench = new_bench(MAX);
+    bench.last = between(0, MAX - 1);
     pid_t child = fork();
+    int status;
 
     assert_true(child >= 0);
     if (child == 0) {
-        struct bench bench = new_bench(MAX);
         struct farm farm = { .paths = paths, .path_count = 1 };
         c205_error error;
-        bench.slow = true;
         do_farm(&farm, &bench, 2, &error);
         _exit(1);
     }
-    nanosleep(&moment, NULL);
-    assert_int_equal(kill(child, SIGKILL), 0);
-    assert_int_equal(waitpid(child, NULL, 0), child);
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFSIGNALED(status));
 }
 
 TEST(killed)
