@@ -128,7 +128,7 @@ bool object_check(const struct object *object, c205_error *error)
             && (CODE_ORIGIN - program->segments[i].address) / 64
                    < program->segments[i].length)
             return true;
-    return error_say(error, "the program is empty: it has no instructions");
+    return error_set(error, "the program is empty: it has no instructions");
 }
 
 bool object_recognise(const char *text, size_t length)

@@ -97,7 +97,7 @@ bool source_find(struct assembler *assembler, const char *name, const char *from
     errno = 0;
     if (carried)
         return join_lines(assembler, carried, source);
-    error_say(error, "there is no such file");
+    error_set(error, "there is no such file");
     if (options && options->sealed)
         return false;
     if (*name == '/')

@@ -41,7 +41,7 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
         return atomic_file_commit(whole, error);
     }
     if (output.left < sizeof(c205_word)) {
-        error_say(&reason, "the saved machine has more than %d bytes", FILE_LARGEST);
+        error_set(&reason, "the saved machine has more than %d bytes", FILE_LARGEST);
     }
     tell(error, path, reason.message);
     atomic_file_discard(whole);

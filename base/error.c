@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-bool error_say(c205_error *error, const char *format, ...)
+bool error_set(c205_error *error, const char *format, ...)
 {
     va_list arguments;
 

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 
 /* As printf, cut to the room that there is; always false. */
-bool error_say(c205_error *error, const char *format, ...);
+bool error_set(c205_error *error, const char *format, ...);
 
 /* The digits of a macro, for a message about a limit: "at most " LIMIT_TEXT(MAX). */
 #define LIMIT_TEXT(macro) LIMIT_DIGITS(macro)

@@ -88,9 +88,9 @@ char *file_read(const char *path, size_t largest, size_t *length, c205_error *er
         return text;
     free(text);
     if (why == EFBIG)
-        error_say(error, "this file has more than %zu bytes", largest);
+        error_set(error, "this file has more than %zu bytes", largest);
     else
-        error_say(error, "%s", file_reason(why));
+        error_set(error, "%s", file_reason(why));
     errno = why;
     return NULL;
 }
@@ -101,11 +101,11 @@ bool file_is_plain(const char *path, c205_error *error)
 
     if (stat(path, &is) == 0)
         return S_ISREG(is.st_mode)
-               || error_say(error, "%s",
+               || error_set(error, "%s",
                             S_ISDIR(is.st_mode) ? "a folder" : "a pipe or a device");
-    error_say(error, "%s", strerror(errno));
+    error_set(error, "%s", strerror(errno));
     return lstat(path, &is) == 0 && S_ISLNK(is.st_mode)
-           && error_say(error, "a broken link");
+           && error_set(error, "a broken link");
 }
 
 /* The folder that a path names a file in, and the file's name there; false:

@@ -47,7 +47,7 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
 
     *folder = (struct folder){ 0, NULL };
     if (!open)
-        return error_say(error, "%s", strerror(errno));
+        return error_set(error, "%s", strerror(errno));
     do {
         errno = 0;
         entry = readdir(open);
@@ -57,9 +57,9 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
     reason = errno;
     closedir(open);
     if (!good)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     if (reason)
-        return error_say(error, "%s", strerror(reason));
+        return error_set(error, "%s", strerror(reason));
     if (folder->count > 0)
         qsort(folder->names, folder->count, sizeof *folder->names, compare_names);
     return true;

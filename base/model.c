@@ -68,7 +68,7 @@ c205_model *model_find(const char *name, c205_error *error)
 
     if (c205_model_is_file(name) && stat(name, &status) == 0
         && outputs_refuse(&status)) {
-        error_say(error, "%.180s: %s", name, file_reason(ETXTBSY));
+        error_set(error, "%.180s: %s", name, file_reason(ETXTBSY));
         return NULL;
     }
     return c205_model_find(name, error);

@@ -11,7 +11,7 @@ bool text_clean(char *text, size_t *length, c205_error *error)
 {
     const char *fault = c205_plain_text(text, length);
 
-    return !fault || error_say(error, "%s", fault);
+    return !fault || error_set(error, "%s", fault);
 }
 
 char *text_file_read(const char *path, size_t largest, size_t *length,

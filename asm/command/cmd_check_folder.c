@@ -31,7 +31,7 @@ static bool read_file(struct lesson *lesson, const char *folder, const char *nam
                      ? text_file_read(path.text, FILE_LARGEST, &length, &reason)
                      : NULL;
     bool good = text ? lesson_take(lesson, name, text, length, error)
-                     : error_say(error, "%.160s: %.80s", path.failed ? name : path.text,
+                     : error_set(error, "%.160s: %.80s", path.failed ? name : path.text,
                                  path.failed ? "no memory" : reason.message);
     text_buffer_free(&path);
     free(text);
@@ -72,7 +72,7 @@ bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *erro
     c205_error reason;
     bool good = folder_read(&folder, path, &reason)
                     ? begin_lesson(lesson, path, error)
-                    : error_say(error, "%.160s: %.80s", path, reason.message);
+                    : error_set(error, "%.160s: %.80s", path, reason.message);
     for (size_t i = 0; good && i < folder.count; i++) {
         const char *name = folder.names[i];
         if (file_ends_with(name, ".s") || file_ends_with(name, ".md")) {

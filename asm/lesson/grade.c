@@ -37,7 +37,7 @@ struct sitting {
 
 static bool no_memory(c205_error *error)
 {
-    return error_say(error, "no memory");
+    return error_set(error, "no memory");
 }
 
 /* ---- The answer ------------------------------------------------------------ */

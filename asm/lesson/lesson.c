@@ -29,7 +29,7 @@ bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
 
     lesson->folder = arena_text(&lesson->kept, folder, strlen(folder));
     if (!lesson->folder)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     lesson->number = numbered ? (unsigned)number : 0;
     lesson->name = lesson->folder + (numbered ? end + 1 - folder : 0);
     return true;
@@ -41,10 +41,10 @@ static bool take_title(struct lesson *lesson, c205_error *error)
     size_t length = strcspn(lesson->text, "\n");
 
     if (strncmp(lesson->text, "# ", 2) != 0 || length == 2)
-        return error_say(error, "%.80s/lesson.md:1: expected '# Title'",
+        return error_set(error, "%.80s/lesson.md:1: expected '# Title'",
                          lesson->folder);
     lesson->title = arena_text(&lesson->kept, lesson->text + 2, length - 2);
-    return lesson->title || error_say(error, "no memory");
+    return lesson->title || error_set(error, "no memory");
 }
 
 static bool take_test(struct lesson *lesson, const char *name, size_t name_length,
@@ -58,7 +58,7 @@ static bool take_test(struct lesson *lesson, const char *name, size_t name_lengt
     if (tests)
         test.name = arena_text(&lesson->kept, name, name_length);
     if (!test.name)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     lesson->tests = tests;
     tests[lesson->test_count++] = test;
     return lesson_read_notes(lesson, &tests[lesson->test_count - 1], error);
@@ -79,7 +79,7 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
         return true;
     kept = arena_text(&lesson->kept, text, length);
     if (!kept)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     if (is_test)
         return take_test(lesson, file + sizeof before - 1, name - around, kept, length,
                          error);
@@ -107,7 +107,7 @@ bool lesson_end(struct lesson *lesson, c205_error *error)
                                                     : NULL;
 
     if (missing)
-        return error_say(error, "%.160s is no lesson: it has no %s", lesson->folder,
+        return error_set(error, "%.160s is no lesson: it has no %s", lesson->folder,
                          missing);
     qsort(lesson->tests, lesson->test_count, sizeof *lesson->tests, compare_tests);
     return true;
@@ -146,7 +146,7 @@ static bool take_text(struct lesson *lesson, const struct text *text, c205_error
     bool good = join_lines(text->lines, &joined)
                     ? lesson_take(lesson, strchr(text->name, '/') + 1,
                                   joined.text ? joined.text : "", joined.length, error)
-                    : error_say(error, "no memory");
+                    : error_set(error, "no memory");
 
     text_buffer_free(&joined);
     return good;
@@ -185,7 +185,7 @@ bool lessons_open(struct lessons *lessons, c205_error *error)
     lessons->count = 0;
     lessons->items = calloc(most + 1, sizeof *lessons->items);
     if (!lessons->items)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     while (text && text->name)
         text = open_next(&lessons->items[lessons->count++], text, error);
     return text;
@@ -211,9 +211,9 @@ const struct lesson *lessons_find(const struct lessons *lessons, const char *nam
         spelling_try(&nearest, lesson->name);
     }
     if (nearest.name)
-        error_say(error, "there is no lesson '%.80s'; is it '%.80s'?", name,
+        error_set(error, "there is no lesson '%.80s'; is it '%.80s'?", name,
                   nearest.name);
     else
-        error_say(error, "there is no lesson '%.80s'; c205 check lists them", name);
+        error_set(error, "there is no lesson '%.80s'; c205 check lists them", name);
     return NULL;
 }

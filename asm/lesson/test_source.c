@@ -28,7 +28,7 @@ static bool check_expectations(const struct object *object, c205_error *error)
 
         if (expectation->kind == EXPECT_WORDS || expectation->kind == EXPECT_HALVES
             || expectation->kind == EXPECT_BITS || expectation->kind == EXPECT_WARNING)
-            return error_say(error,
+            return error_set(error,
                              "%.80s:%zu: a test cannot expect this; what is "
                              "to be in memory stands at want_LABEL",
                              expectation->file, expectation->line);
@@ -61,7 +61,7 @@ static bool check_wanted(const struct lesson_test *test, const struct object *ob
         const char *wanted = lesson_wanted(symbol->name);
 
         if (symbol->is_label && wanted && (!*wanted || symbol->contents == ASM_CODE))
-            return error_say(error,
+            return error_set(error,
                              "test-%.40s.s: data are wanted at want_LABEL, "
                              "not %.60s",
                              test->name, *wanted ? "instructions" : symbol->name);
@@ -77,11 +77,11 @@ static bool check_labels(const struct lesson_test *test, const struct object *ob
     if (!check_wanted(test, object, error))
         return false;
     if (!is_wanted(object, NULL) && !expect_anything(object))
-        return error_say(error, "test-%.40s.s wants nothing", test->name);
+        return error_set(error, "test-%.40s.s wants nothing", test->name);
     while (tolerance && is_wanted(object, tolerance->label))
         tolerance = tolerance->next;
     return !tolerance
-           || error_say(error,
+           || error_set(error,
                         "test-%.40s.s has a tolerance for %.40s, and no "
                         "label want_%.40s",
                         test->name, tolerance->label, tolerance->label);
@@ -96,7 +96,7 @@ static bool check_model(const struct lesson_test *test, const struct object *obj
     bool good = !name || (model && !c205_model_is_projection(model));
 
     c205_model_free(model);
-    return good || error_say(error, "test-%.40s.s: %.160s", test->name, why.message);
+    return good || error_set(error, "test-%.40s.s: %.160s", test->name, why.message);
 }
 
 static void say_first(const struct diagnostics *said, c205_error *error)
@@ -106,9 +106,9 @@ static void say_first(const struct diagnostics *said, c205_error *error)
     while (first < said->items + said->count && first->severity != SEVERITY_ERROR)
         first++;
     if (said->errors == 0 || first == said->items + said->count)
-        error_say(error, "no memory");
+        error_set(error, "no memory");
     else
-        error_say(error, "%.80s:%zu:%zu: %.120s", first->file, first->line,
+        error_set(error, "%.80s:%zu:%zu: %.120s", first->file, first->line,
                   first->column, first->message);
 }
 

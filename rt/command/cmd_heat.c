@@ -193,7 +193,7 @@ static bool check_strictly(const struct heat *heat, c205_error *error)
             double sigmas = fabs(surfaces_reciprocity(surfaces, i, j));
 
             if (sigmas > strict_sigmas)
-                return error_say(error,
+                return error_set(error,
                                  "A F from %s to %s is not that back: %.1f "
                                  "standard errors lie between, and --strict "
                                  "allows %g",
@@ -206,7 +206,7 @@ static bool check_strictly(const struct heat *heat, c205_error *error)
 static bool check_precision(const struct heat *heat, c205_error *error)
 {
     return heat_is_precise(heat)
-           || error_say(error,
+           || error_set(error,
                         "the tolerance %g is not reached: the error "
                         "of the factor from %s to %s is %.2g with the most "
                         "that are drawn, --limit %zu",
@@ -254,7 +254,7 @@ static bool tell_all(const struct rt205_arguments *arguments, const struct heat 
     if (arguments->heat.stages && !find_stages(heat, &stages, error))
         return false;
     if (!tell(arguments, heat, arguments->heat.stages ? &stages : NULL, results))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     if (!check_precision(heat, error)
         || (arguments->strict && !check_strictly(heat, error))
         || !draw(arguments, heat, results, error))

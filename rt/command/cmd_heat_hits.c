@@ -60,7 +60,7 @@ static bool find_ways(struct hits_ways *ways)
             || memcmp(&ways->found[way].factor, &ways->found[WAY_SCALAR].factor,
                       sizeof ways->found[way].factor)
                    != 0)
-            return error_say(&ways->error, "the forms differ");
+            return error_set(&ways->error, "the forms differ");
     return true;
 }
 
@@ -162,9 +162,9 @@ static bool begin(struct hits_ways *ways)
                                                  SPEEDUP_6600);
 
     if (!ways->arguments->heat.from)
-        return error_say(&ways->error, "--hits asks --from NAME: the part that emits");
+        return error_set(&ways->error, "--hits asks --from NAME: the part that emits");
     if (!named_parts_find(ways->scene, &ways->parts))
-        return error_say(&ways->error, "no memory");
+        return error_set(&ways->error, "no memory");
     ways->other = c205_model_find(other, &ways->error);
     return ways->other;
 }
@@ -174,7 +174,7 @@ bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *
 {
     struct hits_ways ways = { .arguments = arguments, .scene = scene };
     bool good = begin(&ways) && find_ways(&ways)
-                && (tell(&ways, results) || error_say(&ways.error, "no memory"));
+                && (tell(&ways, results) || error_set(&ways.error, "no memory"));
 
     *error = ways.error;
     for (int way = 0; way < WAYS; way++)

@@ -147,7 +147,7 @@ static bool tell_tables(const struct mass *mass, const struct stages *stages,
 static bool check_precision(const struct mass *mass, c205_error *error)
 {
     return mass_is_precise(mass)
-           || error_say(error,
+           || error_set(error,
                         "the tolerance %g is not reached: the error of %s of "
                         "%s is %.2g of it with the most rays, --limit %zu",
                         mass->request->tolerance, figure_name(mass->worst_figure),
@@ -170,7 +170,7 @@ static bool tell_all(const struct rt205_arguments *arguments, const struct mass 
         return false;
     tell_run(arguments, mass, results);
     if (!tell_tables(mass, arguments->mass.stages ? &stages : NULL, results))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     if (!check_precision(mass, error))
         return false;
     farm_end(arguments->trace.farm, true);

@@ -21,7 +21,7 @@ static bool find_stretch(const struct rt205_arguments *arguments,
     if (arguments->to != C205_NO_LIMIT)
         stretch->to = arguments->to;
     if (stretch->from >= stretch->to)
-        return error_say(error,
+        return error_set(error,
                          "of the queue, clocks %" PRIu64 " to %" PRIu64
                          ", nothing is left",
                          stretch->from, stretch->to);
@@ -47,16 +47,16 @@ static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
         goes_on = c205_step(machine, &stop);
     c205_free(machine);
     if (!timeline_is_good(timeline))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     if (timeline->full)
-        return error_say(error,
+        return error_set(error,
                          "these are more than %d instructions: choose some by "
                          "--region NAME, --from CLOCK and --to CLOCK, or a "
                          "shorter --queue; the queue is at work in clocks "
                          "%" PRIu64 " to %" PRIu64,
                          MAX_TIMELINE, timeline->from, timeline->to);
     return timeline->insn_count > 0
-           || error_say(error, "no instruction is at work then");
+           || error_set(error, "no instruction is at work then");
 }
 
 static bool save(const struct rt205_arguments *arguments,

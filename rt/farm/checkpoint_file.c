@@ -182,7 +182,7 @@ bool checkpoint_add(struct checkpoint_file *file, uint64_t number,
     if (words->failed || fseek(file->stream, file->end, SEEK_SET) != 0
         || !write_unit(file->stream, number, words)
         || !note_unit(file, number, file->end))
-        return error_say(error, "%.100s: a unit of work cannot be added", file->path);
+        return error_set(error, "%.100s: a unit of work cannot be added", file->path);
     file->end = ftell(file->stream);
     return true;
 }
@@ -194,9 +194,9 @@ static bool read_head(FILE *stream, uint64_t key, c205_error *error)
     uint64_t magic = 0, of = 0;
 
     if (!read_word(stream, &magic) || !read_word(stream, &of) || magic != MAGIC)
-        return error_say(error, "it does not hold units of work");
+        return error_set(error, "it does not hold units of work");
     return of == key
-           || error_say(error, "it is of another run: another scene, other "
+           || error_set(error, "it is of another run: another scene, other "
                                "options, or another version");
 }
 
@@ -225,7 +225,7 @@ static FILE *open_locked(const char *path, c205_error *error)
     FILE *stream = locked ? fdopen(file, "r+b") : NULL;
 
     if (!stream) {
-        error_say(error, "%s", in_use ? "another run is using it" : strerror(errno));
+        error_set(error, "%s", in_use ? "another run is using it" : strerror(errno));
         if (file >= 0)
             close(file);
     }
@@ -261,7 +261,7 @@ static bool begin(struct checkpoint_file *file, c205_error *error)
         return false;
     return ((!fresh || write_head(file->stream, file->key)) && find_units(file)
             && drop_tail(file))
-           || error_say(error, "no memory, or no room");
+           || error_set(error, "no memory, or no room");
 }
 
 static struct checkpoint_file *new_file(const char *path, uint64_t key)
@@ -296,7 +296,7 @@ struct checkpoint_file *checkpoint_open(const char *path, uint64_t key,
 
     if (file && begin(file, &why))
         return file;
-    error_say(error, "%.100s: %.130s", path, why.message);
+    error_set(error, "%.100s: %.130s", path, why.message);
     if (file)
         give_back(file);
     return NULL;
@@ -334,16 +334,16 @@ static FILE *open_other(const struct checkpoint_file *file, const char *path,
 
     if (fstat(fileno(file->stream), &kept) == 0 && stat(path, &named) == 0
         && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino) {
-        error_say(error, "it is named twice");
+        error_set(error, "it is named twice");
         return NULL;
     }
     stream = fopen(path, "rb");
     if (!stream)
-        error_say(error, "%s", strerror(errno));
+        error_set(error, "%s", strerror(errno));
     else if (process_lock(fileno(stream), false))
         return stream;
     else
-        error_say(error, "another run is using it");
+        error_set(error, "another run is using it");
     if (stream)
         fclose(stream);
     return NULL;
@@ -358,5 +358,5 @@ bool checkpoint_merge(struct checkpoint_file *file, const char *path, c205_error
 
     if (stream)
         fclose(stream);
-    return good || error_say(error, "%.100s: %.130s", path, why.message);
+    return good || error_set(error, "%.100s: %.130s", path, why.message);
 }

@@ -25,7 +25,7 @@ bool farm_keep(struct farm *farm, uint64_t key, c205_error *error)
     if (farm->path_count == 0 || farm->file || !is_first(farm))
         return true;
     if (key == 0)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     farm->file = checkpoint_open(farm->paths[0], key, error);
     for (size_t i = 1; farm->file && i < farm->path_count; i++)
         if (!checkpoint_merge(farm->file, farm->paths[i], error))
@@ -122,7 +122,7 @@ static void stop(struct pool *pool, const c205_error *why)
 static bool may_go_on(const struct farm_work *work, size_t done, c205_error *why)
 {
     if (work->progress && !work->progress(work->progress_context, done, work->count))
-        return error_say(why, "stopped after %zu of %zu packet%s", done, work->count,
+        return error_set(why, "stopped after %zu of %zu packet%s", done, work->count,
                          plural(work->count));
     return !work->go_on || work->go_on(work->context, done, why);
 }
@@ -269,10 +269,10 @@ static void hear_failure(struct service *service, size_t from, uint64_t unit,
         text[i] = (char)words_take(letters);
     text[i] = '\0';
     if (unit < service->pool->work->count) {
-        error_say(&why, "%s", text);
+        error_set(&why, "%s", text);
         fail_unit(service->pool, (size_t)unit, &why);
     } else if (service->open[from] > 0) {
-        error_say(&why, "rank %zu: %.200s", from, text);
+        error_set(&why, "rank %zu: %.200s", from, text);
         stop(service->pool, &why);
     }
     close_asked(service, from, service->open[from]);
@@ -372,7 +372,7 @@ static bool work_for_first(const struct farm_work *work, c205_error *error)
         if (what == RANK_ENDS)
             open--;
         else if (what != RANK_DOES)
-            return error_say(error, "released");
+            return error_set(error, "released");
         else if (!do_for_other(work, (size_t)unit, error))
             return false;
     }
@@ -412,7 +412,7 @@ static bool run_all(struct pool *pool, c205_error *error)
     if (!hands || !pool->begun || !pool->lock) {
         free(hands);
         lock_free(pool->lock);
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     }
     for (size_t i = 0; i < count; i++)
         hands[i] = (struct hand){ .pool = pool, .number = i };

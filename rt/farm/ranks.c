@@ -22,7 +22,7 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
     const void *table;
 
     if (!dynamic_find(RANKS_FILE, path, &why)) {
-        error_say(error,
+        error_set(error,
                   "ranks: %.160s: make mpi builds it, of the package "
                   "libopenmpi-dev",
                   why.message);
@@ -30,7 +30,7 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
     }
     table = dynamic_open(path, RANKS_SYMBOL, true, &why);
     if (!table)
-        error_say(error,
+        error_set(error,
                   "ranks: %.160s: the package openmpi-bin has what is "
                   "missing",
                   why.message);
@@ -42,7 +42,7 @@ bool ranks_join(struct ranks *ranks, c205_error *error)
     *ranks = (struct ranks){ .adapter = find_adapter(error) };
     return ranks->adapter
            && (ranks->adapter->begin(&ranks->rank, &ranks->count)
-               || error_say(error, "ranks: MPI cannot be begun"));
+               || error_set(error, "ranks: MPI cannot be begun"));
 }
 
 /* ---- Messages ------------------------------------------------------------ */

@@ -135,12 +135,12 @@ static const char *const programs[TRACE_FORMS] = {
 static bool check_options(const struct emission_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_FORMS)
-        return error_say(error, "emission is scalar or vector");
+        return error_set(error, "emission is scalar or vector");
     if (options->points < 1 || options->points > MAX_EMISSION)
-        return error_say(error, "%zu points: 1 .. %d", options->points, MAX_EMISSION);
+        return error_set(error, "%zu points: 1 .. %d", options->points, MAX_EMISSION);
     if (options->mode == TRACE_VECTOR
         && (options->queue < 1 || options->queue > MAX_EMISSION))
-        return error_say(error, "a queue of %zu points: 1 .. %d", options->queue,
+        return error_set(error, "a queue of %zu points: 1 .. %d", options->queue,
                          MAX_EMISSION);
     return true;
 }
@@ -188,7 +188,7 @@ static bool prepare(struct emission *emission, const struct primitive *primitive
                 && lay_out(emission, primitive, &emitter, error);
 
     if (fault)
-        error_say(error, "the %s of line %zu: %s", primitive_kind_name(primitive->kind),
+        error_set(error, "the %s of line %zu: %s", primitive_kind_name(primitive->kind),
                   primitive->line, fault);
     emitter_free(&emitter);
     return good;
@@ -200,7 +200,7 @@ struct emission *emission_new(const struct primitive *primitive,
     struct emission *emission = calloc(1, sizeof *emission);
 
     if (!emission) {
-        error_say(error, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     emission->options = *options;
@@ -231,7 +231,7 @@ static bool load(const struct emission *emission, c205 *machine,
            && image_load(&emission->image, machine, error)
            && (c205_write(machine, emission->choice, words,
                           sizeof words / sizeof *words)
-               || error_say(error, "no memory"));
+               || error_set(error, "no memory"));
 }
 
 c205 *emission_load(const struct emission *emission,
@@ -253,7 +253,7 @@ bool emission_run(const struct emission *emission, const struct emission_choice 
     bool good = machine && program_run(machine, NULL, NULL, NULL, error)
                 && ((c205_read(machine, emission->made, planes, words)
                      && (!accounts || accounts_add(accounts, machine)))
-                    || error_say(error, "no memory"));
+                    || error_set(error, "no memory"));
 
     c205_free(machine);
     return good;

@@ -16,22 +16,22 @@ static bool check_surface(const struct exchange_given *given, size_t i,
                           c205_error *error)
 {
     if (!(given->area[i] > 0) || !isfinite(given->area[i]))
-        return error_say(error, "surface %s has no area", given->names[i]);
+        return error_set(error, "surface %s has no area", given->names[i]);
     if (!is_share(given->emissivity[i]))
-        return error_say(error, "the emissivity %g of surface %s is not 0 to 1",
+        return error_set(error, "the emissivity %g of surface %s is not 0 to 1",
                          given->emissivity[i], given->names[i]);
     if (given->emissivity[i] > 0 && !(given->temperature[i] >= 0))
-        return error_say(error, "surface %s has no temperature", given->names[i]);
+        return error_set(error, "surface %s has no temperature", given->names[i]);
     return true;
 }
 
 static bool check(const struct exchange_given *given, c205_error *error)
 {
     if (given->count == 0 || given->count > MAX_EXCHANGE)
-        return error_say(error, "%zu surfaces: 1 .. %d exchange", given->count,
+        return error_set(error, "%zu surfaces: 1 .. %d exchange", given->count,
                          MAX_EXCHANGE);
     if (!(given->outside >= 0))
-        return error_say(error, "the environment has no temperature");
+        return error_set(error, "the environment has no temperature");
     for (size_t i = 0; i < given->count; i++)
         if (!check_surface(given, i, error))
             return false;
@@ -93,7 +93,7 @@ static bool take(const struct exchange_given *given, const c205_word *made,
     int64_t singular = c205_to_integer(behind[MADE_SINGULAR]);
 
     if (singular > 0)
-        return error_say(error,
+        return error_set(error,
                          "the exchange has no solution: surface %s is of "
                          "some that are adiabatic and see none but each "
                          "other",
@@ -147,7 +147,7 @@ bool exchange_find(const struct exchange_given *given, struct exchange *exchange
     good = words && made && begin(given, exchange)
                ? run(given, program, words, made, &exchange->accounts, error)
                      && take(given, made, exchange, error)
-               : error_say(error, "no memory");
+               : error_set(error, "no memory");
     free(words);
     free(made);
     object_free(program);

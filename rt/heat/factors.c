@@ -18,16 +18,16 @@ struct factors *factors_new(const struct scene *scene,
     struct factors *factors;
 
     if (options->points < 1 || options->points > MAX_FACTORS_POINTS) {
-        error_say(error, "%zu points: 1 .. %d", options->points, MAX_FACTORS_POINTS);
+        error_set(error, "%zu points: 1 .. %d", options->points, MAX_FACTORS_POINTS);
         return NULL;
     }
     if (options->repeats < 2) {
-        error_say(error, "errors come of two repeats or more");
+        error_set(error, "errors come of two repeats or more");
         return NULL;
     }
     factors = calloc(1, sizeof *factors);
     if (!factors) {
-        error_say(error, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     factors->programs.scene = scene;
@@ -234,7 +234,7 @@ static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *
         return false;
     good = packet_begin(&packet, work->programs)
                ? packet_run(work->programs, emitting->source, &choice, &packet, error)
-               : error_say(error, "no memory");
+               : error_set(error, "no memory");
     if (good)
         packet_put(&packet, words);
     packet_free(&packet);
@@ -271,13 +271,13 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
     struct coming *coming = &work->coming[i];
 
     if (!coming->packets && !begin_coming(work, coming))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     if (!packet_take(&coming->packets[unit % count], words))
-        return error_say(error, "a packet has no words");
+        return error_set(error, "a packet has no words");
     if (++coming->count < count)
         return true;
     if (!conclude(work->programs, coming->packets, &work->rows[i]))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     end_coming(coming, count);
     return true;
 }
@@ -365,7 +365,7 @@ bool factors_find(const struct factors *factors, const size_t *emitters, size_t 
 
     for (size_t i = 0; i < count; i++)
         rows[i] = (struct factor_row){ .receivers = 0 };
-    good = begin(&work) ? run_farm(&work, error) : error_say(error, "no memory");
+    good = begin(&work) ? run_farm(&work, error) : error_set(error, "no memory");
     end(&work);
     for (size_t i = 0; !good && i < count; i++)
         factor_row_free(&rows[i]);

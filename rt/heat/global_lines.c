@@ -52,7 +52,7 @@ static bool join_box(const struct bound *bound, const struct region *region,
                      double low[3], double high[3], c205_error *error)
 {
     if (bound_is_none(bound))
-        return error_say(error,
+        return error_set(error,
                          "line %zu has no end that is known: no sphere is "
                          "about it, through which lines could go",
                          region->line);
@@ -69,7 +69,7 @@ static bool find_sphere(struct global_work *work, c205_error *error)
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     double low[3] = { INFINITY, INFINITY, INFINITY };
     double high[3] = { -INFINITY, -INFINITY, -INFINITY }, square = 0;
-    bool good = (bounds && bound_nodes(scene, bounds)) || error_say(error, "no memory");
+    bool good = (bounds && bound_nodes(scene, bounds)) || error_set(error, "no memory");
 
     for (size_t i = 0; good && i < scene->region_count; i++)
         good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
@@ -96,16 +96,16 @@ static bool check(const struct scene *scene, const struct global_lines_options *
                   c205_error *error)
 {
     if (scene->primitive_count == 0)
-        return error_say(error, "the scene has no surfaces");
+        return error_set(error, "the scene has no surfaces");
     if (surface_count(scene, options) > MAX_SURFACES)
-        return error_say(error,
+        return error_set(error,
                          "lines count for at most %d surfaces, the scene "
                          "has %zu",
                          MAX_SURFACES, surface_count(scene, options));
     if (options->repeats < 2)
-        return error_say(error, "errors come of two repeats or more");
+        return error_set(error, "errors come of two repeats or more");
     if (options->lines_log > MAX_GLOBAL_LINES_LOG)
-        return error_say(error, "a repeat has at most 2^%d lines",
+        return error_set(error, "a repeat has at most 2^%d lines",
                          MAX_GLOBAL_LINES_LOG);
     return true;
 }
@@ -158,7 +158,7 @@ static bool begin(struct global_work *work, c205_error *error)
     work->lines_of_packet = lines < GLOBAL_LINES_PACKET ? lines : GLOBAL_LINES_PACKET;
     work->packets = lines / work->lines_of_packet;
     if (!begin_room(work))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     return find_sphere(work, error) && begin_chords(work, error)
            && begin_lines(work, error) && begin_gaps(work, error);
 }
@@ -278,7 +278,7 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
             packet->counts[i] = c205_from_integer(c205_to_integer(packet->counts[i])
                                                   + c205_to_integer(made[i]));
     } else {
-        error_say(packet->error, "no memory");
+        error_set(packet->error, "no memory");
     }
     free(part);
     free(made);
@@ -289,7 +289,7 @@ static bool count_all(struct global_packet *packet)
 {
     struct ends ends = { .count = 0 };
     size_t most = MAX_ENDS - 1, gaps;
-    bool good = lay_ends(packet, &ends) || error_say(packet->error, "no memory");
+    bool good = lay_ends(packet, &ends) || error_set(packet->error, "no memory");
 
     gaps = good ? ends.count - 1 : 0;
     for (size_t i = 0; good && i < gaps; i += most)
@@ -307,7 +307,7 @@ static bool run_packet(struct global_packet *packet)
 
     if (good)
         good = accounts_add_all(&packet->accounts, &packet->seen.accounts)
-               || error_say(packet->error, "no memory");
+               || error_set(packet->error, "no memory");
     heat_charge(packet->clocks, &packet->accounts, STEP_CROSSINGS);
     good = good && count_all(packet);
     heat_charge(packet->clocks, &packet->accounts, STEP_COUNTS);
@@ -361,7 +361,7 @@ static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *
 {
     struct global_packet packet = { .work = context, .unit = unit, .error = error };
     bool good = begin_packet(&packet) ? run_packet(&packet)
-                                      : error_say(error, "no memory");
+                                      : error_set(error, "no memory");
 
     (void)job;
     if (good) {
@@ -421,7 +421,7 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
         add_gaps(work, unit, cell, words_take(words));
     }
     accounts_free(&accounts);
-    return good || error_say(error, "a packet has no words");
+    return good || error_set(error, "a packet has no words");
 }
 
 /* All that packets depend on, but for the scene. */

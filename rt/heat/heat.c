@@ -29,7 +29,7 @@ static bool add_accounts(const struct heat_work *work, const struct accounts *ac
     for (int i = 0; i < HEAT_STEPS; i++)
         work->heat->clocks[i] += clocks[i];
     return accounts_add_all(&work->heat->accounts, accounts)
-           || error_say(work->error, "no memory");
+           || error_set(work->error, "no memory");
 }
 
 /* ---- By rays --------------------------------------------------------------- */
@@ -101,7 +101,7 @@ static bool find_by_rays(struct heat_work *work)
     work->emitter_count = 0;
     work->emitters = calloc(primitives + 1, sizeof *work->emitters);
     work->rows = calloc(primitives + 1, sizeof *work->rows);
-    good = (work->emitters && work->rows) || error_say(work->error, "no memory");
+    good = (work->emitters && work->rows) || error_set(work->error, "no memory");
     if (good)
         list_emitters(work);
     good = good && find_rows(work);
@@ -223,7 +223,7 @@ static bool begin_round(const struct heat_work *work)
     memset(heat->clocks, 0, sizeof heat->clocks);
     surfaces_free(&heat->surfaces);
     return surfaces_find(heat->scene, &heat->parts, heat->request->by, &heat->surfaces)
-           || error_say(work->error, "no memory");
+           || error_set(work->error, "no memory");
 }
 
 static bool find_factors(struct heat_work *work)
@@ -238,7 +238,7 @@ static bool find_factors(struct heat_work *work)
             return false;
         next = find_next(work->heat);
         if (request->farm && !farm_agree(request->farm, &next))
-            return error_say(work->error, "there is no more work");
+            return error_set(work->error, "there is no more work");
     } while (next > 0);
     return true;
 }
@@ -264,10 +264,10 @@ bool heat_begin(const struct scene *scene, const struct heat_request *request,
     given_begin(&heat->emissivities, &emissivity_kind);
     given_begin(&heat->temperatures, &temperature_kind);
     if (scene->primitive_count == 0)
-        return error_say(error, "the scene has no surfaces");
+        return error_set(error, "the scene has no surfaces");
     heat->refusals = source_refusals(scene);
     if (!heat->refusals || !named_parts_find(scene, &heat->parts))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     return take_given(heat, &heat->emissivities, request->emissivities,
                       request->emissivity_count, NULL, error)
            && take_given(heat, &heat->temperatures, request->temperatures,

@@ -48,7 +48,7 @@ static bool find_from(struct heat_drawing *drawing)
         drawing->from++;
     if (drawing->from < surfaces->count && surfaces->list[drawing->from].sent > 0)
         return true;
-    error_say(drawing->error,
+    error_set(drawing->error,
               "no surface is called '%s', or nothing comes "
               "from it; surfaces",
               name);
@@ -91,7 +91,7 @@ static bool find_range(const struct heat_drawing *drawing)
         drawn->most = fmax(drawn->most, drawing->values[i]);
     }
     return drawn->least <= drawn->most
-           || error_say(drawing->error, "nothing has a value to be drawn");
+           || error_set(drawing->error, "nothing has a value to be drawn");
 }
 
 static bool find_values(struct heat_drawing *drawing)
@@ -100,7 +100,7 @@ static bool find_values(struct heat_drawing *drawing)
 
     drawing->values = calloc(count + 1, sizeof *drawing->values);
     if (!drawing->values)
-        return error_say(drawing->error, "no memory");
+        return error_set(drawing->error, "no memory");
     for (size_t i = 0; i < count; i++)
         drawing->values[i] = NAN;
     if (drawing->look->shown == SHOWN_FLOW)
@@ -186,7 +186,7 @@ static bool paint_scene(struct heat_drawing *drawing)
     *scene = *from;
     scene->primitives = malloc(size);
     if (!scene->primitives)
-        return error_say(drawing->error, "no memory");
+        return error_set(drawing->error, "no memory");
     for (size_t i = 0; i < from->primitive_count; i++) {
         double color[3];
 
@@ -238,7 +238,7 @@ static bool write_frame(const struct heat_drawing *drawing, struct frame *frame)
              drawing->drawn->least, drawing->drawn->most, heat_shown_unit(look->shown));
     snprintf(clocks, sizeof clocks, "%llu", (unsigned long long)drawing->drawn->clocks);
     return picture_write(look->path, frame, notes, false, &why)
-           || error_say(drawing->error, "%s", why.message);
+           || error_set(drawing->error, "%s", why.message);
 }
 
 static bool read_and_write(const struct heat_drawing *drawing,
@@ -267,7 +267,7 @@ static bool read_and_write(const struct heat_drawing *drawing,
         color_scale_draw(&scale, &frame, options->height);
         good = write_frame(drawing, &frame);
     } else {
-        error_say(drawing->error, "no memory");
+        error_set(drawing->error, "no memory");
     }
     frame_free(&frame);
     free(value);

@@ -97,7 +97,7 @@ static bool list_cylinders(const struct hits_work *work)
             || primitive->kind != PRIMITIVE_CYLINDER || primitive->shape.cylinder.open
             || !put_cylinder(primitive,
                              work->cylinders + CYLINDER_WORDS * work->hits->cylinders))
-            return error_say(work->error,
+            return error_set(work->error,
                              "the %s of line %zu is no solid cylinder by "
                              "itself: of others it is not known here whether "
                              "rays strike them",
@@ -105,7 +105,7 @@ static bool list_cylinders(const struct hits_work *work)
         work->hits->cylinders++;
     }
     return work->hits->cylinders > 0
-           || error_say(work->error, "there is no cylinder to be struck");
+           || error_set(work->error, "there is no cylinder to be struck");
 }
 
 /* ---- A repeat ------------------------------------------------------------------- */
@@ -120,7 +120,7 @@ static bool run_hits(struct hits_work *work)
     uint64_t at, made, clocks = 0;
 
     if (!words)
-        return error_say(work->error, "no memory");
+        return error_set(work->error, "no memory");
     put_numbers(words, work->cylinders, numbers);
     single_run_begin(&run, work->program, options->model, work->error);
     run.accounts = &work->hits->accounts;
@@ -232,7 +232,7 @@ static bool begin(struct hits_work *work)
     work->share = calloc(repeats, sizeof *work->share);
     work->area = calloc(repeats, sizeof *work->area);
     if (!work->cylinders || !work->planes || !work->told || !work->share || !work->area)
-        return error_say(work->error, "no memory");
+        return error_set(work->error, "no memory");
     if (!list_cylinders(work))
         return false;
     work->program = assemble(work, "heat/hits");

@@ -19,14 +19,14 @@ static bool check(const struct smooth_given *given, c205_error *error)
     size_t n = given->count;
 
     if (n == 0 || n > MAX_SMOOTH)
-        return error_say(error, "%zu surfaces: 1 .. %d are smoothed", n, MAX_SMOOTH);
+        return error_set(error, "%zu surfaces: 1 .. %d are smoothed", n, MAX_SMOOTH);
     for (size_t i = 0; i < n; i++) {
         if (!(given->areas[i] > 0) || !isfinite(given->areas[i]))
-            return error_say(error, "surface %s has no area", given->names[i]);
+            return error_set(error, "surface %s has no area", given->names[i]);
         for (size_t j = 0; j <= n; j++)
             if (!is_positive(given->flows[i * (n + 1) + j])
                 || !is_positive(given->variances[i * (n + 1) + j]))
-                return error_say(error,
+                return error_set(error,
                                  "a flow of surface %s, or its variance, is "
                                  "below 0",
                                  given->names[i]);
@@ -89,7 +89,7 @@ static bool take(const struct smooth_given *given, const c205_word *made, double
     int64_t singular = c205_to_integer(made[made_size(n) - 1]);
 
     if (singular > 0)
-        return error_say(error,
+        return error_set(error,
                          "factors cannot be smoothed: surface %s is of "
                          "some that see none but each other, and their areas "
                          "leave no way",
@@ -116,7 +116,7 @@ bool smooth_flows(const struct smooth_given *given, double *flows,
     made = calloc(made_size(given->count), sizeof *made);
     good = words && made ? run(given, program, words, made, accounts, error)
                                && take(given, made, flows, error)
-                         : error_say(error, "no memory");
+                         : error_set(error, "no memory");
     free(words);
     free(made);
     object_free(program);
@@ -193,7 +193,7 @@ static bool take_row(const struct smoothing *smoothing, size_t i, c205_error *er
 
     surface->smooth = calloc(smoothing->surfaces->count + 1, sizeof *surface->smooth);
     if (!surface->smooth)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
 
     for (size_t j = 0; j < smoothing->count; j++)
         surface->smooth[smoothing->seen[j]] = flows[j] / smoothing->areas[i];
@@ -210,7 +210,7 @@ static bool list_seen(struct smoothing *smoothing, c205_error *error)
         const struct surface *surface = &surfaces->list[i];
 
         if (surface->receives_alone)
-            return error_say(error,
+            return error_set(error,
                              "factors cannot be smoothed: surface %s, the %s "
                              "of line %zu, receives alone",
                              surface->name, primitive_kind_name(surface->first->kind),
@@ -220,7 +220,7 @@ static bool list_seen(struct smoothing *smoothing, c205_error *error)
         smoothing->names[smoothing->count] = surface->name;
         smoothing->seen[smoothing->count++] = i;
     }
-    return smoothing->count > 0 || error_say(error, "nothing is seen");
+    return smoothing->count > 0 || error_set(error, "nothing is seen");
 }
 
 static bool smooth(const struct smoothing *smoothing, enum trace_mode mode,
@@ -260,7 +260,7 @@ bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
     };
     bool good = (smoothing.seen && smoothing.names && smoothing.areas && smoothing.flows
                  && smoothing.variances)
-                || error_say(error, "no memory");
+                || error_set(error, "no memory");
 
     good = good && list_seen(&smoothing, error)
            && smooth(&smoothing, mode, model, accounts, error);

@@ -97,12 +97,12 @@ static bool find_sphere(struct heat_source *source, const struct scene *scene,
     const char *refusal;
 
     if (!bounds)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     bound = bounds[primitive];
     refusal = refusal_of(scene, bounds, primitive);
     free(bounds);
     if (refusal)
-        return error_say(error, "the %s of line %zu: %s",
+        return error_set(error, "the %s of line %zu: %s",
                          primitive_kind_name(scene->primitives[primitive].kind),
                          scene->primitives[primitive].line, refusal);
     for (int i = 0; i < 3; i++)
@@ -170,7 +170,7 @@ struct heat_source *source_new(const struct scene *scene, size_t primitive,
     struct heat_source *source = calloc(1, sizeof *source);
 
     if (!source) {
-        error_say(error, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     source->options = *options;
@@ -246,14 +246,14 @@ static bool make_spots(const struct heat_source *source, const c205_word *lines,
 
     made->count = found->first[found->line_count];
     if (made->count > MAX_EMISSION)
-        return error_say(error,
+        return error_set(error,
                          "the %s of line %zu is crossed %zu times: %d at "
                          "most; take fewer rays",
                          primitive_kind_name(source->primitive.kind),
                          source->primitive.line, made->count, MAX_EMISSION);
     crossings = lay_crossings(found);
     made->planes = malloc((EMITTED_PLANES * made->count + 1) * sizeof *made->planes);
-    good = (crossings && made->planes) || error_say(error, "no memory");
+    good = (crossings && made->planes) || error_set(error, "no memory");
     if (good && made->count > 0)
         good = run_spots(source, lines, crossings, made, accounts, error);
     free(crossings);
@@ -271,7 +271,7 @@ static bool run_lines(const struct heat_source *source,
                               error);
 
     if (good && !accounts_add_all(accounts, &found.accounts))
-        good = error_say(error, "no memory");
+        good = error_set(error, "no memory");
     good = good && make_spots(source, planes, &found, made, accounts, error);
     seen_crossings_free(&found);
     return good;
@@ -286,7 +286,7 @@ static bool run_by_lines(const struct heat_source *source,
     c205_word *planes = malloc(EMITTED_PLANES * count * sizeof *planes);
     bool good = lines && planes
                     ? run_lines(source, choice, lines, planes, made, accounts, error)
-                    : error_say(error, "no memory");
+                    : error_set(error, "no memory");
 
     free(lines);
     free(planes);
@@ -303,7 +303,7 @@ static bool run_emission(const struct heat_source *source,
     made->planes = malloc(EMITTED_PLANES * made->count * sizeof *made->planes);
     return made->planes
                ? emission_run(source->emission, choice, made->planes, accounts, error)
-               : error_say(error, "no memory");
+               : error_set(error, "no memory");
 }
 
 bool source_run(const struct heat_source *source, const struct emission_choice *choice,

@@ -67,7 +67,7 @@ static bool list_surfaces(const struct thermal_work *work)
         const struct surface *surface = &work->surfaces->list[i];
 
         if (surface->receives_alone)
-            return error_say(work->error,
+            return error_set(work->error,
                              "surface %s, the %s of line %zu, receives "
                              "alone: nothing is known of what it gives",
                              surface->name, primitive_kind_name(surface->first->kind),
@@ -75,7 +75,7 @@ static bool list_surfaces(const struct thermal_work *work)
         if (surface->sent > 0)
             thermal->surface[thermal->count++] = i;
     }
-    return thermal->count > 0 || error_say(work->error, "nothing is seen");
+    return thermal->count > 0 || error_set(work->error, "nothing is seen");
 }
 
 static bool find_values(const struct thermal_work *work)
@@ -84,7 +84,7 @@ static bool find_values(const struct thermal_work *work)
     const char *separator = ": ";
     bool good = true;
 
-    error_say(work->error, "no temperature is known of");
+    error_set(work->error, "no temperature is known of");
     for (size_t i = 0; i < thermal->count; i++) {
         take_values(work, i);
         if (!isnan(thermal->temperature[i]))
@@ -120,7 +120,7 @@ static bool check_parts(const struct thermal_work *work)
                    given_of_part(work->temperatures, first))
             || !alike(given_of_part(work->emissivities, part),
                       given_of_part(work->emissivities, first)))
-            return error_say(work->error,
+            return error_set(work->error,
                              "surface %s is of parts with other temperatures "
                              "or emissivities, %s and %s",
                              surface->name, first->name, part->name);
@@ -196,7 +196,7 @@ static bool find_exchange(const struct thermal_work *work, enum trace_mode mode,
         }
     }
     good = good ? exchange_find(&given, &thermal->exchange, work->error)
-                : error_say(work->error, "no memory");
+                : error_set(work->error, "no memory");
     free(factors);
     free(area);
     free(names);
@@ -234,7 +234,7 @@ bool thermal_find(const struct surfaces *surfaces, const struct named_parts *par
                                        .temperatures = temperatures,
                                        .thermal = thermal,
                                        .error = error };
-    bool good = begin(surfaces, thermal) || error_say(error, "no memory");
+    bool good = begin(surfaces, thermal) || error_set(error, "no memory");
 
     if (good)
         find_outside(&work);

@@ -29,7 +29,7 @@ static bool join_box(const struct bound *bound, const struct region *region,
                      double low[3], double high[3], c205_error *error)
 {
     if (bound_is_none(bound)) {
-        return error_say(error,
+        return error_set(error,
                          "the solid of line %zu has no end that is known: its volume "
                          "cannot be found",
                          region->line);
@@ -47,7 +47,7 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     double low[3] = { INFINITY, INFINITY, INFINITY };
     double high[3] = { -INFINITY, -INFINITY, -INFINITY };
-    bool good = (bounds && bound_nodes(scene, bounds)) || error_say(error, "no memory");
+    bool good = (bounds && bound_nodes(scene, bounds)) || error_set(error, "no memory");
 
     for (size_t i = 0; good && i < scene->region_count; i++)
         good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
@@ -129,7 +129,7 @@ static bool begin_work(struct columns_work *work, c205_error *error)
     work->clocks = calloc(units, sizeof *work->clocks);
     work->crossings = calloc(units, sizeof *work->crossings);
     if (!work->words || !work->clocks || !work->crossings)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     work->rays = assemble(work, "mass/rays", error);
     work->columns = assemble(work, "mass/columns", error);
     work->overlaps = assemble(work, "mass/overlaps", error);
@@ -240,7 +240,7 @@ static bool check_crossing(const struct columns_packet *packet,
 
     if (seen->sense != 0)
         return true;
-    return error_say(packet->error,
+    return error_set(packet->error,
                      "the %s of line %zu is an open surface: it has no volume",
                      primitive_kind_name(primitive->kind), primitive->line);
 }
@@ -346,7 +346,7 @@ static bool add_columns(const struct columns_packet *packet)
     c205_word *planes = calloc(CROSSED_SIZE * count + 1, sizeof *planes);
     bool good = planes ? lay_crossings(packet, planes) && run_columns(packet, planes)
                              && run_overlaps(packet, planes)
-                       : error_say(packet->error, "no memory");
+                       : error_set(packet->error, "no memory");
 
     free(planes);
     return good;
@@ -369,7 +369,7 @@ static bool do_packet(const struct columns_work *work, size_t unit, c205_error *
     bool good = packet.rays && packet.lines
                     ? make_rays(&packet) && find_crossings(&packet)
                           && add_columns(&packet)
-                    : error_say(error, "no memory");
+                    : error_set(error, "no memory");
 
     seen_crossings_free(&packet.seen);
     free(packet.rays);
@@ -402,7 +402,7 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
     words_take_all(words, work->words + unit * width, width);
     words_take_all(words, work->clocks[unit], COLUMNS_STAGES);
     work->crossings[unit] = words_take(words);
-    return !words->failed || error_say(error, "a packet has no words");
+    return !words->failed || error_set(error, "a packet has no words");
 }
 
 /* All that packets depend on.  Of a run with several sums the first decide, for the others
@@ -484,16 +484,16 @@ static bool check_options(const struct scene *scene,
                           const struct columns_options *options, c205_error *error)
 {
     if (options->rays_log > MAX_COLUMNS_LOG)
-        return error_say(error, "at most 2^20 rays of a view under a shift");
+        return error_set(error, "at most 2^20 rays of a view under a shift");
     if (options->repeats == 0)
-        return error_say(error, "one shift at least");
+        return error_set(error, "one shift at least");
     if (scene->region_count == 0)
-        return error_say(error, "the scene has no bodies");
+        return error_set(error, "the scene has no bodies");
     if (options->part_count > MAX_COLUMNS_PARTS)
-        return error_say(error, "%zu parts are too many: there may be %d",
+        return error_set(error, "%zu parts are too many: there may be %d",
                          options->part_count, MAX_COLUMNS_PARTS);
     if (options->overlaps && options->overlaps->count > MAX_COLUMNS_PAIRS)
-        return error_say(
+        return error_set(
             error, "%zu pairs of parts may overlap: of %d at most it is found how much",
             options->overlaps->count, MAX_COLUMNS_PAIRS);
     return true;
@@ -515,7 +515,7 @@ bool columns_sum(const struct scene *scene, const struct columns_options *option
     sums->words = calloc(VIEWS * sums->repeats * width_of(sums), sizeof *sums->words);
     good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
                              && (!collects(&work) || add_packets(&work, error))
-                       : error_say(error, "no memory");
+                       : error_set(error, "no memory");
     if (good)
         add_accounts(&work);
     end_work(&work);

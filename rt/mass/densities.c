@@ -19,7 +19,7 @@ bool densities_find(const struct given_values *given, const struct named_parts *
     const char *separator = ": ";
     bool good = true;
 
-    error_say(error, "no density is known of");
+    error_set(error, "no density is known of");
     for (size_t i = 0; i < parts->count; i++) {
         const struct named_part *part = &parts->list[i];
 

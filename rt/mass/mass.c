@@ -22,7 +22,7 @@ static bool take_densities(const struct mass *mass, struct given_values *densiti
     good = good && given_check(densities, &mass->parts, NULL, error);
     if (good && request->density_file
         && !given_read(densities, request->density_file, reports))
-        return error_say(error, "the file of densities is not used");
+        return error_set(error, "the file of densities is not used");
     return good && given_add_scene(densities, mass->scene, error);
 }
 
@@ -132,7 +132,7 @@ static bool find_figures(struct mass *mass, c205_error *error)
         double worst;
 
         if (!mass_figures_find(&body, &row->figures))
-            return error_say(error, "no memory");
+            return error_set(error, "no memory");
         worst = mass_worst(&row->figures, &mass->sums, &figure);
         if (worst > mass->worst) {
             mass->worst = worst;
@@ -189,7 +189,7 @@ bool mass_find(struct mass *mass, c205_error *error)
         if (!sum_columns(mass, error) || !find_next(mass, &next, error))
             return false;
         if (request->farm && !farm_agree(request->farm, &next))
-            return error_say(error, "there is no more work");
+            return error_set(error, "there is no more work");
     } while (next > 0);
     return true;
 }
@@ -214,7 +214,7 @@ bool mass_begin(const struct scene *scene, const struct mass_request *request,
                 struct mass *mass, struct diagnostics *reports, c205_error *error)
 {
     *mass = (struct mass){ .request = request, .scene = scene };
-    error_say(error, "no memory");
+    error_set(error, "no memory");
     return choose_parts(mass, error) && weigh_parts(mass, reports, error)
            && make_rows(mass);
 }

@@ -50,7 +50,7 @@ static bool write_symbol(struct root_search *search, const char *name, c205_word
 
     if (symbol && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
         return true;
-    return error_say(error, "the program has no place %s", name);
+    return error_set(error, "the program has no place %s", name);
 }
 
 static bool read_symbol(const struct root_search *search, const char *name,
@@ -59,7 +59,7 @@ static bool read_symbol(const struct root_search *search, const char *name,
     const struct asm_symbol *symbol = object_symbol(search->program, name);
 
     if (!symbol) {
-        return error_say(error, "the program has no symbol %s", name);
+        return error_set(error, "the program has no symbol %s", name);
     }
     *value = (uint64_t)symbol->value;
     return true;
@@ -137,7 +137,7 @@ static bool lay_out(struct root_search *search, const struct polynomial *polynom
                          error)))
         return false;
     if (count > 0 && !write_planes(search, polynomials))
-        return error_say(error, "no memory for the polynomials");
+        return error_set(error, "no memory for the polynomials");
     return write_symbol(search, "roots_polynomials", c205_from_integer((int64_t)count),
                         error)
            && write_symbol(search, "roots_wanted",
@@ -165,7 +165,7 @@ struct root_search *roots_new(const struct polynomial *polynomials, size_t count
     struct root_search *search = calloc(1, sizeof *search);
 
     if (!search) {
-        error_say(error, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     search->options = *options;
@@ -231,7 +231,7 @@ bool roots_run(struct root_search *search, c205_error *error)
     if (good && options->progress)
         options->progress(options->context, search->count, search->count);
     if (stopped)
-        error_say(error, "stopped after %zu of %zu polynomial%s", done(search),
+        error_set(error, "stopped after %zu of %zu polynomial%s", done(search),
                   search->count, plural(search->count));
     return good;
 }
@@ -252,7 +252,7 @@ bool roots_read(const struct root_search *search, struct polynomial_roots *roots
             roots[i].root[k] = words[i];
     }
     free(words);
-    return good || error_say(error, "no memory for the roots");
+    return good || error_set(error, "no memory for the roots");
 }
 
 enum falsi roots_falsi(const struct root_search *search)

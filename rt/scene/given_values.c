@@ -50,7 +50,7 @@ bool given_add(struct given_values *given, const char *text, c205_error *error)
     if (!sign || sign == text || !is_value(given->kind, sign + 1, &value)) {
         bool vowel = strchr("aeiou", given->kind->name[0]);
 
-        return error_say(error, "%s %s is NAME=VALUE with a value %s, not '%.100s'",
+        return error_set(error, "%s %s is NAME=VALUE with a value %s, not '%.100s'",
                          vowel ? "an" : "a", given->kind->name, given->kind->range,
                          text);
     }
@@ -59,7 +59,7 @@ bool given_add(struct given_values *given, const char *text, c205_error *error)
         return true;
     }
     return keep(given, text, (size_t)(sign - text), value)
-           || error_say(error, "no memory");
+           || error_set(error, "no memory");
 }
 
 bool given_add_scene(struct given_values *given, const struct scene *scene,
@@ -75,10 +75,10 @@ bool given_add_scene(struct given_values *given, const struct scene *scene,
         if (length <= behind || strcmp(declared->name + length - behind, ending) != 0)
             continue;
         if (!given->kind->allows(declared->value))
-            return error_say(error, "%.100s is not %s", declared->name,
+            return error_set(error, "%.100s is not %s", declared->name,
                              given->kind->range);
         if (!keep(given, declared->name, length - behind, declared->value))
-            return error_say(error, "no memory");
+            return error_set(error, "no memory");
     }
     return true;
 }
@@ -125,12 +125,12 @@ static bool take_line(struct given_values *given, char *line, c205_error *error)
     if (length == 0)
         return true;
     if (!skip_number(&line, &number) || !skip_number(&line, &value) || !*line)
-        return error_say(error, "a line is a number, a %s and a name",
+        return error_set(error, "a line is a number, a %s and a name",
                          given->kind->name);
     if (!given->kind->allows(value))
-        return error_say(error, "the %s is not %s", given->kind->name,
+        return error_set(error, "the %s is not %s", given->kind->name,
                          given->kind->range);
-    return keep(given, line, strlen(line), value) || error_say(error, "no memory");
+    return keep(given, line, strlen(line), value) || error_set(error, "no memory");
 }
 
 bool given_read(struct given_values *given, const char *path,

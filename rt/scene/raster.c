@@ -101,10 +101,10 @@ static bool take_samples(struct netpbm *file, struct raster *raster, c205_error 
     for (size_t i = 0; i < count; i++) {
         uint32_t sample;
         if (!take_sample(file, &sample))
-            return error_say(error, "only %zu of its %zu sample%s are there", i, count,
+            return error_set(error, "only %zu of its %zu sample%s are there", i, count,
                              plural(count));
         if (sample > raster->most)
-            return error_say(error,
+            return error_set(error,
                              "a sample is %lu, more than the %lu that it names as "
                              "the greatest",
                              (unsigned long)sample, (unsigned long)raster->most);
@@ -121,13 +121,13 @@ static bool take_header(struct netpbm *file, struct raster *raster, c205_error *
 
     if (!take_number(file, &width) || !take_number(file, &height)
         || !take_number(file, &raster->most))
-        return error_say(error, "its first numbers are wrong");
+        return error_set(error, "its first numbers are wrong");
     if (raster->most == 0 || raster->most > UINT16_MAX)
-        return error_say(error, "its greatest sample is not from 1 to %d", UINT16_MAX);
+        return error_set(error, "its greatest sample is not from 1 to %d", UINT16_MAX);
     if (width == 0 || height == 0)
-        return error_say(error, "it has no pixels");
+        return error_set(error, "it has no pixels");
     if (width > RASTER_PIXELS / height)
-        return error_say(error, "it has more than %d pixels", RASTER_PIXELS);
+        return error_set(error, "it has more than %d pixels", RASTER_PIXELS);
     file->wide = raster->most > UINT8_MAX;
     file->next += file->next < file->end;
     raster->width = width;
@@ -148,7 +148,7 @@ static bool read_netpbm(const char *bytes, size_t length, struct raster *raster,
     raster->samples = malloc(raster->width * raster->height * raster->channels
                              * sizeof *raster->samples);
     if (!raster->samples)
-        return error_say(error, "there is not enough memory");
+        return error_set(error, "there is not enough memory");
     if (take_samples(&file, raster, error))
         return true;
     free(raster->samples);
@@ -165,6 +165,6 @@ bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
         return read_netpbm(bytes, length, raster, error);
     }
     return reads ? reads(formats[kind], bytes, length, raster, error)
-                 : error_say(error, "images other than PGM and PPM cannot be read "
+                 : error_set(error, "images other than PGM and PPM cannot be read "
                                     "here");
 }

@@ -25,7 +25,7 @@ bool stages_find(struct stages *stages, enum trace_mode there, stages_function *
         if (!find(found, (enum trace_mode)mode, stages->clocks[mode], &same, error))
             return false;
         if (!same)
-            return error_say(error, "the stages %s and %s do not agree",
+            return error_set(error, "the stages %s and %s do not agree",
                              trace_mode_name(there),
                              trace_mode_name((enum trace_mode)mode));
     }

@@ -68,7 +68,7 @@ static bool lay_out(struct lines *lines, c205_error *error)
     struct scene bare;
 
     if (!find_orders(lines) || !lay_bare(lines->scene, &bare))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     lines->program = form_assemble_lines(options->mode, options->queue,
                                          options->normals, options->bodies, &bare,
                                          error);
@@ -81,13 +81,13 @@ static bool lay_out(struct lines *lines, c205_error *error)
 static bool check_options(const struct lines_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_MODES)
-        return error_say(error, "lines have a scalar form, a vector form and "
+        return error_set(error, "lines have a scalar form, a vector form and "
                                 "the one of 1984");
     if (options->mode != TRACE_SCALAR
         && (options->queue == 0 || options->queue > MAX_TRACE_QUEUE))
-        return error_say(error, "a queue has from 1 to 65535 lines");
+        return error_set(error, "a queue has from 1 to 65535 lines");
     if (!(options->behind >= 0) || !isfinite(options->behind))
-        return error_say(error, "lines begin at their origins or behind them");
+        return error_set(error, "lines begin at their origins or behind them");
     return true;
 }
 
@@ -100,7 +100,7 @@ struct lines *lines_new(const struct scene *scene, const struct lines_options *o
         return NULL;
     lines = calloc(1, sizeof *lines);
     if (!lines) {
-        error_say(error, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     lines->options = *options;
@@ -314,7 +314,7 @@ static bool check_lines(const struct scene_line *list, size_t count, c205_error 
 {
     for (size_t i = 0; i < count; i++)
         if (!is_line(&list[i]))
-            return error_say(error,
+            return error_set(error,
                              "line %zu has no direction, or numbers that "
                              "are not finite",
                              i);
@@ -354,7 +354,7 @@ static bool find_packet(const struct lines *lines, c205 *machine,
         || !program_run(machine, NULL, NULL, &stopped, error))
         return false;
     return collect(lines, machine, packet, found, line)
-           || error_say(error, "no memory");
+           || error_set(error, "no memory");
 }
 
 static bool find_packets(const struct lines *lines, c205 *machine,
@@ -387,7 +387,7 @@ bool lines_find(const struct lines *lines, const struct scene_line *list, size_t
         return false;
     found->first = calloc(count + 1, sizeof *found->first);
     if (!found->first)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     machine = c205_new(lines->options.model, error);
     good = machine && find_packets(lines, machine, list, found, error);
     c205_free(machine);

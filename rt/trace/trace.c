@@ -69,7 +69,7 @@ static bool ask(struct trace *trace)
         || options->progress(options->context, done, all))
         return !trace->stop;
     trace->stop = true;
-    return error_say(&trace->error, "stopped after %zu of %zu pixel%s", done, all,
+    return error_set(&trace->error, "stopped after %zu of %zu pixel%s", done, all,
                      plural(all));
 }
 
@@ -306,7 +306,7 @@ static bool take_band(void *context, size_t number, struct unit_words *words,
 
     lock_take(trace->lock);
     good = (band_take(&band, trace->options.width, words) && add_band(trace, &band))
-           || error_say(error, "no memory");
+           || error_set(error, "no memory");
     lock_give_back(trace->lock);
     band_free(&band);
     return good;
@@ -439,7 +439,7 @@ bool trace_run(struct trace *trace, c205_error *error)
     bool good;
 
     if (!begin_jobs(trace))
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     trace->work.progress = options->progress ? tell_progress : NULL;
     good = farm_run(&work, error);
     end_jobs(trace);

@@ -9,7 +9,7 @@ bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size
     size_t band = 0;
 
     if (how->samples > 1)
-        return error_say(error,
+        return error_set(error,
                          "a pixel of this frame has %zu x %zu rays: only one "
                          "alone is followed",
                          how->samples, how->samples);

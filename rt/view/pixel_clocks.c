@@ -79,7 +79,7 @@ static bool hear(struct hearing *hearing, c205_listener *listen, c205_error *err
             && program_run(machine, go_on, hearing, &stopped, error))
            || hearing->done;
     c205_free(machine);
-    return good || (stopped ? error_say(error, "stopped") : false);
+    return good || (stopped ? error_set(error, "stopped") : false);
 }
 
 static uint64_t label(const struct frame_pixel *pixel, const char *name)
@@ -112,7 +112,7 @@ bool pixel_region_clocks(const struct frame_pixel *pixel, const char *region,
     if (!hear(&hearing, hear_region, error))
         return false;
     if (hearing.stretch.to == 0)
-        return error_say(error,
+        return error_set(error,
                          "control is not in the region %.60s between clocks "
                          "%llu and %llu",
                          region, (unsigned long long)stretch->from,

@@ -82,7 +82,7 @@ static bool show_lane(void *context, struct debugger *debugger, const char *rest
         sink_print(report.out, "pixel %zu,%zu is in no queue at hand\n", pixel->x,
                    pixel->y);
     return rays == 0 || report.last.length > 0
-           || error_say(error, "no vector that has the pixel's rays is called %.60s",
+           || error_set(error, "no vector that has the pixel's rays is called %.60s",
                         vector);
 }
 
@@ -97,7 +97,7 @@ static bool seek(void *context, struct debugger *debugger, const char *rest,
                  c205_error *error)
 {
     if (rest[strspn(rest, " \t")] != '\0')
-        return error_say(error, "seek needs nothing more:%.60s", rest);
+        return error_set(error, "seek needs nothing more:%.60s", rest);
     debugger_seek(debugger, is_made, context);
     return true;
 }

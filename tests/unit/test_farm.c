@@ -50,7 +50,7 @@ static bool run(void *context, size_t job, size_t unit, struct unit_words *words
         raise(SIGKILL);
     }
     if (unit >= bench->bad && unit % 3 == bench->bad % 3)
-        return error_say(error, "bad %zu", unit);
+        return error_set(error, "bad %zu", unit);
     words_put(words, worth(unit));
     return true;
 }
@@ -63,7 +63,7 @@ static bool take(void *context, size_t unit, struct unit_words *words,
     assert_true(word == worth(unit));
     bench->taken[unit]++;
     bench->sum += word * (unit + 1);
-    return !words->failed || error_say(error, "no word");
+    return !words->failed || error_set(error, "no word");
 }
 
 static bool do_farm(struct farm *farm, struct bench *bench, size_t jobs,

@@ -34,7 +34,7 @@ static struct scene_source *adopt(struct scene_source **list, const char *name,
         free(source);
         free(own_name);
         free(text);
-        error_say(error, "%s", strerror(ENOMEM));
+        error_set(error, "%s", strerror(ENOMEM));
         return NULL;
     }
     source->next = *list;
@@ -52,7 +52,7 @@ struct scene_source *source_add(struct scene_source **list, const char *name,
     char *own;
 
     if (length > SOURCE_LONGEST) {
-        error_say(error, "more than %d bytes", SOURCE_LONGEST);
+        error_set(error, "more than %d bytes", SOURCE_LONGEST);
         return NULL;
     }
     own = copy(text, length);
@@ -137,7 +137,7 @@ static void refuse_several(struct search *search, const struct folder *paths)
     for (size_t i = 0; i < paths->count; i++)
         sink_print(&sink, "%s'%s'", i ? " and " : "",
                    paths->names[i] + strlen(paths->names[i]) - length);
-    error_say(search->error, "there is no such file, but %s",
+    error_set(search->error, "there is no such file, but %s",
               names.failed ? "several of other case" : names.text);
     text_buffer_free(&names);
     search->is_over = true;
@@ -148,7 +148,7 @@ static void open_any_case(struct search *search, const char *path, size_t fixed)
     struct folder paths;
 
     if (!other_case_find(&paths, path, fixed))
-        search->is_over = !error_say(search->error, "%s", strerror(ENOMEM));
+        search->is_over = !error_set(search->error, "%s", strerror(ENOMEM));
     else if (paths.count == 1)
         open_path(search, paths.names[0]);
     else if (paths.count > 1)
@@ -164,7 +164,7 @@ static void search_folder(struct search *search, const char *folder, size_t leng
         return;
     path = join(folder, length, search->request->name);
     if (!path)
-        search->is_over = !error_say(search->error, "%s", strerror(ENOMEM));
+        search->is_over = !error_set(search->error, "%s", strerror(ENOMEM));
     else if (search->any_case)
         open_any_case(search, path, strlen(path) - strlen(search->request->name));
     else
@@ -246,7 +246,7 @@ struct scene_source *source_include(struct scene_source **list,
         search_all(&search);
     }
     if (!search.is_over)
-        error_say(error, "there is no such file");
+        error_set(error, "there is no such file");
     return search.found;
 }
 

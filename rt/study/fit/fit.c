@@ -112,7 +112,7 @@ static bool time_points(const struct fit *fit, const bool *needed, struct point 
                          .lock = lock_new() };
 
     if (!work.lock)
-        return error_say(error, "no memory");
+        return error_set(error, "no memory");
     share_out(&work);
     lock_free(work.lock);
     fill_in(fit, points, count);

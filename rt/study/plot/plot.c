@@ -67,7 +67,7 @@ static bool check_folder(const char *path, c205_error *error)
     else if (access(folder, W_OK | X_OK) != 0)
         code = errno;
     free(folder);
-    return code == 0 || error_say(error, "%.180s: %.60s", path, strerror(code));
+    return code == 0 || error_set(error, "%.180s: %.60s", path, strerror(code));
 }
 
 bool plot_is_named(const char *path)
@@ -86,10 +86,10 @@ bool plot_check_path(const char *path, c205_error *error)
     const char *name = name_in(path);
 
     if (!plot_is_named(path))
-        return error_say(error, "%.180s: a plot's name ends in .svg or .png", path);
+        return error_set(error, "%.180s: a plot's name ends in .svg or .png", path);
     for (const char *c = name; *c != '\0'; c++)
         if ((unsigned char)*c < ' ')
-            return error_say(error, "a plot's name is one line of text");
+            return error_set(error, "a plot's name is one line of text");
     return check_folder(path, error);
 }
 
@@ -100,7 +100,7 @@ static struct atomic_file *open_beside(const char *path, const char *end,
     struct atomic_file *whole = beside ? atomic_file_open(beside, error) : NULL;
 
     if (!beside)
-        error_say(error, "%.180s: no memory", path);
+        error_set(error, "%.180s: no memory", path);
     free(beside);
     return whole;
 }
@@ -115,7 +115,7 @@ static bool open_files(struct files *files, const char *path, c205_error *error)
     files->name = text_of("%s", name);
     files->script_name = text_of("./%.*s.gp", (int)strlen(name) - ENDING, name);
     if (!files->folder || !files->name || !files->script_name)
-        return error_say(error, "%.180s: no memory", path);
+        return error_set(error, "%.180s: no memory", path);
     return (files->data = open_beside(path, ".dat", error)) != NULL
            && (files->script = open_beside(path, ".gp", error)) != NULL
            && (files->picture = atomic_file_open(path, error)) != NULL;
@@ -152,7 +152,7 @@ static bool reach(struct axis *axis, double value, const char *key, c205_error *
     if (!isfinite(value))
         return true;
     if (!axis_shows(axis, value))
-        return error_say(error, "%.60s: %g is not on a logarithmic axis", key, value);
+        return error_set(error, "%.60s: %g is not on a logarithmic axis", key, value);
     axis_reach(axis, value);
     return true;
 }
@@ -168,7 +168,7 @@ static bool reach_row(const struct plot *plot, const struct table *table, size_t
         double value = table_value(table, row, column);
         sum += value;
         if (areas && value < 0)
-            return error_say(error, "%.60s: an area of %g cannot be drawn",
+            return error_set(error, "%.60s: an area of %g cannot be drawn",
                              table_key(table, column), value);
         if (!reach(&axes->y, areas ? sum : value, table_key(table, column), error))
             return false;
@@ -204,7 +204,7 @@ static bool find_axes(const struct plot *plot, const struct table *table,
         if (!reach_row(plot, table, row, axes, error))
             return false;
     if (is_empty(x) || is_empty(y))
-        return error_say(error, "%.180s: nothing to draw", plot->title);
+        return error_set(error, "%.180s: nothing to draw", plot->title);
     highest = y->high;
     if (plot->y_most > y->low)
         y->high = fmin(y->high, plot->y_most);
@@ -267,7 +267,7 @@ static bool write_files(const struct plot *plot, const struct table *table,
 {
     write_data(plot, table, files->data->file);
     if (!plot_script_write(plot, axes, files->name, files->script->file))
-        return error_say(error, "%.180s: no memory", plot->title);
+        return error_set(error, "%.180s: no memory", plot->title);
     return commit(&files->data, error) && commit(&files->script, error)
            && gnuplot_draw(files->folder, files->script_name, files->picture->file,
                            error)
@@ -282,7 +282,7 @@ bool plot_write(const struct plot *plot, const struct table *table, const char *
     bool good;
 
     if (!table_is_whole(table))
-        return error_say(error, "%.180s: no memory", plot->title);
+        return error_set(error, "%.180s: no memory", plot->title);
     if (!plot_check_path(path, error) || !find_axes(plot, table, &axes, error))
         return false;
     good = open_files(&files, path, error)

@@ -121,7 +121,7 @@ static void name_point(const struct sweep_point *point, c205_error *error)
 {
     c205_error why = *error;
 
-    error_say(error, "with a queue of %zu on %.60s: %s", point->trace.queue,
+    error_set(error, "with a queue of %zu on %.60s: %s", point->trace.queue,
               c205_model_name(point->trace.model), why.message);
 }
 

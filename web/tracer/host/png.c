@@ -217,7 +217,7 @@ static bool read_raster(const char *format, const char *bytes, size_t length,
                         struct raster *raster, c205_error *error)
 {
     (void)format, (void)bytes, (void)length, (void)raster;
-    return error_say(error, "%s", no_reader);
+    return error_set(error, "%s", no_reader);
 }
 
 const struct picture_adapter png_adapter = {
