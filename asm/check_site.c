@@ -10,9 +10,9 @@ enum { CHUNK = 256, LENGTH_SHIFT = 48, FULL_LOOKS = 16 };
 #define ADDRESS_MASK ((UINT64_C(1) << LENGTH_SHIFT) - 1)
 
 /* The 16 first times, then the 32nd, the 64th .. */
-static bool is_due(struct spot *spot)
+static bool is_due(struct site *site)
 {
-    uint64_t n = ++spot->looks;
+    uint64_t n = ++site->looks;
 
     return n <= FULL_LOOKS || (n & (n - 1)) == 0;
 }
@@ -27,7 +27,7 @@ static bool has_length(const struct operand_view *operand)
            && strchr("vubldeq", tolower((unsigned char)operand->letter));
 }
 
-static void look_at_length(struct runtime_checker *watch, const struct spot *spot,
+static void look_at_length(struct runtime_checker *watch, const struct site *site,
                            const struct operand_view *operand)
 {
     unsigned r = operand->number;
@@ -35,21 +35,21 @@ static void look_at_length(struct runtime_checker *watch, const struct spot *spo
     if (operand->word >> LENGTH_SHIFT)
         return;
     if (!watch->is_written[r])
-        runtime_tell(watch, spot, WARNING_UNSET_LENGTH,
-                     "r%u is never set, so it describes no vector", r);
+        runtime_report(watch, site, WARNING_UNSET_LENGTH,
+                       "r%u is never set, so it describes no vector", r);
     else if (watch->is_entered[r] && watch->entered[r] == operand->word)
-        runtime_tell(watch, spot, WARNING_UNSET_LENGTH,
-                     "r%u has the address %" PRIX64 ", but no length: ELEN or"
-                     " the macro descriptor gives it one",
-                     r, operand->word);
+        runtime_report(watch, site, WARNING_UNSET_LENGTH,
+                       "r%u has the address %" PRIX64 ", but no length: ELEN or"
+                       " the macro descriptor gives it one",
+                       r, operand->word);
     else if (watch->is_emptied[r] && watch->emptied[r] == operand->word)
-        runtime_tell(watch, spot, WARNING_ZERO_LENGTH,
-                     "the length of [r%u] was set to 0", r);
+        runtime_report(watch, site, WARNING_ZERO_LENGTH,
+                       "the length of [r%u] was set to 0", r);
 }
 
 /* ---- Storage ------------------------------------------------------------ */
 
-static void look_at_storage(struct runtime_checker *watch, const struct spot *spot,
+static void look_at_storage(struct runtime_checker *watch, const struct site *site,
                             const struct operand_view *result)
 {
     uint64_t base = result->word & ADDRESS_MASK, end, past;
@@ -57,24 +57,24 @@ static void look_at_storage(struct runtime_checker *watch, const struct spot *sp
 
     past = result->address + (uint64_t)result->length * result->width;
     if (name && result->length > 0 && past > end)
-        runtime_tell(watch, spot, WARNING_PAST_STORAGE,
-                     "this writes up to address %" PRIX64
-                     ", and the storage of '%s' ends at %" PRIX64,
-                     past, name, end);
+        runtime_report(watch, site, WARNING_PAST_STORAGE,
+                       "this writes up to address %" PRIX64
+                       ", and the storage of '%s' ends at %" PRIX64,
+                       past, name, end);
 }
 
 /* One element, at an index from the base on. */
-static void look_at_store(struct runtime_checker *watch, const struct spot *spot,
+static void look_at_store(struct runtime_checker *watch, const struct site *site,
                           uint64_t base, int64_t index, unsigned width)
 {
     uint64_t end;
     const char *name = storage_at(watch->storage, base, &end);
 
     if (name && index > 0 && (uint64_t)index * width >= end - base)
-        runtime_tell(watch, spot, WARNING_PAST_STORAGE,
-                     "index %" PRId64 " lies behind the storage of '%s', which"
-                     " ends at %" PRIX64,
-                     index, name, end);
+        runtime_report(watch, site, WARNING_PAST_STORAGE,
+                       "index %" PRId64 " lies behind the storage of '%s', which"
+                       " ends at %" PRIX64,
+                       index, name, end);
 }
 
 /* ---- Indices ------------------------------------------------------------ */
@@ -89,19 +89,19 @@ static bool is_float(c205_word word)
            && ((word >> 47 ^ word >> 46) & 1);
 }
 
-static void tell_float_index(struct runtime_checker *watch, const struct spot *spot,
-                             const char *which, c205_word word)
+static void print_float_index(struct runtime_checker *watch, const struct site *site,
+                              const char *which, c205_word word)
 {
     char text[C205_TEXT_SIZE];
 
     c205_to_text(word, text);
-    runtime_tell(watch, spot, WARNING_FLOAT_INDEX,
-                 "%s is %s, which is no integer: TRU, FLR or their vector forms"
-                 " make one of it",
-                 which, text);
+    runtime_report(watch, site, WARNING_FLOAT_INDEX,
+                   "%s is %s, which is no integer: TRU, FLR or their vector forms"
+                   " make one of it",
+                   which, text);
 }
 
-static void look_at_index(struct runtime_checker *watch, const struct spot *spot,
+static void look_at_index(struct runtime_checker *watch, const struct site *site,
                           const struct operand_view *index, const char *what)
 {
     struct text_line which = { "", 0 };
@@ -110,7 +110,7 @@ static void look_at_index(struct runtime_checker *watch, const struct spot *spot
     if (!is_float(index->word))
         return;
     sink_print(&sink, "the %s in r%u", what, index->number);
-    tell_float_index(watch, spot, which.text, index->word);
+    print_float_index(watch, site, which.text, index->word);
 }
 
 static size_t least(size_t a, size_t b)
@@ -120,11 +120,11 @@ static size_t least(size_t a, size_t b)
 
 /* Of a gather or a scatter; the table of a scatter is written. */
 static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
-                            const struct spot *spot, const struct operand_view *list)
+                            const struct site *site, const struct operand_view *list)
 {
-    const struct operand_view *table = view_find(&spot->view, "xX");
-    bool scatters = spot->view.insn->operands[0] == 'l'
-                    && tolower((unsigned char)spot->view.insn->operands[2]) == 'x';
+    const struct operand_view *table = view_find(&site->view, "xX");
+    bool scatters = site->view.insn->operands[0] == 'l'
+                    && tolower((unsigned char)site->view.insn->operands[2]) == 'x';
     c205_word words[CHUNK];
     size_t first, n, i;
 
@@ -139,37 +139,37 @@ static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
             if (is_float(words[i])) {
                 sink_print(&sink, "element %zu of the index list [r%u]", first + i,
                            list->number);
-                tell_float_index(watch, spot, which.text, words[i]);
+                print_float_index(watch, site, which.text, words[i]);
                 return;
             }
             if (scatters && table)
-                look_at_store(watch, spot, table->word & ADDRESS_MASK,
+                look_at_store(watch, site, table->word & ADDRESS_MASK,
                               c205_to_integer(words[i]), table->width);
         }
     }
 }
 
 /* Of a periodic gather or scatter; a scatter goes as far as its source is long. */
-static void look_at_period(struct runtime_checker *watch, const struct spot *spot,
+static void look_at_period(struct runtime_checker *watch, const struct site *site,
                            const struct operand_view *period)
 {
-    const struct operand_view *source = view_find(&spot->view, "uU");
-    const struct operand_view *table = view_find(&spot->view, "xX");
+    const struct operand_view *source = view_find(&site->view, "uU");
+    const struct operand_view *table = view_find(&site->view, "xX");
     int64_t distance = c205_to_integer(period->word);
 
     if (is_float(period->word))
-        look_at_index(watch, spot, period, "period");
+        look_at_index(watch, site, period, "period");
     else if (source && source->length > 0)
-        look_at_store(watch, spot, table->word & ADDRESS_MASK,
+        look_at_store(watch, site, table->word & ADDRESS_MASK,
                       distance * (int64_t)(source->length - 1), table->width);
 }
 
 /* ---- Integers ----------------------------------------------------------- */
 
 /* element: of a vector, or -1. */
-static void tell_integer(struct runtime_checker *watch, const struct spot *spot,
-                         const struct operand_view *operand, int64_t element,
-                         c205_word word, const struct precision *precision)
+static void print_integer(struct runtime_checker *watch, const struct site *site,
+                          const struct operand_view *operand, int64_t element,
+                          c205_word word, const struct precision *precision)
 {
     struct text_line where = { "", 0 };
     struct sink sink = text_line_sink(&where);
@@ -181,14 +181,14 @@ static void tell_integer(struct runtime_checker *watch, const struct spot *spot,
     else
         sink_print(&sink, "%c%u", half ? 'h' : 'r', operand->number);
     (half ? c205_half_to_text : c205_to_text)(word, number);
-    runtime_tell(watch, spot, WARNING_INTEGER_OPERAND,
-                 "%s is the integer %s, not %s.0, so few bits are kept: %.15g"
-                 " becomes %.15g; ADDN with r0 would normalise it",
-                 where.text, number, number, precision->exact, precision->kept);
+    runtime_report(watch, site, WARNING_INTEGER_OPERAND,
+                   "%s is the integer %s, not %s.0, so few bits are kept: %.15g"
+                   " becomes %.15g; ADDN with r0 would normalise it",
+                   where.text, number, number, precision->exact, precision->kept);
 }
 
 /* b NULL: there is one source. */
-static bool look_at_pair(struct runtime_checker *watch, const struct spot *spot,
+static bool look_at_pair(struct runtime_checker *watch, const struct site *site,
                          const struct operand_view *a, const struct operand_view *b,
                          int64_t element, c205_word word_a, c205_word word_b)
 {
@@ -197,10 +197,10 @@ static bool look_at_pair(struct runtime_checker *watch, const struct spot *spot,
     bool first = precision_is_integer(word_a, half);
 
     if ((!first && !(b && precision_is_integer(word_b, half)))
-        || !precision_is_lost(spot->rule, half, word_a, word_b, &precision))
+        || !precision_is_lost(site->rule, half, word_a, word_b, &precision))
         return false;
-    tell_integer(watch, spot, first ? a : b, element, first ? word_a : word_b,
-                 &precision);
+    print_integer(watch, site, first ? a : b, element, first ? word_a : word_b,
+                  &precision);
     return true;
 }
 
@@ -218,10 +218,10 @@ static bool fetch(const c205 *machine, const struct operand_view *source, size_t
 }
 
 /* How many elements have a source of their own and a place to go. */
-static size_t count_elements(const struct spot *spot, const struct operand_view *a,
+static size_t count_elements(const struct site *site, const struct operand_view *a,
                              const struct operand_view *b)
 {
-    const struct operand_view *result = view_find(&spot->view, "dDcC");
+    const struct operand_view *result = view_find(&site->view, "dDcC");
     size_t n = result && strchr("dD", result->letter) ? result->length
                                                       : C205_MAX_LENGTH;
 
@@ -232,19 +232,19 @@ static size_t count_elements(const struct spot *spot, const struct operand_view 
     return a->is_vector || (b && b->is_vector) ? n : least(n, 1);
 }
 
-static bool is_permitted(const struct spot *spot, const struct operand_view *control,
+static bool is_permitted(const struct site *site, const struct operand_view *control,
                          c205_word bit)
 {
-    return !control || bit != ((spot->view.fields.g & C205_G_ZEROS) != 0);
+    return !control || bit != ((site->view.fields.g & C205_G_ZEROS) != 0);
 }
 
 static void look_at_integers(struct runtime_checker *watch, const c205 *machine,
-                             const struct spot *spot, const struct operand_view *a,
+                             const struct site *site, const struct operand_view *a,
                              const struct operand_view *b)
 {
-    const struct operand_view *control = view_find(&spot->view, "z");
+    const struct operand_view *control = view_find(&site->view, "z");
     c205_word words_a[CHUNK], words_b[CHUNK], bits[CHUNK];
-    size_t first, n, i, count = count_elements(spot, a, b);
+    size_t first, n, i, count = count_elements(site, a, b);
 
     if (control && control->number == 0)
         control = NULL;
@@ -255,8 +255,8 @@ static void look_at_integers(struct runtime_checker *watch, const c205 *machine,
             || !fetch(machine, control, first, n, bits))
             return;
         for (i = 0; i < n; i++)
-            if (is_permitted(spot, control, bits[i])
-                && look_at_pair(watch, spot, a, b, (int64_t)(first + i), words_a[i],
+            if (is_permitted(site, control, bits[i])
+                && look_at_pair(watch, site, a, b, (int64_t)(first + i), words_a[i],
                                 words_b[i]))
                 return;
     }
@@ -277,18 +277,18 @@ static size_t find_numbers(const struct instruction_view *view,
 }
 
 static void look_at_numbers(struct runtime_checker *watch, const c205 *machine,
-                            struct spot *spot)
+                            struct site *site)
 {
     const struct operand_view *sources[2] = { NULL, NULL };
-    size_t i, count = find_numbers(&spot->view, sources);
+    size_t i, count = find_numbers(&site->view, sources);
 
     for (i = 0; i < count; i++)
         if (sources[i]->is_bad
-            || (spot->is_handed && sources[i]->is_vector
-                && sources[i]->number == spot->is_handed))
+            || (site->is_handed && sources[i]->is_vector
+                && sources[i]->number == site->is_handed))
             return;
     if (count > 0)
-        look_at_integers(watch, machine, spot, sources[0], sources[1]);
+        look_at_integers(watch, machine, site, sources[0], sources[1]);
 }
 
 /* The exponent is 0, as hardly ever where numbers are normalised. */
@@ -303,56 +303,56 @@ static inline bool may_be_integer(const c205 *machine,
 }
 
 static void before_scalar(struct runtime_checker *watch, const c205 *machine,
-                          struct spot *spot)
+                          struct site *site)
 {
-    const struct operand_view *operands = spot->view.operands;
+    const struct operand_view *operands = site->view.operands;
 
     if (!may_be_integer(machine, &operands[0])
         && !may_be_integer(machine, &operands[1]))
         return;
-    view_fill(&spot->view, machine);
-    look_at_numbers(watch, machine, spot);
+    view_fill(&site->view, machine);
+    look_at_numbers(watch, machine, site);
 }
 
 static void before_vector(struct runtime_checker *watch, const c205 *machine,
-                          struct spot *spot)
+                          struct site *site)
 {
-    bool due = is_due(spot);
+    bool due = is_due(site);
     size_t i;
 
-    view_fill(&spot->view, machine);
-    for (i = 0; i < spot->view.count; i++) {
-        const struct operand_view *operand = &spot->view.operands[i];
+    view_fill(&site->view, machine);
+    for (i = 0; i < site->view.count; i++) {
+        const struct operand_view *operand = &site->view.operands[i];
         bool result = operand->field != 'Z' && strchr("dDeq", operand->letter);
 
         if (!operand->is_vector || operand->is_bad
-            || (spot->is_handed && operand->number == spot->is_handed && !result))
+            || (site->is_handed && operand->number == site->is_handed && !result))
             continue;
         if (has_length(operand))
-            look_at_length(watch, spot, operand);
-        if (result && !spot->hands_over)
-            look_at_storage(watch, spot, operand);
+            look_at_length(watch, site, operand);
+        if (result && !site->hands_over)
+            look_at_storage(watch, site, operand);
         if (operand->letter == 'l' && due)
-            look_at_indices(watch, machine, spot, operand);
+            look_at_indices(watch, machine, site, operand);
     }
-    if (spot->view.insn->format == C205_FORMAT_PERIODIC
-        || spot->view.insn->format == C205_FORMAT_SPACED)
-        look_at_period(watch, spot, &spot->view.operands[0]);
-    if (spot->rule != PRECISION_FULL && due)
-        look_at_numbers(watch, machine, spot);
+    if (site->view.insn->format == C205_FORMAT_PERIODIC
+        || site->view.insn->format == C205_FORMAT_SPACED)
+        look_at_period(watch, site, &site->view.operands[0]);
+    if (site->rule != PRECISION_FULL && due)
+        look_at_numbers(watch, machine, site);
 }
 
 /* Results whose length the machine has set. */
 static void after_vector(struct runtime_checker *watch, const c205 *machine,
-                         struct spot *spot)
+                         struct site *site)
 {
     size_t i;
 
-    view_fill(&spot->view, machine);
-    for (i = 0; i < spot->view.count; i++)
-        if (strchr("cCo", spot->view.operands[i].letter)
-            && !spot->view.operands[i].is_bad)
-            look_at_storage(watch, spot, &spot->view.operands[i]);
+    view_fill(&site->view, machine);
+    for (i = 0; i < site->view.count; i++)
+        if (strchr("cCo", site->view.operands[i].letter)
+            && !site->view.operands[i].is_bad)
+            look_at_storage(watch, site, &site->view.operands[i]);
 }
 
 static bool recurs(const struct operand_view *read, const struct operand_view *written)
@@ -364,41 +364,41 @@ static bool recurs(const struct operand_view *read, const struct operand_view *w
 
 /* Of a linked pair the prefix is told, but the two are not looked into. */
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
-                        struct spot *spot, size_t elements)
+                        struct site *site, size_t elements)
 {
-    const struct instruction_view *view = &spot->view;
+    const struct instruction_view *view = &site->view;
     const struct operand_view *read = NULL, *written;
 
-    view_fill(&spot->view, machine);
+    view_fill(&site->view, machine);
     written = view_find(view, "dDe");
     for (size_t i = 0; written && i < view->count; i++)
         if (recurs(&view->operands[i], written))
             read = &view->operands[i];
     if (read)
-        runtime_tell(watch, spot, WARNING_RECURRENCE,
-                     "%zu element%s of [r%u] %s of this instruction,"
-                     " and %s; the real machine promised"
-                     " nothing here",
-                     elements, plural(elements), read->number,
-                     elements == 1 ? "is a result" : "are results",
-                     elements == 1 ? "waits for it" : "wait for them one by one");
+        runtime_report(watch, site, WARNING_RECURRENCE,
+                       "%zu element%s of [r%u] %s of this instruction,"
+                       " and %s; the real machine promised"
+                       " nothing here",
+                       elements, plural(elements), read->number,
+                       elements == 1 ? "is a result" : "are results",
+                       elements == 1 ? "waits for it" : "wait for them one by one");
     else
-        runtime_tell(watch, spot, WARNING_RECURRENCE,
-                     "%zu element%s of a source %s of this %s, and"
-                     " %s; the real machine promised"
-                     " nothing here",
-                     elements, plural(elements),
-                     elements == 1 ? "is a result" : "are results",
-                     view->insn->timing == C205_TIMING_vlink ? "pair" : "instruction",
-                     elements == 1 ? "waits for it" : "wait for them one by one");
+        runtime_report(watch, site, WARNING_RECURRENCE,
+                       "%zu element%s of a source %s of this %s, and"
+                       " %s; the real machine promised"
+                       " nothing here",
+                       elements, plural(elements),
+                       elements == 1 ? "is a result" : "are results",
+                       view->insn->timing == C205_TIMING_vlink ? "pair" : "instruction",
+                       elements == 1 ? "waits for it" : "wait for them one by one");
 }
 
 /* The two after the prefix run as one stream. */
 static void before_link(struct runtime_checker *watch, const c205 *machine,
-                        struct spot *spot)
+                        struct site *site)
 {
-    uint64_t pc = spot->view.pc + 32 * (uint64_t)spot->view.halves;
-    struct spot *first = runtime_site(watch, machine, pc), *second;
+    uint64_t pc = site->view.pc + 32 * (uint64_t)site->view.halves;
+    struct site *first = runtime_site(watch, machine, pc), *second;
 
     pc += 32 * (uint64_t)first->view.halves;
     second = runtime_site(watch, machine, pc);
@@ -413,36 +413,36 @@ static void before_link(struct runtime_checker *watch, const c205 *machine,
 }
 
 static void before_memory(struct runtime_checker *watch, const c205 *machine,
-                          struct spot *spot)
+                          struct site *site)
 {
-    const struct operand_view *operands = spot->view.operands;
+    const struct operand_view *operands = site->view.operands;
     unsigned width = isupper((unsigned char)operands[2].letter) ? 32 : 64;
 
     if (operands[1].number == 0)
         return;
-    view_fill(&spot->view, machine);
-    look_at_index(watch, spot, &operands[1], "index");
+    view_fill(&site->view, machine);
+    look_at_index(watch, site, &operands[1], "index");
     if (tolower((unsigned char)operands[2].letter) == 'i')
-        look_at_store(watch, spot, operands[0].word & ADDRESS_MASK,
+        look_at_store(watch, site, operands[0].word & ADDRESS_MASK,
                       c205_to_integer(operands[1].word), width);
 }
 
 static void before_enter(struct runtime_checker *watch, const c205 *machine,
-                         struct spot *spot)
+                         struct site *site)
 {
-    unsigned r = spot->view.operands[0].number;
+    unsigned r = site->view.operands[0].number;
 
     (void)machine;
     watch->is_entered[r] = true;
-    watch->entered[r] = (c205_word)spot->view.fields.immediate & ADDRESS_MASK;
+    watch->entered[r] = (c205_word)site->view.fields.immediate & ADDRESS_MASK;
 }
 
 static void before_length(struct runtime_checker *watch, const c205 *machine,
-                          struct spot *spot)
+                          struct site *site)
 {
-    unsigned r = spot->view.operands[0].number;
+    unsigned r = site->view.operands[0].number;
 
-    watch->is_emptied[r] = (spot->view.fields.immediate & 0xFFFF) == 0;
+    watch->is_emptied[r] = (site->view.fields.immediate & 0xFFFF) == 0;
     watch->emptied[r] = c205_register(machine, r) & ADDRESS_MASK;
     watch->is_entered[r] = false;
 }
@@ -457,24 +457,24 @@ static bool is_named(const c205_insn *insn, const char *names)
 }
 
 /* SPARSE elements are where their bits are; which meet is not looked at. */
-void spot_choose(struct spot *spot)
+void spot_choose(struct site *site)
 {
-    const c205_insn *insn = spot->view.insn;
+    const c205_insn *insn = site->view.insn;
 
-    spot->rule = insn->format == C205_FORMAT_SPARSE ? PRECISION_FULL
+    site->rule = insn->format == C205_FORMAT_SPARSE ? PRECISION_FULL
                                                     : precision_rule(insn);
     if (insn->timing == C205_TIMING_vlink)
-        spot->before = before_link;
+        site->before = before_link;
     else if (c205_unit_is_vector(insn->unit))
-        spot->before = before_vector;
-    else if (spot->rule != PRECISION_FULL)
-        spot->before = before_scalar;
+        site->before = before_vector;
+    else if (site->rule != PRECISION_FULL)
+        site->before = before_scalar;
     else if (insn->format == C205_FORMAT_MEMORY)
-        spot->before = before_memory;
+        site->before = before_memory;
     else if (is_named(insn, "ES EX"))
-        spot->before = before_enter;
+        site->before = before_enter;
     else if (is_named(insn, "ELEN"))
-        spot->before = before_length;
-    if (c205_unit_is_vector(insn->unit) && view_find(&spot->view, "cCo"))
-        spot->after = after_vector;
+        site->before = before_length;
+    if (c205_unit_is_vector(insn->unit) && view_find(&site->view, "cCo"))
+        site->after = after_vector;
 }

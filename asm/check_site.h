@@ -7,13 +7,13 @@
 #include "asm/storage_map.h"
 #include "asm/runtime_check.h"
 
-struct spot;
+struct site;
 typedef void spot_look(struct runtime_checker *watch, const c205 *machine,
-                       struct spot *spot);
+                       struct site *site);
 
 /* An instruction of the program, and what there is to look at before it is
  * executed, and after it. */
-struct spot {
+struct site {
     struct instruction_view view;
     spot_look *before, *after; /* NULL: nothing */
     enum precision_rule rule;
@@ -23,9 +23,9 @@ struct spot {
     uint8_t hands_over, is_handed;
 };
 
-enum { SPOTS = 1 << 12, MAX_TOLD = 200 };
+enum { SPOTS = 1 << 12, MAX_REPORTED = 200 };
 
-struct told {
+struct reported {
     const char *file; /* "": the number is an address */
     uint64_t number;
     enum warning warning;
@@ -38,14 +38,14 @@ struct runtime_checker {
     struct sink report;
     struct storage_map *storage;
     warning_set meant, warned;
-    size_t errors, told_count;
-    struct told told[MAX_TOLD];
+    size_t errors, reported_count;
+    struct reported reported[MAX_REPORTED];
     /* What ES or EX entered in a register, and what was there when ELEN gave
      * it the length 0: a register that still holds it got no other length. */
     bool is_entered[C205_REGISTERS], is_emptied[C205_REGISTERS];
     c205_word entered[C205_REGISTERS], emptied[C205_REGISTERS];
     bool is_written[C205_REGISTERS]; /* by any instruction */
-    struct spot spots[SPOTS];        /* found by their address .. */
+    struct site spots[SPOTS];        /* found by their address .. */
     /* .. and what is looked at there, alone, as most often it is nothing. */
     struct {
         uint64_t pc;
@@ -54,15 +54,15 @@ struct runtime_checker {
 };
 
 /* check_site.c: set before and after. */
-void spot_choose(struct spot *spot);
+void spot_choose(struct site *site);
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
-                        struct spot *spot, size_t elements);
+                        struct site *site, size_t elements);
 
 /* runtime_check.c */
-struct spot *runtime_site(struct runtime_checker *watch, const c205 *machine,
+struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc);
-void runtime_tell(struct runtime_checker *watch, const struct spot *spot,
-                  enum warning warning, const char *format, ...)
+void runtime_report(struct runtime_checker *watch, const struct site *site,
+                    enum warning warning, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))
 #endif

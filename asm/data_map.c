@@ -37,8 +37,8 @@ static size_t find_address(const uint64_t *addresses, size_t count, uint64_t add
 }
 
 /* All that lies from there on up to an end, of one kind and without a gap. */
-static void tell(const struct assembler *assembler, struct asm_symbol *symbol,
-                 size_t first, uint64_t end)
+static void set_type(const struct assembler *assembler, struct asm_symbol *symbol,
+                     size_t first, uint64_t end)
 {
     uint64_t at = (uint64_t)symbol->value, halves = 0;
 
@@ -55,8 +55,8 @@ static void tell(const struct assembler *assembler, struct asm_symbol *symbol,
     symbol->count = count_of(symbol->contents, halves);
 }
 
-static void tell_all(const struct assembler *assembler, struct asm_symbol *symbols,
-                     size_t count, uint64_t *labels, uint64_t *items)
+static void set_types(const struct assembler *assembler, struct asm_symbol *symbols,
+                      size_t count, uint64_t *labels, uint64_t *items)
 {
     size_t label_count = 0;
 
@@ -71,9 +71,9 @@ static void tell_all(const struct assembler *assembler, struct asm_symbol *symbo
         size_t next = find_address(labels, label_count, address + 1);
 
         if (symbols[i].is_label && !symbols[i].counted)
-            tell(assembler, &symbols[i],
-                 find_address(items, assembler->item_count, address),
-                 next < label_count ? labels[next] : UINT64_MAX);
+            set_type(assembler, &symbols[i],
+                     find_address(items, assembler->item_count, address),
+                     next < label_count ? labels[next] : UINT64_MAX);
     }
 }
 
@@ -85,7 +85,7 @@ bool data_map_fill(const struct assembler *assembler, struct asm_symbol *symbols
     bool good = labels && items;
 
     if (good)
-        tell_all(assembler, symbols, count, labels, items);
+        set_types(assembler, symbols, count, labels, items);
     free(labels);
     free(items);
     return good;

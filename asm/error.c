@@ -13,7 +13,7 @@ bool report_file(struct diagnostics *diagnostics, const char *file, const char *
     return false;
 }
 
-static void say_caller(char *message, size_t size, const struct line *line)
+static void print_caller(char *message, size_t size, const struct line *line)
 {
     size_t used = strlen(message);
 
@@ -41,7 +41,7 @@ static struct position position_of(const struct line *line, const char *at)
 }
 
 /* With the first error of the operands. */
-static void say_form(char *message, size_t size, struct assembler *assembler)
+static void print_form(char *message, size_t size, struct assembler *assembler)
 {
     const struct instruction *writing = assembler->writing;
     struct text_line form = { "", 0 };
@@ -67,8 +67,8 @@ bool report(struct assembler *assembler, const struct line *line, const char *at
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    say_form(message, sizeof message, assembler);
-    say_caller(message, sizeof message, line);
+    print_form(message, sizeof message, assembler);
+    print_caller(message, sizeof message, line);
     diagnostics_add(assembler->diagnostics, SEVERITY_ERROR, &position, message);
     return false;
 }
@@ -98,7 +98,7 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    say_caller(message, sizeof message, line);
+    print_caller(message, sizeof message, line);
     pending_warnings->warning = warning;
     pending_warnings->position = position_of(line, at);
     pending_warnings->message = arena_text(assembler->arena, message, strlen(message));

@@ -31,15 +31,15 @@ struct outcome {
     const struct sink *report;
 };
 
-static void say_where(const struct outcome *outcome,
-                      const struct asm_expectation *expectation)
+static void print_where(const struct outcome *outcome,
+                        const struct asm_expectation *expectation)
 {
     sink_print(outcome->report, "%s:%zu: expected ", expectation->file,
                expectation->line);
 }
 
 /* A half word is at the left of a word; it is printed with 8 digits. */
-static void say_value(const struct outcome *outcome, bool half, c205_word word)
+static void print_value(const struct outcome *outcome, bool half, c205_word word)
 {
     enum { HALF_DIGITS = 9 }; /* and the blank among them */
     char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
@@ -51,8 +51,8 @@ static void say_value(const struct outcome *outcome, bool half, c205_word word)
     sink_print(outcome->report, "X'%s' (%s)", hex, text);
 }
 
-static void say_tolerance(const struct outcome *outcome,
-                          const struct asm_expectation *expectation)
+static void print_tolerance(const struct outcome *outcome,
+                            const struct asm_expectation *expectation)
 {
     char text[C205_TEXT_SIZE];
 
@@ -75,9 +75,9 @@ static bool is_near(const struct asm_expectation *expectation, bool half,
 }
 
 /* What a reader who sees equal decimals asks. */
-static void say_why(const struct outcome *outcome,
-                    const struct asm_expectation *expectation, bool half,
-                    c205_word wanted, c205_word found)
+static void print_why(const struct outcome *outcome,
+                      const struct asm_expectation *expectation, bool half,
+                      c205_word wanted, c205_word found)
 {
     if (expectation->kind != EXPECT_FLAGS
         && number_of(half, wanted) == number_of(half, found))
@@ -95,14 +95,14 @@ static bool compare(const struct outcome *outcome,
     if (wanted == found
         || (expectation->has_tolerance && is_near(expectation, half, wanted, found)))
         return true;
-    say_where(outcome, expectation);
+    print_where(outcome, expectation);
     sink_print(outcome->report, "%s = ", place);
-    say_value(outcome, half, wanted);
+    print_value(outcome, half, wanted);
     if (expectation->has_tolerance)
-        say_tolerance(outcome, expectation);
+        print_tolerance(outcome, expectation);
     sink_put(outcome->report, ", found ");
-    say_value(outcome, half, found);
-    say_why(outcome, expectation, half, wanted, found);
+    print_value(outcome, half, found);
+    print_why(outcome, expectation, half, wanted, found);
     sink_put(outcome->report, "\n");
     return false;
 }
@@ -152,7 +152,7 @@ static bool check_flags(struct outcome *outcome,
 static bool unmapped(const struct outcome *outcome,
                      const struct asm_expectation *expectation, uint64_t address)
 {
-    say_where(outcome, expectation);
+    print_where(outcome, expectation);
     sink_print(outcome->report, "a value at %" PRIX64 ", found no memory there\n",
                address);
     return false;
@@ -221,7 +221,7 @@ static bool check_bits(struct outcome *outcome,
         found = word >> (63 - address % 64) & 1;
         if (wanted == found)
             continue;
-        say_where(outcome, expectation);
+        print_where(outcome, expectation);
         sink_print(outcome->report, "bit %zu, at %" PRIX64 ", = %u, found %u\n", i,
                    address, wanted, found);
         return false;
@@ -239,7 +239,7 @@ static bool check_clocks(struct outcome *outcome,
 
     if (found == (uint64_t)wanted || outcome->other_model)
         return true;
-    say_where(outcome, expectation);
+    print_where(outcome, expectation);
     sink_print(outcome->report, "%" PRId64 " clock%s, found %" PRIu64 "\n", wanted,
                plural((uint64_t)wanted), found);
     return false;
@@ -252,7 +252,7 @@ static bool check_trap(struct outcome *outcome,
 
     if (strcmp(c205_trap_name(outcome->stop->trap), expectation->text) == 0)
         return true;
-    say_where(outcome, expectation);
+    print_where(outcome, expectation);
     c205_describe_stop(outcome->machine, outcome->stop, &found);
     sink_print(outcome->report, "trap %s, found: %s\n", expectation->text,
                found.message);
@@ -270,7 +270,7 @@ static bool check_print(struct outcome *outcome,
     if (strlen(expectation->text) == length
         && memcmp(expectation->text, line, length) == 0)
         return true;
-    say_where(outcome, expectation);
+    print_where(outcome, expectation);
     sink_print(outcome->report, "'%s' printed, found '%.*s'\n", expectation->text,
                length < 400 ? (int)length : 400, line);
     return false;
@@ -283,7 +283,7 @@ static bool check_warning(struct outcome *outcome,
 
     if (warning < WARNINGS && outcome->warned & WARNING_BIT(warning))
         return true;
-    say_where(outcome, expectation);
+    print_where(outcome, expectation);
     sink_print(outcome->report, "the warning %s, and there was none\n",
                expectation->text);
     return false;

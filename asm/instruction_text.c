@@ -17,7 +17,7 @@ struct writer {
     struct sink sink;
     const struct labels *labels;
     uint64_t address;
-    c205_fields fields, told;
+    c205_fields fields, written;
 };
 
 static int compare_addresses(const void *a, const void *b)
@@ -50,18 +50,18 @@ static void write_address(const struct writer *writer, uint64_t address)
     label_write(writer->labels, address, &writer->sink);
 }
 
-static uint8_t tell_field(struct writer *writer, char letter)
+static uint8_t print_field(struct writer *writer, char letter)
 {
     uint8_t value = *syntax_field(&writer->fields, letter);
 
-    *syntax_field(&writer->told, letter) = value;
+    *syntax_field(&writer->written, letter) = value;
     return value;
 }
 
-static bool tell_bit(struct writer *writer, uint8_t bit)
+static bool print_bit(struct writer *writer, uint8_t bit)
 {
     bit &= writer->fields.g;
-    writer->told.g |= bit;
+    writer->written.g |= bit;
     return bit != 0;
 }
 
@@ -71,12 +71,12 @@ static void write_second(struct writer *writer, const struct operand *operand,
     uint8_t second = 0;
 
     if (operand->second == SECOND_IS_NEXT) {
-        if (tell_bit(writer, C205_G_OFFSET))
+        if (print_bit(writer, C205_G_OFFSET))
             second = (uint8_t)(first + 1);
         else
             return;
     } else if (operand->second) {
-        second = tell_field(writer, operand->second);
+        second = print_field(writer, operand->second);
     }
     if (second || operand->second == SECOND_IS_NEXT)
         sink_print(&writer->sink, ", r%u", second);
@@ -84,11 +84,11 @@ static void write_second(struct writer *writer, const struct operand *operand,
 
 static void write_source(struct writer *writer, const struct operand *operand)
 {
-    bool negate = tell_bit(writer, operand->negate);
-    bool magnitude = tell_bit(writer, operand->magnitude);
+    bool negate = print_bit(writer, operand->negate);
+    bool magnitude = print_bit(writer, operand->magnitude);
     bool bare = operand->kind == OPERAND_REGISTER
-                || tell_bit(writer, operand->broadcast);
-    uint8_t number = tell_field(writer, operand->field);
+                || print_bit(writer, operand->broadcast);
+    uint8_t number = print_field(writer, operand->field);
 
     sink_print(&writer->sink, "%s%s%s%c%u", negate ? "-" : "", magnitude ? "|" : "",
                bare ? "" : "[", bare && operand->half ? 'h' : 'r', number);
@@ -104,14 +104,14 @@ static void write_target(struct writer *writer)
     uint64_t target = writer->address + (uint64_t)writer->fields.immediate * HALF_BITS;
     uint8_t y, b;
 
-    if (tell_bit(writer, C205_G_RELATIVE)) {
+    if (print_bit(writer, C205_G_RELATIVE)) {
         if (target >> ADDRESS_BITS == 0)
-            writer->told.immediate = writer->fields.immediate;
+            writer->written.immediate = writer->fields.immediate;
         write_address(writer, target);
         return;
     }
-    y = tell_field(writer, 'Y');
-    b = tell_field(writer, 'B');
+    y = print_field(writer, 'Y');
+    b = print_field(writer, 'B');
     sink_print(&writer->sink, b ? "[r%u, r%u]" : "[r%u]", y, b);
 }
 
@@ -127,7 +127,7 @@ static void write_immediate(struct writer *writer, const struct operand *operand
     int64_t value = writer->fields.immediate;
 
     if (value >= operand->low && value <= operand->high)
-        writer->told.immediate = value;
+        writer->written.immediate = value;
     if (holds_address(operand) && value >= 0)
         write_address(writer, (uint64_t)value);
     else
@@ -136,8 +136,8 @@ static void write_immediate(struct writer *writer, const struct operand *operand
 
 static void write_control(struct writer *writer, const struct operand *operand)
 {
-    sink_put(&writer->sink, tell_bit(writer, C205_G_ZEROS) ? " ?! [" : " ? [");
-    sink_print(&writer->sink, "r%u]", tell_field(writer, operand->field));
+    sink_put(&writer->sink, print_bit(writer, C205_G_ZEROS) ? " ?! [" : " ? [");
+    sink_print(&writer->sink, "r%u]", print_field(writer, operand->field));
 }
 
 static void write_operand(struct writer *writer, const struct operand *operand)
@@ -165,21 +165,21 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
     bool half;
 
     writer->fields = c205_decode(insn, word);
-    writer->told.f = insn->opcode;
-    writer->told.g = insn->subop;
-    half = insn->flags & C205_INSN_HALF && tell_bit(writer, C205_G_HALF);
+    writer->written.f = insn->opcode;
+    writer->written.g = insn->subop;
+    half = insn->flags & C205_INSN_HALF && print_bit(writer, C205_G_HALF);
     count = syntax_operands(insn, half, operands);
     sink_print(&writer->sink, "%s%s", insn->mnemonic, half ? SYNTAX_HALF : "");
     for (i = 0; i < count; i++) {
         if (is_absent(writer, &operands[i]))
             continue;
-        if (tell_bit(writer, operands[i].given))
+        if (print_bit(writer, operands[i].given))
             sink_put(&writer->sink, " ? ");
         else if (operands[i].kind != OPERAND_CONTROL)
             sink_put(&writer->sink, i > 0 ? ", " : " ");
         write_operand(writer, &operands[i]);
     }
-    return c205_encode(insn, &writer->told) == word
+    return c205_encode(insn, &writer->written) == word
            && !syntax_refusal(insn, operands, count, &writer->fields, &blamed);
 }
 

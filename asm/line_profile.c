@@ -291,7 +291,7 @@ static void put_causes(struct table *table, const struct profile_row *row)
 {
     char text[160] = "";
     uint64_t all = clocks_of(row);
-    bool told[C205_CAUSES] = { false };
+    bool reported[C205_CAUSES] = { false };
     size_t used = 0;
     int i, cause;
 
@@ -299,12 +299,13 @@ static void put_causes(struct table *table, const struct profile_row *row)
         int found = -1;
 
         for (cause = 0; cause < C205_CAUSES; cause++)
-            if (!told[cause] && row->clocks[cause] > 0 && row->clocks[cause] * 10 >= all
+            if (!reported[cause] && row->clocks[cause] > 0
+                && row->clocks[cause] * 10 >= all
                 && (found < 0 || row->clocks[cause] > row->clocks[found]))
                 found = cause;
         if (found < 0)
             break;
-        told[found] = true;
+        reported[found] = true;
         used += (size_t)snprintf(text + used, sizeof text - used, "%s%s %" PRIu64,
                                  used > 0 ? ", " : "",
                                  c205_cause_name((c205_cause)found),

@@ -45,8 +45,8 @@ static bool has_word(const struct register_share *share,
 
 /* What is declared in the one block says that it may be where what is
  * declared in the other does. */
-static bool says_so(const struct register_share *share,
-                    const struct register_share *other)
+static bool allows_sharing(const struct register_share *share,
+                           const struct register_share *other)
 {
     const struct register_share *block;
 
@@ -60,8 +60,8 @@ static bool says_so(const struct register_share *share,
 static bool may_share(const struct naming *naming, const struct naming *other)
 {
     return naming->owner == other->owner || !overlap(naming->named, other->named)
-           || says_so(naming->share, other->share)
-           || says_so(other->share, naming->share);
+           || allows_sharing(naming->share, other->share)
+           || allows_sharing(other->share, naming->share);
 }
 
 /* Another owner of the register, among the last that still hold; NULL: there

@@ -51,18 +51,18 @@ size_t runtime_errors(const struct runtime_checker *watch)
 /* ---- Telling ------------------------------------------------------------ */
 
 /* Once for a line. */
-static bool is_new(struct runtime_checker *watch, struct told told)
+static bool is_new(struct runtime_checker *watch, struct reported reported)
 {
     size_t i;
 
-    for (i = 0; i < watch->told_count; i++)
-        if (watch->told[i].number == told.number
-            && watch->told[i].warning == told.warning
-            && strcmp(watch->told[i].file, told.file) == 0)
+    for (i = 0; i < watch->reported_count; i++)
+        if (watch->reported[i].number == reported.number
+            && watch->reported[i].warning == reported.warning
+            && strcmp(watch->reported[i].file, reported.file) == 0)
             return false;
-    if (watch->told_count == MAX_TOLD)
+    if (watch->reported_count == MAX_REPORTED)
         return false;
-    watch->told[watch->told_count++] = told;
+    watch->reported[watch->reported_count++] = reported;
     return true;
 }
 
@@ -78,22 +78,22 @@ static void put(struct runtime_checker *watch, enum warning warning,
 }
 
 /* Without source lines the instruction is told by its address. */
-static void put_at_address(struct runtime_checker *watch, const struct spot *spot,
+static void put_at_address(struct runtime_checker *watch, const struct site *site,
                            enum warning warning, const char *message)
 {
     const struct position position = { .file = watch->name };
     char text[700];
 
-    snprintf(text, sizeof text, "%s at %" PRIX64 ": %.500s", spot->view.insn->mnemonic,
-             spot->view.pc, message);
+    snprintf(text, sizeof text, "%s at %" PRIX64 ": %.500s", site->view.insn->mnemonic,
+             site->view.pc, message);
     put(watch, warning, &position, text);
 }
 
-void runtime_tell(struct runtime_checker *watch, const struct spot *spot,
-                  enum warning warning, const char *format, ...)
+void runtime_report(struct runtime_checker *watch, const struct site *site,
+                    enum warning warning, const char *format, ...)
 {
-    const struct asm_line *line = object_line(watch->object, spot->view.pc);
-    struct told told = { "", spot->view.pc, warning };
+    const struct asm_line *line = object_line(watch->object, site->view.pc);
+    struct reported reported = { "", site->view.pc, warning };
     struct position position = { .file = NULL };
     char message[500];
     va_list arguments;
@@ -102,11 +102,11 @@ void runtime_tell(struct runtime_checker *watch, const struct spot *spot,
     if ((watch->meant | watch->choice->off) & WARNING_BIT(warning))
         return;
     if (line) {
-        told.file = line->file;
-        told.number = line->number;
+        reported.file = line->file;
+        reported.number = line->number;
         position = asm_line_position(line);
     }
-    if (!is_new(watch, told))
+    if (!is_new(watch, reported))
         return;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
@@ -114,24 +114,24 @@ void runtime_tell(struct runtime_checker *watch, const struct spot *spot,
     if (line)
         put(watch, warning, &position, message);
     else
-        put_at_address(watch, spot, warning, message);
+        put_at_address(watch, site, warning, message);
 }
 
 /* ---- The instructions --------------------------------------------------- */
 
-struct spot *runtime_site(struct runtime_checker *watch, const c205 *machine,
+struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc)
 {
-    static const struct spot empty;
-    struct spot *spot = &watch->spots[pc / 32 % SPOTS];
+    static const struct site empty;
+    struct site *site = &watch->spots[pc / 32 % SPOTS];
 
-    if (spot->view.pc == pc && spot->view.halves)
-        return spot;
-    *spot = empty;
-    view_decode(&spot->view, machine, pc);
-    if (spot->view.insn)
-        spot_choose(spot);
-    return spot;
+    if (site->view.pc == pc && site->view.halves)
+        return site;
+    *site = empty;
+    view_decode(&site->view, machine, pc);
+    if (site->view.insn)
+        spot_choose(site);
+    return site;
 }
 
 static void look_ahead(struct runtime_checker *watch, const c205 *machine)
@@ -173,13 +173,13 @@ void runtime_listen(void *context, const c205 *machine, const c205_event *event)
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     if (c205_unit_is_vector(event->insn->unit)) {
-        struct spot *spot = runtime_site(watch, machine, event->pc);
+        struct site *site = runtime_site(watch, machine, event->pc);
 
         take_lengths(watch, event);
-        if (spot->after)
-            spot->after(watch, machine, spot);
+        if (site->after)
+            site->after(watch, machine, site);
         if (event->recurrent > 0)
-            runtime_recurrence(watch, machine, spot, event->recurrent);
+            runtime_recurrence(watch, machine, site, event->recurrent);
     }
     if (!ends_run(event))
         look_ahead(watch, machine);

@@ -8,7 +8,7 @@
 #include "base/file.h"
 #include "base/atomic_file.h"
 
-static void tell(c205_error *error, const char *path, const char *why)
+static void set_path_error(c205_error *error, const char *path, const char *why)
 {
     snprintf(error->message, sizeof error->message, "%.100s: %.150s", path, why);
 }
@@ -43,7 +43,7 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
     if (output.left < sizeof(c205_word)) {
         error_set(&reason, "the saved machine has more than %d bytes", FILE_LARGEST);
     }
-    tell(error, path, reason.message);
+    set_path_error(error, path, reason.message);
     atomic_file_discard(whole);
     return false;
 }
@@ -55,7 +55,7 @@ c205 *state_load(const char *path, const c205_model *model, c205_error *error)
     char *bytes = file_read(path, FILE_LARGEST, &length, &reason);
     c205 *machine = bytes ? c205_restore(bytes, length, model, &reason) : NULL;
     if (!machine) {
-        tell(error, path, reason.message);
+        set_path_error(error, path, reason.message);
     }
     free(bytes);
     return machine;

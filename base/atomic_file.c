@@ -14,7 +14,7 @@
 
 enum { SUFFIX_SIZE = 16, ATTEMPTS = 100, MAX_LINKS = 40, PATH_SIZE = 4096 };
 
-static void tell(c205_error *error, const char *path, const char *why)
+static void set_path_error(c205_error *error, const char *path, const char *why)
 {
     snprintf(error->message, sizeof error->message, "%.180s: %.60s", path, why);
 }
@@ -123,12 +123,12 @@ struct atomic_file *atomic_file_open(const char *path, c205_error *error)
     struct atomic_file *whole = calloc(1, sizeof *whole);
     if (!whole || !(whole->path = followed(path))) {
         free(whole);
-        tell(error, path, "no memory");
+        set_path_error(error, path, "no memory");
         return NULL;
     }
     whole->file = open_place(whole);
     if (!whole->file) {
-        tell(error, path, strerror(errno));
+        set_path_error(error, path, strerror(errno));
         whole_free(whole);
         return NULL;
     }
@@ -144,7 +144,7 @@ bool atomic_file_check(const char *path, c205_error *error)
         if (access(path, W_OK) == 0) {
             return true;
         }
-        tell(error, path, strerror(errno));
+        set_path_error(error, path, strerror(errno));
         return false;
     }
     struct atomic_file *whole = atomic_file_open(path, error);
@@ -165,7 +165,7 @@ static bool reaches_disk(const struct atomic_file *whole)
 bool atomic_file_commit(struct atomic_file *whole, c205_error *error)
 {
     if (outputs_refused(whole->path)) {
-        tell(error, whole->path, file_reason(ETXTBSY));
+        set_path_error(error, whole->path, file_reason(ETXTBSY));
         atomic_file_discard(whole);
         return false;
     }
@@ -176,7 +176,7 @@ bool atomic_file_commit(struct atomic_file *whole, c205_error *error)
         good = rename(whole->temporary, whole->path) == 0;
     }
     if (!good) {
-        tell(error, whole->path, errno ? strerror(errno) : "write error");
+        set_path_error(error, whole->path, errno ? strerror(errno) : "write error");
         if (whole->temporary) {
             unlink(whole->temporary);
         }

@@ -102,7 +102,7 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
 }
 
 /* The one that holds what is said; NULL: no memory. */
-static struct diagnostic *saying(struct diagnostics *diagnostics)
+static struct diagnostic *next_diagnostic(struct diagnostics *diagnostics)
 {
     const struct diagnostic empty = { .severity = SEVERITY_SAID };
 
@@ -112,9 +112,9 @@ static struct diagnostic *saying(struct diagnostics *diagnostics)
     return keep(diagnostics, &empty);
 }
 
-bool diagnostics_say(struct diagnostics *diagnostics, const char *text)
+bool diagnostics_append(struct diagnostics *diagnostics, const char *text)
 {
-    struct diagnostic *item = saying(diagnostics);
+    struct diagnostic *item = next_diagnostic(diagnostics);
     size_t before = item && item->message ? strlen(item->message) : 0;
     size_t length = strlen(text);
     char *message;

@@ -53,7 +53,7 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
 /* Text that is to be printed as it is, after what was said so far.  False: it
  * is more than MAX_SAID bytes in all, or there is no memory. */
 enum { MAX_SAID = 1 << 16 };
-bool diagnostics_say(struct diagnostics *diagnostics, const char *text);
+bool diagnostics_append(struct diagnostics *diagnostics, const char *text);
 
 /* An error that points to a word with an invisible character names it.  Names and
  * messages are printed with such characters escaped, source lines with a question

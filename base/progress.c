@@ -65,7 +65,7 @@ void progress_hide(struct progress *progress)
     progress->line = false;
 }
 
-void progress_tell(struct progress *progress, size_t done, size_t all)
+void progress_update(struct progress *progress, size_t done, size_t all)
 {
     if (!progress->file) {
         return;

@@ -23,7 +23,7 @@ struct progress {
 void progress_begin(struct progress *progress);
 /* So many of all are done; all of them: the work is done, and what comes next
  * is another.  all is not 0. */
-void progress_tell(struct progress *progress, size_t done, size_t all);
+void progress_update(struct progress *progress, size_t done, size_t all);
 /* Clears the line, so that something else can be said. */
 void progress_hide(struct progress *progress);
 

@@ -41,7 +41,8 @@ const char *provenance_left_out(const c205_model *model)
 static const char unknown[] = "compared with no published figure";
 
 /* Whether there is anything to tell. */
-static bool tell_belief(const char *how, c205_belief belief, char line[PROVENANCE_LINE])
+static bool format_belief(const char *how, c205_belief belief,
+                          char line[PROVENANCE_LINE])
 {
     snprintf(line, PROVENANCE_LINE,
              "%s %u published figure%s, the largest error %+.1f %% (%.120s)", how,
@@ -52,17 +53,17 @@ static bool tell_belief(const char *how, c205_belief belief, char line[PROVENANC
 
 void provenance_line(const c205_model *model, char line[PROVENANCE_LINE])
 {
-    if (!tell_belief("fitted to", c205_model_fitted(model), line)
-        && !tell_belief("compared with", c205_model_compared(model), line)) {
+    if (!format_belief("fitted to", c205_model_fitted(model), line)
+        && !format_belief("compared with", c205_model_compared(model), line)) {
         snprintf(line, PROVENANCE_LINE, "%s", unknown);
     }
 }
 
-static bool say_belief(const char *how, c205_belief belief, const char *before,
-                       FILE *file)
+static bool print_belief_line(const char *how, c205_belief belief, const char *before,
+                              FILE *file)
 {
     char line[PROVENANCE_LINE];
-    bool known = tell_belief(how, belief, line);
+    bool known = format_belief(how, belief, line);
     if (known) {
         fprintf(file, ",\n%s%s", before, line);
     }
@@ -82,13 +83,14 @@ static const c205_model *fitted_origin(const c205_model *model)
     return like;
 }
 
-static void say_origin(const c205_model *model, const char *before, FILE *file)
+static void print_origin(const c205_model *model, const char *before, FILE *file)
 {
     const c205_model *origin = fitted_origin(model);
     fprintf(file, ",\n%s%s", before, unknown);
     if (origin) {
         fprintf(file, "; it changes %s", c205_model_name(origin));
-        say_belief("which was fitted to", c205_model_fitted(origin), before, file);
+        print_belief_line("which was fitted to", c205_model_fitted(origin), before,
+                          file);
     }
 }
 
@@ -102,10 +104,11 @@ static void print_claim(const c205_model *model, const char *before, FILE *file)
 
 static void print_belief(const c205_model *model, const char *before, FILE *file)
 {
-    bool said = say_belief("fitted to", c205_model_fitted(model), before, file);
-    said |= say_belief("compared with", c205_model_compared(model), before, file);
+    bool said = print_belief_line("fitted to", c205_model_fitted(model), before, file);
+    said |= print_belief_line("compared with", c205_model_compared(model), before,
+                              file);
     if (!said) {
-        say_origin(model, before, file);
+        print_origin(model, before, file);
     }
     fprintf(file, ".\n%sNot modelled: %s.\n", before, provenance_left_out(model));
 }

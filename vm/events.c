@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-static void tell_listeners(const struct c205 *machine, const c205_event *event)
+static void notify_listeners(const struct c205 *machine, const c205_event *event)
 {
     for (unsigned i = 0; i < machine->listener_count; i++)
         machine->listener[i].call(machine->listener[i].context, machine, event);
@@ -19,7 +19,7 @@ static c205_event make_event(const struct c205 *machine, c205_event_kind kind,
     return event;
 }
 
-static void tell_written(c205_event *event, unsigned slot)
+static void describe_register(c205_event *event, unsigned slot)
 {
     if (slot > 0 && slot < C205_REGISTERS)
         event->written[slot / 64] |= UINT64_C(1) << slot % 64;
@@ -37,14 +37,14 @@ static c205_range indexed_range(const struct effect *effect)
     return (c205_range){ least, greatest - least + effect->table_step };
 }
 
-static void tell_what_changed(const struct c205 *machine, const struct decoded *decoded,
-                              c205_event *event)
+static void describe_changes(const struct c205 *machine, const struct decoded *decoded,
+                             c205_event *event)
 {
     const struct effect *effect = &machine->effect;
     for (unsigned i = 0; i < decoded->result_count; i++)
-        tell_written(event, decoded->result[i]);
+        describe_register(event, decoded->result[i]);
     for (size_t i = 0; i < effect->swapped - effect->saved; i++)
-        tell_written(event, decoded->b + (unsigned)i);
+        describe_register(event, decoded->b + (unsigned)i);
     for (unsigned i = 0; i < effect->touch_count; i++)
         if (effect->touch[i].stored && event->store_count < C205_STORES)
             event->store[event->store_count++] = (c205_range){ effect->touch[i].address,
@@ -54,8 +54,8 @@ static void tell_what_changed(const struct c205 *machine, const struct decoded *
         event->store[event->store_count++] = indexed_range(effect);
 }
 
-void machine_tell_instruction(struct c205 *machine, const struct decoded *decoded,
-                              uint64_t before)
+void machine_notify_instruction(struct c205 *machine, const struct decoded *decoded,
+                                uint64_t before)
 {
     machine->executed = decoded;
     bool request = machine->request != NO_REQUEST && machine->request != REQUEST_EXIT;
@@ -71,17 +71,17 @@ void machine_tell_instruction(struct c205 *machine, const struct decoded *decode
     event.elements = machine->effect.elements;
     event.recurrent = machine->effect.recurrent;
     event.taken = machine->effect.taken;
-    tell_what_changed(machine, decoded, &event);
+    describe_changes(machine, decoded, &event);
     if (request) {
         event.request = machine->request;
         event.r = machine->slot[decoded->a];
         event.s = machine->slot[decoded->b];
     }
-    tell_listeners(machine, &event);
+    notify_listeners(machine, &event);
 }
 
-void machine_tell_stop(struct c205 *machine, const c205_stop *stop, uint64_t before,
-                       bool drained)
+void machine_notify_stop(struct c205 *machine, const c205_stop *stop, uint64_t before,
+                         bool drained)
 {
     c205_event event = make_event(machine,
                                   stop->trap ? C205_EVENT_TRAP : C205_EVENT_STOP,
@@ -91,5 +91,5 @@ void machine_tell_stop(struct c205 *machine, const c205_stop *stop, uint64_t bef
     event.insn = stop->insn;
     event.region = machine_region(machine, stop->pc);
     event.trap = stop->trap;
-    tell_listeners(machine, &event);
+    notify_listeners(machine, &event);
 }

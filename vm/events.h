@@ -5,11 +5,11 @@
 #include "vm/machine.h"
 
 /* Of an instruction that has been executed; before: the clock then. */
-void machine_tell_instruction(struct c205 *machine, const struct decoded *decoded,
-                              uint64_t before);
+void machine_notify_instruction(struct c205 *machine, const struct decoded *decoded,
+                                uint64_t before);
 /* Of the end of a run that had been charged up to a clock; drained: with all that was in
  * flight. */
-void machine_tell_stop(struct c205 *machine, const c205_stop *stop, uint64_t before,
-                       bool drained);
+void machine_notify_stop(struct c205 *machine, const c205_stop *stop, uint64_t before,
+                         bool drained);
 
 #endif

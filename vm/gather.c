@@ -330,8 +330,8 @@ static inline size_t place_in(const struct table_place *table, c205_word index)
     return (table->base + index) % C205_PAGE_WORDS;
 }
 
-static void tell_indices(struct c205 *machine, const c205_word *indices, size_t n,
-                         c205_word table)
+static void record_indices(struct c205 *machine, const c205_word *indices, size_t n,
+                           c205_word table)
 {
     struct effect *effect = &machine->effect;
     effect->elements = effect->index_count = n;
@@ -375,7 +375,7 @@ static bool gather_directly(struct c205 *machine, const struct decoded *decoded)
     gather_words(c, &table, indices, n);
     machine_touch(machine, LOW(list), bits);
     machine_touch_result(machine, LOW(to), bits);
-    tell_indices(machine, indices, n, machine->slot[decoded->b]);
+    record_indices(machine, indices, n, machine->slot[decoded->b]);
     return true;
 }
 
@@ -400,7 +400,7 @@ static bool scatter_directly(struct c205 *machine, const struct decoded *decoded
         table.page->word[place_in(&table, indices[i])] = b[i];
     machine_touch(machine, LOW(list), bits);
     machine_touch(machine, LOW(from), bits);
-    tell_indices(machine, indices, n, machine->slot[decoded->c]);
+    record_indices(machine, indices, n, machine->slot[decoded->c]);
     return true;
 }
 

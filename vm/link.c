@@ -101,7 +101,7 @@ static c205_trap claim_pair(struct pair *pair)
         return trap;
     const struct source *const sources[] = { &pair->first.a, &pair->first.b,
                                              &pair->second.a, &pair->second.b };
-    tell_recurrence(pair->second.machine, result, pair->second.n, sources, 4);
+    record_recurrence(pair->second.machine, result, pair->second.n, sources, 4);
     size_t chunk = pair->second.chunk;
     chunk = operand_lead(&pair->first.a.vector, result, chunk);
     pair->second.chunk = operand_lead(&pair->first.b.vector, result, chunk);

@@ -162,7 +162,7 @@ static bool stop_between(struct c205 *machine, c205_trap why, uint64_t address,
     c205_trap trap = decode_at(machine, machine->pc, &decoded);
     machine->fault = address;
     set_trap(machine, why, trap == C205_TRAP_NONE ? decoded->insn : NULL, stop);
-    machine_tell_stop(machine, stop, clock_now(machine->clock), false);
+    machine_notify_stop(machine, stop, clock_now(machine->clock), false);
     return false;
 }
 
@@ -179,7 +179,7 @@ static bool stop_before(struct c205 *machine, c205_trap trap, const c205_insn *i
     uint64_t before = clock_now(machine->clock);
     set_trap(machine, trap, insn, stop);
     clock_show_drained(machine->clock);
-    machine_tell_stop(machine, stop, before, true);
+    machine_notify_stop(machine, stop, before, true);
     return false;
 }
 
@@ -197,7 +197,7 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
         limit = machine->resumed_at;
     set_trap(machine, trap, decoded->insn, stop);
     clock_show(machine->clock, decoded, limit);
-    machine_tell_stop(machine, stop, before, false);
+    machine_notify_stop(machine, stop, before, false);
     return false;
 }
 
@@ -220,7 +220,7 @@ static bool attend(struct c205 *machine, const struct decoded *decoded, uint64_t
 {
     uint64_t after = clock_now(machine->clock);
     unsigned request = machine->request;
-    machine_tell_instruction(machine, decoded, before);
+    machine_notify_instruction(machine, decoded, before);
     machine->request = NO_REQUEST;
     machine->eventful = machine->listener_count > 0 || machine->stops;
     if (request != REQUEST_EXIT)
@@ -233,7 +233,7 @@ static bool attend(struct c205 *machine, const struct decoded *decoded, uint64_t
     stop->insn = decoded->insn;
     stop->status = c205_to_integer(machine->slot[decoded->a]);
     clock_drain(machine->clock);
-    machine_tell_stop(machine, stop, after, true);
+    machine_notify_stop(machine, stop, after, true);
     return false;
 }
 

@@ -96,7 +96,7 @@ static void walk_words(c205_word *words, struct serializer *serializer)
 }
 
 /* A page that was not touched stays so: it is like one of zeros. */
-static void tell_untouched(struct serializer *serializer)
+static void save_untouched(struct serializer *serializer)
 {
     size_t access = C205_READ_WRITE, zeros = C205_PAGE_WORDS, words = 0;
     serializer_size(serializer, &access, C205_READ_WRITE);
@@ -108,7 +108,7 @@ static void walk_page(struct memory *memory, uint64_t address,
                       struct serializer *serializer)
 {
     if (memory_is_untouched(memory_peek(memory, address))) {
-        tell_untouched(serializer);
+        save_untouched(serializer);
         return;
     }
     struct page *page = memory_page(memory, address);

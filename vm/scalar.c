@@ -226,7 +226,7 @@ c205_trap execute_load_word(struct c205 *machine, const struct decoded *decoded)
 }
 
 /* What was decoded of this block may have been stored over. */
-static void tell_changes(struct c205 *machine, uint64_t before)
+static void count_changes(struct c205 *machine, uint64_t before)
 {
     machine->effect.ends = machine->memory.code_changes != before;
 }
@@ -238,7 +238,7 @@ c205_trap execute_store_word(struct c205 *machine, const struct decoded *decoded
     c205_trap trap = memory_store(&machine->memory, address, machine->slot[decoded->c]);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
-    tell_changes(machine, changes);
+    count_changes(machine, changes);
     machine_touch_result(machine, address, WORD_BITS);
     return C205_TRAP_NONE;
 }
@@ -269,7 +269,7 @@ c205_trap execute_store_half(struct c205 *machine, const struct decoded *decoded
     c205_trap trap = memory_store_half(&machine->memory, address, half);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
-    tell_changes(machine, changes);
+    count_changes(machine, changes);
     machine_touch_result(machine, address, HALF_BITS);
     return C205_TRAP_NONE;
 }

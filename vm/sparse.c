@@ -206,7 +206,7 @@ static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
 }
 
 /* Results for which an operand at least is one that was stored before. */
-static void tell_recurrence_of_sparse(const struct sparse *sparse)
+static void record_recurrence_of_sparse(const struct sparse *sparse)
 {
     const struct vector *a = &sparse->a.vector, *b = &sparse->b.vector;
     const struct vector *result = &sparse->result;
@@ -299,7 +299,7 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
         return trap;
     machine->effect.elements = longest(sparse.x.ones, sparse.y.ones, sparse.z.ones);
     machine->effect.idle = machine->effect.elements - sparse.z.ones;
-    tell_recurrence_of_sparse(&sparse);
+    record_recurrence_of_sparse(&sparse);
     trap = begin_turn(&sparse);
     if (trap == C205_TRAP_NONE)
         trap = run_sparse(&sparse, operation_of(decoded));

@@ -142,8 +142,8 @@ static bool recurs(const struct vector *result, size_t i,
     return found;
 }
 
-void tell_recurrence(struct c205 *machine, const struct vector *result, size_t n,
-                     const struct source *const *sources, size_t count)
+void record_recurrence(struct c205 *machine, const struct vector *result, size_t n,
+                       const struct source *const *sources, size_t count)
 {
     struct elements some[MAX_SOURCES];
     bool overlap = false, alike = true;
@@ -159,10 +159,10 @@ void tell_recurrence(struct c205 *machine, const struct vector *result, size_t n
         machine->effect.recurrent += recurs(result, i, sources, count);
 }
 
-static void tell_recurrence_of(const struct stream *stream)
+static void record_recurrence_of(const struct stream *stream)
 {
     const struct source *const sources[] = { &stream->a, &stream->b };
-    tell_recurrence(stream->machine, &stream->result, stream->n, sources, 2);
+    record_recurrence(stream->machine, &stream->result, stream->n, sources, 2);
 }
 
 /* ---- Operations -------------------------------------------------------- */
@@ -237,7 +237,7 @@ void stream_step(struct stream *stream, const struct operation *operation, size_
 
 static c205_trap run_stream(struct stream *stream, const struct operation *operation)
 {
-    tell_recurrence_of(stream);
+    record_recurrence_of(stream);
     for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
         stream_step(stream, operation, first, n, true);
@@ -382,7 +382,7 @@ static void evaluate(struct stream *stream, const struct horner *horner,
 }
 
 /* All coefficients are read for each element. */
-static void tell_recurrence_of_polynomial(const struct stream *stream)
+static void record_recurrence_of_polynomial(const struct stream *stream)
 {
     const struct vector *a = &stream->a.vector, *b = &stream->b.vector;
     struct vector all = { b->address, b->length > 0, (unsigned)b->length * b->width };
@@ -406,7 +406,7 @@ c205_trap execute_vector_polynomial(struct c205 *machine, const struct decoded *
         return trap;
     size_t count = stream.b.vector.length;
     machine->effect.elements = stream.n * count;
-    tell_recurrence_of_polynomial(&stream);
+    record_recurrence_of_polynomial(&stream);
     stream.turn = machine_turn(machine, stream.n,
                                count > 0 ? machine->allowed / count : stream.n);
     for (size_t first = stream.turn.first, n; first < stream.turn.end; first += n) {

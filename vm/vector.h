@@ -50,8 +50,8 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 /* Tell the clock of n elements of a result how many must wait for an earlier
  * one, which one of these sources reads; MAX_SOURCES of them, a pair's. */
 enum { MAX_SOURCES = 4 };
-void tell_recurrence(struct c205 *machine, const struct vector *result, size_t n,
-                     const struct source *const *sources, size_t count);
+void record_recurrence(struct c205 *machine, const struct vector *result, size_t n,
+                       const struct source *const *sources, size_t count);
 
 /* How many elements come next. */
 static inline size_t stream_next(const struct stream *stream, size_t first)

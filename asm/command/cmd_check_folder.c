@@ -97,17 +97,18 @@ struct handed_in {
 /* What is wrong in the first test that is not passed; or slow in the first that says so. */
 static void join_first(struct text_buffer *report, const struct lesson_verdict *verdict)
 {
-    const struct lesson_trial *told = NULL;
+    const struct lesson_trial *reported = NULL;
     struct sink sink = text_buffer_sink(report);
     for (size_t i = 0; i < verdict->count; i++) {
         const struct lesson_trial *trial = &verdict->trials[i];
-        if (trial->report.count > 0 && (!told || (told->passed && !trial->passed))) {
-            told = trial;
+        if (trial->report.count > 0
+            && (!reported || (reported->passed && !trial->passed))) {
+            reported = trial;
         }
     }
-    if (told) {
-        sink_print(&sink, "%s:", told->test->name);
-        check_join(report, &told->report);
+    if (reported) {
+        sink_print(&sink, "%s:", reported->test->name);
+        check_join(report, &reported->report);
     }
     check_join(report, &verdict->report);
 }
@@ -205,7 +206,7 @@ static void take_folder(struct handed_in *all, const char *student, const char *
         all->failed = all->failed || inner.failed;
         text_buffer_free(&inner);
         if (!*student) {
-            progress_tell(&all->progress, i + 1, folder.count);
+            progress_update(&all->progress, i + 1, folder.count);
         }
     }
     folder_free(&folder);

@@ -38,7 +38,7 @@ static void put_constant(struct text_line *line, const struct asm_symbol *symbol
 }
 
 /* Its constants, where it puts data, and where it looks for results. */
-static void tell_symbols(struct table *table, const struct object *test)
+static void print_symbols(struct table *table, const struct object *test)
 {
     struct text_line constants = { 0 }, data = { 0 }, results = { 0 };
     for (size_t i = 0; i < test->symbol_count; i++) {
@@ -70,7 +70,7 @@ static bool add_test(struct table *table, const struct lesson_test *test,
             table_gap(table);
         }
     }
-    tell_symbols(table, object);
+    print_symbols(table, object);
     table_text(table, test->tries);
     object_free(object);
     return true;

@@ -140,7 +140,7 @@ struct verdict {
     const char *report;
 };
 
-static void tell_row(struct table *table, const struct verdict *verdict)
+static void print_row(struct table *table, const struct verdict *verdict)
 {
     table_text(table, verdict->path);
     table_text(table, verdict->good ? "yes" : "no");
@@ -149,8 +149,8 @@ static void tell_row(struct table *table, const struct verdict *verdict)
 }
 
 /* The reasons stand a little to the right. */
-static void tell_text(const struct command_output *results,
-                      const struct verdict *verdict)
+static void print_text(const struct command_output *results,
+                       const struct verdict *verdict)
 {
     const char *text = verdict->report;
     const char *other = verdict->other_model;
@@ -164,8 +164,8 @@ static void tell_text(const struct command_output *results,
     }
 }
 
-static void tell_json(struct json *json, const c205_model *model,
-                      const struct verdict *verdict)
+static void print_json(struct json *json, const c205_model *model,
+                       const struct verdict *verdict)
 {
     json_object(json, NULL);
     json_text(json, "program", verdict->path);
@@ -195,12 +195,12 @@ static void check_one(struct checker *checker, const char *path)
         verdict.report = "no memory";
     }
     if (checker->table) {
-        tell_row(checker->table, &verdict);
+        print_row(checker->table, &verdict);
     } else {
-        tell_text(checker->results, &verdict);
+        print_text(checker->results, &verdict);
     }
     if (checker->results->json) {
-        tell_json(checker->results->json, checker->model, &verdict);
+        print_json(checker->results->json, checker->model, &verdict);
     }
     checker->failures += !verdict.good;
     text_buffer_free(&checker->printed);

@@ -22,8 +22,8 @@ static double clocks_of(const struct swept_point *point, size_t which)
 
 /* ---- In words -------------------------------------------------------------- */
 
-static void tell_line(const struct program_sweep *sweep, int which,
-                      const struct command_output *results)
+static void print_line(const struct program_sweep *sweep, int which,
+                       const struct command_output *results)
 {
     struct swept_line line = swept_line_of(sweep, which);
     if (!line.grows) {
@@ -39,8 +39,8 @@ static void tell_line(const struct program_sweep *sweep, int which,
     }
 }
 
-static void tell_crossings(const struct program_sweep *sweep,
-                           const struct command_output *results)
+static void print_crossings(const struct program_sweep *sweep,
+                            const struct command_output *results)
 {
     const struct swept_point *begin = sweep->points;
     bool faster = clocks_of(begin, SWEPT_SECOND) < clocks_of(begin, SWEPT_FIRST);
@@ -113,10 +113,10 @@ static int show(const struct program_sweep *sweep, const struct command_output *
     }
     output_gap(results);
     for (size_t i = 0; i < sweep->program_count; i++) {
-        tell_line(sweep, (int)i, results);
+        print_line(sweep, (int)i, results);
     }
     if (sweep->program_count == SWEPT_PROGRAMS) {
-        tell_crossings(sweep, results);
+        print_crossings(sweep, results);
     }
     output_model(results, sweep->model);
     return code;
@@ -161,7 +161,7 @@ static bool goes_on(void *context, size_t done, size_t all)
     if (interrupt_pending()) {
         progress_hide(progress);
     } else {
-        progress_tell(progress, done, all);
+        progress_update(progress, done, all);
     }
     return !interrupt_pending();
 }

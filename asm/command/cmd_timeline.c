@@ -30,8 +30,8 @@ struct ending {
 };
 
 /* What is drawn of a program that traps is kept all the same. */
-static int tell_trap(const struct c205_arguments *arguments, const c205 *machine,
-                     const struct ending *ending)
+static int print_trap(const struct c205_arguments *arguments, const c205 *machine,
+                      const struct ending *ending)
 {
     c205_error error;
     if (!ending->ended || ending->stop.trap == C205_TRAP_NONE) {
@@ -65,7 +65,7 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
     }
     timeline_settle(timeline);
     code = write_file(arguments, timeline);
-    return code != CMD_DONE ? code : tell_trap(arguments, machine, &ending);
+    return code != CMD_DONE ? code : print_trap(arguments, machine, &ending);
 }
 
 /* Until the next instruction arrives there, or later. */

@@ -89,9 +89,9 @@ struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
             const char *name = accounts->items[i].name;
             uint64_t first = clocks_of(&runs[COMPARED_FIRST], name);
             uint64_t second = clocks_of(&runs[COMPARED_SECOND], name);
-            bool told = which == COMPARED_SECOND
-                        && accounts_find(&runs[COMPARED_FIRST].accounts, name);
-            if (!told && first + second > 0)
+            bool reported = which == COMPARED_SECOND
+                            && accounts_find(&runs[COMPARED_FIRST].accounts, name);
+            if (!reported && first + second > 0)
                 add_clocks(table, accounts_region(&accounts->items[i]), first, second);
         }
     }
@@ -164,8 +164,8 @@ static int largest(const struct compared_run runs[COMPARED_RUNS], double whole,
 
 enum { CAUSE_TEXT = 80 };
 
-static void say_cause(const struct compared_run runs[COMPARED_RUNS], int cause,
-                      char text[CAUSE_TEXT])
+static void print_cause(const struct compared_run runs[COMPARED_RUNS], int cause,
+                        char text[CAUSE_TEXT])
 {
     double own = difference_of(runs, cause);
     snprintf(text, CAUSE_TEXT, "%.0f %s of %s", fabs(own), own < 0 ? "fewer" : "more",
@@ -186,11 +186,11 @@ void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
                  plural((uint64_t)first));
         return;
     }
-    say_cause(runs, most, cause);
+    print_cause(runs, most, cause);
     next = largest(runs, whole, most);
     if (next >= 0
         && fabs(difference_of(runs, next)) * 5 >= fabs(difference_of(runs, most)))
-        say_cause(runs, next, beside);
+        print_cause(runs, next, beside);
     snprintf(text, COMPARED_SENTENCE,
              "The second takes %.0f clock%s %s than the first: %s%s%s.", fabs(whole),
              plural((uint64_t)fabs(whole)), whole < 0 ? "less" : "more", cause,

@@ -104,7 +104,7 @@ bool dap_fault(struct dap *dap, const char *format, ...)
  * newline. */
 char *dap_take_said(struct dap *dap);
 /* A sink to what is said. */
-struct sink dap_saying(struct dap *dap);
+struct sink dap_output_sink(struct dap *dap);
 
 /* An event's body is written between them.  NULL: no memory, and the session is over. */
 struct json *event_begin(struct dap *dap, struct text_buffer *body);
@@ -112,12 +112,12 @@ void event_end(struct dap *dap, const char *name, struct json *json,
                struct text_buffer *body);
 void event_bare(struct dap *dap, const char *name);
 /* The event output: of a category, if there is a text. */
-void say_output(struct dap *dap, const char *category, const char *text);
+void send_output(struct dap *dap, const char *category, const char *text);
 /* What the program has printed until now. */
-void say_printed(struct dap *dap);
+void send_printed(struct dap *dap);
 /* request: what it answers.  body: JSON. */
-void say_response(struct dap *dap, const struct json_value *request, const char *body);
-void say_refusal(struct dap *dap, const struct json_value *request, const char *why);
+void send_response(struct dap *dap, const struct json_value *request, const char *body);
+void send_refusal(struct dap *dap, const struct json_value *request, const char *why);
 
 /* Hear what the client says while a program runs (session.c): shall it stop? */
 bool dap_listen(void *dap);

@@ -51,14 +51,14 @@ static bool has_moved(struct stand a, struct stand b)
     return a.step != b.step || a.pc != b.pc || a.halted != b.halted;
 }
 
-static void tell_moved(struct dap *dap)
+static void send_moved(struct dap *dap)
 {
     dap->exit_reported = dap->debugger->halted;
     dap_stopped(dap, "goto");
 }
 
 /* Registers or memory may be others than the client shows. */
-static void tell_changed(struct dap *dap)
+static void send_changed(struct dap *dap)
 {
     struct text_buffer body;
     struct json *json = event_begin(dap, &body);
@@ -86,9 +86,9 @@ static void obey_line(struct dap *dap, const char *text)
     else if (dap->pending == PENDING_RESTART)
         dap->then = dap_begin;
     else if (has_moved(before, stand_of(dap)))
-        dap->then = tell_moved;
+        dap->then = send_moved;
     else if (dap->client_redraws)
-        dap->then = tell_changed;
+        dap->then = send_changed;
 }
 
 bool request_evaluate(struct dap *dap, const struct json_value *arguments,

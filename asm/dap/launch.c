@@ -142,7 +142,7 @@ static bool make_debugger(struct dap *dap, bool warm)
     struct debugger_setup setup = { .object = dap->object,
                                     .name = dap->path,
                                     .model = dap->model,
-                                    .out = dap_saying(dap),
+                                    .out = dap_output_sink(dap),
                                     .printed = { print, dap },
                                     .printed_apart = true,
                                     .warm = warm,
@@ -158,7 +158,7 @@ static bool make_debugger(struct dap *dap, bool warm)
 static bool open_program(struct dap *dap, const struct json_value *launch)
 {
     struct dap_program program;
-    struct sink report = dap_saying(dap);
+    struct sink report = dap_output_sink(dap);
 
     return read_program(dap, launch, &program)
            && dap->setup.open(dap->setup.context, &program, &report, &dap->object,
@@ -201,7 +201,7 @@ bool request_launch(struct dap *dap, const struct json_value *arguments,
 {
     (void)body;
     if (!open_program(dap, arguments)) {
-        say_output(dap, "stderr", dap->said.text);
+        send_output(dap, "stderr", dap->said.text);
         close_program(dap);
         return false;
     }

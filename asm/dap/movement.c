@@ -41,14 +41,14 @@ static void put_met(const struct dap *dap, struct json *body)
 }
 
 /* With what the engine says to it. */
-static void tell_stopped(struct dap *dap, const char *reason, bool met)
+static void send_stopped(struct dap *dap, const char *reason, bool met)
 {
     struct text_buffer text;
     struct json *body;
     char *said;
 
     dap->state = DAP_STANDING;
-    say_printed(dap);
+    send_printed(dap);
     body = event_begin(dap, &text);
     if (!body)
         return;
@@ -70,25 +70,25 @@ static void tell_stopped(struct dap *dap, const char *reason, bool met)
 
 void dap_stopped(struct dap *dap, const char *reason)
 {
-    tell_stopped(dap, reason, false);
+    send_stopped(dap, reason, false);
 }
 
 /* ---- It is over ------------------------------------------------------------------- */
 
 void dap_finish(struct dap *dap)
 {
-    say_printed(dap);
+    send_printed(dap);
     if (dap->state != DAP_ENDED)
         event_bare(dap, "terminated");
     dap->state = DAP_ENDED;
 }
 
-static void tell_exit(struct dap *dap, int64_t status)
+static void send_exit(struct dap *dap, int64_t status)
 {
     struct text_buffer text;
     struct json *body;
 
-    say_printed(dap);
+    send_printed(dap);
     body = event_begin(dap, &text);
     if (!body)
         return;
@@ -97,31 +97,31 @@ static void tell_exit(struct dap *dap, int64_t status)
     dap_finish(dap);
 }
 
-static void tell_trap(struct dap *dap)
+static void send_trap(struct dap *dap)
 {
     show_halt(dap->debugger);
     if (dap->stop_at_traps) {
         dap_stopped(dap, "exception");
         return;
     }
-    say_printed(dap);
-    say_output(dap, "stderr", dap->said.text);
+    send_printed(dap);
+    send_output(dap, "stderr", dap->said.text);
     text_buffer_free(&dap->said);
-    tell_exit(dap, 1);
+    send_exit(dap, 1);
 }
 
-static void tell_halt(struct dap *dap)
+static void send_halt(struct dap *dap)
 {
     const c205_stop *stop = &dap->debugger->halt;
 
     if (stop->trap != C205_TRAP_NONE) {
-        tell_trap(dap);
+        send_trap(dap);
     } else if (dap->stop_on_end && !dap->exit_reported) {
         show_halt(dap->debugger);
         dap_stopped(dap, "end");
         dap->exit_reported = true;
     } else {
-        tell_exit(dap, stop->status);
+        send_exit(dap, stop->status);
     }
 }
 
@@ -129,20 +129,20 @@ static void tell_halt(struct dap *dap)
 
 static void arrive(struct dap *dap, enum moved moved)
 {
-    struct sink say = dap_saying(dap);
+    struct sink output = dap_output_sink(dap);
 
     if (moved != MOVED_TO_HALT)
         dap->exit_reported = false;
     switch (moved) {
-    case MOVED_TO_STOP: tell_stopped(dap, met_reason(dap), true); break;
-    case MOVED_TO_HALT: tell_halt(dap); break;
+    case MOVED_TO_STOP: send_stopped(dap, met_reason(dap), true); break;
+    case MOVED_TO_HALT: send_halt(dap); break;
     case MOVED_TO_START:
-        sink_put(&say, "this is the beginning");
+        sink_put(&output, "this is the beginning");
         dap_stopped(dap, "entry");
         break;
     case MOVED_INTERRUPTED: dap_stopped(dap, "pause"); break;
     case MOVED_TOO_FAR:
-        sink_print(&say, "%" PRIu64 " clock%s passed", dap->setup.clocks_most,
+        sink_print(&output, "%" PRIu64 " clock%s passed", dap->setup.clocks_most,
                    dap->setup.clocks_most == 1 ? " has" : "s have");
         dap_stopped(dap, "pause");
         break;
@@ -163,7 +163,7 @@ static void prepare_beginning(struct dap *dap)
 
     for (size_t i = 0; i < debugger->stop_count; i++)
         debugger->stops[i].hits = 0;
-    debugger->told = 0;
+    debugger->reported = 0;
     dap->reason = "entry";
     dap->move = dap->stop_on_entry ? to_the_beginning : motion_run;
 }
@@ -306,7 +306,7 @@ bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-static void tell_goto(struct dap *dap)
+static void send_goto(struct dap *dap)
 {
     dap_stopped(dap, "goto");
 }
@@ -318,7 +318,7 @@ bool request_goto(struct dap *dap, const struct json_value *arguments,
     int64_t target = -1;
 
     (void)body;
-    dap->then = tell_goto;
+    dap->then = send_goto;
     return dap_whole(dap, arguments, "targetId", &target)
            && debug_jump(dap->debugger, (uint64_t)target);
 }

@@ -10,14 +10,14 @@
 
 /* ---- Texts ------------------------------------------------------------------ */
 
-struct sink dap_saying(struct dap *dap)
+struct sink dap_output_sink(struct dap *dap)
 {
     return text_buffer_sink(&dap->said);
 }
 
 bool dap_fault(struct dap *dap, const char *format, ...)
 {
-    struct sink sink = dap_saying(dap);
+    struct sink sink = dap_output_sink(dap);
     char text[512];
     va_list arguments;
 
@@ -119,7 +119,7 @@ void event_bare(struct dap *dap, const char *name)
     message_end(dap, json, &line);
 }
 
-void say_output(struct dap *dap, const char *category, const char *text)
+void send_output(struct dap *dap, const char *category, const char *text)
 {
     struct text_buffer body;
     struct json *json;
@@ -134,11 +134,11 @@ void say_output(struct dap *dap, const char *category, const char *text)
     event_end(dap, "output", json, &body);
 }
 
-void say_printed(struct dap *dap)
+void send_printed(struct dap *dap)
 {
     if (dap->printed.failed)
         give_up(dap, "no memory");
-    say_output(dap, "stdout", dap->printed.text);
+    send_output(dap, "stdout", dap->printed.text);
     text_buffer_free(&dap->printed);
 }
 
@@ -159,7 +159,7 @@ static struct json *response_begin(struct dap *dap, struct text_buffer *line,
     return json;
 }
 
-void say_response(struct dap *dap, const struct json_value *request, const char *body)
+void send_response(struct dap *dap, const struct json_value *request, const char *body)
 {
     struct text_buffer line;
     struct json *json = response_begin(dap, &line, request, true);
@@ -170,7 +170,7 @@ void say_response(struct dap *dap, const struct json_value *request, const char 
     message_end(dap, json, &line);
 }
 
-void say_refusal(struct dap *dap, const struct json_value *request, const char *why)
+void send_refusal(struct dap *dap, const struct json_value *request, const char *why)
 {
     struct text_buffer line;
     struct json *json = response_begin(dap, &line, request, false);

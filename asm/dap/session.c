@@ -92,7 +92,7 @@ static void refuse(struct dap *dap, const struct json_value *request)
 {
     char *why = dap_take_said(dap);
 
-    say_refusal(dap, request, why ? why : "no memory");
+    send_refusal(dap, request, why ? why : "no memory");
     free(why);
 }
 
@@ -101,9 +101,9 @@ static void respond(struct dap *dap, const struct json_value *request, const cha
 {
     char *said = dap_take_said(dap);
 
-    say_output(dap, "console", said);
+    send_output(dap, "console", said);
     free(said);
-    say_response(dap, request, body);
+    send_response(dap, request, body);
 }
 
 static void handle_request(struct dap *dap, const struct json_value *request)
@@ -119,7 +119,7 @@ static void handle_request(struct dap *dap, const struct json_value *request)
     if (!json)
         return;
     good = answer(dap, request, json);
-    say_printed(dap);
+    send_printed(dap);
     if (good && json_close(json, dap->error))
         respond(dap, request, body.text);
     else if (!good)
@@ -149,7 +149,7 @@ static void handle_message(struct dap *dap, const char *text, size_t length)
     if (!message || !type) {
         snprintf(line, sizeof line, "a message that is none: %s\n",
                  message ? "it has no type" : error.message);
-        say_output(dap, "stderr", line);
+        send_output(dap, "stderr", line);
     } else if (strcmp(type, "request") == 0 && json_member_text(message, "command")) {
         handle_request(dap, message);
     }
@@ -200,7 +200,7 @@ bool dap_listen(void *given)
 {
     struct dap *dap = given;
 
-    say_printed(dap);
+    send_printed(dap);
     if (dap->setup.ready(dap->setup.context))
         read_more(dap);
     while (!dap->over && dap->pending == PENDING_NONE && handle_next(dap))

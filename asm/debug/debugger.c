@@ -71,8 +71,8 @@ const char *debugger_verb(size_t i)
     return i < VERBS ? verbs[i].name : NULL;
 }
 
-static void tell_verb(const struct debugger *debugger, const char *name,
-                      const char *arguments, const char *help)
+static void print_verb(const struct debugger *debugger, const char *name,
+                       const char *arguments, const char *help)
 {
     sink_print(&debugger->out, "%s %s\n", name, arguments);
     if (*help)
@@ -86,9 +86,9 @@ static bool verb_help(struct debugger *debugger, struct rest *rest)
     if (!rest_finish(debugger, rest))
         return false;
     for (; more && more->name; more++)
-        tell_verb(debugger, more->name, more->arguments, more->help);
+        print_verb(debugger, more->name, more->arguments, more->help);
     for (size_t i = 0; i < VERBS; i++)
-        tell_verb(debugger, verbs[i].name, verbs[i].arguments, verbs[i].help);
+        print_verb(debugger, verbs[i].name, verbs[i].arguments, verbs[i].help);
     sink_put(&debugger->out,
              "A beginning of a verb does; an empty line moves again.\n");
     return true;
@@ -120,9 +120,9 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     debugger->last = *event;
     copy_record(&debugger->record, event->record);
     debugger->last.record = &debugger->record;
-    if (step_of(debugger) < debugger->told)
+    if (step_of(debugger) < debugger->reported)
         return;
-    debugger->told = step_of(debugger) + 1;
+    debugger->reported = step_of(debugger) + 1;
     printer_listen(&debugger->printer, machine, event);
 }
 
@@ -255,7 +255,7 @@ static size_t verb_length(const char *text)
     return length;
 }
 
-static void tell_unknown(struct debugger *debugger, const char *name, size_t length)
+static void print_unknown(struct debugger *debugger, const char *name, size_t length)
 {
     const struct debugger_verb *more = debugger->setup.verbs;
     char word[40];
@@ -309,7 +309,7 @@ bool debugger_obey(struct debugger *debugger, const char *line)
     while (i < VERBS && !(length > 0 && is_verb(&verbs[i], rest.at, length)))
         i++;
     if (i == VERBS) {
-        tell_unknown(debugger, rest.at, strcspn(rest.at, " \t\n"));
+        print_unknown(debugger, rest.at, strcspn(rest.at, " \t\n"));
         return true;
     }
     if (!verbs[i].obey)

@@ -66,7 +66,7 @@ struct debugger {
     c205_history *history;
     struct printer printer;
     struct line_tracker printed; /* the output of the program */
-    uint64_t told;               /* steps whose output was printed */
+    uint64_t reported;           /* steps whose output was printed */
     bool has_last;               /* there is a last instruction: */
     c205_event last;
     c205_times record; /* its time */

@@ -23,7 +23,7 @@ enum moved {
 
 /* Those that were met have been, and what is once is over.  With a word of each, or
  * without. */
-void stops_pass(struct debugger *debugger, bool told);
+void stops_pass(struct debugger *debugger, bool reported);
 
 enum moved motion_steps(struct debugger *debugger, uint64_t count);
 /* One instruction, a call and all that it does being one. */

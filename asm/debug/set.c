@@ -14,8 +14,8 @@ static bool keep_change(struct debugger *debugger)
     c205_error error;
 
     debugger->halted = false;
-    if (debugger->told > step_of(debugger))
-        debugger->told = step_of(debugger);
+    if (debugger->reported > step_of(debugger))
+        debugger->reported = step_of(debugger);
     stops_sample(debugger);
     return c205_history_changed(debugger->history, &error)
            || debug_fault(debugger, "%s", error.message);

@@ -116,7 +116,7 @@ bool stops_meet(struct debugger *debugger, uint64_t before)
 
 /* ---- What is told --------------------------------------------------------- */
 
-static void tell_change(struct debugger *debugger, const struct stop_point *stop)
+static void print_change(struct debugger *debugger, const struct stop_point *stop)
 {
     c205_word now[WATCHED_WORDS];
     char old_text[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
@@ -139,23 +139,23 @@ static void forget(struct debugger *debugger, size_t i)
     debugger->stop_count--;
 }
 
-static void tell(struct debugger *debugger, const struct stop_point *stop)
+static void print_stop(struct debugger *debugger, const struct stop_point *stop)
 {
     if (stop->kind == STOP_WATCH)
-        tell_change(debugger, stop);
+        print_change(debugger, stop);
     else
         sink_print(&debugger->out, "break %zu: %s\n", stop->number, stop->text);
 }
 
-void stops_pass(struct debugger *debugger, bool told)
+void stops_pass(struct debugger *debugger, bool reported)
 {
     size_t i = 0;
 
     while (i < debugger->stop_count) {
         struct stop_point *stop = &debugger->stops[i];
 
-        if (stop->met && told)
-            tell(debugger, stop);
+        if (stop->met && reported)
+            print_stop(debugger, stop);
         if (stop->met)
             sample(debugger, stop);
         if (stop->met && stop->once)

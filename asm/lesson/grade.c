@@ -43,8 +43,8 @@ static bool no_memory(c205_error *error)
 /* ---- The answer ------------------------------------------------------------ */
 
 /* A sentence, and below it those of one severity. */
-static void say_diagnostics(struct lesson_report *report, const char *sentence,
-                            const struct diagnostics *said, enum severity severity)
+static void print_diagnostics(struct lesson_report *report, const char *sentence,
+                              const struct diagnostics *said, enum severity severity)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
@@ -72,19 +72,19 @@ static struct asm_define *make_defines(struct sitting *sitting)
     return defines;
 }
 
-static void tell_redefined(struct lesson_report *report, const char *name,
-                           const struct diagnostic *diagnostic)
+static void print_redefined(struct lesson_report *report, const char *name,
+                            const struct diagnostic *diagnostic)
 {
     if (diagnostic->source && strstr(diagnostic->source, ".equ"))
-        report_say(report,
-                   "Line %zu sets %s, which the tests set: put '.ifndef %s' "
-                   "before it and '.endif' behind it.",
-                   diagnostic->line, name, name);
+        report_printf(report,
+                      "Line %zu sets %s, which the tests set: put '.ifndef %s' "
+                      "before it and '.endif' behind it.",
+                      diagnostic->line, name, name);
     else
-        report_say(report,
-                   "Line %zu uses the name %s, which is that of a constant "
-                   "that the tests set: take another one.",
-                   diagnostic->line, name);
+        report_printf(report,
+                      "Line %zu uses the name %s, which is that of a constant "
+                      "that the tests set: take another one.",
+                      diagnostic->line, name);
 }
 
 /* Whether a constant that the answer has, too, is why. */
@@ -92,18 +92,18 @@ static bool find_redefined(struct sitting *sitting, const struct diagnostics *sa
                            const struct asm_define *defines)
 {
     struct lesson_report *report = sitting->general;
-    size_t told = report->count;
+    size_t reported = report->count;
 
     for (; defines->name; defines++)
         for (size_t i = 0; i < said->count; i++)
             if (asm_is_redefined(&said->items[i], defines->name))
-                tell_redefined(report, defines->name, &said->items[i]);
-    return report->count > told;
+                print_redefined(report, defines->name, &said->items[i]);
+    return report->count > reported;
 }
 
 /* "With n = 5 it cannot be assembled:" */
-static void tell_errors(struct sitting *sitting, const struct diagnostics *said,
-                        const struct asm_define *defines)
+static void print_errors(struct sitting *sitting, const struct diagnostics *said,
+                         const struct asm_define *defines)
 {
     struct text_line line = { 0 };
     struct sink sink = text_line_sink(&line);
@@ -112,7 +112,7 @@ static void tell_errors(struct sitting *sitting, const struct diagnostics *said,
         sink_print(&sink, "%s%s = %" PRId64, i > 0 ? ", " : "With ", defines[i].name,
                    defines[i].value);
     sink_put(&sink, " it cannot be assembled:");
-    say_diagnostics(&sitting->trial->report, line.text, said, SEVERITY_ERROR);
+    print_diagnostics(&sitting->trial->report, line.text, said, SEVERITY_ERROR);
 }
 
 /* With the constants of the test. */
@@ -127,7 +127,7 @@ static bool assemble_answer(struct sitting *sitting)
     sitting->answer = assemble_bytes(sitting->name, sitting->text, sitting->length,
                                      &options, &said);
     if (!sitting->answer && !find_redefined(sitting, &said, defines))
-        tell_errors(sitting, &said, defines);
+        print_errors(sitting, &said, defines);
     diagnostics_free(&said);
     return true;
 }
@@ -181,7 +181,7 @@ static bool expects_trap(const struct object *test)
     return false;
 }
 
-static void tell_endless(struct sitting *sitting, const c205_stop *stop)
+static void print_endless(struct sitting *sitting, const c205_stop *stop)
 {
     const struct asm_line *line = object_line(sitting->answer, stop->pc);
     struct text_line where = { 0 };
@@ -190,12 +190,13 @@ static void tell_endless(struct sitting *sitting, const c205_stop *stop)
     if (line)
         sink_print(&sink, "  It was in line %zu then: %s", line->call_number,
                    lesson_source(line->call_source));
-    report_say(&sitting->trial->report,
-               "It had not ended after %" PRIu64 " clocks: is this an endless loop?%s",
-               c205_clock(sitting->machine), where.text);
+    report_printf(&sitting->trial->report,
+                  "It had not ended after %" PRIu64
+                  " clocks: is this an endless loop?%s",
+                  c205_clock(sitting->machine), where.text);
 }
 
-static void tell_trap(struct sitting *sitting, const c205_stop *stop)
+static void print_trap(struct sitting *sitting, const c205_stop *stop)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
@@ -209,22 +210,24 @@ static void tell_trap(struct sitting *sitting, const c205_stop *stop)
 static bool check_stop(struct sitting *sitting, const c205_stop *stop)
 {
     if (stop->trap == C205_TRAP_CLOCK_LIMIT)
-        tell_endless(sitting, stop);
+        print_endless(sitting, stop);
     else if (stop->trap == C205_TRAP_PAUSED)
-        report_say(&sitting->trial->report,
-                   "It printed more than %d characters, and was stopped.", MAX_PRINTED);
+        report_printf(&sitting->trial->report,
+                      "It printed more than %d characters, and was stopped.",
+                      MAX_PRINTED);
     else if (stop->trap != C205_TRAP_NONE && !expects_trap(sitting->test))
-        tell_trap(sitting, stop);
+        print_trap(sitting, stop);
     else if (stop->status != 0)
-        report_say(&sitting->trial->report,
-                   "It ended with the status %" PRId64 ", not with 0.", stop->status);
+        report_printf(&sitting->trial->report,
+                      "It ended with the status %" PRId64 ", not with 0.",
+                      stop->status);
     else
         return true;
     return false;
 }
 
 /* "test-small.s:7: expected ..": a sentence each, without where it is in the test. */
-static void say_expectations(struct lesson_report *report, const char *text)
+static void print_expectations(struct lesson_report *report, const char *text)
 {
     static const char before[] = "expected ";
 
@@ -235,7 +238,8 @@ static void say_expectations(struct lesson_report *report, const char *text)
                              ? (size_t)(what - text) + sizeof before - 1
                              : 0;
 
-        report_say(report, "Expected %.*s.", (int)(length - skipped), text + skipped);
+        report_printf(report, "Expected %.*s.", (int)(length - skipped),
+                      text + skipped);
         text += length + (text[length] != '\0');
     }
 }
@@ -249,7 +253,7 @@ static bool check_expected(struct sitting *sitting, const c205_stop *stop)
                              printed ? printed : "", 0, &sink);
 
     if (text.text)
-        say_expectations(&sitting->trial->report, text.text);
+        print_expectations(&sitting->trial->report, text.text);
     text_buffer_free(&text);
     return good;
 }
@@ -309,7 +313,7 @@ static bool sit(struct sitting *sitting)
     if (!sitting->answer)
         return true;
     if (!object_check(sitting->answer, &why)) {
-        report_say(&sitting->trial->report, "It cannot run: %s.", why.message);
+        report_printf(&sitting->trial->report, "It cannot run: %s.", why.message);
         return true;
     }
     if (!load_answer(sitting))
@@ -428,13 +432,13 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
         return false;
     object = assemble_bytes(name, text, length, &options, &said);
     if (!object)
-        say_diagnostics(&verdict->report, "It cannot be assembled:", &said,
-                        SEVERITY_ERROR);
+        print_diagnostics(&verdict->report, "It cannot be assembled:", &said,
+                          SEVERITY_ERROR);
     else
         good = try_tests(verdict, text, length, error);
     if (object && !verdict->passed && said.count > 0)
-        say_diagnostics(&verdict->report, "The assembler warns:", &said,
-                        SEVERITY_WARNING);
+        print_diagnostics(&verdict->report, "The assembler warns:", &said,
+                          SEVERITY_WARNING);
     diagnostics_free(&said);
     object_free(object);
     return good && (!verdict->kept.failed || no_memory(error));

@@ -11,7 +11,7 @@ bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
 
 /* A sentence of at most 1,023 bytes; or what a buffer holds, which is freed, but for the
  * newlines at its end.  Where there is no memory the arena says so. */
-void report_say(struct lesson_report *report, const char *format, ...)
+void report_printf(struct lesson_report *report, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif

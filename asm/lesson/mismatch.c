@@ -255,11 +255,11 @@ static bool fits(const struct likeness *likeness, const struct test_data *exchan
 
 /* ---- In words -------------------------------------------------------------- */
 
-enum { TOLD = 3 };
+enum { MAX_LISTED = 3 };
 
 /* Words of equal numbers are told by their bits as well. */
-static void say_value(const struct test_data *exchanged, c205_word element,
-                      bool with_bits, const struct sink *sink)
+static void print_value(const struct test_data *exchanged, c205_word element,
+                        bool with_bits, const struct sink *sink)
 {
     char text[C205_TEXT_SIZE], bits[C205_TEXT_SIZE];
     bool half = exchanged->contents == ASM_HALF_WORDS;
@@ -278,43 +278,43 @@ static void say_value(const struct test_data *exchanged, c205_word element,
         sink_put(sink, text);
 }
 
-static void say_element(const struct test_data *exchanged, size_t i,
-                        const struct sink *sink)
+static void print_element(const struct test_data *exchanged, size_t i,
+                          const struct sink *sink)
 {
     c205_word wanted = exchanged->wanted[i], found = exchanged->found[i];
     bool with_bits = is_equal(exchanged, i);
 
     sink_put(sink, " is ");
-    say_value(exchanged, found, with_bits, sink);
+    print_value(exchanged, found, with_bits, sink);
     sink_put(sink, " and should be ");
-    say_value(exchanged, wanted, with_bits, sink);
+    print_value(exchanged, wanted, with_bits, sink);
 }
 
-static void say_elements(const struct test_data *exchanged, size_t wrong,
-                         const struct sink *sink)
+static void print_elements(const struct test_data *exchanged, size_t wrong,
+                           const struct sink *sink)
 {
-    size_t told = 0;
+    size_t reported = 0;
 
-    for (size_t i = 0; i < exchanged->count && told < TOLD; i++)
+    for (size_t i = 0; i < exchanged->count && reported < MAX_LISTED; i++)
         if (!is_right(exchanged, i)) {
-            sink_print(sink, "%s %zu", told == 0 ? "element" : ",", i);
-            say_element(exchanged, i, sink);
-            told++;
+            sink_print(sink, "%s %zu", reported == 0 ? "element" : ",", i);
+            print_element(exchanged, i, sink);
+            reported++;
         }
-    if (wrong > told)
-        sink_print(sink, ", and %zu more", wrong - told);
+    if (wrong > reported)
+        sink_print(sink, ", and %zu more", wrong - reported);
 }
 
 /* What single results are is told without counting. */
-static void say_wrong(const struct test_data *exchanged, size_t wrong,
-                      const struct sink *sink)
+static void print_wrong(const struct test_data *exchanged, size_t wrong,
+                        const struct sink *sink)
 {
     const char *label = exchanged->label;
     size_t count = exchanged->count;
 
     if (count == 1) {
         sink_put(sink, label);
-        say_element(exchanged, 0, sink);
+        print_element(exchanged, 0, sink);
         sink_put(sink, ".");
         return;
     }
@@ -325,11 +325,11 @@ static void say_wrong(const struct test_data *exchanged, size_t wrong,
     else
         sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong, count,
                    label, wrong == 1 ? "is" : "are");
-    say_elements(exchanged, wrong, sink);
+    print_elements(exchanged, wrong, sink);
     sink_put(sink, " (counted from 0).");
 }
 
-static void say_likeness(const struct test_data *exchanged, const struct sink *sink)
+static void print_likeness(const struct test_data *exchanged, const struct sink *sink)
 {
     size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
 
@@ -349,8 +349,8 @@ bool mismatch_report(const struct test_data *exchanged, struct lesson_report *re
         wrong += !is_right(exchanged, i);
     if (wrong == 0)
         return true;
-    say_wrong(exchanged, wrong, &sink);
-    say_likeness(exchanged, &sink);
+    print_wrong(exchanged, wrong, &sink);
+    print_likeness(exchanged, &sink);
     report_buffer(report, &text);
     return false;
 }

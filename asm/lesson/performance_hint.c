@@ -46,16 +46,16 @@ static int percent_of(uint64_t clocks, uint64_t all)
 
 /* ---- The goal -------------------------------------------------------------- */
 
-static void tell_goal(const struct lesson_trial *trial, struct lesson_report *report)
+static void print_goal(const struct lesson_trial *trial, struct lesson_report *report)
 {
     enum medal next = trial->medal + 1;
     uint64_t goal = trial->test->goals[next];
 
-    report_say(report,
-               "It took %" PRIu64 " clock%s, %" PRIu64 " more than the %" PRIu64
-               " of %s.",
-               trial->clocks, plural(trial->clocks), trial->clocks - goal, goal,
-               medal_name(next));
+    report_printf(report,
+                  "It took %" PRIu64 " clock%s, %" PRIu64 " more than the %" PRIu64
+                  " of %s.",
+                  trial->clocks, plural(trial->clocks), trial->clocks - goal, goal,
+                  medal_name(next));
 }
 
 /* ---- The cause ------------------------------------------------------------- */
@@ -80,8 +80,8 @@ static int find_most(const c205_account *all, int first)
 
 /* The instructions of a few lines of scalar code are the work itself: what can be mended there
  * is a wait. */
-static void tell_cause(const struct lesson_trial *trial, const c205_account *all,
-                       struct lesson_report *report)
+static void print_cause(const struct lesson_trial *trial, const c205_account *all,
+                        struct lesson_report *report)
 {
     int most = find_most(all, C205_ISSUE);
     int wait = find_most(all, C205_ISSUE + 1);
@@ -89,21 +89,21 @@ static void tell_cause(const struct lesson_trial *trial, const c205_account *all
                  && all->instructions < many;
     int cause = waits ? wait : most;
 
-    report_say(report, "%s is %s: %" PRIu64 " clock%s, %d %%.  %s",
-               waits ? "The longest wait" : "What took most",
-               c205_cause_name((c205_cause)cause), all->clocks[cause],
-               plural(all->clocks[cause]),
-               percent_of(all->clocks[cause], trial->clocks), helps[cause]);
+    report_printf(report, "%s is %s: %" PRIu64 " clock%s, %d %%.  %s",
+                  waits ? "The longest wait" : "What took most",
+                  c205_cause_name((c205_cause)cause), all->clocks[cause],
+                  plural(all->clocks[cause]),
+                  percent_of(all->clocks[cause], trial->clocks), helps[cause]);
 }
 
-static void tell_scalar(const c205_account *all, struct lesson_report *report)
+static void print_scalar(const c205_account *all, struct lesson_report *report)
 {
     if (is_scalar(all) && all->instructions >= many)
-        report_say(report,
-                   "All of its %" PRIu64
-                   " instructions are scalar ones: what does the same with "
-                   "many elements can be done by vector instructions.",
-                   all->instructions);
+        report_printf(report,
+                      "All of its %" PRIu64
+                      " instructions are scalar ones: what does the same with "
+                      "many elements can be done by vector instructions.",
+                      all->instructions);
 }
 
 /* ---- The lines ------------------------------------------------------------- */
@@ -143,8 +143,8 @@ static bool is_link(const struct profile_row *row)
            && row[2].file;
 }
 
-static void tell_line(const struct lesson_trial *trial, const struct profile_row *row,
-                      struct lesson_report *report)
+static void print_line(const struct lesson_trial *trial, const struct profile_row *row,
+                       struct lesson_report *report)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
@@ -163,15 +163,16 @@ static void tell_line(const struct lesson_trial *trial, const struct profile_row
 }
 
 /* The hottest one, and others that took a tenth of all or more. */
-static void tell_lines(const struct lesson_trial *trial,
-                       const struct line_profile *profile, struct lesson_report *report)
+static void print_lines(const struct lesson_trial *trial,
+                        const struct line_profile *profile,
+                        struct lesson_report *report)
 {
     const struct profile_row *row = NULL;
 
     for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
         if (i > 0 && 10 * clocks_of(row) < trial->clocks)
             return;
-        tell_line(trial, row, report);
+        print_line(trial, row, report);
     }
 }
 
@@ -186,8 +187,8 @@ void performance_hint_report(const struct lesson_trial *trial, const c205 *machi
         report->kept->failed = true;
     all = accounts_together(&accounts);
     accounts_free(&accounts);
-    tell_goal(trial, report);
-    tell_cause(trial, &all, report);
-    tell_lines(trial, profile, report);
-    tell_scalar(&all, report);
+    print_goal(trial, report);
+    print_cause(trial, &all, report);
+    print_lines(trial, profile, report);
+    print_scalar(&all, report);
 }

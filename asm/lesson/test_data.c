@@ -86,18 +86,19 @@ static bool check_room(struct lesson_exchange *exchange, const struct asm_symbol
     const char *kind = kind_name(ours->contents);
 
     if (ours->contents != theirs->contents) {
-        report_say(exchange->general,
-                   "There should be %s at the answer's label %s, and there "
-                   "%s %s.",
-                   kind, theirs->name, theirs->contents == ASM_NOTHING ? "is" : "are",
-                   kind_name(theirs->contents));
+        report_printf(exchange->general,
+                      "There should be %s at the answer's label %s, and there "
+                      "%s %s.",
+                      kind, theirs->name,
+                      theirs->contents == ASM_NOTHING ? "is" : "are",
+                      kind_name(theirs->contents));
         return false;
     }
     if (ours->count > theirs->count) {
-        report_say(exchange->report,
-                   "%s has room for %" PRIu64 " %s, and this test needs "
-                   "%" PRIu64 ": the constants of the test say how many there are.",
-                   theirs->name, theirs->count, kind, ours->count);
+        report_printf(exchange->report,
+                      "%s has room for %" PRIu64 " %s, and this test needs "
+                      "%" PRIu64 ": the constants of the test say how many there are.",
+                      theirs->name, theirs->count, kind, ours->count);
         return false;
     }
     return true;
@@ -135,10 +136,10 @@ static bool begin_label(struct lesson_exchange *exchange, const struct asm_symbo
 
     if (!theirs || !theirs->is_label) {
         if (wanted)
-            report_say(exchange->general,
-                       "The answer has no label %s, where results are looked "
-                       "for.",
-                       label);
+            report_printf(exchange->general,
+                          "The answer has no label %s, where results are looked "
+                          "for.",
+                          label);
         return !wanted;
     }
     if (!check_room(exchange, ours, theirs))
@@ -178,17 +179,17 @@ bool exchange_begin(struct lesson_exchange *exchange)
 }
 
 /* Inputs that the answer calls otherwise. */
-static void tell_missing(struct lesson_exchange *exchange)
+static void print_missing(struct lesson_exchange *exchange)
 {
     for (size_t i = 0; i < exchange->test->symbol_count; i++) {
         const struct asm_symbol *symbol = &exchange->test->symbols[i];
 
         if (holds_data(symbol) && !lesson_wanted(symbol->name)
             && !object_symbol(exchange->answer, symbol->name))
-            report_say(exchange->report,
-                       "The answer has no label %s, where the test's data "
-                       "would have gone.",
-                       symbol->name);
+            report_printf(exchange->report,
+                          "The answer has no label %s, where the test's data "
+                          "would have gone.",
+                          symbol->name);
     }
 }
 
@@ -205,6 +206,6 @@ bool exchange_end(struct lesson_exchange *exchange)
         good = mismatch_report(item, exchange->report) && good;
     }
     if (!good)
-        tell_missing(exchange);
+        print_missing(exchange);
     return good;
 }

@@ -99,7 +99,7 @@ static bool check_model(const struct lesson_test *test, const struct object *obj
     return good || error_set(error, "test-%.40s.s: %.160s", test->name, why.message);
 }
 
-static void say_first(const struct diagnostics *said, c205_error *error)
+static void print_first(const struct diagnostics *said, c205_error *error)
 {
     const struct diagnostic *first = said->items;
 
@@ -123,7 +123,7 @@ struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *
     sink_print(&sink, "test-%s.s", test->name);
     object = assemble_bytes(name.text, test->text, test->length, &options, &said);
     if (!object)
-        say_first(&said, error);
+        print_first(&said, error);
     diagnostics_free(&said);
     if (object
         && (!check_expectations(object, error) || !check_labels(test, object, error)

@@ -36,7 +36,7 @@ void report_buffer(struct lesson_report *report, struct text_buffer *buffer)
     text_buffer_free(buffer);
 }
 
-void report_say(struct lesson_report *report, const char *format, ...)
+void report_printf(struct lesson_report *report, const char *format, ...)
 {
     enum { SIZE = 1024 };
     char text[SIZE];

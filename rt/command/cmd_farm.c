@@ -28,7 +28,7 @@ bool cmd_take_part(char *text, void *farm)
     return cmd_is_part(text, farm);
 }
 
-int cmd_tell_share(const struct rt205_arguments *arguments, size_t units)
+int cmd_print_share(const struct rt205_arguments *arguments, size_t units)
 {
     const struct farm *farm = &arguments->units.farm;
 

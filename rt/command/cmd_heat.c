@@ -112,8 +112,8 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
 /* ---- What is told ----------------------------------------------------------- */
 
 /* A table that nobody needs after that. */
-static bool tell_part(const struct command_output *results, struct table *table,
-                      const char *key, const char *heading)
+static bool print_part(const struct command_output *results, struct table *table,
+                       const char *key, const char *heading)
 {
     bool good = table && output_part(results, table, key, heading);
 
@@ -122,17 +122,17 @@ static bool tell_part(const struct command_output *results, struct table *table,
 }
 
 /* JSON always has all of them. */
-static bool tell_areas(const struct heat *heat, bool details,
-                       const struct command_output *results)
+static bool print_areas(const struct heat *heat, bool details,
+                        const struct command_output *results)
 {
     struct command_output printed = *results, kept = *results;
     size_t unseen = details ? 0 : heat_unseen(heat);
 
     printed.json = NULL;
     kept.file = NULL;
-    if (!tell_part(&printed, heat_table_of_areas(heat, details), "areas",
-                   "Areas that are seen")
-        || !tell_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
+    if (!print_part(&printed, heat_table_of_areas(heat, details), "areas",
+                    "Areas that are seen")
+        || !print_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
         return false;
     if (unseen > 0)
         output_printf(results,
@@ -143,24 +143,25 @@ static bool tell_areas(const struct heat *heat, bool details,
     return true;
 }
 
-static bool tell_tables(const struct heat *heat, const struct stages *stages,
-                        bool details, const struct command_output *results)
+static bool print_tables(const struct heat *heat, const struct stages *stages,
+                         bool details, const struct command_output *results)
 {
-    return tell_areas(heat, details, results)
-           && tell_part(results, heat_table_of_factors(heat), "factors", "Factors")
+    return print_areas(heat, details, results)
+           && print_part(results, heat_table_of_factors(heat), "factors", "Factors")
            && (!heat->request->smooth
-               || tell_part(results, heat_table_of_smoothed(heat), "smoothed",
-                            "Smoothed factors"))
+               || print_part(results, heat_table_of_smoothed(heat), "smoothed",
+                             "Smoothed factors"))
            && (!heat->request->exchange
-               || tell_part(results, heat_table_of_flows(heat), "flows", "Flows"))
-           && tell_part(results, accounts_of_run(&heat->accounts), "clocks",
-                        "Where the clocks went")
+               || print_part(results, heat_table_of_flows(heat), "flows", "Flows"))
+           && print_part(results, accounts_of_run(&heat->accounts), "clocks",
+                         "Where the clocks went")
            && (!stages
-               || tell_part(results, stages_table(stages), "stages", "Three stages"));
+               || print_part(results, stages_table(stages), "stages", "Three stages"));
 }
 
-static bool tell(const struct rt205_arguments *arguments, const struct heat *heat,
-                 const struct stages *stages, const struct command_output *results)
+static bool print_result(const struct rt205_arguments *arguments,
+                         const struct heat *heat, const struct stages *stages,
+                         const struct command_output *results)
 {
     const struct heat_request *request = heat->request;
     struct json *json = results->json;
@@ -178,7 +179,7 @@ static bool tell(const struct rt205_arguments *arguments, const struct heat *hea
         json_count(json, "seed", (size_t)request->seed);
         provenance_json(request->model, json);
     }
-    return tell_tables(heat, stages, arguments->details, results);
+    return print_tables(heat, stages, arguments->details, results);
 }
 
 /* What differs both ways by more is no chance; closure is exact. */
@@ -242,18 +243,19 @@ static bool draw(const struct rt205_arguments *arguments, const struct heat *hea
 }
 
 /* What is told leaves no need of the files. */
-static bool tell_all(const struct rt205_arguments *arguments, const struct heat *heat,
-                     const struct command_output *results, c205_error *error)
+static bool print_all(const struct rt205_arguments *arguments, const struct heat *heat,
+                      const struct command_output *results, c205_error *error)
 {
     struct stages stages;
 
     if (!collects(arguments)) {
-        cmd_tell_share(arguments, heat->units);
+        cmd_print_share(arguments, heat->units);
         return true;
     }
     if (arguments->heat.stages && !find_stages(heat, &stages, error))
         return false;
-    if (!tell(arguments, heat, arguments->heat.stages ? &stages : NULL, results))
+    if (!print_result(arguments, heat, arguments->heat.stages ? &stages : NULL,
+                      results))
         return error_set(error, "no memory");
     if (!check_precision(heat, error)
         || (arguments->strict && !check_strictly(heat, error))
@@ -263,9 +265,9 @@ static bool tell_all(const struct rt205_arguments *arguments, const struct heat 
     return true;
 }
 
-static bool find_and_tell(const struct rt205_arguments *arguments,
-                          const struct scene *scene,
-                          const struct command_output *results, c205_error *error)
+static bool find_and_print(const struct rt205_arguments *arguments,
+                           const struct scene *scene,
+                           const struct command_output *results, c205_error *error)
 {
     struct heat_request request = request_of(arguments);
     struct heat heat;
@@ -275,7 +277,7 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
     if (good && !request.by_lines)
         warn_of_receivers(arguments, &heat);
     good = good && heat_find(&heat, error)
-           && tell_all(arguments, &heat, results, error);
+           && print_all(arguments, &heat, results, error);
     heat_free(&heat);
     return good;
 }
@@ -290,7 +292,7 @@ static int run(const struct rt205_arguments *arguments,
     if (!scene)
         return CMD_FAILED;
     good = arguments->heat.hits ? cmd_heat_hits(arguments, scene, results, &error)
-                                : find_and_tell(arguments, scene, results, &error);
+                                : find_and_print(arguments, scene, results, &error);
     scene_free(scene);
     return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }

@@ -124,7 +124,8 @@ static struct table *table_of_ways(const struct hits_ways *ways)
     return table;
 }
 
-static bool tell(const struct hits_ways *ways, const struct command_output *results)
+static bool print_result(const struct hits_ways *ways,
+                         const struct command_output *results)
 {
     const struct rt205_arguments *arguments = ways->arguments;
     const struct hits *found = &ways->found[WAY_LONGEST];
@@ -174,7 +175,8 @@ bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *
 {
     struct hits_ways ways = { .arguments = arguments, .scene = scene };
     bool good = begin(&ways) && find_ways(&ways)
-                && (tell(&ways, results) || error_set(&ways.error, "no memory"));
+                && (print_result(&ways, results)
+                    || error_set(&ways.error, "no memory"));
 
     *error = ways.error;
     for (int way = 0; way < WAYS; way++)

@@ -86,8 +86,8 @@ static bool find_stages(const struct mass *mass, struct stages *stages,
 
 /* ---- What is told --------------------------------------------------------- */
 
-static void tell_run(const struct rt205_arguments *arguments, const struct mass *mass,
-                     const struct command_output *results)
+static void print_run(const struct rt205_arguments *arguments, const struct mass *mass,
+                      const struct command_output *results)
 {
     const double *about = mass->request->about;
     const char *mode = trace_mode_name(mass->request->mode);
@@ -117,8 +117,8 @@ static void tell_run(const struct rt205_arguments *arguments, const struct mass 
     }
 }
 
-static bool tell_table(const struct command_output *results, struct table *table,
-                       const char *key, const char *heading)
+static bool print_table(const struct command_output *results, struct table *table,
+                        const char *key, const char *heading)
 {
     bool good = output_show(results, table, key, heading) == CMD_DONE;
 
@@ -126,19 +126,19 @@ static bool tell_table(const struct command_output *results, struct table *table
     return good;
 }
 
-static bool tell_tables(const struct mass *mass, const struct stages *stages,
-                        const struct command_output *results)
+static bool print_tables(const struct mass *mass, const struct stages *stages,
+                         const struct command_output *results)
 {
-    bool good = tell_table(results, mass_table_of_figures(mass), "figures", "Figures")
+    bool good = print_table(results, mass_table_of_figures(mass), "figures", "Figures")
                 && (!mass->request->overlaps
-                    || tell_table(results, mass_table_of_overlaps(mass), "overlaps",
-                                  "Overlaps"))
-                && tell_table(results, mass_table_of_axes(mass), "axes",
-                              "Principal axes")
-                && tell_table(results, mass_table_of_clocks(mass), "clocks", "Clocks")
+                    || print_table(results, mass_table_of_overlaps(mass), "overlaps",
+                                   "Overlaps"))
+                && print_table(results, mass_table_of_axes(mass), "axes",
+                               "Principal axes")
+                && print_table(results, mass_table_of_clocks(mass), "clocks", "Clocks")
                 && (!stages
-                    || tell_table(results, stages_table(stages), "stages",
-                                  "Three stages"));
+                    || print_table(results, stages_table(stages), "stages",
+                                   "Three stages"));
 
     output_model(results, mass->request->model);
     return good;
@@ -157,19 +157,19 @@ static bool check_precision(const struct mass *mass, c205_error *error)
 
 /* ---- The command --------------------------------------------------------- */
 
-static bool tell_all(const struct rt205_arguments *arguments, const struct mass *mass,
-                     const struct command_output *results, c205_error *error)
+static bool print_all(const struct rt205_arguments *arguments, const struct mass *mass,
+                      const struct command_output *results, c205_error *error)
 {
     struct stages stages;
 
     if (!farm_collects(&arguments->units.farm)) {
-        cmd_tell_share(arguments, mass->sums.units);
+        cmd_print_share(arguments, mass->sums.units);
         return true;
     }
     if (arguments->mass.stages && !find_stages(mass, &stages, error))
         return false;
-    tell_run(arguments, mass, results);
-    if (!tell_tables(mass, arguments->mass.stages ? &stages : NULL, results))
+    print_run(arguments, mass, results);
+    if (!print_tables(mass, arguments->mass.stages ? &stages : NULL, results))
         return error_set(error, "no memory");
     if (!check_precision(mass, error))
         return false;
@@ -189,9 +189,9 @@ static void warn_of_endless(const struct rt205_arguments *arguments,
     }
 }
 
-static bool find_and_tell(const struct rt205_arguments *arguments,
-                          const struct scene *scene,
-                          const struct command_output *results, c205_error *error)
+static bool find_and_print(const struct rt205_arguments *arguments,
+                           const struct scene *scene,
+                           const struct command_output *results, c205_error *error)
 {
     struct mass_request request = request_of(arguments);
     struct diagnostics reports = { 0 };
@@ -202,7 +202,7 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
     diagnostics_free(&reports);
     warn_of_endless(arguments, &mass);
     good = good && mass_find(&mass, error)
-           && tell_all(arguments, &mass, results, error);
+           && print_all(arguments, &mass, results, error);
     mass_free(&mass);
     return good;
 }
@@ -216,7 +216,7 @@ static int run(const struct rt205_arguments *arguments,
 
     if (!scene)
         return CMD_FAILED;
-    good = find_and_tell(arguments, scene, results, &error);
+    good = find_and_print(arguments, scene, results, &error);
     scene_free(scene);
     return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }

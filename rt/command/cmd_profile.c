@@ -5,8 +5,8 @@
 #include "rt/command/rt205_command.h"
 #include "rt/study/profile.h"
 
-static void tell_head(const struct rt205_arguments *arguments,
-                      const struct trace *trace, const struct command_output *results)
+static void print_head(const struct rt205_arguments *arguments,
+                       const struct trace *trace, const struct command_output *results)
 {
     const struct trace_options *options = &arguments->trace;
     struct json *json = results->json;
@@ -43,8 +43,8 @@ static struct command_output results_of(enum profile_table kind,
     return chosen;
 }
 
-static bool tell_table(enum profile_table kind, const struct profile *profile,
-                       const struct command_output *results)
+static bool print_table(enum profile_table kind, const struct profile *profile,
+                        const struct command_output *results)
 {
     struct command_output chosen = results_of(kind, results);
     struct table *table = profile_table(kind, profile);
@@ -55,14 +55,15 @@ static bool tell_table(enum profile_table kind, const struct profile *profile,
     return good;
 }
 
-static bool tell(const struct rt205_arguments *arguments, const struct profile *profile,
-                 const struct command_output *results)
+static bool print_result(const struct rt205_arguments *arguments,
+                         const struct profile *profile,
+                         const struct command_output *results)
 {
     bool good = true;
 
-    tell_head(arguments, profile->traces[0], results);
+    print_head(arguments, profile->traces[0], results);
     for (int kind = 0; kind < PROFILE_TABLES && good; kind++)
-        good = tell_table((enum profile_table)kind, profile, results);
+        good = print_table((enum profile_table)kind, profile, results);
     return good;
 }
 
@@ -73,7 +74,7 @@ static int run(const struct rt205_arguments *arguments,
     struct profile profile = { .traces = { NULL } };
     c205_error error = { "no memory" };
     bool good = scene != NULL && profile_run(&profile, scene, &arguments->trace, &error)
-                && tell(arguments, &profile, results);
+                && print_result(arguments, &profile, results);
 
     profile_free(&profile);
     if (!scene)

@@ -84,10 +84,10 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
 }
 
 /* Returns how many polynomials were refused; those are named on stderr. */
-static size_t tell_roots(const struct rt205_arguments *arguments,
-                         const struct polynomials *polynomials,
-                         const struct polynomial_roots *roots, struct table *table,
-                         const struct command_output *results)
+static size_t print_all_roots(const struct rt205_arguments *arguments,
+                              const struct polynomials *polynomials,
+                              const struct polynomial_roots *roots, struct table *table,
+                              const struct command_output *results)
 {
     struct json *json = results->json;
     size_t refused = 0;
@@ -195,8 +195,8 @@ static int solve(const struct rt205_arguments *arguments,
             .roots = count_roots(roots, polynomials->count),
         };
 
-        refused = tell_roots(arguments, polynomials, roots, table, results);
-        good = print_table(table, results) && quartic_costs_tell(&costs, results);
+        refused = print_all_roots(arguments, polynomials, roots, table, results);
+        good = print_table(table, results) && quartic_costs_print(&costs, results);
     }
     table_free(table);
     roots_free(found);

@@ -190,8 +190,8 @@ static void write_result(const struct result *result, struct json *json)
     provenance_json(result->model, json);
 }
 
-static int tell_result(const struct result *result,
-                       const struct command_output *results)
+static int print_and_check(const struct result *result,
+                           const struct command_output *results)
 {
     struct command_output printed = *results;
     int code = CMD_DONE;
@@ -208,9 +208,9 @@ static int tell_result(const struct result *result,
 }
 
 /* JSON has the accounts in any case. */
-static int tell_accounts(const struct rt205_arguments *arguments,
-                         const struct trace *trace,
-                         const struct command_output *results)
+static int print_accounts(const struct rt205_arguments *arguments,
+                          const struct trace *trace,
+                          const struct command_output *results)
 {
     struct command_output accounts = *results;
 
@@ -222,18 +222,18 @@ static int tell_accounts(const struct rt205_arguments *arguments,
 }
 
 /* The profile may be NULL. */
-static int tell(const struct rt205_arguments *arguments, const struct trace *trace,
-                const struct line_profile *profile,
-                const struct command_output *results)
+static int print_trace(const struct rt205_arguments *arguments,
+                       const struct trace *trace, const struct line_profile *profile,
+                       const struct command_output *results)
 {
     struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
                                                      : PROFILE_HOTTEST,
                                  true };
     struct result result = result_of(arguments, trace);
-    int code = tell_result(&result, results);
+    int code = print_and_check(&result, results);
 
     if (code == CMD_DONE)
-        code = tell_accounts(arguments, trace, results);
+        code = print_accounts(arguments, trace, results);
     return code == CMD_DONE && profile ? line_profile_show(profile, view, results)
                                        : code;
 }
@@ -241,8 +241,8 @@ static int tell(const struct rt205_arguments *arguments, const struct trace *tra
 /* ---- A frame from its beginning to its end ------------------------------- */
 
 /* What the files that --resume names already have. */
-static void tell_kept(const struct rt205_arguments *arguments,
-                      const struct trace *trace)
+static void print_kept(const struct rt205_arguments *arguments,
+                       const struct trace *trace)
 {
     const char *path = arguments->units.resume.items[0];
 
@@ -261,39 +261,39 @@ static bool keep(const struct rt205_arguments *arguments, struct trace *trace,
     if (!trace_keep(trace, error))
         return false;
     if (arguments->units.resume.count > 0)
-        tell_kept(arguments, trace);
+        print_kept(arguments, trace);
     return true;
 }
 
 /* The rows that are done when Ctrl-C was pressed, and what became of them. */
 static void save_rows(const struct rt205_arguments *arguments,
-                      const struct trace *trace, char *told, size_t size)
+                      const struct trace *trace, char *reported, size_t size)
 {
     size_t rows = trace_rows_done(trace);
     c205_error why;
 
     if (rows == 0)
-        snprintf(told, size, "; no row is done, so no picture is written");
+        snprintf(reported, size, "; no row is done, so no picture is written");
     else if (!write_picture(arguments, trace, &why))
-        snprintf(told, size, "; %s", why.message);
+        snprintf(reported, size, "; %s", why.message);
     else
-        snprintf(told, size, "; %.100s has %zu of %zu row%s, the others are black",
+        snprintf(reported, size, "; %.100s has %zu of %zu row%s, the others are black",
                  arguments->output, rows, arguments->trace.height,
                  plural(arguments->trace.height));
 }
 
 /* What a later run with --resume begins with. */
-static void tell_resume(const struct rt205_arguments *arguments,
-                        const struct trace *trace, char *told, size_t size)
+static void print_resume(const struct rt205_arguments *arguments,
+                         const struct trace *trace, char *reported, size_t size)
 {
     size_t kept = trace_bands_done(trace);
 
     if (arguments->units.resume.count > 0 && kept > 0)
-        snprintf(told, size, "; --resume goes on from %.100s: %zu of %zu band%s",
+        snprintf(reported, size, "; --resume goes on from %.100s: %zu of %zu band%s",
                  arguments->units.resume.items[0], kept, trace_bands(trace),
                  plural(trace_bands(trace)));
     else if (arguments->units.resume.count > 0)
-        snprintf(told, size, "; no band is done: --resume begins again");
+        snprintf(reported, size, "; no band is done: --resume begins again");
 }
 
 static int end_early(const struct rt205_arguments *arguments, const struct trace *trace,
@@ -303,7 +303,7 @@ static int end_early(const struct rt205_arguments *arguments, const struct trace
 
     if (interrupt_pending() && arguments->output)
         save_rows(arguments, trace, rows, sizeof rows);
-    tell_resume(arguments, trace, bands, sizeof bands);
+    print_resume(arguments, trace, bands, sizeof bands);
     return cmd_failed(arguments->command, "%s%s%s", why->message, rows, bands);
 }
 
@@ -317,10 +317,10 @@ static int trace_and_write(const struct rt205_arguments *arguments, struct trace
     if (!trace_run(trace, &error))
         return end_early(arguments, trace, &error);
     if (!farm_collects(&arguments->units.farm))
-        return cmd_tell_share(arguments, trace_bands(trace));
+        return cmd_print_share(arguments, trace_bands(trace));
     if (!arguments->output || write_picture(arguments, trace, &error)) {
         trace_forget(trace);
-        return tell(arguments, trace, *profile, results);
+        return print_trace(arguments, trace, *profile, results);
     }
     return cmd_failed(arguments->command, "%s", error.message);
 }

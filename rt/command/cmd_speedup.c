@@ -29,7 +29,8 @@ static void print_head(const struct rt205_arguments *arguments,
 /* The models of so many projections, one after another: Table 1 needs the
  * first. */
 static bool each_projection(const struct rt205_arguments *arguments, int count,
-                            void (*tell)(const c205_model *model, void *context),
+                            void (*print_result)(const c205_model *model,
+                                                 void *context),
                             void *context, c205_error *error)
 {
     for (int i = 0; i < count; i++) {
@@ -39,7 +40,7 @@ static bool each_projection(const struct rt205_arguments *arguments, int count,
 
         if (!model)
             return false;
-        tell(model, context);
+        print_result(model, context);
         c205_model_free(model);
     }
     return true;
@@ -163,9 +164,9 @@ static int speedup(const struct rt205_arguments *arguments,
 
 /* ---- Formulations of the cylinder ---------------------------------------- */
 
-static bool tell_formulations(const struct rt205_arguments *arguments,
-                              const struct table *table,
-                              const struct command_output *results, c205_error *error)
+static bool print_formulations(const struct rt205_arguments *arguments,
+                               const struct table *table,
+                               const struct command_output *results, c205_error *error)
 {
     struct command_output printed = *results;
 
@@ -204,7 +205,7 @@ static int formulations(const struct rt205_arguments *arguments,
         table = formulations_table(arguments->trace.model,
                                    (const struct speedup_measure(*)[TRACE_FORMS])
                                        measures);
-    good = table && tell_formulations(arguments, table, results, &error);
+    good = table && print_formulations(arguments, table, results, &error);
     table_free(table);
     free(measures);
     return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);

@@ -182,9 +182,10 @@ static bool draw(const struct rt205_arguments *arguments, const struct sweep *sw
 }
 
 /* All but the plot. */
-static bool tell(const struct rt205_arguments *arguments, const struct sweep *sweep,
-                 const struct sweep_kind *kind, const struct sweep_report *report,
-                 const struct command_output *results, c205_error *error)
+static bool report_progress(const struct rt205_arguments *arguments,
+                            const struct sweep *sweep, const struct sweep_kind *kind,
+                            const struct sweep_report *report,
+                            const struct command_output *results, c205_error *error)
 {
     bool good = true;
 
@@ -225,7 +226,7 @@ static int sweep_target(const struct rt205_arguments *arguments,
     int code = CMD_DONE;
 
     if (!kind->measure(&sweep, &error) || !kind->report(&sweep, &report, &error)
-        || !tell(arguments, &sweep, kind, &report, results, &error))
+        || !report_progress(arguments, &sweep, kind, &report, results, &error))
         code = CMD_FAILED;
     else if (arguments->output && !draw(arguments, &sweep, kind, &report, &error))
         code = CMD_UNDRAWN;

@@ -113,17 +113,18 @@ static bool check_files(const struct arguments *arguments, const struct study *s
     return true;
 }
 
-static bool tell(const struct arguments *arguments, const struct study *study,
-                 const struct command_output *results, c205_error *error)
+static bool report_progress(const struct arguments *arguments,
+                            const struct study *study,
+                            const struct command_output *results, c205_error *error)
 {
     double written[MAX_FIT_OBSERVATIONS];
 
     if (!write_models(arguments, study, written, error))
         return false;
     snprintf(error->message, sizeof error->message, "no memory");
-    if (!report_tell(study, written, results))
+    if (!report_print(study, written, results))
         return false;
-    goal_tell(study, written, results);
+    objective_print(study, written, results);
     return true;
 }
 
@@ -138,7 +139,7 @@ static bool work(const struct arguments *arguments, struct sources *sources,
     return read_sources(arguments, sources, error)
            && hold_out(arguments, &sources->observations, study, error)
            && check_files(arguments, study, error) && study_make(study, error)
-           && tell(arguments, study, results, error);
+           && report_progress(arguments, study, results, error);
 }
 
 /* ---- The command --------------------------------------------------------- */

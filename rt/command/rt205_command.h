@@ -211,7 +211,7 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work);
  * nothing. */
 int cmd_with_farm(struct rt205_arguments *arguments, cmd_work *work);
 /* What a share of so many units comes to: CMD_DONE. */
-int cmd_tell_share(const struct rt205_arguments *arguments, size_t units);
+int cmd_print_share(const struct rt205_arguments *arguments, size_t units);
 enum { MAX_RANKS = 4096 };
 bool cmd_take_part(char *text, void *farm);
 /* "1/4".  False: it is no share. */

@@ -9,7 +9,7 @@ static bool watch_progress(void *context, size_t done, size_t all)
     if (interrupt_pending())
         progress_hide(progress);
     else
-        progress_tell(progress, done, all);
+        progress_update(progress, done, all);
     return !interrupt_pending();
 }
 

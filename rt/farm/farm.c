@@ -258,8 +258,8 @@ static void give_unit(struct service *service, size_t to)
 }
 
 /* A rank that fails before it has a unit stops all. */
-static void hear_failure(struct service *service, size_t from, uint64_t unit,
-                         struct unit_words *letters)
+static void receive_failure(struct service *service, size_t from, uint64_t unit,
+                            struct unit_words *letters)
 {
     size_t count = letters->count - letters->at, i = 0;
     char text[sizeof((c205_error *)0)->message];
@@ -279,8 +279,8 @@ static void hear_failure(struct service *service, size_t from, uint64_t unit,
 }
 
 /* A unit without its first two words. */
-static void hear_unit(struct service *service, uint64_t unit,
-                      struct unit_words *message)
+static void receive_unit(struct service *service, uint64_t unit,
+                         struct unit_words *message)
 {
     struct unit_words words = { .items = NULL };
 
@@ -294,11 +294,11 @@ static void answer(struct service *service, size_t from, struct unit_words *mess
     uint64_t what = words_take(message), unit = words_take(message);
 
     if (what == RANK_FAILS) {
-        hear_failure(service, from, unit, message);
+        receive_failure(service, from, unit, message);
         return;
     }
     if (what == RANK_DONE)
-        hear_unit(service, unit, message);
+        receive_unit(service, unit, message);
     give_unit(service, from);
 }
 
@@ -312,16 +312,16 @@ static void serve(struct service *service)
     size_t from;
 
     while (busy) {
-        bool heard = ranks_hear(service->ranks, &from, &message);
+        bool received = ranks_receive(service->ranks, &from, &message);
 
         lock_take(pool->lock);
-        if (heard)
+        if (received)
             answer(service, from, &message);
         else
             ask(pool);
         busy = service->left > 0 || pool->active > 0;
         lock_give_back(pool->lock);
-        if (heard)
+        if (received)
             pause = (struct ranks_pause){ 0 };
         else if (busy)
             ranks_wait(&pause);

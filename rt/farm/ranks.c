@@ -63,7 +63,7 @@ void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
     free(words);
 }
 
-bool ranks_hear(const struct ranks *ranks, size_t *from, struct unit_words *message)
+bool ranks_receive(const struct ranks *ranks, size_t *from, struct unit_words *message)
 {
     size_t count;
 
@@ -93,7 +93,7 @@ enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)
     enum rank_message what;
     size_t from;
 
-    while (!ranks_hear(ranks, &from, &message))
+    while (!ranks_receive(ranks, &from, &message))
         ranks_wait(&pause);
     what = (enum rank_message)words_take(&message);
     *word = words_take(&message);
@@ -122,7 +122,7 @@ static void release(const struct ranks *ranks)
     for (size_t to = 1; to < ranks->count; to++)
         ranks_send(ranks, to, RANK_FREE, 0, NULL);
     while (left > 0)
-        if (ranks_hear(ranks, &from, &message))
+        if (ranks_receive(ranks, &from, &message))
             left -= words_take(&message) == RANK_LEAVES;
         else
             ranks_wait(&pause);

@@ -52,7 +52,7 @@ enum rank_message {
 void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
                 uint64_t word, const struct unit_words *more);
 /* False: none has come.  message->at is behind the first word. */
-bool ranks_hear(const struct ranks *ranks, size_t *from, struct unit_words *message);
+bool ranks_receive(const struct ranks *ranks, size_t *from, struct unit_words *message);
 /* What rank 0 says next, to one of the others. */
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word);
 /* Tell rank 0 why a unit is not done. */

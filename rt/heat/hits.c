@@ -68,7 +68,7 @@ struct hits_work {
     struct object *program, *received;
     double *cylinders;    /* [count][CYLINDER_WORDS] */
     c205_word *planes;    /* of a repeat's points */
-    c205_word *told;      /* of each, whether it strikes; then what that sums to */
+    c205_word *reported;  /* of each, whether it strikes; then what that sums to */
     double *share, *area; /* of each repeat, means over its points */
     c205_error *error;
 };
@@ -133,7 +133,7 @@ static bool run_hits(struct hits_work *work)
     single_run_room(&run, "hits_list", words, numbers);
     made = single_run_room(&run, "hits_made", NULL, points);
     free(words);
-    return single_run_end(&run, made, work->told, points, &clocks);
+    return single_run_end(&run, made, work->reported, points, &clocks);
 }
 
 /* The sums of weights: of rays that strike none, of those that strike, of all. */
@@ -150,7 +150,7 @@ static bool run_received(struct hits_work *work, size_t repeat)
     single_run_word(&run, "received_receivers", RECEIVERS);
     single_run_room(&run, "received_weights", work->planes + EMITTED_WEIGHT * points,
                     points);
-    single_run_room(&run, "received_list", work->told, points);
+    single_run_room(&run, "received_list", work->reported, points);
     sums = single_run_room(&run, "received_sums", NULL, SUMS);
     layout_word(&run.layout, "received_counts", sums + 64 * (RECEIVERS + 1));
     single_run_room(&run, "received_room", NULL, points);
@@ -228,10 +228,11 @@ static bool begin(struct hits_work *work)
     work->cylinders = calloc(CYLINDER_WORDS * work->scene->region_count + 1,
                              sizeof *work->cylinders);
     work->planes = calloc(EMITTED_PLANES * points, sizeof *work->planes);
-    work->told = calloc(points, sizeof *work->told);
+    work->reported = calloc(points, sizeof *work->reported);
     work->share = calloc(repeats, sizeof *work->share);
     work->area = calloc(repeats, sizeof *work->area);
-    if (!work->cylinders || !work->planes || !work->told || !work->share || !work->area)
+    if (!work->cylinders || !work->planes || !work->reported || !work->share
+        || !work->area)
         return error_set(work->error, "no memory");
     if (!list_cylinders(work))
         return false;
@@ -246,7 +247,7 @@ static void end(struct hits_work *work)
     object_free(work->received);
     free(work->cylinders);
     free(work->planes);
-    free(work->told);
+    free(work->reported);
     free(work->share);
     free(work->area);
 }

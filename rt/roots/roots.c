@@ -211,7 +211,7 @@ static size_t done(const struct root_search *search)
     return low;
 }
 
-static bool tell_polynomials(void *context, const c205 *machine)
+static bool report_polynomials(void *context, const c205 *machine)
 {
     const struct root_search *search = context;
     const struct roots_options *options = &search->options;
@@ -225,7 +225,7 @@ bool roots_run(struct root_search *search, c205_error *error)
     const struct roots_options *options = &search->options;
     bool stopped = false;
     bool good = program_run(search->machine,
-                            options->progress ? tell_polynomials : NULL, search,
+                            options->progress ? report_polynomials : NULL, search,
                             &stopped, error);
 
     if (good && options->progress)

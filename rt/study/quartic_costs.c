@@ -125,8 +125,8 @@ static void write_head(const struct quartic_costs *costs, struct json *json)
     provenance_json(options->model, json);
 }
 
-static bool tell_tables(struct table *const tables[TABLES],
-                        const struct command_output *results)
+static bool print_tables(struct table *const tables[TABLES],
+                         const struct command_output *results)
 {
     for (int i = 0; i < TABLES; i++)
         if (!quartic_costs_part(results, tables[i], names[i].key, names[i].heading))
@@ -134,8 +134,8 @@ static bool tell_tables(struct table *const tables[TABLES],
     return true;
 }
 
-bool quartic_costs_tell(const struct quartic_costs *costs,
-                        const struct command_output *results)
+bool quartic_costs_print(const struct quartic_costs *costs,
+                         const struct command_output *results)
 {
     struct accounts accounts = { .model = costs->options->model };
     bool good = accounts_add(&accounts, roots_machine(costs->search));
@@ -149,7 +149,7 @@ bool quartic_costs_tell(const struct quartic_costs *costs,
     print_head(costs, results);
     if (results->json)
         write_head(costs, results->json);
-    good = good && tell_tables(tables, results);
+    good = good && print_tables(tables, results);
     accounts_free(&accounts);
     for (int i = 0; i < TABLES; i++)
         table_free(tables[i]);

@@ -19,8 +19,8 @@ struct quartic_costs {
 };
 
 /* False: memory ran out. */
-bool quartic_costs_tell(const struct quartic_costs *costs,
-                        const struct command_output *results);
+bool quartic_costs_print(const struct quartic_costs *costs,
+                         const struct command_output *results);
 
 /* Such a table.  False: likewise. */
 bool quartic_costs_part(const struct command_output *results, const struct table *table,

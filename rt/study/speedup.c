@@ -201,7 +201,7 @@ static void *begin_projection(void *context, const struct object *program,
     return NULL;
 }
 
-static void hear_projection(void *state, const c205 *machine, const c205_event *event)
+static void record_projection(void *state, const c205 *machine, const c205_event *event)
 {
     struct projected_band *band = state;
 
@@ -229,7 +229,7 @@ static void merge_projection(void *context, const void *state)
 
 static struct observer projection_observer(struct projecting *projecting)
 {
-    return (struct observer){ begin_projection, hear_projection, merge_projection,
+    return (struct observer){ begin_projection, record_projection, merge_projection,
                               end_projection, projecting };
 }
 

@@ -136,7 +136,7 @@ static double quotient(uint64_t a, uint64_t b)
 }
 
 /* Of what the paper does not tell a table shows nothing. */
-static double told(double figure)
+static double reported(double figure)
 {
     return figure > 0 ? figure : NAN;
 }
@@ -178,9 +178,9 @@ void speedup_paper_figures(const struct speedup_paper *paper,
     figures[SPEEDUP_OVER_720] = paper->projected[SPEEDUP_720].speedup;
 }
 
-double speedup_error(double figure, double told)
+double speedup_error(double figure, double reported)
 {
-    return 100 * (figure / told - 1);
+    return 100 * (figure / reported - 1);
 }
 
 static void add_figures(struct table *table, const char *primitive, const char *whose,
@@ -271,7 +271,7 @@ static void add_shares(struct table *table, const struct speedup_subject *subjec
         table_count(table, measure->regions[i]);
         table_number(table, percent(measure->regions[i], measure->total));
         table_number(table, strcmp(region, speedup_solver) == 0
-                                ? told(subject->paper.solver)
+                                ? reported(subject->paper.solver)
                                 : NAN);
     }
 }

@@ -24,7 +24,7 @@ void speedup_figures(const c205_model *model,
 void speedup_paper_figures(const struct speedup_paper *paper,
                            double figures[SPEEDUP_FIGURES]);
 /* By how many percent a figure is off. */
-double speedup_error(double figure, double told);
+double speedup_error(double figure, double reported);
 
 struct speedup_report;
 

@@ -44,7 +44,7 @@ static bool wanted(const struct crew *crew, size_t number)
 }
 
 /* Never all of them: that is told once, at the end. */
-static bool tell(void *context, size_t done, size_t all)
+static bool report_progress(void *context, size_t done, size_t all)
 {
     struct state *state = context;
     struct crew *crew = state->crew;
@@ -80,7 +80,8 @@ static void run_one(struct crew *crew, size_t number)
 {
     const struct tasks *tasks = crew->tasks;
     struct state *state = &crew->states[number];
-    const struct task task = { number, tasks->progress ? tell : NULL, state };
+    const struct task task = { number, tasks->progress ? report_progress : NULL,
+                               state };
     c205_error error;
     bool good = tasks->run(tasks->context, &task, &error);
 

@@ -67,31 +67,31 @@ static size_t pixels_begun(const struct band_work *work, const c205 *machine,
     return done < pixels ? done : pixels;
 }
 
-struct telling {
+struct reporting {
     const struct band_work *work;
     size_t pixels;
     void *context;
 };
 
-static bool tell_pixels(void *context, const c205 *machine)
+static bool report_pixels(void *context, const c205 *machine)
 {
-    const struct telling *telling = context;
-    const struct band_work *work = telling->work;
+    const struct reporting *reporting = context;
+    const struct band_work *work = reporting->work;
 
-    return work->progress(telling->context,
-                          pixels_begun(work, machine, telling->pixels));
+    return work->progress(reporting->context,
+                          pixels_begun(work, machine, reporting->pixels));
 }
 
 static bool run(const struct band_work *work, c205 *machine, size_t pixels,
                 void *context, bool *stopped, c205_error *error)
 {
-    struct telling telling = { work, pixels, context };
+    struct reporting reporting = { work, pixels, context };
 
-    return program_run(machine, work->progress ? tell_pixels : NULL, &telling, stopped,
-                       error);
+    return program_run(machine, work->progress ? report_pixels : NULL, &reporting,
+                       stopped, error);
 }
 
-static void hear(void *context, const c205 *machine, const c205_event *event)
+static void listen_band(void *context, const c205 *machine, const c205_event *event)
 {
     const struct band_watch *watch = context;
 
@@ -107,7 +107,7 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
         struct band_watch *watch = &tracer->watches[tracer->watch_count];
 
         if (tracer->watch_count == MAX_BAND_OBSERVERS
-            || !c205_listen(tracer->machine, hear, watch)) {
+            || !c205_listen(tracer->machine, listen_band, watch)) {
             snprintf(error->message, sizeof error->message, "more than %d observers",
                      MAX_BAND_OBSERVERS);
             return false;

@@ -339,7 +339,7 @@ static void look(const struct job *job, bool done)
         options->look(options->context, job->trace, &job->tracer, done);
 }
 
-static bool tell_progress(void *context, size_t pixels)
+static bool report_progress(void *context, size_t pixels)
 {
     struct job *job = context;
     bool going;
@@ -440,7 +440,7 @@ bool trace_run(struct trace *trace, c205_error *error)
 
     if (!begin_jobs(trace))
         return error_set(error, "no memory");
-    trace->work.progress = options->progress ? tell_progress : NULL;
+    trace->work.progress = options->progress ? report_progress : NULL;
     good = farm_run(&work, error);
     end_jobs(trace);
     if (good && options->progress)

@@ -7,7 +7,7 @@
 #include "rt/view/pixel_rays.h"
 
 /* Who listens to the band's machine until all that is asked has been heard. */
-struct hearing {
+struct recording {
     const struct frame_pixel *pixel;
     struct clock_stretch stretch;
     bool here, done;
@@ -17,67 +17,68 @@ struct hearing {
     struct clock_stretch within; /* in these clocks */
 };
 
-static void hear_queue(void *context, const c205 *machine, const c205_event *event)
+static void record_queue(void *context, const c205 *machine, const c205_event *event)
 {
-    struct hearing *hearing = context;
+    struct recording *recording = context;
 
-    if (!event->record || hearing->done)
+    if (!event->record || recording->done)
         return;
-    if (hearing->here
-        && (event->pc == hearing->end || event->kind == C205_EVENT_STOP)) {
-        hearing->stretch.to = event->record->arrived;
-        hearing->done = true;
-    } else if (event->pc == hearing->begin) {
-        hearing->stretch.from = event->record->arrived;
-    } else if (event->pc == hearing->made) {
-        hearing->here = pixel_is_in_queue(hearing->pixel, machine);
+    if (recording->here
+        && (event->pc == recording->end || event->kind == C205_EVENT_STOP)) {
+        recording->stretch.to = event->record->arrived;
+        recording->done = true;
+    } else if (event->pc == recording->begin) {
+        recording->stretch.from = event->record->arrived;
+    } else if (event->pc == recording->made) {
+        recording->here = pixel_is_in_queue(recording->pixel, machine);
     }
 }
 
-static void hear_region(void *context, const c205 *machine, const c205_event *event)
+static void record_region(void *context, const c205 *machine, const c205_event *event)
 {
-    struct hearing *hearing = context;
-    const struct clock_stretch *within = &hearing->within;
+    struct recording *recording = context;
+    const struct clock_stretch *within = &recording->within;
     uint64_t arrived;
     bool there;
 
-    if (!event->record || hearing->done || event->record->arrived < within->from)
+    if (!event->record || recording->done || event->record->arrived < within->from)
         return;
     arrived = event->record->arrived;
     there = arrived < within->to && event->kind != C205_EVENT_STOP
-            && strcmp(c205_account_at(machine, event->region)->name, hearing->region)
+            && strcmp(c205_account_at(machine, event->region)->name, recording->region)
                    == 0;
-    if (there && !hearing->here)
-        hearing->stretch.from = arrived;
-    if (!there && hearing->here)
-        hearing->stretch.to = arrived < within->to ? arrived : within->to;
-    hearing->done = arrived >= within->to || (hearing->here && !there);
-    hearing->here = there;
+    if (there && !recording->here)
+        recording->stretch.from = arrived;
+    if (!there && recording->here)
+        recording->stretch.to = arrived < within->to ? arrived : within->to;
+    recording->done = arrived >= within->to || (recording->here && !there);
+    recording->here = there;
 }
 
 static bool go_on(void *context, const c205 *machine)
 {
-    const struct hearing *hearing = context;
-    const struct trace_options *how = trace_how(hearing->pixel->trace);
+    const struct recording *recording = context;
+    const struct trace_options *how = trace_how(recording->pixel->trace);
 
     (void)machine;
-    return !hearing->done
+    return !recording->done
            && (!how->progress
                || how->progress(how->context, 0, how->width * how->height));
 }
 
 /* The band from its beginning, as far as that takes. */
-static bool hear(struct hearing *hearing, c205_listener *listen, c205_error *error)
+static bool on_event(struct recording *recording, c205_listener *listen,
+                     c205_error *error)
 {
-    const struct frame_pixel *pixel = hearing->pixel;
+    const struct frame_pixel *pixel = recording->pixel;
     c205 *machine = trace_machine(pixel->trace, pixel->band, error);
     bool stopped = false, good;
 
     if (!machine)
         return false;
-    good = (c205_listen(machine, listen, hearing)
-            && program_run(machine, go_on, hearing, &stopped, error))
-           || hearing->done;
+    good = (c205_listen(machine, listen, recording)
+            && program_run(machine, go_on, recording, &stopped, error))
+           || recording->done;
     c205_free(machine);
     return good || (stopped ? error_set(error, "stopped") : false);
 }
@@ -91,32 +92,34 @@ bool pixel_queue_clocks(const struct frame_pixel *pixel, struct clock_stretch *s
                         c205_error *error)
 {
     bool serial = trace_how(pixel->trace)->mode == TRACE_SCALAR;
-    struct hearing hearing = {
+    struct recording recording = {
         .pixel = pixel,
         .begin = label(pixel, serial ? "frame_pixel" : "first_queue"),
         .made = label(pixel, pixel_made_label(pixel)),
         .end = label(pixel, serial ? "frame_pixel" : "levels_next"),
     };
 
-    if (!hear(&hearing, hear_queue, error))
+    if (!on_event(&recording, record_queue, error))
         return false;
-    *stretch = hearing.stretch;
+    *stretch = recording.stretch;
     return true;
 }
 
 bool pixel_region_clocks(const struct frame_pixel *pixel, const char *region,
                          struct clock_stretch *stretch, c205_error *error)
 {
-    struct hearing hearing = { .pixel = pixel, .region = region, .within = *stretch };
+    struct recording recording = { .pixel = pixel,
+                                   .region = region,
+                                   .within = *stretch };
 
-    if (!hear(&hearing, hear_region, error))
+    if (!on_event(&recording, record_region, error))
         return false;
-    if (hearing.stretch.to == 0)
+    if (recording.stretch.to == 0)
         return error_set(error,
                          "control is not in the region %.60s between clocks "
                          "%llu and %llu",
                          region, (unsigned long long)stretch->from,
                          (unsigned long long)stretch->to);
-    *stretch = hearing.stretch;
+    *stretch = recording.stretch;
     return true;
 }

@@ -7,7 +7,7 @@ struct pixel_look {
     const struct frame_pixel *pixel;
     const struct object *program;
     const c205 *machine;
-    pixel_teller *tell;
+    pixel_listener *listener;
     void *context;
 };
 
@@ -148,22 +148,22 @@ static bool is_of_pixel(const struct pixel_look *look, const struct queue *queue
 
 /* ---- What is told ---------------------------------------------------------- */
 
-static void tell(const struct pixel_look *look, const struct pixel_element *of,
-                 const char *vector, uint64_t address)
+static void notify(const struct pixel_look *look, const struct pixel_element *of,
+                   const char *vector, uint64_t address)
 {
     struct pixel_element element = *of;
 
     element.vector = vector;
     element.word = word_at(look, address);
-    look->tell(look->context, &element);
+    look->listener(look->context, &element);
 }
 
 /* Vectors that stand one behind the other, a stride apart. */
-static void tell_some(const struct pixel_look *look, const struct pixel_element *of,
-                      const char *const *names, uint64_t address, uint64_t stride)
+static void list_words(const struct pixel_look *look, const struct pixel_element *of,
+                       const char *const *names, uint64_t address, uint64_t stride)
 {
     for (; *names; names++, address += 64 * stride)
-        tell(look, of, *names, address);
+        notify(look, of, *names, address);
 }
 
 static const char *const rays[] = { "aox", "aoy", "aoz", "adx", "ady", "adz", NULL };
@@ -173,7 +173,7 @@ static const char *const planes[] = { "out_red",   "out_green", "out_blue",
                                       "out_depth", "out_nx",    "out_ny",
                                       "out_nz",    "out_id",    NULL };
 
-static void tell_queue(const struct pixel_look *look, const struct queue *queue,
+static void list_queue(const struct pixel_look *look, const struct queue *queue,
                        size_t ray)
 {
     const struct pixel_element of = { .list = queue->list,
@@ -184,21 +184,21 @@ static void tell_queue(const struct pixel_look *look, const struct queue *queue,
     uint64_t in_list = 64 * (queue->first + ray);
 
     if (queue->list == 0)
-        tell_some(look, &of, rays, store, length);
+        list_words(look, &of, rays, store, length);
     else
-        tell_some(look, &of, rays,
-                  in_list + list_vector(look, queue->list, value_of(look, "LIST_RAY")),
-                  value_of(look, "LIST"));
-    tell_some(look, &of, met, store + 64 * 6 * length, length);
+        list_words(look, &of, rays,
+                   in_list + list_vector(look, queue->list, value_of(look, "LIST_RAY")),
+                   value_of(look, "LIST"));
+    list_words(look, &of, met, store + 64 * 6 * length, length);
     if (queue->list == 0)
-        tell_some(look, &of, planes,
-                  word_of(look, "scene_frame") + 64 * place_of_ray(look, queue, ray),
-                  word_of(look, "scene_pixels"));
+        list_words(look, &of, planes,
+                   word_of(look, "scene_frame") + 64 * place_of_ray(look, queue, ray),
+                   word_of(look, "scene_pixels"));
     else
-        tell_some(look, &of, colours,
-                  in_list
-                      + list_vector(look, queue->list, value_of(look, "LIST_COLOR")),
-                  value_of(look, "LIST"));
+        list_words(look, &of, colours,
+                   in_list
+                       + list_vector(look, queue->list, value_of(look, "LIST_COLOR")),
+                   value_of(look, "LIST"));
 }
 
 /* find_nearest has been called, and nothing since that has this link. */
@@ -224,7 +224,7 @@ static bool meets_near(const struct pixel_look *look)
            && !(pairs && is_between(look, pc, "meet_spheres", "spheres_least"));
 }
 
-static void tell_near(const struct pixel_look *look, const struct queue *queue,
+static void list_near(const struct pixel_look *look, const struct queue *queue,
                       size_t ray)
 {
     static const char *const names[] = {
@@ -248,7 +248,7 @@ static void tell_near(const struct pixel_look *look, const struct queue *queue,
             c205_word vector = register_of(look, *name);
 
             if (length_in(vector) == near)
-                tell(look, &of, *name, address_in(vector) + 64 * i);
+                notify(look, &of, *name, address_in(vector) + 64 * i);
         }
     }
 }
@@ -264,7 +264,7 @@ static bool shades_hits(const struct pixel_look *look)
                           "sort_done");
 }
 
-static void tell_hits(const struct pixel_look *look, const struct queue *queue,
+static void list_hits(const struct pixel_look *look, const struct queue *queue,
                       size_t ray)
 {
     static const char *const names[] = { "at",  "px",     "py",    "pz",   "hdx", "hdy",
@@ -282,7 +282,7 @@ static void tell_hits(const struct pixel_look *look, const struct queue *queue,
         };
 
         if (c205_to_integer(word_at(look, store + 64 * i)) == (int64_t)ray)
-            tell_some(look, &of, names, store + 64 * i, value_of(look, "QUEUE"));
+            list_words(look, &of, names, store + 64 * i, value_of(look, "QUEUE"));
     }
 }
 
@@ -297,7 +297,7 @@ static bool is_pixel_at_hand(const struct pixel_look *look)
            && !is_between(look, c205_pc(look->machine), "frame_pixel", "frame_aimed");
 }
 
-static size_t tell_pixel(const struct pixel_look *look)
+static size_t list_pixel(const struct pixel_look *look)
 {
     static const char *const ray[] = { "ox", "oy", "oz", "dx", "dy", "dz", NULL };
     static const char *const sample[] = {
@@ -308,30 +308,30 @@ static size_t tell_pixel(const struct pixel_look *look)
 
     if (!is_pixel_at_hand(look))
         return 0;
-    tell_some(look, &of, ray, record + 64 * value_of(look, "L_RAY"), 1);
-    tell_some(look, &of, sample, record + 64 * value_of(look, "L_SAMPLE"), 1);
+    list_words(look, &of, ray, record + 64 * value_of(look, "L_RAY"), 1);
+    list_words(look, &of, sample, record + 64 * value_of(look, "L_SAMPLE"), 1);
     return 1;
 }
 
 size_t pixel_elements(const struct frame_pixel *pixel, const c205 *machine,
-                      pixel_teller *teller, void *context)
+                      pixel_listener *listener, void *context)
 {
     struct pixel_look look = look_at(pixel, machine);
     struct queue queue;
     size_t count = 0;
 
-    look.tell = teller;
+    look.listener = listener;
     look.context = context;
     if (mode_of(&look) == TRACE_SCALAR)
-        return tell_pixel(&look);
+        return list_pixel(&look);
     if (!find_queue(&look, &queue))
         return 0;
     for (size_t ray = 0; ray < queue.count; ray++) {
         if (!is_of_pixel(&look, &queue, ray))
             continue;
-        tell_queue(&look, &queue, ray);
-        tell_near(&look, &queue, ray);
-        tell_hits(&look, &queue, ray);
+        list_queue(&look, &queue, ray);
+        list_near(&look, &queue, ray);
+        list_hits(&look, &queue, ray);
         count++;
     }
     return count;

@@ -35,9 +35,9 @@ struct pixel_element {
 };
 
 /* Ray by ray, group by group; how many of the pixel's rays are in the queue at hand. */
-typedef void pixel_teller(void *context, const struct pixel_element *element);
+typedef void pixel_listener(void *context, const struct pixel_element *element);
 size_t pixel_elements(const struct frame_pixel *pixel, const c205 *machine,
-                      pixel_teller *tell, void *context);
+                      pixel_listener *listener, void *context);
 
 bool pixel_is_in_queue(const struct frame_pixel *pixel, const c205 *machine);
 /* Whether the machine is where a queue has just been made, with rays of the pixel. */

@@ -108,8 +108,8 @@ void client_request(struct dap_client *client, const char *command, const char *
     text_buffer_free(&text);
 }
 
-void client_tell(struct dap_client *client, const char *command, const char *format,
-                 ...)
+void client_command(struct dap_client *client, const char *command, const char *format,
+                    ...)
 {
     va_list arguments;
 

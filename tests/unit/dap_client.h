@@ -41,8 +41,8 @@ void client_send(struct dap_client *client, const char *bytes, size_t length);
 /* A request, its arguments printed; NULL: none. */
 void client_request(struct dap_client *client, const char *command, const char *format,
                     va_list arguments);
-void client_tell(struct dap_client *client, const char *command, const char *format,
-                 ...)
+void client_command(struct dap_client *client, const char *command, const char *format,
+                    ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif

@@ -61,7 +61,7 @@ static void send(struct session *session, char *request)
 {
     char *arguments = next_word(request);
 
-    client_tell(&session->client, request, *arguments ? "%s" : NULL, arguments);
+    client_command(&session->client, request, *arguments ? "%s" : NULL, arguments);
 }
 
 static void do_request(struct session *session, char *request)

@@ -75,7 +75,7 @@ TEST(limits)
     memcpy(study.best.places, places, sizeof places);
     for (size_t i = 0; i < CONSTANTS; i++)
         constants.items[i] = (struct free_constant){ .least = -5, .most = 5 };
-    goal_tell(&study, times, &results);
+    objective_print(&study, times, &results);
     rewind(results.file);
     text[fread(text, 1, sizeof text - 1, results.file)] = '\0';
     fclose(results.file);

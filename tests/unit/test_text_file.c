@@ -174,7 +174,7 @@ TEST(name_in_diagnostic)
     struct sink sink = text_buffer_sink(&shown);
 
     diagnostics_add(&reports, SEVERITY_ERROR, &position, "no \x1B[31m\n");
-    diagnostics_say(&reports, "said \x1B[31m\n\tnext\n");
+    diagnostics_append(&reports, "said \x1B[31m\n\tnext\n");
     diagnostics_put(&reports, &sink);
     assert_string_equal(shown.text, "a\\x1b[2J.s:1:3: error: no \\x1b[31m\\x0a "
                                     "(at the caret: U+00A0, a no-break "

@@ -226,7 +226,7 @@ static const struct {
     { "timeline", answer_timeline, KEEPS_NOTHING },
     { "profile", answer_profile, KEEPS_NOTHING },
     { "accounts", answer_accounts, KEEPS_MOVEMENT },
-    { "say", answer_say, KEEPS_NOTHING },
+    { "say", answer_printf, KEEPS_NOTHING },
     { "sweep", answer_sweep, KEEPS_NOTHING },
     { "compare", answer_compare, KEEPS_NOTHING },
     { "grade", answer_grade, KEEPS_ALL },

@@ -97,7 +97,7 @@ struct engine {
 };
 
 engine_request answer_about, answer_load, answer_breaks, answer_go, answer_view,
-    answer_timeline, answer_profile, answer_accounts, answer_say, answer_sweep,
+    answer_timeline, answer_profile, answer_accounts, answer_printf, answer_sweep,
     answer_compare, answer_grade;
 
 /* Of about. */

@@ -174,8 +174,8 @@ bool answer_go(struct engine *engine, const struct json_value *request,
 /* ---- say --------------------------------------------------------------------------- */
 
 /* One line at a time: what runs on stops at the end of the slice, and says so. */
-bool answer_say(struct engine *engine, const struct json_value *request,
-                struct json *reply, c205_error *error)
+bool answer_printf(struct engine *engine, const struct json_value *request,
+                   struct json *reply, c205_error *error)
 {
     const char *line;
     uint64_t limit = ENGINE_LIMIT;

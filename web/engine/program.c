@@ -440,7 +440,7 @@ static bool put_break(struct engine *engine, struct json *reply, int64_t wanted,
                       c205_error *error)
 {
     size_t line = 0;
-    bool told = true;
+    bool reported = true;
 
     json_object(reply, NULL);
     json_number(reply, "wanted", (double)wanted);
@@ -449,9 +449,9 @@ static bool put_break(struct engine *engine, struct json *reply, int64_t wanted,
     else if (debugger_break_line(engine->debugger, engine->name, (size_t)wanted, &line))
         json_count(reply, "line", line);
     else
-        told = put_said(engine, reply, "message", error);
+        reported = put_said(engine, reply, "message", error);
     json_end(reply);
-    return told;
+    return reported;
 }
 
 bool answer_breaks(struct engine *engine, const struct json_value *request,

@@ -67,7 +67,7 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
 }
 
 /* A timeline shows nothing more, once it is full or its end is there. */
-static bool has_heard_all(const struct engine *engine)
+static bool has_recorded_all(const struct engine *engine)
 {
     const struct timeline *timeline = engine->replay.timeline;
 
@@ -84,13 +84,13 @@ static bool go_on(struct engine *engine, bool *done, c205_error *error)
     struct replay *replay = &engine->replay;
     enum moved moved = MOVED_ON;
 
-    while (moved == MOVED_ON && !has_heard_all(engine)) {
+    while (moved == MOVED_ON && !has_recorded_all(engine)) {
         uint64_t step = debugger_step(engine->debugger);
         uint64_t left = replay->end - step;
 
         moved = motion_to_step(engine->debugger,
                                step + (left < AT_ONCE ? left : AT_ONCE));
-        if (moved == MOVED_ON && !has_heard_all(engine) && slice_is_over(engine))
+        if (moved == MOVED_ON && !has_recorded_all(engine) && slice_is_over(engine))
             moved = MOVED_INTERRUPTED;
     }
     if (moved == MOVED_NOT)

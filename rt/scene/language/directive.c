@@ -157,13 +157,14 @@ static bool read_default(struct reader *reader, void *subject, const struct item
 
 /* #debug, #render and #statistics say what follows; #warning reports it, and
  * #error makes it an error. */
-static bool tell(struct reader *reader, const struct item *item, const char *text)
+static bool append_text(struct reader *reader, const struct item *item,
+                        const char *text)
 {
     if (item->keyword->detail == MESSAGE_IS_ERROR)
         return reader_fault(reader, &item->at, "%s", text);
     if (item->keyword->detail == MESSAGE_WARNS)
         reader_warn(reader, &item->at, "%s", text);
-    else if (!diagnostics_say(reader->reports, text))
+    else if (!diagnostics_append(reader->reports, text))
         reader_warn(reader, &item->at,
                     "more than %d bytes are said: the rest is left out", MAX_SAID);
     return true;
@@ -182,7 +183,7 @@ static bool read_message(struct reader *reader, void *subject, const struct item
     reader_release(reader, hold);
     if (!done)
         return false;
-    done = tell(reader, item, text);
+    done = append_text(reader, item, text);
     free(text);
     return done;
 }

@@ -19,7 +19,7 @@ struct note {
     struct note *next; /* of the bucket */
     struct note_place place;
     const char *words, *calls;
-    bool told;
+    bool reported;
     size_t page; /* the serial number of the last one that got it */
 };
 
@@ -27,7 +27,7 @@ struct note {
 struct notes {
     struct note *note;
     struct notes *used, *rest;
-    bool told;
+    bool reported;
     size_t page;           /* as that of a note */
     struct notes *waiting; /* to be told */
 };
@@ -111,11 +111,11 @@ static struct note_cause *cause_of(struct notebook *book, const struct note *not
     return book->last_cause = cause;
 }
 
-static void tell(struct notebook *book, struct note *note)
+static void add_report(struct notebook *book, struct note *note)
 {
-    struct note_cause *cause = note->told ? NULL : cause_of(book, note);
+    struct note_cause *cause = note->reported ? NULL : cause_of(book, note);
 
-    note->told = true;
+    note->reported = true;
     if (cause)
         cause->places++;
 }
@@ -150,20 +150,20 @@ void notebook_report(const struct notebook *book, enum severity severity,
 }
 
 /* Each of them once, however often it is used: those that wait are marked. */
-static void tell_all(struct notebook *book, struct notes *notes)
+static void report_all(struct notebook *book, struct notes *notes)
 {
     struct notes *waiting = NULL;
 
     for (;;) {
-        for (; notes && !notes->told; notes = notes->rest) {
-            notes->told = true;
+        for (; notes && !notes->reported; notes = notes->rest) {
+            notes->reported = true;
             notes->waiting = waiting;
             waiting = notes;
         }
         if (!waiting)
             return;
         if (waiting->note)
-            tell(book, waiting->note);
+            add_report(book, waiting->note);
         notes = waiting->used;
         waiting = waiting->waiting;
     }
@@ -198,18 +198,18 @@ void note_add(struct notebook *book, const struct note_place *place, const char 
     if (!note)
         return;
     if (!book->page)
-        tell(book, note);
+        add_report(book, note);
     else if (is_new(book, &note->page))
         write_down(book, note, NULL);
 }
 
-void note_tell(struct notebook *book, const struct note_place *place, const char *words,
-               const char *calls)
+void note_report(struct notebook *book, const struct note_place *place,
+                 const char *words, const char *calls)
 {
     struct note *note = note_of(book, place, words, calls);
 
     if (note)
-        tell(book, note);
+        add_report(book, note);
 }
 
 void notes_begin(struct notebook *book, struct note_page *page)
@@ -244,7 +244,7 @@ void notes_use(struct notebook *book, struct notes *notes)
     if (!notes)
         return;
     if (!book->page)
-        tell_all(book, notes);
+        report_all(book, notes);
     else if (!book->page->notes)
         book->page->notes = notes;
     else if (is_new(book, &notes->page))

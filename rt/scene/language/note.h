@@ -54,8 +54,8 @@ struct notebook {
 void note_add(struct notebook *book, const struct note_place *place, const char *words,
               const char *calls);
 /* The same, told in any case. */
-void note_tell(struct notebook *book, const struct note_place *place, const char *words,
-               const char *calls);
+void note_report(struct notebook *book, const struct note_place *place,
+                 const char *words, const char *calls);
 
 /* What is added in between is that of a value: NULL if nothing is. */
 void notes_begin(struct notebook *book, struct note_page *page);

@@ -84,7 +84,7 @@ static void note(struct reader *reader, const struct scene_token *at, bool in_an
         return;
     vsnprintf(words, sizeof words, format, arguments);
     add_calls(reader, at, calls, sizeof calls);
-    (in_any_case ? note_tell : note_add)(&reader->notebook, &place, words, calls);
+    (in_any_case ? note_report : note_add)(&reader->notebook, &place, words, calls);
 }
 
 void reader_report(struct reader *reader, const struct scene_token *at,

@@ -225,15 +225,15 @@ void symbols_free(struct declared_names *symbols)
 }
 
 void symbols_walk(const struct declared_names *symbols,
-                  void (*tell)(void *context, const char *name, size_t length,
-                               const struct scene_value *value),
+                  void (*visit)(void *context, const char *name, size_t length,
+                                const struct scene_value *value),
                   void *context)
 {
     for (size_t i = 0; i < SYMBOL_BUCKETS; i++)
         for (const struct declared_name *symbol = symbols->buckets[i]; symbol;
              symbol = symbol->next)
             if (symbol->level == 0 && !symbol->target.symbol)
-                tell(context, symbol->name, symbol->length, &symbol->value);
+                visit(context, symbol->name, symbol->length, &symbol->value);
 }
 
 const char *symbol_name(const struct declared_name *symbol, size_t *length)

@@ -46,8 +46,8 @@ bool symbol_release(struct declared_name *symbol);
 const char *symbol_name(const struct declared_name *symbol, size_t *length);
 /* Each of level 0, in no order. */
 void symbols_walk(const struct declared_names *symbols,
-                  void (*tell)(void *context, const char *name, size_t length,
-                               const struct scene_value *value),
+                  void (*visit)(void *context, const char *name, size_t length,
+                                const struct scene_value *value),
                   void *context);
 /* Forget the innermost symbol of a name; false: there is none. */
 bool symbols_remove(struct declared_names *symbols, const char *name, size_t length);

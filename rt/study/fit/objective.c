@@ -63,10 +63,10 @@ static void print_speedups(const struct study *study, const double *written,
     size_t good = 0;
 
     for (size_t i = 0; i < 2 * study->subject_count; i++) {
-        double told, found = study_speedup(study, written, study->subjects[i / 2],
-                                           i % 2 != 0, &told);
+        double reported, found = study_speedup(study, written, study->subjects[i / 2],
+                                               i % 2 != 0, &reported);
 
-        good += fabs(found / told - 1) <= within;
+        good += fabs(found / reported - 1) <= within;
     }
     output_printf(results, "Speedups within %.0f %%: %zu of %zu.\n", 100 * within, good,
                   2 * study->subject_count);
@@ -91,8 +91,8 @@ static void print_constants(const struct study *study,
                   inside, constants->count, WIDTHS_WITHIN, near);
 }
 
-void goal_tell(const struct study *study, const double *written,
-               const struct command_output *results)
+void objective_print(const struct study *study, const double *written,
+                     const struct command_output *results)
 {
     static const double limits[] = { TIMES_WITHIN, TIMES_GOAL };
 

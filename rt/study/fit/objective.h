@@ -11,7 +11,7 @@
 #include "rt/study/fit/study.h"
 
 /* written: what the models predict as they are written. */
-void goal_tell(const struct study *study, const double *written,
-               const struct command_output *results);
+void objective_print(const struct study *study, const double *written,
+                     const struct command_output *results);
 
 #endif

@@ -197,16 +197,17 @@ static void add_speedup(const struct study *study, const double *written,
                         const struct speedup_subject *subject, bool other,
                         struct table *table)
 {
-    double told;
-    double ratio = study_speedup(study, study->best.predicted, subject, other, &told);
-    double shown = study_speedup(study, written, subject, other, &told);
+    double reported;
+    double ratio = study_speedup(study, study->best.predicted, subject, other,
+                                 &reported);
+    double shown = study_speedup(study, written, subject, other, &reported);
 
     table_text(table, subject->name);
     table_text(table, other ? speedup_projections[0] : "205 scalar");
-    table_number(table, told);
+    table_number(table, reported);
     table_number(table, ratio);
-    table_number(table, 100 * (ratio / told - 1));
-    table_number(table, 100 * (shown / told - 1));
+    table_number(table, 100 * (ratio / reported - 1));
+    table_number(table, 100 * (shown / reported - 1));
 }
 
 static void fill_speedups(const struct study *study, const double *written,
@@ -439,8 +440,8 @@ static bool add_part(const struct study *study, const struct report_part *part,
     return good;
 }
 
-bool report_tell(const struct study *study, const double *written,
-                 const struct command_output *results)
+bool report_print(const struct study *study, const double *written,
+                  const struct command_output *results)
 {
     print_head(study, results);
     if (results->json)

@@ -7,7 +7,7 @@
 #include "rt/study/fit/study.h"
 
 /* written is what the model file predicts.  False: no memory. */
-bool report_tell(const struct study *study, const double *written,
-                 const struct command_output *results);
+bool report_print(const struct study *study, const double *written,
+                  const struct command_output *results);
 
 #endif

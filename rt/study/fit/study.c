@@ -189,13 +189,14 @@ size_t study_row(const struct study *study, const struct speedup_subject *subjec
 }
 
 double study_speedup(const struct study *study, const double *predicted,
-                     const struct speedup_subject *subject, bool other, double *told)
+                     const struct speedup_subject *subject, bool other,
+                     double *reported)
 {
     size_t count = study->fit.observations->count;
     size_t slow = study_row(study, subject, TRACE_SCALAR,
                             other ? speedup_projections[0] : "cyber205");
     size_t fast = study_row(study, subject, TRACE_VECTOR, "cyber205");
 
-    *told = other ? subject->paper.projected[0].speedup : subject->paper.speedup;
+    *reported = other ? subject->paper.projected[0].speedup : subject->paper.speedup;
     return slow == count || fast == count ? NAN : predicted[slow] / predicted[fast];
 }

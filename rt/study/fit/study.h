@@ -59,6 +59,7 @@ size_t study_row(const struct study *study, const struct speedup_subject *subjec
  * machine if that is wanted, by what is predicted; and what Table 1 tells.
  * NaN: none. */
 double study_speedup(const struct study *study, const double *predicted,
-                     const struct speedup_subject *subject, bool other, double *told);
+                     const struct speedup_subject *subject, bool other,
+                     double *reported);
 
 #endif

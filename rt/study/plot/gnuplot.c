@@ -13,7 +13,7 @@ static bool fail(c205_error *error, const char *what, const char *why)
 }
 
 /* gnuplot prints the line of the script and a caret before what is wrong. */
-static bool fail_as_told(FILE *messages, c205_error *error)
+static bool fail_with_output(FILE *messages, c205_error *error)
 {
     char line[256], last[256] = "no picture was drawn";
 
@@ -39,7 +39,7 @@ bool gnuplot_draw(const char *folder, char *script, FILE *picture, c205_error *e
     if (code == PROCESS_NOT_FOUND)
         fail(error, "gnuplot is not found", "the Debian package gnuplot-nox has it");
     else if (!good)
-        fail_as_told(messages, error);
+        fail_with_output(messages, error);
     fclose(messages);
     return good;
 }

@@ -221,8 +221,8 @@ static void write_small_print(const char *text, double left, double height, FILE
             across(left), up(height));
 }
 
-static void tell_cut_off(const struct plot_axes *axes, double left, double height,
-                         FILE *file)
+static void print_cut_off(const struct plot_axes *axes, double left, double height,
+                          FILE *file)
 {
     char end[AXIS_LABEL_SIZE], highest[AXIS_LABEL_SIZE], text[128];
 
@@ -245,7 +245,7 @@ static void write_titles(const struct plot *plot, const struct plot_axes *axes,
     for (size_t i = 0; i < plot->subtitle_count; i++, line -= LINE)
         write_small_print(plot->subtitles[i], layout->left, line, file);
     if (isfinite(axes->cut_off))
-        tell_cut_off(axes, layout->left, line, file);
+        print_cut_off(axes, layout->left, line, file);
 }
 
 /* With a little more at the ends of a logarithmic axis, where gnuplot else

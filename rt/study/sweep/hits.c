@@ -234,7 +234,7 @@ static const struct table_column point_columns[] = {
 };
 enum { BEFORE = 2 };
 
-static void say(struct sweep_report *report, const struct sweep *sweep)
+static void print(struct sweep_report *report, const struct sweep *sweep)
 {
     const struct sweep_measure *none = sweep->measures;
     const struct sweep_measure *all = none + sweep->count - 1;
@@ -276,7 +276,7 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
         table_count(table, sweep->measures[i].hits);
         sweep_add_cells(table, &sweep->measures[i]);
     }
-    say(report, sweep);
+    print(report, sweep);
     draw(report, table);
     return true;
 }

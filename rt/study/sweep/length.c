@@ -216,8 +216,8 @@ static const char *or_before(bool exact)
     return exact ? "" : " or before";
 }
 
-static void say(struct sweep_report *report, const struct sweep *sweep,
-                const struct sweep_lengths_found *found)
+static void print(struct sweep_report *report, const struct sweep *sweep,
+                  const struct sweep_lengths_found *found)
 {
     if (found->crossover == 0)
         sweep_report_line(report, "The scalar form is cheaper at the longest "
@@ -267,7 +267,7 @@ static bool report_length(struct sweep *sweep, struct sweep_report *report,
     if (!table)
         return false;
     fill(table, sweep, &found);
-    say(report, sweep, &found);
+    print(report, sweep, &found);
     draw(report, &found);
     return true;
 }

@@ -124,7 +124,7 @@ static void draw(struct sweep_report *report, const struct table *table)
         sweep_report_curve(report, i, plot_columns[i].heading);
 }
 
-static void say(struct sweep_report *report, const struct sweep *sweep)
+static void print(struct sweep_report *report, const struct sweep *sweep)
 {
     size_t last = MACHINES - 1;
 
@@ -163,7 +163,7 @@ static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
         add_limit(limits, sweep, i);
     }
     fill_plot(plotted, sweep);
-    say(report, sweep);
+    print(report, sweep);
     draw(report, plotted);
     return true;
 }

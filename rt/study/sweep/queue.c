@@ -137,9 +137,9 @@ static enum sweep_group rises_most(const struct sweep_measure *from,
     return (enum sweep_group)most;
 }
 
-static void say_other(struct sweep_report *report, const char *what,
-                      const struct sweep_measure *other,
-                      const struct sweep_measure *best)
+static void print_other(struct sweep_report *report, const char *what,
+                        const struct sweep_measure *other,
+                        const struct sweep_measure *best)
 {
     enum sweep_group most;
 
@@ -155,8 +155,8 @@ static void say_other(struct sweep_report *report, const char *what,
 }
 
 /* The queues around the best that cost hardly more. */
-static void say_flat(struct sweep_report *report, const struct sweep *sweep,
-                     const struct sweep_measure *best)
+static void print_flat(struct sweep_report *report, const struct sweep *sweep,
+                       const struct sweep_measure *best)
 {
     const struct sweep_measure *first = best, *last = best;
     const struct sweep_measure *end = sweep->measures + sweep->count;
@@ -169,7 +169,7 @@ static void say_flat(struct sweep_report *report, const struct sweep *sweep,
                       queue_of(last));
 }
 
-static void say_memory(struct sweep_report *report, const struct sweep_memory *memory)
+static void print_memory(struct sweep_report *report, const struct sweep_memory *memory)
 {
     if (memory->fills < 1)
         sweep_report_line(report, "Real memory is too small for a queue of "
@@ -188,15 +188,15 @@ static void say_memory(struct sweep_report *report, const struct sweep_memory *m
                           MAX_TRACE_QUEUE);
 }
 
-static void say(struct sweep_report *report, const struct sweep *sweep,
-                const struct trio *trio, const struct sweep_memory *memory)
+static void print(struct sweep_report *report, const struct sweep *sweep,
+                  const struct trio *trio, const struct sweep_memory *memory)
 {
     sweep_report_line(report, "Best: a queue of %zu, %.2f clocks per ray.",
                       queue_of(trio->best), sweep_cost(trio->best, SWEEP_QUEUED));
-    say_other(report, "The paper's", trio->paper, trio->best);
-    say_other(report, "The longest,", trio->longest, trio->best);
-    say_flat(report, sweep, trio->best);
-    say_memory(report, memory);
+    print_other(report, "The paper's", trio->paper, trio->best);
+    print_other(report, "The longest,", trio->longest, trio->best);
+    print_flat(report, sweep, trio->best);
+    print_memory(report, memory);
 }
 
 /* From the bottom on; what falls and what rises is on top. */
@@ -258,7 +258,7 @@ static bool report_queue(struct sweep *sweep, struct sweep_report *report,
     fill_points(points, sweep);
     fill_memory(words, &memory, sweep->scene != NULL);
     fill_difference(difference, &trio);
-    say(report, sweep, &trio, &memory);
+    print(report, sweep, &trio, &memory);
     draw(report, &trio);
     return true;
 }

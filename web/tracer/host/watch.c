@@ -19,7 +19,7 @@ OF_PAGE(rows)
 void page_rows(size_t width, size_t height, size_t first_row, size_t rows,
                const unsigned char *rgba, const char *clocks, size_t length);
 
-static bool tell(void *context, size_t done, size_t all)
+static bool report_progress(void *context, size_t done, size_t all)
 {
     (void)context;
     return page_progress(done, all);
@@ -96,6 +96,6 @@ static void look(void *context, const struct trace *trace,
 
 void cmd_watch(struct rt205_arguments *arguments)
 {
-    arguments->trace.progress = tell;
+    arguments->trace.progress = report_progress;
     arguments->trace.look = look;
 }
