@@ -68,7 +68,7 @@ struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
     item->halves = halves;
     item->order = assembler->item_count++;
     assembler->section->at += halves * HALF_BITS;
-    layout_settle(assembler);
+    layout_resolve(assembler);
     return item;
 }
 
@@ -103,7 +103,7 @@ bool layout_label(struct cursor *cursor, const char *name, size_t length,
     return true;
 }
 
-void layout_settle(struct assembler *assembler)
+void layout_resolve(struct assembler *assembler)
 {
     assembler->waiting_count = 0;
 }

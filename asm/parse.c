@@ -26,7 +26,7 @@ static bool parse_directive(struct cursor *cursor)
     if (!directive)
         return expected_name(cursor, "a directive", SUGGEST_DIRECTIVE);
     if (directive->contents == ASM_NOTHING)
-        layout_settle(cursor->assembler);
+        layout_resolve(cursor->assembler);
     cursor->assembler->contents = directive->contents;
     cursor_next(cursor);
     return directive->parse(cursor) && expect_end(cursor);

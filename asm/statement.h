@@ -13,7 +13,7 @@ bool layout_known(struct cursor *cursor, const c205_word *words, uint64_t count)
 void layout_align(struct assembler *assembler, uint64_t bits);
 bool layout_label(struct cursor *cursor, const char *name, size_t length,
                   const char *at);
-void layout_settle(struct assembler *assembler);
+void layout_resolve(struct assembler *assembler);
 
 /* operand.c */
 bool parse_any_register(struct cursor *cursor, struct register_name *found);

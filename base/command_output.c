@@ -24,7 +24,7 @@ static bool is_stream(const char *path)
 }
 
 /* "--json -" is "--format json". */
-static void settle_format(struct command_output *results)
+static void choose_format(struct command_output *results)
 {
     if (is_stream(results->path)) {
         results->format = OUTPUT_JSON;
@@ -53,7 +53,7 @@ bool output_open(struct command_output *results, const char *command,
                  const char *output)
 {
     results->command = command;
-    settle_format(results);
+    choose_format(results);
     results->file = results->format == OUTPUT_JSON ? NULL
                     : is_stream(output)            ? stderr
                                                    : stdout;

@@ -540,7 +540,7 @@ uint64_t c205_pc(const c205 *machine)
 void c205_set_pc(c205 *machine, uint64_t address)
 {
     clear_resume(machine);
-    clock_settle(machine->clock);
+    clock_commit(machine->clock);
     machine->pc = address & ADDRESS_MASK;
 }
 

@@ -63,7 +63,7 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
                                          "was run for %" PRIu64 " clock%s",
                           c205_clock(machine), plural(c205_clock(machine)));
     }
-    timeline_settle(timeline);
+    timeline_finish(timeline);
     code = write_file(arguments, timeline);
     return code != CMD_DONE ? code : print_trap(arguments, machine, &ending);
 }

@@ -63,7 +63,7 @@ void timeline_title(const struct timeline *timeline, const char *program,
 /* Instructions, without what was in flight at the end. */
 size_t timeline_instructions(const struct timeline *timeline);
 /* It ends where the last of it was done, if that is before. */
-void timeline_settle(struct timeline *timeline);
+void timeline_finish(struct timeline *timeline);
 /* A file's name says which form it has: .svg, .kanata, .json; NULL, false: none of these. */
 struct timeline_form;
 const struct timeline_form *timeline_form_of(const char *path);

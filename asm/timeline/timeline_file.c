@@ -76,7 +76,7 @@ void timeline_title(const struct timeline *timeline, const char *program,
              timeline->from, timeline->to, model);
 }
 
-void timeline_settle(struct timeline *timeline)
+void timeline_finish(struct timeline *timeline)
 {
     uint64_t end = timeline->from + 1;
 

@@ -66,7 +66,7 @@ static bool save(const struct rt205_arguments *arguments,
     const struct trace_options *how = trace_how(pixel->trace);
     char title[400];
 
-    timeline_settle(timeline);
+    timeline_finish(timeline);
     snprintf(title, sizeof title,
              "%.150s, %s, the queue of pixel %zu,%zu of %zu x %zu, clocks "
              "%" PRIu64 " to %" PRIu64 " on %.80s",

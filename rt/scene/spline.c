@@ -93,7 +93,7 @@ static double slope(const struct spline_point *point, int term)
 }
 
 /* Solves three diagonals of equations. */
-static void settle_term(struct spline *spline, int term)
+static void solve_term(struct spline *spline, int term)
 {
     struct spline_point *point = spline->points;
     size_t last = spline->count - 1;
@@ -113,10 +113,10 @@ static void settle_term(struct spline *spline, int term)
                               / point[i].pivot;
 }
 
-void spline_settle(struct spline *spline)
+void spline_solve(struct spline *spline)
 {
     for (int term = 0; term < SPLINE_TERMS; term++)
-        settle_term(spline, term);
+        solve_term(spline, term);
 }
 
 /* One term of the value; the parameter is between points `end` - 1 and `end`,

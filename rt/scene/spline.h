@@ -41,7 +41,7 @@ size_t spline_find(const struct spline *spline, double t);
 /* Adds a point whose value has that many terms.  False: no memory. */
 bool spline_add(struct spline *spline, double t, const double *value, int terms);
 /* After the last point: computes the second derivatives. */
-void spline_settle(struct spline *spline);
+void spline_solve(struct spline *spline);
 /* The terms of the value, as a spline of that kind; of one point or more. */
 void spline_value(const struct spline *spline, enum spline_kind kind, double t,
                   double value[SPLINE_TERMS]);

@@ -13,7 +13,7 @@ static const struct shape_field fields[] = {
 };
 
 /* What has no strength adds nothing. */
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     struct blob_parts *parts = &primitive->shape.blob.parts;
     size_t kept = 0;
@@ -256,7 +256,7 @@ static size_t put_table(const struct primitive *primitive, const struct eyes *ey
 
 const struct shape shape_blob = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "blob",
     .bound = put_bound,
     .words = put_words,

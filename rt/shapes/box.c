@@ -7,7 +7,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     double *low = primitive->shape.box.corner[0];
     double *high = primitive->shape.box.corner[1];
@@ -79,7 +79,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_box = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "box",
     .bound = put_bound,
     .words = put_words,

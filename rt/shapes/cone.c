@@ -26,7 +26,7 @@ static void become_cylinder(struct primitive *primitive)
     primitive->shape.cylinder.open = cone.shape.cone.open;
 }
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     double base = primitive->shape.cone.base_radius;
     double cap = primitive->shape.cone.cap_radius;
@@ -81,7 +81,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_cone = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "cone",
     .bound = put_bound,
     .words = put_words,

@@ -11,7 +11,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     if (axis_is_point(primitive->shape.cylinder.base, primitive->shape.cylinder.cap))
         return shape_empty(primitive, AXIS_IS_POINT);
@@ -86,7 +86,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_cylinder = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "cylinder",
     .bound = put_bound,
     .words = put_words,

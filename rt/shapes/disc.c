@@ -11,7 +11,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     const char *fault = axis_make_normal(primitive->shape.disc.normal);
 
@@ -63,7 +63,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_disc = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "disc",
     .bound = put_bound,
     .endless = true,

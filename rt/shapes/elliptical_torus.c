@@ -9,7 +9,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     return primitive->shape.elliptical_torus.major > 0
                    && primitive->shape.elliptical_torus.radial > 0
@@ -41,7 +41,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_elliptical_torus = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .bound = put_bound,
     .words = put_words,
     .region = "torus",

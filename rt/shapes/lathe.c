@@ -39,7 +39,7 @@ static void drop_repeated(struct outline *path)
         memcpy(points[kept - 1], points[0], sizeof *points);
 }
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     struct outline *path = &primitive->shape.lathe.path;
     double greatest = 0;
@@ -374,7 +374,7 @@ static size_t put_table(const struct primitive *primitive, const struct eyes *ey
 
 const struct shape shape_lathe = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "lathe",
     .bound = put_bound,
     .words = put_words,

@@ -40,7 +40,7 @@ static bool has_normals(const struct triangle *triangle)
 }
 
 /* As in POV-Ray triangles without an area go. */
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     struct triangles *triangles = &primitive->shape.mesh.triangles;
     size_t kept = 0;
@@ -549,7 +549,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_mesh = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "mesh",
     .bound = put_bound,
     .words = put_words,

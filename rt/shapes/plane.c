@@ -11,7 +11,7 @@ static const struct shape_field fields[] = {
 };
 
 /* The distance is along the normal of length one. */
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     return axis_make_normal(primitive->shape.plane.normal);
 }
@@ -50,7 +50,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_plane = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "plane",
     .bound = bound_without,
     .words = put_words,

@@ -53,10 +53,10 @@ static const char *become_quadratic(struct primitive *primitive)
     primitive->shape.quadratic_prism.high = prism.shape.prism.high;
     primitive->shape.quadratic_prism.path = prism.shape.prism.path;
     primitive->shape.quadratic_prism.open = prism.shape.prism.open;
-    return shape_quadratic_prism.settle(primitive);
+    return shape_quadratic_prism.finish(primitive);
 }
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     struct outline *path = &primitive->shape.prism.path;
     double a = primitive->shape.prism.low, b = primitive->shape.prism.high;
@@ -181,7 +181,7 @@ static bool is_open(const struct primitive *primitive)
 
 const struct shape shape_prism = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "prism",
     .bound = put_bound,
     .words = put_words,

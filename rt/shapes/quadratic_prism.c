@@ -89,7 +89,7 @@ static const char *make_parabolas(struct outline *path)
     return NULL;
 }
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     double a = primitive->shape.quadratic_prism.low;
     double b = primitive->shape.quadratic_prism.high;
@@ -344,7 +344,7 @@ static bool is_open(const struct primitive *primitive)
 
 const struct shape shape_quadratic_prism = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .bound = put_bound,
     .words = put_words,
     .table = put_table,

@@ -10,9 +10,9 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
-    return terms_settle(primitive, primitive->shape.quadric.coefficients,
+    return terms_finish(primitive, primitive->shape.quadric.coefficients,
                         QUADRIC_TERMS);
 }
 
@@ -49,7 +49,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
 
 const struct shape shape_quadric = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "quadric",
     .bound = bound_without,
     .words = put_words,

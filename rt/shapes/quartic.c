@@ -10,7 +10,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-const char *terms_settle(struct primitive *primitive, const double *coefficients,
+const char *terms_finish(struct primitive *primitive, const double *coefficients,
                          size_t count)
 {
     for (size_t i = 0; i + 1 < count; i++)
@@ -19,9 +19,9 @@ const char *terms_settle(struct primitive *primitive, const double *coefficients
     return shape_empty(primitive, "all coefficients of the surface are 0");
 }
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
-    return terms_settle(primitive, primitive->shape.quartic.coefficients,
+    return terms_finish(primitive, primitive->shape.quartic.coefficients,
                         QUARTIC_TERMS);
 }
 
@@ -64,7 +64,7 @@ static size_t put_table(const struct primitive *primitive, const struct eyes *ey
 
 const struct shape shape_quartic = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "quartic",
     .bound = bound_without,
     .words = put_words,

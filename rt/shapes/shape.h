@@ -74,7 +74,7 @@ struct shape {
     const struct shape_field *fields;
     /* What is read becomes what is traced.  Returns what is wrong with it, or
      * NULL; shape_empty of the reason if nothing is seen of it. */
-    const char *(*settle)(struct primitive *primitive);
+    const char *(*finish)(struct primitive *primitive);
     const char *povray; /* its name in POV-Ray; NULL: it has none */
 
     /* A sphere in the world that nothing of it reaches beyond, or

@@ -8,7 +8,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     return primitive->shape.sphere.radius > 0
                ? NULL
@@ -81,7 +81,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_sphere = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "sphere",
     .bound = put_bound,
     .words = put_words,

@@ -13,7 +13,7 @@ static const struct shape_field fields[] = {
 };
 
 /* Weights that are not given are one. */
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     double *weights = primitive->shape.steiner_patch.weights;
 
@@ -79,7 +79,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_steiner_patch = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .bound = put_bound,
     .words = put_words,
     .table = put_table,

@@ -6,7 +6,7 @@
 
 /* A surface needs a coefficient besides the last, the constant.  As a shape's
  * settle. */
-const char *terms_settle(struct primitive *primitive, const double *coefficients,
+const char *terms_finish(struct primitive *primitive, const double *coefficients,
                          size_t count);
 /* A quartic in a space that is 2^log times as large: the same surface in the world. */
 void quartic_enlarge(struct primitive *quartic, int log);

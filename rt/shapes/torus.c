@@ -10,7 +10,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-static const char *settle(struct primitive *primitive)
+static const char *finish(struct primitive *primitive)
 {
     double major = primitive->shape.torus.major;
     double minor = primitive->shape.torus.minor;
@@ -84,7 +84,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 
 const struct shape shape_torus = {
     .fields = fields,
-    .settle = settle,
+    .finish = finish,
     .povray = "torus",
     .bound = put_bound,
     .words = put_words,

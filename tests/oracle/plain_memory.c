@@ -98,7 +98,7 @@ void plain_store(struct plain_memory *memory, uint64_t address, c205_word word)
     put(memory, plain_address(address), word);
 }
 
-void plain_settle(struct plain_memory *memory)
+void plain_commit(struct plain_memory *memory)
 {
     memory->change_count = 0;
 }

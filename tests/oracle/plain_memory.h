@@ -45,7 +45,7 @@ c205_word plain_read(const struct plain_memory *memory, uint64_t address);
 void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 
 /* The stores since the last of these two calls are kept or taken back. */
-void plain_settle(struct plain_memory *memory);
+void plain_commit(struct plain_memory *memory);
 void plain_undo(struct plain_memory *memory);
 
 /* Room for count items of a size, the first ones kept; ends the program

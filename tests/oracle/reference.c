@@ -366,7 +366,7 @@ static void begin_step(struct reference *reference)
     memset(reference->faults, 0, sizeof reference->faults);
     look_at_timer(reference);
     reference->before = reference->now;
-    plain_settle(&reference->memory);
+    plain_commit(&reference->memory);
     deed->pc = reference->now.pc;
     deed->insn_count = deed->extent_count = deed->indexed_count = 0;
     deed->elements = deed->recurrent = 0;

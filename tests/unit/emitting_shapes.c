@@ -151,7 +151,7 @@ struct primitive draw_emitting(enum primitive_kind kind, uint64_t *random)
     struct primitive primitive = { .kind = kind, .line = 1 };
     state = random;
     draw_shape(&primitive);
-    assert_null(shape_of(&primitive)->settle(&primitive));
+    assert_null(shape_of(&primitive)->finish(&primitive));
     move_shape(&primitive, &placement_none);
     if (between(0, 3) > 0)
         draw_placement(&primitive);

@@ -23,7 +23,7 @@ TEST(descriptors)
         /* .. by files of their own */
         bool read = i != PRIMITIVE_MESH && i != PRIMITIVE_BLOB;
         if (!shape->fields || (shape->fields[0].takes == TAKES_END) == read
-            || !shape->settle || !shape->bound || !shape->words || !shape->region)
+            || !shape->finish || !shape->bound || !shape->words || !shape->region)
             fail_msg("the descriptor of %s has a gap", name);
         if (shape->povray)
             assert_string_equal(shape->povray, name);

@@ -557,7 +557,7 @@ void clock_go_back(struct clock *clock)
     clock->ahead = false;
 }
 
-void clock_settle(struct clock *clock)
+void clock_commit(struct clock *clock)
 {
     clock->ahead = false;
 }

@@ -74,7 +74,7 @@ void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t unt
 void clock_show_drained(struct clock *clock);
 /* Go back to what has been charged; or charge what is shown. */
 void clock_go_back(struct clock *clock);
-void clock_settle(struct clock *clock);
+void clock_commit(struct clock *clock);
 
 /* Write all of a clock, its names of regions aside, to a serializer; or fill one
  * with the same model and regions from there. */

@@ -71,7 +71,7 @@ static void add_times(c205_account *account, const c205_account *once, uint64_t 
     account->operations += times * once->operations;
 }
 
-static void settle_accounts(struct clock *clock)
+static void commit_accounts(struct clock *clock)
 {
     struct schedule *schedule = clock->charged;
     for (; schedule; schedule = schedule->more) {
@@ -86,7 +86,7 @@ void clock_materialize(struct clock *clock)
     if (!clock->flight)
         return;
     in_flight_show(clock, clock->flight);
-    settle_accounts(clock);
+    commit_accounts(clock);
     clock->flight = NULL;
     clock->blocks_since = 0;
 }

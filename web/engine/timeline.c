@@ -128,7 +128,7 @@ static bool put_timeline(struct engine *engine, struct json *reply, c205_error *
 
     if (!timeline_is_good(timeline))
         return refuse(error, "no memory");
-    timeline_settle(timeline);
+    timeline_finish(timeline);
     json_count(reply, "from", timeline->from);
     json_count(reply, "to", timeline->to);
     json_bool(reply, "full", timeline->full);

@@ -178,7 +178,7 @@ static bool resolve(struct reader *reader, bool *done)
     return false;
 }
 
-static void settle(struct reader *reader, size_t depth)
+static void finish(struct reader *reader, size_t depth)
 {
     size_t hold = reader_nest(reader), brackets = reader->declared.brackets;
     bool directed = false, done = true, again = true;
@@ -201,21 +201,21 @@ static void settle(struct reader *reader, size_t depth)
     reader->lost = !done;
 }
 
-void reader_settle(struct reader *reader)
+void reader_resolve(struct reader *reader)
 {
-    settle(reader, 0);
+    finish(reader, 0);
 }
 
 void reader_close_frames(struct reader *reader, size_t depth)
 {
-    settle(reader, depth);
+    finish(reader, depth);
 }
 
 void reader_pass(struct reader *reader)
 {
     reader_step(reader);
     if (reader->braces != reader->hold)
-        reader_settle(reader);
+        reader_resolve(reader);
 }
 
 void reader_next(struct reader *reader)
@@ -231,7 +231,7 @@ void reader_next(struct reader *reader)
         reader_step(reader);
         if (ends)
             semicolon_find(reader);
-        reader_settle(reader);
+        reader_resolve(reader);
     }
     reader->closed = closes;
 }

@@ -255,7 +255,7 @@ bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
     if (!add_piece(&cutting, &whole))
         return false;
     primitive->shape.mesh.triangles = cutting.triangles;
-    if (shapes[PRIMITIVE_MESH]->settle(primitive))
+    if (shapes[PRIMITIVE_MESH]->finish(primitive))
         primitive_leave_out(reader, primitive, at, PATCH_HAS_NO_AREA);
     return true;
 }

@@ -221,7 +221,7 @@ static bool begin(struct reader *reader, struct blob_reading *blob,
 }
 
 /* The same only if there is one. */
-static void settle_look(struct reader *reader, struct blob_reading *blob)
+static void resolve_material(struct reader *reader, struct blob_reading *blob)
 {
     struct scene_part *part = blob->object.parts;
     bool own = blob->object.textured;
@@ -247,8 +247,8 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
     if (count > 0)
         memcpy(list, blob->parts.list, count * sizeof *list);
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
-    settle_look(reader, blob);
-    return primitive_settle(reader, primitive, &blob->at);
+    resolve_material(reader, blob);
+    return primitive_finish(reader, primitive, &blob->at);
 }
 
 bool blob_read(struct reader *reader, struct scene_object *object,

@@ -219,6 +219,6 @@ bool item_unmarked(struct reader *reader, void *subject, const struct item *item
     reader_warn(reader, &item->at, "'%s' without '#' is read as '#%s'",
                 item->keyword->word, item->keyword->word);
     reader->token.kind = TOKEN_DIRECTIVE;
-    reader_settle(reader);
+    reader_resolve(reader);
     return true;
 }

@@ -46,7 +46,7 @@ static bool open_file(struct reader *reader, struct target *target)
     char *name;
     bool done;
 
-    reader_settle(reader);
+    reader_resolve(reader);
     at = reader->token;
     if (!read_name(reader, &name))
         return false;

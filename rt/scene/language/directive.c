@@ -59,7 +59,7 @@ static bool read_include(struct reader *reader, void *subject, const struct item
 
     (void)subject;
     (void)item;
-    reader_settle(reader);
+    reader_resolve(reader);
     at = reader->token;
     name = read_file_name(reader, depth);
     done = name && open_file(reader, &at, name);
@@ -75,7 +75,7 @@ static bool read_version(struct reader *reader, void *subject, const struct item
 
     (void)subject;
     (void)item;
-    reader_settle(reader);
+    reader_resolve(reader);
     at = reader->token;
     if (!read_number(reader, &version))
         return false;
@@ -177,7 +177,7 @@ static bool read_message(struct reader *reader, void *subject, const struct item
     bool done;
 
     (void)subject;
-    reader_settle(reader);
+    reader_resolve(reader);
     hold = reader_hold(reader);
     done = string_read(reader, &text);
     reader_release(reader, hold);

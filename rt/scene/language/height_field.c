@@ -263,7 +263,7 @@ static bool add_mesh(const struct height_field *field, struct scene_object *obje
     memset(&primitive, 0, sizeof primitive);
     primitive.kind = PRIMITIVE_MESH;
     primitive.shape.mesh.triangles = field->triangles;
-    if (shapes[PRIMITIVE_MESH]->settle(&primitive))
+    if (shapes[PRIMITIVE_MESH]->finish(&primitive))
         return shape_leave_out(field->reader, object, field->at,
                                "the height_field lies below its "
                                "water_level");

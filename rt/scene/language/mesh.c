@@ -97,7 +97,7 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
 
 /* In POV-Ray a triangle's own texture goes before that of the mesh.  Here there
  * is one for all: that is the same only if all triangles have it. */
-static void settle_look(struct reader *reader, struct mesh_reading *mesh)
+static void resolve_material(struct reader *reader, struct mesh_reading *mesh)
 {
     struct scene_part *part = mesh->object.parts;
     bool own = mesh->object.textured;
@@ -188,10 +188,10 @@ static bool keep(struct reader *reader, struct mesh_reading *mesh)
         return reader_no_memory(reader);
     memcpy(list, mesh->triangles.list, count * sizeof *list);
     primitive->shape.mesh.triangles = (struct triangles){ count, list };
-    fault = shapes[PRIMITIVE_MESH]->settle(primitive);
+    fault = shapes[PRIMITIVE_MESH]->finish(primitive);
     if (fault)
         return leave_out(reader, mesh);
-    settle_look(reader, mesh);
+    resolve_material(reader, mesh);
     return true;
 }
 

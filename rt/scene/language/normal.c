@@ -93,7 +93,7 @@ static bool read_control(struct reader *reader, void *subject, const struct item
 }
 
 /* What is quilted has no values for a map. */
-static void settle_quilted(struct reader *reader, struct bump_list *list,
+static void finish_quilted(struct reader *reader, struct bump_list *list,
                            const struct scene_token *at)
 {
     if (list->bump.pattern.kind != PIGMENT_PATTERN
@@ -205,7 +205,7 @@ bool normal_body(struct reader *reader, const struct block *block, void *subject
     reading->block = block;
     if (!block_items(reader, block, &grammar, reading, read_amount(reader, reading)))
         return false;
-    settle_quilted(reader, &reading->list, &block->open);
+    finish_quilted(reader, &reading->list, &block->open);
     return !reading->list.average || reading->list.count > 0
            || reader_fault(reader, &block->open, "an average without a normal_map");
 }

@@ -120,7 +120,7 @@ static bool is_changed(const struct pattern *pattern)
                && (pattern->frequency != 1 || pattern->phase != 0));
 }
 
-static void settle_checker(struct pigment *pigment)
+static void finish_checker(struct pigment *pigment)
 {
     for (int i = 0; i < 2; i++) {
         struct color_stop listed = pigment_listed(pigment, (size_t)i);
@@ -132,7 +132,7 @@ static void settle_checker(struct pigment *pigment)
 }
 
 /* What a map lets pass is not seen. */
-bool pattern_settle(struct reader *reader, struct pigment *pigment,
+bool pattern_finish(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at)
 {
     struct color_map *map = &pigment->map;
@@ -141,7 +141,7 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
                  && pattern->function == PATTERN_RADIAL;
 
     if (pigment->kind == PIGMENT_CHECKER)
-        settle_checker(pigment);
+        finish_checker(pigment);
     if (!pigment_has_map(pigment))
         return true;
 

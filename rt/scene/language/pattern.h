@@ -46,7 +46,7 @@ item_reader pattern_read, checker_read, gradient_read, image_map_read;
 extern const struct keyword pattern_words[];
 /* Of a pigment that has been read: a gradient that was changed is another pattern;
  * the map that a pattern has unless it is given; the two colours of a checker. */
-bool pattern_settle(struct reader *reader, struct pigment *pigment,
+bool pattern_finish(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at);
 /* The colours that may be behind the word of a pattern, count at most; those
  * that do not are left as they are. */

@@ -275,7 +275,7 @@ bool pigment_body(struct reader *reader, const struct block *block, void *subjec
         done = read_term(reader, pigment, 0);
     }
     return block_items(reader, block, &grammar, pigment, done)
-           && pattern_settle(reader, pigment, &block->open);
+           && pattern_finish(reader, pigment, &block->open);
 }
 
 bool pigment_read(struct reader *reader, struct pigment *pigment)

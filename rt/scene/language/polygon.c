@@ -492,7 +492,7 @@ static bool add_mesh(struct polygon *polygon, struct scene_object *object)
     memset(&primitive, 0, sizeof primitive);
     primitive.kind = PRIMITIVE_MESH;
     primitive.shape.mesh.triangles = polygon->triangles;
-    if (shapes[PRIMITIVE_MESH]->settle(&primitive))
+    if (shapes[PRIMITIVE_MESH]->finish(&primitive))
         return shape_leave_out(polygon->reader, object, polygon->at,
                                "the polygon has no area");
     return shape_add(polygon->reader, object, &primitive, polygon->at);

@@ -180,10 +180,10 @@ void primitive_leave_out(struct reader *reader, struct primitive *primitive,
     primitive->empty = true;
 }
 
-bool primitive_settle(struct reader *reader, struct primitive *primitive,
+bool primitive_finish(struct reader *reader, struct primitive *primitive,
                       const struct scene_token *at)
 {
-    const char *fault = shapes[primitive->kind]->settle(primitive);
+    const char *fault = shapes[primitive->kind]->finish(primitive);
 
     if (!fault || !primitive->empty)
         return reader_check(reader, at, fault);
@@ -202,7 +202,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
     for (size_t i = 0; fields[i].takes != TAKES_END; i++)
         if (!read_field(reader, &fields[i], i == 0, primitive))
             return false;
-    return primitive_settle(reader, primitive, &at);
+    return primitive_finish(reader, primitive, &at);
 }
 
 /* ---- Polynomials --------------------------------------------------------- */
@@ -273,5 +273,5 @@ bool polynomial_read(struct reader *reader, enum shape_word word,
         make_quadric(terms, primitive);
     else
         make_quartic(terms, order, primitive);
-    return primitive_settle(reader, primitive, &at);
+    return primitive_finish(reader, primitive, &at);
 }

@@ -129,7 +129,7 @@ bool read_defined(struct reader *reader, double *value)
         *value = reader->token.value != NULL;
     }
     reader_step(reader);
-    reader_settle(reader);
+    reader_resolve(reader);
     return true;
 }
 

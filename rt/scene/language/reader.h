@@ -114,10 +114,10 @@ void reader_next(struct reader *reader);
 
 /* For directives.  What is behind a directive depends on what it does, so its
  * last token is left by reader_step, to the next token as it is: it may be
- * a directive, a macro's name or the end of a frame.  reader_settle makes of
+ * a directive, a macro's name or the end of a frame.  reader_resolve makes of
  * that what reader_next comes to. */
 void reader_step(struct reader *reader);
-void reader_settle(struct reader *reader);
+void reader_resolve(struct reader *reader);
 /* Behind the last token of a value: reader_step if a directive ends there. */
 void reader_pass(struct reader *reader);
 /* The token after the next one, as the frame has it; it is not read yet. */

@@ -71,7 +71,7 @@ bool spline_read(struct reader *reader, void *subject, const struct item *item)
     while (good && (!spline->count || !reader_at_sign(reader, '}')))
         good = read_point(reader, spline);
     if (good)
-        spline_settle(spline);
+        spline_solve(spline);
     return block_items(reader, &block, &no_more, NULL, good);
 }
 

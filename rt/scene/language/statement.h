@@ -102,7 +102,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive);
 /* What is read becomes what is traced.  A shape of which nothing is seen is
  * reported, and left out of the scene: it is the empty set in a solid. */
-bool primitive_settle(struct reader *reader, struct primitive *primitive,
+bool primitive_finish(struct reader *reader, struct primitive *primitive,
                       const struct scene_token *at);
 /* The same of any shape, for a reason. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,

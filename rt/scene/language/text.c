@@ -40,7 +40,7 @@ static bool make_prism(struct text_reading *text, const struct glyph *glyph,
     prism->kind = PRIMITIVE_PRISM;
     prism->shape.prism.high = text->thickness;
     prism->shape.prism.path = (struct outline){ glyph->count, glyph->points };
-    return shapes[PRIMITIVE_PRISM]->settle(prism) == NULL;
+    return shapes[PRIMITIVE_PRISM]->finish(prism) == NULL;
 }
 
 /* .. parabolas, of which nobody made a spline. */

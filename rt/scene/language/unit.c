@@ -282,7 +282,7 @@ static void bring_light(struct light *light, const double center[3])
     shrink_area(light);
 }
 
-bool unit_settle(struct scene *scene, struct scene_object *world)
+bool unit_choose(struct scene *scene, struct scene_object *world)
 {
     struct reach size = find_size(scene, world);
     double by;

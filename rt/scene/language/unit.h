@@ -9,6 +9,6 @@
  * than LIGHT_FARTHEST from the objects are moved to that distance; their
  * directions and shadows are the same within rounding.  False: the sizes are beyond
  * 1e-60 to 1e60, which is not the unit's range. */
-bool unit_settle(struct scene *scene, struct scene_object *world);
+bool unit_choose(struct scene *scene, struct scene_object *world);
 
 #endif

@@ -355,7 +355,7 @@ static bool take_world(struct reader *reader)
     struct scene *scene = reader->scene;
     bool done;
 
-    if (!unit_settle(scene, &reader->world))
+    if (!unit_choose(scene, &reader->world))
         reader_warn(reader, &reader->token,
                     "the objects are smaller than 1e-60 or larger than 1e60: "
                     "surfaces and shadows may be lost");

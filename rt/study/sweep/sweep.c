@@ -197,7 +197,7 @@ static void plan_runs(struct plan *plan, const struct sweep_point *points, size_
     }
 }
 
-static bool settle_queued(const struct form_run *run, struct sweep_measure *measure,
+static bool finish_queued(const struct form_run *run, struct sweep_measure *measure,
                           c205_error *error)
 {
     const struct trace_options *trace = &measure->point.trace;
@@ -214,7 +214,7 @@ static bool settle_queued(const struct form_run *run, struct sweep_measure *meas
 
 /* What was found to its measure; a scalar form serves for all points behind it
  * until the next. */
-static bool settle(const struct plan *plan, c205_error *error)
+static bool finish(const struct plan *plan, c205_error *error)
 {
     struct sweep *sweep = plan->sweep;
     const struct sweep_measure *last = sweep->count > 0
@@ -233,7 +233,7 @@ static bool settle(const struct plan *plan, c205_error *error)
         }
         measure->forms[SWEEP_SCALAR] = last->forms[SWEEP_SCALAR];
         measure->checksum = last->checksum;
-        if (!settle_queued(run, measure, error))
+        if (!finish_queued(run, measure, error))
             return false;
         sweep->count++;
     }
@@ -271,7 +271,7 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t cou
         return false;
     plan_runs(&plan, points, count);
     tasks.count = plan.count;
-    good = tasks_run(&tasks, error) && settle(&plan, error);
+    good = tasks_run(&tasks, error) && finish(&plan, error);
     free(plan.runs);
     return good;
 }
