@@ -163,7 +163,7 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
 {
     const char *name = json_member_text(wanted, "name");
     char text[MAX_TEXT];
-    struct rest rest = { text };
+    struct text_cursor cursor = { text };
 
     (void)file;
     if (!name || strlen(name) + sizeof "region " > sizeof text)
@@ -172,7 +172,8 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
                          "characters",
                          MAX_TEXT - (int)sizeof "region ");
     snprintf(text, sizeof text, "%s%s", kind_of(dap, name), name);
-    return place_read(dap->debugger, &rest, stop) && rest_finish(dap->debugger, &rest);
+    return place_read(dap->debugger, &cursor, stop)
+           && text_cursor_finish(dap->debugger, &cursor);
 }
 
 bool request_function_breakpoints(struct dap *dap, const struct json_value *arguments,
@@ -187,14 +188,14 @@ static bool read_instruction_stop(struct dap *dap, const struct json_value *want
                                   const char *file, struct stop_point *stop)
 {
     char text[DAP_ADDRESS_SIZE];
-    struct rest rest = { text };
+    struct text_cursor cursor = { text };
     uint64_t address;
 
     (void)file;
     if (!dap_address(dap, wanted, "instructionReference", &address))
         return false;
     snprintf(text, sizeof text, "*0x%llX", (unsigned long long)address);
-    return place_read(dap->debugger, &rest, stop);
+    return place_read(dap->debugger, &cursor, stop);
 }
 
 bool request_instruction_breakpoints(struct dap *dap,
@@ -213,12 +214,13 @@ static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
 {
     const char *id = json_member_text(wanted, "dataId");
     const char *access = json_member_text(wanted, "accessType");
-    struct rest rest = { id ? id : "" };
+    struct text_cursor cursor = { id ? id : "" };
 
     (void)file;
     if (access && strcmp(access, "write") != 0)
         return dap_fault(dap, "only what is written is watched");
-    return stops_watch(dap->debugger, &rest, stop) && rest_finish(dap->debugger, &rest);
+    return stops_watch(dap->debugger, &cursor, stop)
+           && text_cursor_finish(dap->debugger, &cursor);
 }
 
 bool request_data_breakpoints(struct dap *dap, const struct json_value *arguments,
@@ -231,7 +233,7 @@ bool request_data_breakpoints(struct dap *dap, const struct json_value *argument
 static bool find_address(struct dap *dap, const struct json_value *arguments,
                          const char *name, uint64_t *address)
 {
-    struct rest rest = { name };
+    struct text_cursor cursor = { name };
     struct vector_view vector;
     int64_t reference = 0;
     size_t number;
@@ -239,8 +241,8 @@ static bool find_address(struct dap *dap, const struct json_value *arguments,
     if (!dap_whole(dap, arguments, "variablesReference", &reference))
         return false;
     if (reference == 0)
-        return debug_address(dap->debugger, &rest, address)
-               && rest_finish(dap->debugger, &rest);
+        return debug_address(dap->debugger, &cursor, address)
+               && text_cursor_finish(dap->debugger, &cursor);
     if (!vector_of(dap, reference, &vector) || !element_number(&vector, name, &number))
         return dap_fault(dap, "words of memory are watched, not registers");
     *address = vector.address + (uint64_t)number * vector.width;

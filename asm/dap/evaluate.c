@@ -18,13 +18,13 @@ static void put_result(struct dap *dap, struct json *body, const char *key)
 static bool put_value(struct dap *dap, struct json *body, const char *text,
                       const char *key)
 {
-    struct rest rest = { text }, again = { text };
+    struct text_cursor cursor = { text }, again = { text };
     struct register_of named;
 
-    if (!verb_print(dap->debugger, &rest))
+    if (!verb_print(dap->debugger, &cursor))
         return false;
     put_result(dap, body, key);
-    if (debug_register(dap->debugger, &again, &named) && rest_end(&again))
+    if (debug_register(dap->debugger, &again, &named) && text_cursor_end(&again))
         put_word_members(dap, body, named);
     else
         json_number(body, "variablesReference", 0);
@@ -117,7 +117,7 @@ bool request_set_expression(struct dap *dap, const struct json_value *arguments,
     const char *value = json_member_text(arguments, "value");
     struct text_buffer line = { 0 };
     struct sink sink = text_buffer_sink(&line);
-    struct rest rest;
+    struct text_cursor cursor;
     bool good;
 
     if (!name || !value)
@@ -125,8 +125,8 @@ bool request_set_expression(struct dap *dap, const struct json_value *arguments,
     sink_put(&sink, name);
     sink_put(&sink, " = ");
     sink_put(&sink, value);
-    rest.at = line.text;
-    good = !line.failed && verb_set(dap->debugger, &rest)
+    cursor.at = line.text;
+    good = !line.failed && verb_set(dap->debugger, &cursor)
            && put_value(dap, body, name, "value");
     text_buffer_free(&line);
     return good;

@@ -121,11 +121,11 @@ static void put_registers(struct dap *dap, struct json *json)
 const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME])
 {
     const char *name = debug_register_name(dap->debugger, number);
-    struct rest rest = { name };
+    struct text_cursor cursor = { name };
     struct register_of named;
 
     snprintf(text, REGISTER_NAME, "r%u", number);
-    return *name && debug_register(dap->debugger, &rest, &named)
+    return *name && debug_register(dap->debugger, &cursor, &named)
                    && named.number == number && !named.half
                ? name
                : text;
@@ -293,7 +293,7 @@ static bool set_element(struct dap *dap, const struct vector_view *vector,
 static bool set(struct dap *dap, int64_t reference, const char *name,
                 const struct value_of *value)
 {
-    struct rest rest = { name };
+    struct text_cursor cursor = { name };
     struct register_of named;
     struct vector_view vector;
 
@@ -301,7 +301,7 @@ static bool set(struct dap *dap, int64_t reference, const char *name,
         return set_element(dap, &vector, name, value);
     if ((kind_of(reference) == OF_NAMED || kind_of(reference) == OF_REGISTERS
          || kind_of(reference) == OF_VECTORS)
-        && debug_register(dap->debugger, &rest, &named) && rest_end(&rest))
+        && debug_register(dap->debugger, &cursor, &named) && text_cursor_end(&cursor))
         return debug_set_register(dap->debugger, named, value);
     return dap_fault(dap, "'%.40s' cannot be changed", name);
 }
@@ -313,7 +313,7 @@ static void put_new(struct dap *dap, struct json *body, int64_t reference,
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
     struct vector_view vector;
-    struct rest rest = { name };
+    struct text_cursor cursor = { name };
     struct register_of named;
     size_t number;
     c205_word word;
@@ -322,7 +322,7 @@ static void put_new(struct dap *dap, struct json *body, int64_t reference,
         if (element_number(&vector, name, &number)
             && vector_get(machine_of(dap->debugger), &vector, number, 1, &word))
             put_bits(word, vector.width, &sink);
-    } else if (debug_register(dap->debugger, &rest, &named)) {
+    } else if (debug_register(dap->debugger, &cursor, &named)) {
         put_bits(debug_register_word(dap->debugger, named), named.half ? 32 : 64,
                  &sink);
         put_word_members(dap, body, named);
@@ -335,15 +335,16 @@ bool request_set_variable(struct dap *dap, const struct json_value *arguments,
 {
     const char *name = json_member_text(arguments, "name");
     const char *text = json_member_text(arguments, "value");
-    struct rest rest = { text };
+    struct text_cursor cursor = { text };
     struct value_of value;
     int64_t reference = 0;
 
     if (!name || !text)
         return dap_fault(dap, "'name' or 'value' is missing");
     if (!dap_whole(dap, arguments, "variablesReference", &reference)
-        || !debug_value(dap->debugger, &rest, &value)
-        || !rest_finish(dap->debugger, &rest) || !set(dap, reference, name, &value))
+        || !debug_value(dap->debugger, &cursor, &value)
+        || !text_cursor_finish(dap->debugger, &cursor)
+        || !set(dap, reference, name, &value))
         return false;
     put_new(dap, body, reference, name);
     return true;

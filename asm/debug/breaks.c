@@ -4,14 +4,15 @@
 #include "asm/debug/debug_internal.h"
 
 /* "if CONDITION", or nothing. */
-static bool add(struct debugger *debugger, struct rest *rest, struct stop_point *stop)
+static bool add(struct debugger *debugger, struct text_cursor *cursor,
+                struct stop_point *stop)
 {
-    if (rest_take(rest, "if")) {
-        if (rest_end(rest))
-            return debug_grammar(debugger, rest);
-        if (!stops_condition(debugger, stop, rest->at))
+    if (text_cursor_take(cursor, "if")) {
+        if (text_cursor_end(cursor))
+            return debug_grammar(debugger, cursor);
+        if (!stops_condition(debugger, stop, cursor->at))
             return false;
-    } else if (!rest_finish(debugger, rest)) {
+    } else if (!text_cursor_finish(debugger, cursor)) {
         return false;
     }
     if (!stops_add(debugger, stop))
@@ -22,41 +23,42 @@ static bool add(struct debugger *debugger, struct rest *rest, struct stop_point 
     return true;
 }
 
-static bool make_break(struct debugger *debugger, struct rest *rest, bool once)
+static bool make_break(struct debugger *debugger, struct text_cursor *cursor, bool once)
 {
     struct stop_point stop = { .once = once };
 
-    return place_read(debugger, rest, &stop) && add(debugger, rest, &stop);
+    return place_read(debugger, cursor, &stop) && add(debugger, cursor, &stop);
 }
 
-bool verb_break(struct debugger *debugger, struct rest *rest)
+bool verb_break(struct debugger *debugger, struct text_cursor *cursor)
 {
-    return make_break(debugger, rest, false);
+    return make_break(debugger, cursor, false);
 }
 
-bool verb_tbreak(struct debugger *debugger, struct rest *rest)
+bool verb_tbreak(struct debugger *debugger, struct text_cursor *cursor)
 {
-    return make_break(debugger, rest, true);
+    return make_break(debugger, cursor, true);
 }
 
 /* watch ADDRESS [, WORDS] [if CONDITION] */
-bool verb_watch(struct debugger *debugger, struct rest *rest)
+bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct stop_point stop = { .number = 0 };
 
-    return stops_watch(debugger, rest, &stop) && add(debugger, rest, &stop);
+    return stops_watch(debugger, cursor, &stop) && add(debugger, cursor, &stop);
 }
 
 /* One, or all. */
-bool verb_delete(struct debugger *debugger, struct rest *rest)
+bool verb_delete(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t number;
 
-    if (rest_end(rest)) {
+    if (text_cursor_end(cursor)) {
         debugger->stop_count = 0;
         return true;
     }
-    if (!debug_count(debugger, rest, &number) || !rest_finish(debugger, rest))
+    if (!debug_count(debugger, cursor, &number)
+        || !text_cursor_finish(debugger, cursor))
         return false;
     return stops_delete(debugger, number)
            || debug_fault(debugger, "there is no stop %" PRIu64, number);

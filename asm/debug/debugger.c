@@ -79,11 +79,11 @@ static void print_verb(const struct debugger *debugger, const char *name,
         sink_print(&debugger->out, "    %s\n", help);
 }
 
-static bool verb_help(struct debugger *debugger, struct rest *rest)
+static bool verb_help(struct debugger *debugger, struct text_cursor *cursor)
 {
     const struct debugger_verb *more = debugger->setup.verbs;
 
-    if (!rest_finish(debugger, rest))
+    if (!text_cursor_finish(debugger, cursor))
         return false;
     for (; more && more->name; more++)
         print_verb(debugger, more->name, more->arguments, more->help);
@@ -296,29 +296,29 @@ static bool obey_more(struct debugger *debugger, const char *line, size_t length
 
 bool debugger_obey(struct debugger *debugger, const char *line)
 {
-    struct rest rest = { line };
+    struct text_cursor cursor = { line };
     size_t length, i = 0;
 
-    if (rest_end(&rest))
-        rest.at = line = debugger->again;
-    if (rest_end(&rest) || *rest.at == '#')
+    if (text_cursor_end(&cursor))
+        cursor.at = line = debugger->again;
+    if (text_cursor_end(&cursor) || *cursor.at == '#')
         return true;
-    length = verb_length(rest.at);
-    if (obey_more(debugger, rest.at, length))
+    length = verb_length(cursor.at);
+    if (obey_more(debugger, cursor.at, length))
         return true;
-    while (i < VERBS && !(length > 0 && is_verb(&verbs[i], rest.at, length)))
+    while (i < VERBS && !(length > 0 && is_verb(&verbs[i], cursor.at, length)))
         i++;
     if (i == VERBS) {
-        print_unknown(debugger, rest.at, strcspn(rest.at, " \t\n"));
+        print_unknown(debugger, cursor.at, strcspn(cursor.at, " \t\n"));
         return true;
     }
     if (!verbs[i].obey)
         return false;
-    rest.at += length;
+    cursor.at += length;
     if (verbs[i].moves)
         keep_movement(debugger, line);
     else
         debugger->again[0] = '\0';
-    verbs[i].obey(debugger, &rest);
+    verbs[i].obey(debugger, &cursor);
     return true;
 }

@@ -17,7 +17,7 @@ struct debugger_verb {
     const char *arguments, *help;
     /* What is behind the name on its line; says what it says to debugger_out.  False: it
      * cannot be done, the error says why. */
-    bool (*obey)(void *context, struct debugger *debugger, const char *rest,
+    bool (*obey)(void *context, struct debugger *debugger, const char *cursor,
                  c205_error *error);
 };
 

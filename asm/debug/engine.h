@@ -23,7 +23,7 @@ struct value_of {
 };
 
 /* What is left of a text that is read. */
-struct rest {
+struct text_cursor {
     const char *at;
 };
 
@@ -101,22 +101,26 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
 
 /* ---- Reading a text (value.c) --------------------------------------------- */
 
-void rest_skip(struct rest *rest);
-bool rest_end(struct rest *rest);
+void text_cursor_skip(struct text_cursor *cursor);
+bool text_cursor_end(struct text_cursor *cursor);
 /* A word of letters, digits and _ . if it is this one; or the beginning of it. */
-bool rest_take(struct rest *rest, const char *word);
-bool rest_begin(struct rest *rest, const char *word);
+bool text_cursor_take(struct text_cursor *cursor, const char *word);
+bool text_cursor_begin(struct text_cursor *cursor, const char *word);
 /* Nothing may be left. */
-bool rest_finish(struct debugger *debugger, struct rest *rest);
+bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor);
 /* What was read from there on, as far as there is room, without spaces at its end. */
-void rest_text(const char *from, const struct rest *rest, char text[MAX_TEXT]);
+void text_cursor_text(const char *from, const struct text_cursor *cursor,
+                      char text[MAX_TEXT]);
 
 /* An expression. */
-bool debug_value(struct debugger *debugger, struct rest *rest, struct value_of *value);
+bool debug_value(struct debugger *debugger, struct text_cursor *cursor,
+                 struct value_of *value);
 /* Whether it is one, whatever registers and memory hold now. */
-bool debug_grammar(struct debugger *debugger, struct rest *rest);
-bool debug_address(struct debugger *debugger, struct rest *rest, uint64_t *address);
-bool debug_count(struct debugger *debugger, struct rest *rest, uint64_t *count);
+bool debug_grammar(struct debugger *debugger, struct text_cursor *cursor);
+bool debug_address(struct debugger *debugger, struct text_cursor *cursor,
+                   uint64_t *address);
+bool debug_count(struct debugger *debugger, struct text_cursor *cursor,
+                 uint64_t *count);
 /* As a word, or as a half word at the left of one; false: there is none. */
 bool debug_word(struct debugger *debugger, const struct value_of *value, bool half,
                 c205_word *word);
@@ -128,7 +132,7 @@ struct register_of {
     bool half;
 };
 /* Tells nothing. */
-bool debug_register(const struct debugger *debugger, struct rest *rest,
+bool debug_register(const struct debugger *debugger, struct text_cursor *cursor,
                     struct register_of *named);
 c205_word debug_register_word(const struct debugger *debugger,
                               struct register_of named);
@@ -136,7 +140,7 @@ c205_word debug_register_word(const struct debugger *debugger,
 /* ---- Verbs ----------------------------------------------------------------- */
 
 /* Does what the rest of its line says. */
-typedef bool debug_verb(struct debugger *debugger, struct rest *rest);
+typedef bool debug_verb(struct debugger *debugger, struct text_cursor *cursor);
 
 /* Those that the protocol has as well. */
 debug_verb verb_print, verb_set;
@@ -158,13 +162,16 @@ bool debug_jump(struct debugger *debugger, uint64_t address);
 
 /* What a stop point is at, and its text, with the position if that is not the one in the text.
  * LABEL, LABEL + EXPRESSION, LINE, FILE:LINE, *EXPRESSION, insn NAME, region NAME. */
-bool place_read(struct debugger *debugger, struct rest *rest, struct stop_point *stop);
+bool place_read(struct debugger *debugger, struct text_cursor *cursor,
+                struct stop_point *stop);
 /* The same of a source line, or the next that has code. */
 bool place_line(struct debugger *debugger, const char *file, size_t number,
                 struct stop_point *stop);
 /* One address; one at which an instruction of the program begins. */
-bool place_address(struct debugger *debugger, struct rest *rest, uint64_t *address);
-bool place_code(struct debugger *debugger, struct rest *rest, uint64_t *address);
+bool place_address(struct debugger *debugger, struct text_cursor *cursor,
+                   uint64_t *address);
+bool place_code(struct debugger *debugger, struct text_cursor *cursor,
+                uint64_t *address);
 /* Where the machine is before it executes what is at an address: behind a LINKV that is
  * the LINKV. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address);
@@ -179,7 +186,8 @@ uint64_t place_before(const struct debugger *debugger, uint64_t address);
 /* ---- Stops (stops.c) -------------------------------------------------------- */
 
 /* ADDRESS [, WORDS], to be watched. */
-bool stops_watch(struct debugger *debugger, struct rest *rest, struct stop_point *stop);
+bool stops_watch(struct debugger *debugger, struct text_cursor *cursor,
+                 struct stop_point *stop);
 /* All of a text; "" or NULL: none. */
 bool stops_condition(struct debugger *debugger, struct stop_point *stop,
                      const char *text);

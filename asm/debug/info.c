@@ -112,7 +112,7 @@ static bool info_operands(struct debugger *debugger)
     return true;
 }
 
-bool verb_info(struct debugger *debugger, struct rest *rest)
+bool verb_info(struct debugger *debugger, struct text_cursor *cursor)
 {
     static const struct {
         const char *name;
@@ -124,8 +124,8 @@ bool verb_info(struct debugger *debugger, struct rest *rest)
     };
 
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
-        if (rest_begin(rest, topics[i].name))
-            return rest_finish(debugger, rest) && topics[i].show(debugger);
+        if (text_cursor_begin(cursor, topics[i].name))
+            return text_cursor_finish(debugger, cursor) && topics[i].show(debugger);
     return debug_fault(debugger, "info is of registers, operands, breaks, "
                                  "regions, pages or symbols");
 }

@@ -23,27 +23,29 @@ static bool arrive(struct debugger *debugger, enum moved moved)
 }
 
 /* 1 unless the line says another. */
-static bool read_times(struct debugger *debugger, struct rest *rest, uint64_t *count)
+static bool read_times(struct debugger *debugger, struct text_cursor *cursor,
+                       uint64_t *count)
 {
     *count = 1;
-    return rest_end(rest)
-           || (debug_count(debugger, rest, count) && rest_finish(debugger, rest));
+    return text_cursor_end(cursor)
+           || (debug_count(debugger, cursor, count)
+               && text_cursor_finish(debugger, cursor));
 }
 
-bool verb_step(struct debugger *debugger, struct rest *rest)
+bool verb_step(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t count;
 
-    return read_times(debugger, rest, &count)
+    return read_times(debugger, cursor, &count)
            && arrive(debugger, motion_steps(debugger, count));
 }
 
-bool verb_continue(struct debugger *debugger, struct rest *rest)
+bool verb_continue(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum moved moved = MOVED_ON;
     uint64_t count;
 
-    if (!read_times(debugger, rest, &count))
+    if (!read_times(debugger, cursor, &count))
         return false;
     for (; count > 0; count--) {
         moved = motion_steps(debugger, UINT64_MAX);
@@ -55,23 +57,24 @@ bool verb_continue(struct debugger *debugger, struct rest *rest)
     return arrive(debugger, moved);
 }
 
-bool verb_next(struct debugger *debugger, struct rest *rest)
+bool verb_next(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum moved moved = MOVED_ON;
     uint64_t count;
 
-    if (!read_times(debugger, rest, &count))
+    if (!read_times(debugger, cursor, &count))
         return false;
     for (; count > 0 && moved == MOVED_ON; count--)
         moved = motion_next(debugger);
     return arrive(debugger, moved);
 }
 
-bool verb_until(struct debugger *debugger, struct rest *rest)
+bool verb_until(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t address;
 
-    return place_code(debugger, rest, &address) && rest_finish(debugger, rest)
+    return place_code(debugger, cursor, &address)
+           && text_cursor_finish(debugger, cursor)
            && arrive(debugger, motion_to(debugger, place_of(debugger, address)));
 }
 
@@ -81,33 +84,35 @@ void debugger_seek(struct debugger *debugger,
     arrive(debugger, motion_until(debugger, is_there, context));
 }
 
-bool verb_reverse_step(struct debugger *debugger, struct rest *rest)
+bool verb_reverse_step(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t count;
 
-    return read_times(debugger, rest, &count)
+    return read_times(debugger, cursor, &count)
            && arrive(debugger, motion_back(debugger, count));
 }
 
-bool verb_reverse_continue(struct debugger *debugger, struct rest *rest)
+bool verb_reverse_continue(struct debugger *debugger, struct text_cursor *cursor)
 {
-    return rest_finish(debugger, rest)
+    return text_cursor_finish(debugger, cursor)
            && arrive(debugger, motion_back_to_stop(debugger));
 }
 
 /* goto N, an instruction; goto clock N */
-bool verb_goto(struct debugger *debugger, struct rest *rest)
+bool verb_goto(struct debugger *debugger, struct text_cursor *cursor)
 {
-    bool by_clock = rest_take(rest, "clock");
+    bool by_clock = text_cursor_take(cursor, "clock");
     uint64_t number;
 
-    return debug_count(debugger, rest, &number) && rest_finish(debugger, rest)
+    return debug_count(debugger, cursor, &number)
+           && text_cursor_finish(debugger, cursor)
            && arrive(debugger, by_clock ? motion_to_clock(debugger, number)
                                         : motion_to_step(debugger, number));
 }
 
 /* To the first stop, which may be at the beginning. */
-bool verb_run(struct debugger *debugger, struct rest *rest)
+bool verb_run(struct debugger *debugger, struct text_cursor *cursor)
 {
-    return rest_finish(debugger, rest) && arrive(debugger, motion_run(debugger));
+    return text_cursor_finish(debugger, cursor)
+           && arrive(debugger, motion_run(debugger));
 }

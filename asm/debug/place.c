@@ -126,10 +126,10 @@ bool place_begins(const struct debugger *debugger, const char *file, size_t numb
 }
 
 /* NAME:LINE, or LINE of the program's own file.  False: the text is another kind of place. */
-static bool read_line(struct debugger *debugger, struct rest *rest,
+static bool read_line(struct debugger *debugger, struct text_cursor *cursor,
                       struct line_place *found, bool *good)
 {
-    const char *at = rest->at, *colon = at;
+    const char *at = cursor->at, *colon = at;
     char name[MAX_TEXT];
     size_t length;
 
@@ -145,48 +145,49 @@ static bool read_line(struct debugger *debugger, struct rest *rest,
     if (isdigit((unsigned char)*at) && *colon != ':'
         && !isalpha((unsigned char)at[1])) {
         *good = find_line(debugger, debugger->setup.name,
-                          strtoul(at, (char **)&rest->at, 10), found);
+                          strtoul(at, (char **)&cursor->at, 10), found);
         return true;
     }
     if (*colon != ':' || !isdigit((unsigned char)colon[1]) || length >= sizeof name)
         return false;
     memcpy(name, at, length);
     name[length] = '\0';
-    *good = find_line(debugger, name, strtoul(colon + 1, (char **)&rest->at, 10),
+    *good = find_line(debugger, name, strtoul(colon + 1, (char **)&cursor->at, 10),
                       found);
     return true;
 }
 
 /* ---- Places --------------------------------------------------------------- */
 
-bool place_address(struct debugger *debugger, struct rest *rest, uint64_t *address)
+bool place_address(struct debugger *debugger, struct text_cursor *cursor,
+                   uint64_t *address)
 {
     struct line_place found = { .file = NULL };
     bool good;
 
-    rest_skip(rest);
-    if (*rest->at == '*') {
-        rest->at++;
-        return debug_address(debugger, rest, address);
+    text_cursor_skip(cursor);
+    if (*cursor->at == '*') {
+        cursor->at++;
+        return debug_address(debugger, cursor, address);
     }
-    if (!read_line(debugger, rest, &found, &good))
-        return debug_address(debugger, rest, address);
+    if (!read_line(debugger, cursor, &found, &good))
+        return debug_address(debugger, cursor, address);
     *address = found.address;
     return good;
 }
 
-static size_t take_name(struct rest *rest, char name[MAX_TEXT])
+static size_t take_name(struct text_cursor *cursor, char name[MAX_TEXT])
 {
     size_t length = 0;
 
-    rest_skip(rest);
-    while (rest->at[length] && !isspace((unsigned char)rest->at[length])
+    text_cursor_skip(cursor);
+    while (cursor->at[length] && !isspace((unsigned char)cursor->at[length])
            && length + 1 < MAX_TEXT) {
-        name[length] = rest->at[length];
+        name[length] = cursor->at[length];
         length++;
     }
     name[length] = '\0';
-    rest->at += length;
+    cursor->at += length;
     return length;
 }
 
@@ -304,55 +305,56 @@ bool place_line(struct debugger *debugger, const char *file, size_t number,
     return true;
 }
 
-bool place_code(struct debugger *debugger, struct rest *rest, uint64_t *address)
+bool place_code(struct debugger *debugger, struct text_cursor *cursor,
+                uint64_t *address)
 {
-    return place_address(debugger, rest, address)
+    return place_address(debugger, cursor, address)
            && (begins_code(debugger, *address)
                || debug_fault(debugger, "no instruction begins at %" PRIX64, *address));
 }
 
 /* *moved: it is at another line or instruction than was asked for. */
-static bool read_address(struct debugger *debugger, struct rest *rest,
+static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
                          struct stop_point *stop, bool *moved)
 {
     struct line_place found = { .file = NULL };
     uint64_t address;
     bool good;
 
-    rest_skip(rest);
-    if (*rest->at != '*' && read_line(debugger, rest, &found, &good)) {
+    text_cursor_skip(cursor);
+    if (*cursor->at != '*' && read_line(debugger, cursor, &found, &good)) {
         if (good)
             be_at_line(debugger, &found, stop);
         *moved = stop->line != found.wanted;
         return good;
     }
-    if (!place_code(debugger, rest, &address))
+    if (!place_code(debugger, cursor, &address))
         return false;
     be_at(debugger, address, stop);
     *moved = stop->address != address;
     return true;
 }
 
-static bool read_place(struct debugger *debugger, struct rest *rest,
+static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
                        struct stop_point *stop, bool *moved)
 {
     char name[MAX_TEXT];
 
-    if (rest_take(rest, "insn")) {
-        size_t length = take_name(rest, name);
+    if (text_cursor_take(cursor, "insn")) {
+        size_t length = take_name(cursor, name);
 
         stop->kind = STOP_INSN;
         stop->insn = c205_insn_named(name, length);
         return stop->insn
                || debug_fault(debugger, "no instruction is called '%.60s'", name);
     }
-    if (rest_take(rest, "region")) {
-        take_name(rest, name);
+    if (text_cursor_take(cursor, "region")) {
+        take_name(cursor, name);
         stop->kind = STOP_ENTRY;
         return is_region(debugger, name, &stop->region)
                || debug_fault(debugger, "no region is called '%.60s'", name);
     }
-    return read_address(debugger, rest, stop, moved);
+    return read_address(debugger, cursor, stop, moved);
 }
 
 static void add_position(struct stop_point *stop)
@@ -367,18 +369,19 @@ static void add_position(struct stop_point *stop)
                  stop->address);
 }
 
-bool place_read(struct debugger *debugger, struct rest *rest, struct stop_point *stop)
+bool place_read(struct debugger *debugger, struct text_cursor *cursor,
+                struct stop_point *stop)
 {
     const char *from;
     bool moved = false;
 
-    if (rest_end(rest))
+    if (text_cursor_end(cursor))
         return debug_fault(debugger, "where? a label, a line, FILE:LINE, "
                                      "*ADDRESS, insn NAME or region NAME");
-    from = rest->at;
-    if (!read_place(debugger, rest, stop, &moved))
+    from = cursor->at;
+    if (!read_place(debugger, cursor, stop, &moved))
         return false;
-    rest_text(from, rest, stop->text);
+    text_cursor_text(from, cursor, stop->text);
     if (moved)
         add_position(stop);
     return true;

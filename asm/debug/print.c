@@ -25,17 +25,17 @@ void show_word(c205_word word, bool half, const struct sink *sink)
     sink_put(sink, "\n");
 }
 
-bool verb_print(struct debugger *debugger, struct rest *rest)
+bool verb_print(struct debugger *debugger, struct text_cursor *cursor)
 {
-    struct rest again = *rest;
+    struct text_cursor again = *cursor;
     struct register_of named;
     struct value_of value;
 
-    if (debug_register(debugger, &again, &named) && rest_end(&again)) {
+    if (debug_register(debugger, &again, &named) && text_cursor_end(&again)) {
         show_word(debug_register_word(debugger, named), named.half, &debugger->out);
         return true;
     }
-    if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
+    if (!debug_value(debugger, cursor, &value) || !text_cursor_finish(debugger, cursor))
         return false;
     if (value.is_word)
         show_word(value.word, value.is_half, &debugger->out);
@@ -47,14 +47,14 @@ bool verb_print(struct debugger *debugger, struct rest *rest)
     return true;
 }
 
-bool verb_assert(struct debugger *debugger, struct rest *rest)
+bool verb_assert(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct value_of value;
     const char *text;
 
-    rest_skip(rest);
-    text = rest->at;
-    if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
+    text_cursor_skip(cursor);
+    text = cursor->at;
+    if (!debug_value(debugger, cursor, &value) || !text_cursor_finish(debugger, cursor))
         return false;
     return debug_is_true(&value)
            || debug_fault(debugger, "it does not hold: %.200s", text);
@@ -149,15 +149,15 @@ static void look_at_register(const struct debugger *debugger, struct register_of
 }
 
 /* "/": then a count, and letters: f numbers, i integers, x hex, h half words, b bits. */
-static bool read_format(struct debugger *debugger, struct rest *rest,
+static bool read_format(struct debugger *debugger, struct text_cursor *cursor,
                         struct element_look *look, uint64_t *count)
 {
-    rest_skip(rest);
-    if (*rest->at != '/')
+    text_cursor_skip(cursor);
+    if (*cursor->at != '/')
         return true;
-    rest->at++;
-    for (; *rest->at && !isspace((unsigned char)*rest->at); rest->at++) {
-        char c = *rest->at;
+    cursor->at++;
+    for (; *cursor->at && !isspace((unsigned char)*cursor->at); cursor->at++) {
+        char c = *cursor->at;
 
         if (isdigit((unsigned char)c) && *count != UINT64_MAX
             && *count > C205_MAX_LENGTH)
@@ -179,21 +179,21 @@ static bool read_format(struct debugger *debugger, struct rest *rest,
     return true;
 }
 
-static bool read_control(struct debugger *debugger, struct rest *rest,
+static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
                          struct element_look *look)
 {
     struct register_of named;
 
-    rest_skip(rest);
-    if (*rest->at != '?')
-        return rest_finish(debugger, rest);
-    rest->at++;
-    if (!debug_register(debugger, rest, &named))
+    text_cursor_skip(cursor);
+    if (*cursor->at != '?')
+        return text_cursor_finish(debugger, cursor);
+    cursor->at++;
+    if (!debug_register(debugger, cursor, &named))
         return debug_fault(debugger, "behind ? stands the register of a "
                                      "control vector");
     look->controlled = true;
     look_at_register(debugger, named, 1, &look->control);
-    return rest_finish(debugger, rest);
+    return text_cursor_finish(debugger, cursor);
 }
 
 /* What the program has at an address, if a label tells; its count and width if these were not
@@ -222,21 +222,21 @@ static void look_at_label(const struct debugger *debugger, uint64_t address,
 }
 
 /* x [/COUNT LETTERS] REGISTER | ADDRESS [? REGISTER] */
-bool verb_x(struct debugger *debugger, struct rest *rest)
+bool verb_x(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct element_look look = { .of = { .width = 64 }, .format = 'f' };
     uint64_t count = UINT64_MAX, address;
     struct register_of named;
     unsigned width;
 
-    if (!read_format(debugger, rest, &look, &count))
+    if (!read_format(debugger, cursor, &look, &count))
         return false;
     width = look.of.width;
-    if (debug_register(debugger, rest, &named)) {
+    if (debug_register(debugger, cursor, &named)) {
         look_at_register(debugger, named, width, &look.of);
         sink_print(&debugger->out, "%zu from %" PRIX64 " on\n", look.of.length,
                    look.of.address);
-    } else if (debug_address(debugger, rest, &address)) {
+    } else if (debug_address(debugger, cursor, &address)) {
         look_at_register(debugger, (struct register_of){ 0, false }, width, &look.of);
         look.of.address = address;
         look.of.length = count == UINT64_MAX ? ELEMENTS_USUAL : (size_t)count;
@@ -245,7 +245,7 @@ bool verb_x(struct debugger *debugger, struct rest *rest)
     } else {
         return false;
     }
-    if (!read_control(debugger, rest, &look))
+    if (!read_control(debugger, cursor, &look))
         return false;
     if (count == UINT64_MAX)
         count = look.of.width == 1 ? 64 : ELEMENTS_USUAL;

@@ -93,30 +93,30 @@ bool debug_jump(struct debugger *debugger, uint64_t address)
 
 /* ---- The verb -------------------------------------------------------------- */
 
-static bool read_new(struct debugger *debugger, struct rest *rest,
+static bool read_new(struct debugger *debugger, struct text_cursor *cursor,
                      struct value_of *value)
 {
-    rest_skip(rest);
-    if (*rest->at != '=')
+    text_cursor_skip(cursor);
+    if (*cursor->at != '=')
         return debug_fault(debugger, "set REGISTER = VALUE, or "
                                      "[ADDRESS] = VALUE");
-    rest->at++;
-    return debug_value(debugger, rest, value) && rest_finish(debugger, rest);
+    cursor->at++;
+    return debug_value(debugger, cursor, value) && text_cursor_finish(debugger, cursor);
 }
 
-static bool set_memory(struct debugger *debugger, struct rest *rest)
+static bool set_memory(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct value_of value;
     uint64_t address;
     c205_word word;
 
-    if (!debug_address(debugger, rest, &address))
+    if (!debug_address(debugger, cursor, &address))
         return false;
-    rest_skip(rest);
-    if (*rest->at != ']')
+    text_cursor_skip(cursor);
+    if (*cursor->at != ']')
         return debug_fault(debugger, "a ] is missing");
-    rest->at++;
-    if (!read_new(debugger, rest, &value)
+    cursor->at++;
+    if (!read_new(debugger, cursor, &value)
         || !debug_word(debugger, &value, false, &word))
         return false;
     return address % 64 == 0
@@ -124,19 +124,19 @@ static bool set_memory(struct debugger *debugger, struct rest *rest)
                : debug_fault(debugger, "there is no word at %" PRIX64, address);
 }
 
-bool verb_set(struct debugger *debugger, struct rest *rest)
+bool verb_set(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct register_of named;
     struct value_of value;
 
-    rest_skip(rest);
-    if (*rest->at == '[') {
-        rest->at++;
-        return set_memory(debugger, rest);
+    text_cursor_skip(cursor);
+    if (*cursor->at == '[') {
+        cursor->at++;
+        return set_memory(debugger, cursor);
     }
-    if (!debug_register(debugger, rest, &named))
+    if (!debug_register(debugger, cursor, &named))
         return debug_fault(debugger, "set REGISTER = VALUE, or "
                                      "[ADDRESS] = VALUE");
-    return read_new(debugger, rest, &value)
+    return read_new(debugger, cursor, &value)
            && debug_set_register(debugger, named, &value);
 }

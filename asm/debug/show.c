@@ -71,39 +71,43 @@ void show_place(struct debugger *debugger)
         show_instruction(debugger, c205_pc(machine), "=> ");
 }
 
-bool verb_where(struct debugger *debugger, struct rest *rest)
+bool verb_where(struct debugger *debugger, struct text_cursor *cursor)
 {
-    if (!rest_finish(debugger, rest))
+    if (!text_cursor_finish(debugger, cursor))
         return false;
     show_place(debugger);
     return true;
 }
 
 /* PLACE, or from where the program stands. */
-static bool read_start(struct debugger *debugger, struct rest *rest, uint64_t *address)
+static bool read_start(struct debugger *debugger, struct text_cursor *cursor,
+                       uint64_t *address)
 {
     *address = c205_pc(machine_of(debugger));
-    rest_skip(rest);
-    return !*rest->at || *rest->at == ',' || place_address(debugger, rest, address);
+    text_cursor_skip(cursor);
+    return !*cursor->at || *cursor->at == ','
+           || place_address(debugger, cursor, address);
 }
 
 /* ", COUNT" behind the rest, or as many as usual. */
-static bool read_count(struct debugger *debugger, struct rest *rest, uint64_t *count)
+static bool read_count(struct debugger *debugger, struct text_cursor *cursor,
+                       uint64_t *count)
 {
-    rest_skip(rest);
-    if (*rest->at != ',')
-        return rest_finish(debugger, rest);
-    rest->at++;
-    return debug_count(debugger, rest, count) && rest_finish(debugger, rest);
+    text_cursor_skip(cursor);
+    if (*cursor->at != ',')
+        return text_cursor_finish(debugger, cursor);
+    cursor->at++;
+    return debug_count(debugger, cursor, count) && text_cursor_finish(debugger, cursor);
 }
 
 /* disassemble [PLACE] [, COUNT] */
-bool verb_disassemble(struct debugger *debugger, struct rest *rest)
+bool verb_disassemble(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum { MAX = 100000 };
     uint64_t address, count = 10;
 
-    if (!read_start(debugger, rest, &address) || !read_count(debugger, rest, &count))
+    if (!read_start(debugger, cursor, &address)
+        || !read_count(debugger, cursor, &count))
         return false;
     if (count > MAX)
         return debug_fault(debugger, "at most %d instructions are shown", MAX);
@@ -126,13 +130,14 @@ static bool is_same_line(const struct asm_line *a, const struct asm_line *b)
 }
 
 /* list [PLACE] [, COUNT]: lines that made code or data, in the order of addresses. */
-bool verb_list(struct debugger *debugger, struct rest *rest)
+bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
 {
     const struct object *object = debugger->setup.object;
     const struct asm_line *shown = NULL, *now;
     uint64_t address, count = 10;
 
-    if (!read_start(debugger, rest, &address) || !read_count(debugger, rest, &count))
+    if (!read_start(debugger, cursor, &address)
+        || !read_count(debugger, cursor, &count))
         return false;
     if (object->line_count == 0)
         return debug_fault(debugger, "the source lines are not known");

@@ -54,10 +54,10 @@ static bool is_there(const struct debugger *debugger, const struct stop_point *s
 /* One that cannot be told holds: it is shown where it fails. */
 static bool holds(struct debugger *debugger, const struct stop_point *stop)
 {
-    struct rest rest = { stop->condition };
+    struct text_cursor cursor = { stop->condition };
     struct value_of value;
 
-    return !*stop->condition || !debug_value(debugger, &rest, &value)
+    return !*stop->condition || !debug_value(debugger, &cursor, &value)
            || debug_is_true(&value);
 }
 
@@ -74,13 +74,13 @@ static void wanted_text(char text[WANTED_TEXT], const char *wanted, uint64_t hit
 static bool has_hits(struct debugger *debugger, const struct stop_point *stop)
 {
     char text[WANTED_TEXT];
-    struct rest rest = { text };
+    struct text_cursor cursor = { text };
     struct value_of value;
 
     if (!*stop->wanted || debugger->searching)
         return true;
     wanted_text(text, stop->wanted, stop->hits);
-    return !debug_value(debugger, &rest, &value) || debug_is_true(&value);
+    return !debug_value(debugger, &cursor, &value) || debug_is_true(&value);
 }
 
 static void sample(const struct debugger *debugger, struct stop_point *stop)
@@ -169,23 +169,23 @@ void stops_pass(struct debugger *debugger, bool reported)
 
 static bool read_text(struct debugger *debugger, char kept[MAX_TEXT], const char *text)
 {
-    struct rest rest = { text };
+    struct text_cursor cursor = { text };
 
-    rest_skip(&rest);
-    if (strlen(rest.at) >= MAX_TEXT)
+    text_cursor_skip(&cursor);
+    if (strlen(cursor.at) >= MAX_TEXT)
         return debug_fault(debugger, "a condition has at most %d characters",
                            MAX_TEXT - 1);
-    text = rest.at;
-    rest.at += strlen(text);
-    rest_text(text, &rest, kept);
+    text = cursor.at;
+    cursor.at += strlen(text);
+    text_cursor_text(text, &cursor, kept);
     return true;
 }
 
 static bool is_condition(struct debugger *debugger, const char *text)
 {
-    struct rest rest = { text };
+    struct text_cursor cursor = { text };
 
-    return debug_grammar(debugger, &rest) && rest_finish(debugger, &rest);
+    return debug_grammar(debugger, &cursor) && text_cursor_finish(debugger, &cursor);
 }
 
 bool stops_condition(struct debugger *debugger, struct stop_point *stop,
@@ -205,28 +205,29 @@ bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char
     return !*stop->wanted || is_condition(debugger, whole);
 }
 
-bool stops_watch(struct debugger *debugger, struct rest *rest, struct stop_point *stop)
+bool stops_watch(struct debugger *debugger, struct text_cursor *cursor,
+                 struct stop_point *stop)
 {
     uint64_t count = 1;
     const char *from;
 
     stop->kind = STOP_WATCH;
-    rest_skip(rest);
-    from = rest->at;
-    if (*rest->at == '*')
-        rest->at++;
-    if (!debug_address(debugger, rest, &stop->address))
+    text_cursor_skip(cursor);
+    from = cursor->at;
+    if (*cursor->at == '*')
+        cursor->at++;
+    if (!debug_address(debugger, cursor, &stop->address))
         return false;
-    rest_skip(rest);
-    if (*rest->at == ',') {
-        rest->at++;
-        if (!debug_count(debugger, rest, &count))
+    text_cursor_skip(cursor);
+    if (*cursor->at == ',') {
+        cursor->at++;
+        if (!debug_count(debugger, cursor, &count))
             return false;
     }
     if (count < 1 || count > WATCHED_WORDS)
         return debug_fault(debugger, "1 to %d words are watched", WATCHED_WORDS);
     stop->count = (size_t)count;
-    rest_text(from, rest, stop->text);
+    text_cursor_text(from, cursor, stop->text);
     return c205_read(machine_of(debugger), stop->address, stop->held, stop->count)
            || debug_fault(debugger, "there are no words at %" PRIX64, stop->address);
 }

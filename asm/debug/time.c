@@ -90,11 +90,11 @@ static void put_phases(const struct debugger *debugger)
     }
 }
 
-bool verb_why(struct debugger *debugger, struct rest *rest)
+bool verb_why(struct debugger *debugger, struct text_cursor *cursor)
 {
     const c205_times *record = &debugger->record;
 
-    if (!rest_finish(debugger, rest))
+    if (!text_cursor_finish(debugger, cursor))
         return false;
     if (!debugger->has_last)
         return debug_fault(debugger, "no instruction has been executed");
@@ -140,11 +140,11 @@ static void put_account(const struct debugger *debugger, const c205_account *acc
                        c205_cause_name((c205_cause)i));
 }
 
-bool verb_account(struct debugger *debugger, struct rest *rest)
+bool verb_account(struct debugger *debugger, struct text_cursor *cursor)
 {
     c205 *machine = machine_of(debugger);
 
-    if (!rest_finish(debugger, rest))
+    if (!text_cursor_finish(debugger, cursor))
         return false;
     for (size_t i = 0; i < c205_account_count(machine); i++)
         put_account(debugger, c205_account_at(machine, i));

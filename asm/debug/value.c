@@ -44,16 +44,16 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
 
 /* ---- Words ---------------------------------------------------------------- */
 
-void rest_skip(struct rest *rest)
+void text_cursor_skip(struct text_cursor *cursor)
 {
-    while (isspace((unsigned char)*rest->at))
-        rest->at++;
+    while (isspace((unsigned char)*cursor->at))
+        cursor->at++;
 }
 
-bool rest_end(struct rest *rest)
+bool text_cursor_end(struct text_cursor *cursor)
 {
-    rest_skip(rest);
-    return *rest->at == '\0';
+    text_cursor_skip(cursor);
+    return *cursor->at == '\0';
 }
 
 static bool is_name(char c)
@@ -70,45 +70,46 @@ static size_t name_length(const char *text)
     return length;
 }
 
-bool rest_begin(struct rest *rest, const char *word)
+bool text_cursor_begin(struct text_cursor *cursor, const char *word)
 {
     size_t length;
 
-    rest_skip(rest);
-    length = name_length(rest->at);
-    if (length == 0 || strncmp(rest->at, word, length) != 0)
+    text_cursor_skip(cursor);
+    length = name_length(cursor->at);
+    if (length == 0 || strncmp(cursor->at, word, length) != 0)
         return false;
-    rest->at += length;
-    rest_skip(rest);
+    cursor->at += length;
+    text_cursor_skip(cursor);
     return true;
 }
 
-bool rest_take(struct rest *rest, const char *word)
+bool text_cursor_take(struct text_cursor *cursor, const char *word)
 {
-    rest_skip(rest);
-    return name_length(rest->at) == strlen(word) && rest_begin(rest, word);
+    text_cursor_skip(cursor);
+    return name_length(cursor->at) == strlen(word) && text_cursor_begin(cursor, word);
 }
 
-void rest_text(const char *from, const struct rest *rest, char text[MAX_TEXT])
+void text_cursor_text(const char *from, const struct text_cursor *cursor,
+                      char text[MAX_TEXT])
 {
-    size_t length = (size_t)(rest->at - from);
+    size_t length = (size_t)(cursor->at - from);
 
     while (length > 0 && isspace((unsigned char)from[length - 1]))
         length--;
     snprintf(text, MAX_TEXT, "%.*s", (int)length, from);
 }
 
-bool rest_finish(struct debugger *debugger, struct rest *rest)
+bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor)
 {
-    return rest_end(rest)
-           || debug_fault(debugger, "what is '%.60s' to mean?", rest->at);
+    return text_cursor_end(cursor)
+           || debug_fault(debugger, "what is '%.60s' to mean?", cursor->at);
 }
 
 /* ---- Values --------------------------------------------------------------- */
 
 struct reading {
     struct debugger *debugger;
-    struct rest *rest;
+    struct text_cursor *cursor;
     bool grammar; /* what registers and memory hold does not count */
     unsigned depth;
 };
@@ -179,10 +180,10 @@ static bool take(struct reading *reading, const char *sign)
 {
     size_t length = strlen(sign);
 
-    rest_skip(reading->rest);
-    if (strncmp(reading->rest->at, sign, length) != 0)
+    text_cursor_skip(reading->cursor);
+    if (strncmp(reading->cursor->at, sign, length) != 0)
         return false;
-    reading->rest->at += length;
+    reading->cursor->at += length;
     return true;
 }
 
@@ -240,16 +241,16 @@ static size_t base_length(const char *text)
     return length;
 }
 
-bool debug_register(const struct debugger *debugger, struct rest *rest,
+bool debug_register(const struct debugger *debugger, struct text_cursor *cursor,
                     struct register_of *named)
 {
     size_t length;
 
-    rest_skip(rest);
-    length = name_length(rest->at);
-    if (!find_named(debugger, rest->at, length, named))
+    text_cursor_skip(cursor);
+    length = name_length(cursor->at);
+    if (!find_named(debugger, cursor->at, length, named))
         return false;
-    rest->at += length;
+    cursor->at += length;
     return true;
 }
 
@@ -334,12 +335,12 @@ static bool read_symbol(const struct debugger *debugger, const char *name,
 static bool read_name(struct reading *reading, struct value_of *value)
 {
     struct debugger *debugger = reading->debugger;
-    const char *name = reading->rest->at;
+    const char *name = reading->cursor->at;
     size_t length = base_length(name);
     struct register_of named = { 0, false };
     const struct asm_register *known = find_register(debugger, name, length);
 
-    reading->rest->at += length;
+    reading->cursor->at += length;
     if (known) {
         named = (struct register_of){ known->number, known->half };
         *value = of_register(debugger, named);
@@ -359,7 +360,7 @@ static bool read_name(struct reading *reading, struct value_of *value)
 
 static bool read_number(struct reading *reading, struct value_of *value)
 {
-    const char *at = reading->rest->at;
+    const char *at = reading->cursor->at;
     bool is_hex = at[0] == '0' && (at[1] == 'x' || at[1] == 'X');
     char *end;
     long long integer;
@@ -371,7 +372,7 @@ static bool read_number(struct reading *reading, struct value_of *value)
     } else {
         *value = of_integer(integer);
     }
-    reading->rest->at = end;
+    reading->cursor->at = end;
     return (!is_name(*end) && errno != ERANGE)
            || debug_fault(reading->debugger,
                           errno == ERANGE ? "'%.40s' is too large"
@@ -382,7 +383,7 @@ static bool read_number(struct reading *reading, struct value_of *value)
 /* X'FFD2 4000 0000 0000', or 8 digits of a half word. */
 static bool read_hex(struct reading *reading, struct value_of *value)
 {
-    const char *at = reading->rest->at + 2;
+    const char *at = reading->cursor->at + 2;
     c205_word word = 0;
     unsigned digits = 0;
 
@@ -399,7 +400,7 @@ static bool read_hex(struct reading *reading, struct value_of *value)
     if (*at != '\'' || digits == 0)
         return debug_fault(reading->debugger,
                            "a word is X' and up to 16 hex digits and '");
-    reading->rest->at = at + 1;
+    reading->cursor->at = at + 1;
     *value = digits == HALF_DIGITS ? of_half(word << 32) : of_word(word);
     return true;
 }
@@ -438,8 +439,8 @@ static bool read_first(struct reading *reading, struct value_of *value)
 {
     const char *at;
 
-    rest_skip(reading->rest);
-    at = reading->rest->at;
+    text_cursor_skip(reading->cursor);
+    at = reading->cursor->at;
     if (take(reading, "("))
         return read_any(reading, value)
                && (take(reading, ")")
@@ -474,7 +475,7 @@ static bool read_signed(struct reading *reading, struct value_of *value)
             *value = value->is_real
                          ? of_real(-value->real)
                          : of_integer((int64_t)(0 - (uint64_t)value->integer));
-    } else if (strncmp(reading->rest->at, "!=", 2) != 0 && take(reading, "!")) {
+    } else if (strncmp(reading->cursor->at, "!=", 2) != 0 && take(reading, "!")) {
         good = read_signed(reading, value);
         if (good)
             *value = of_integer(!debug_is_true(value));
@@ -529,11 +530,11 @@ static bool read_chain(struct reading *reading, struct value_of *value,
         struct value_of other;
         char sign;
 
-        rest_skip(reading->rest);
-        sign = *reading->rest->at;
+        text_cursor_skip(reading->cursor);
+        sign = *reading->cursor->at;
         if (!sign || !strchr(signs, sign))
             return true;
-        reading->rest->at++;
+        reading->cursor->at++;
         if (!read(reading, &other) || !combine(reading, sign, value, &other))
             return false;
     }
@@ -613,34 +614,36 @@ static bool read_any(struct reading *reading, struct value_of *value)
     return true;
 }
 
-bool debug_value(struct debugger *debugger, struct rest *rest, struct value_of *value)
+bool debug_value(struct debugger *debugger, struct text_cursor *cursor,
+                 struct value_of *value)
 {
-    struct reading reading = { debugger, rest, false, 0 };
+    struct reading reading = { debugger, cursor, false, 0 };
 
     return read_any(&reading, value);
 }
 
-bool debug_grammar(struct debugger *debugger, struct rest *rest)
+bool debug_grammar(struct debugger *debugger, struct text_cursor *cursor)
 {
-    struct reading reading = { debugger, rest, true, 0 };
+    struct reading reading = { debugger, cursor, true, 0 };
     struct value_of value;
 
     return read_any(&reading, &value);
 }
 
-bool debug_address(struct debugger *debugger, struct rest *rest, uint64_t *address)
+bool debug_address(struct debugger *debugger, struct text_cursor *cursor,
+                   uint64_t *address)
 {
-    struct reading reading = { debugger, rest, false, 0 };
+    struct reading reading = { debugger, cursor, false, 0 };
     struct value_of value;
 
     return read_address(debugger, &reading, &value, address);
 }
 
-bool debug_count(struct debugger *debugger, struct rest *rest, uint64_t *count)
+bool debug_count(struct debugger *debugger, struct text_cursor *cursor, uint64_t *count)
 {
     struct value_of value;
 
-    if (!debug_value(debugger, rest, &value))
+    if (!debug_value(debugger, cursor, &value))
         return false;
     *count = (uint64_t)value.integer;
     return (!value.is_real && value.integer >= 0)
