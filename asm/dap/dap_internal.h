@@ -56,7 +56,7 @@ struct dap {
     bool client_redraws; /* it takes the event invalidated */
     int64_t first_line, first_column; /* as the client counts: 0 or 1 */
     enum pending_request pending;
-    enum moved (*move)(struct debugger *debugger);
+    enum execution_end (*move)(struct debugger *debugger);
     const char *reason; /* of the stop, if the motion ends where it was to */
     void (*then)(struct dap *dap);
 };

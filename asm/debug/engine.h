@@ -2,13 +2,13 @@
  * it (asm/dap).  Not public.
  *
  * What is wrong is told by debug_fault, once; a function that could not do its work
- * returns false after that, a motion MOVED_NOT.
+ * returns false after that, a motion EXECUTION_FAILED.
  */
 #ifndef ASM_DEBUG_ENGINE_H
 #define ASM_DEBUG_ENGINE_H
 
-#include "asm/debug/motion.h"
-#include "asm/debug/stand.h"
+#include "asm/debug/execution_control.h"
+#include "asm/debug/debugger_state.h"
 #include "asm/print.h"
 
 /* ---- Values (value.c) ---------------------------------------------------- */

@@ -315,7 +315,7 @@ bool place_code(struct debugger *debugger, struct text_cursor *cursor,
 
 /* *moved: it is at another line or instruction than was asked for. */
 static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
-                         struct stop_point *stop, bool *moved)
+                         struct stop_point *stop, bool *ended)
 {
     struct line_place found = { .file = NULL };
     uint64_t address;
@@ -325,18 +325,18 @@ static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
     if (*cursor->at != '*' && read_line(debugger, cursor, &found, &good)) {
         if (good)
             be_at_line(debugger, &found, stop);
-        *moved = stop->line != found.wanted;
+        *ended = stop->line != found.wanted;
         return good;
     }
     if (!place_code(debugger, cursor, &address))
         return false;
     be_at(debugger, address, stop);
-    *moved = stop->address != address;
+    *ended = stop->address != address;
     return true;
 }
 
 static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
-                       struct stop_point *stop, bool *moved)
+                       struct stop_point *stop, bool *ended)
 {
     char name[MAX_TEXT];
 
@@ -354,7 +354,7 @@ static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
         return is_region(debugger, name, &stop->region)
                || debug_fault(debugger, "no region is called '%.60s'", name);
     }
-    return read_address(debugger, cursor, stop, moved);
+    return read_address(debugger, cursor, stop, ended);
 }
 
 static void add_position(struct stop_point *stop)
@@ -373,16 +373,16 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
                 struct stop_point *stop)
 {
     const char *from;
-    bool moved = false;
+    bool ended = false;
 
     if (text_cursor_end(cursor))
         return debug_fault(debugger, "where? a label, a line, FILE:LINE, "
                                      "*ADDRESS, insn NAME or region NAME");
     from = cursor->at;
-    if (!read_place(debugger, cursor, stop, &moved))
+    if (!read_place(debugger, cursor, stop, &ended))
         return false;
     text_cursor_text(from, cursor, stop->text);
-    if (moved)
+    if (ended)
         add_position(stop);
     return true;
 }

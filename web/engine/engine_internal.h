@@ -8,8 +8,8 @@
 #define WEB_ENGINE_ENGINE_INTERNAL_H
 
 #include "asm/assemble.h"
-#include "asm/debug/motion.h"
-#include "asm/debug/stand.h"
+#include "asm/debug/execution_control.h"
+#include "asm/debug/debugger_state.h"
 #include "asm/line_profile.h"
 #include "asm/timeline/timeline.h"
 #include "base/json.h"
@@ -50,7 +50,7 @@ struct printed {
 /* ---- A movement ----------------------------------------------------------------- */
 
 struct movement {
-    enum moved (*move)(struct engine *engine);
+    enum execution_end (*move)(struct engine *engine);
     uint64_t step, clock; /* where it is to go */
     uint64_t left;        /* so many are still to come */
     bool inside;          /* a call, which comes back to: */

@@ -5,66 +5,66 @@
 
 /* ---- Ways to go -------------------------------------------------------------- */
 
-static enum moved go_to_end(struct engine *engine)
+static enum execution_end go_to_end(struct engine *engine)
 {
-    return motion_to_step(engine->debugger, UINT64_MAX);
+    return execution_to_step(engine->debugger, UINT64_MAX);
 }
 
-static enum moved go_to_stop(struct engine *engine)
+static enum execution_end go_to_stop(struct engine *engine)
 {
-    return motion_steps(engine->debugger, UINT64_MAX);
+    return execution_steps(engine->debugger, UINT64_MAX);
 }
 
-static enum moved go_steps(struct engine *engine)
+static enum execution_end go_steps(struct engine *engine)
 {
-    return motion_steps(engine->debugger,
-                        engine->movement.step - debugger_step(engine->debugger));
+    return execution_steps(engine->debugger,
+                           engine->movement.step - debugger_step(engine->debugger));
 }
 
 /* A call that was interrupted continues to where it comes back. */
-static enum moved go_next(struct engine *engine)
+static enum execution_end go_next(struct engine *engine)
 {
     struct movement *movement = &engine->movement;
-    enum moved moved = MOVED_ON;
+    enum execution_end ended = EXECUTION_COMPLETE;
 
-    while (movement->left > 0 && moved == MOVED_ON) {
+    while (movement->left > 0 && ended == EXECUTION_COMPLETE) {
         if (!movement->inside)
-            movement->inside = motion_is_call(engine->debugger, &movement->behind);
-        moved = movement->inside ? motion_to(engine->debugger, movement->behind)
-                                 : motion_steps(engine->debugger, 1);
-        if (moved == MOVED_INTERRUPTED)
+            movement->inside = execution_is_call(engine->debugger, &movement->behind);
+        ended = movement->inside ? execution_to(engine->debugger, movement->behind)
+                                 : execution_steps(engine->debugger, 1);
+        if (ended == EXECUTION_INTERRUPTED)
             break;
         movement->inside = false;
         movement->left--;
-        if (movement->left > 0 && moved == MOVED_ON && slice_is_over(engine))
-            moved = MOVED_INTERRUPTED;
+        if (movement->left > 0 && ended == EXECUTION_COMPLETE && slice_is_over(engine))
+            ended = EXECUTION_INTERRUPTED;
     }
-    return moved;
+    return ended;
 }
 
-static enum moved go_back(struct engine *engine)
+static enum execution_end go_back(struct engine *engine)
 {
-    return motion_back(engine->debugger, engine->movement.left);
+    return execution_back(engine->debugger, engine->movement.left);
 }
 
-static enum moved go_back_to_stop(struct engine *engine)
+static enum execution_end go_back_to_stop(struct engine *engine)
 {
-    return motion_search_back(engine->debugger, &engine->movement.search);
+    return execution_search_back(engine->debugger, &engine->movement.search);
 }
 
-static enum moved go_to_step(struct engine *engine)
+static enum execution_end go_to_step(struct engine *engine)
 {
-    return motion_to_step(engine->debugger, engine->movement.step);
+    return execution_to_step(engine->debugger, engine->movement.step);
 }
 
-static enum moved go_to_clock(struct engine *engine)
+static enum execution_end go_to_clock(struct engine *engine)
 {
-    return motion_to_clock(engine->debugger, engine->movement.clock);
+    return execution_to_clock(engine->debugger, engine->movement.clock);
 }
 
 static const struct {
     const char *how;
-    enum moved (*move)(struct engine *engine);
+    enum execution_end (*move)(struct engine *engine);
 } ways[] = {
     { "end", go_to_end },      { "continue", go_to_stop },
     { "step", go_steps },      { "next", go_next },
@@ -76,15 +76,15 @@ enum { WAYS = sizeof ways / sizeof *ways };
 
 /* ---- How it ended -------------------------------------------------------------- */
 
-static const char *why(const struct engine *engine, enum moved moved)
+static const char *why(const struct engine *engine, enum execution_end ended)
 {
     const c205_stop *halt = debugger_halt(engine->debugger);
 
-    switch (moved) {
-    case MOVED_TO_STOP: return "breakpoint";
-    case MOVED_TO_HALT: return halt && halt->trap != C205_TRAP_NONE ? "trap" : "end";
-    case MOVED_TO_START: return "start";
-    case MOVED_INTERRUPTED: return "limit";
+    switch (ended) {
+    case EXECUTION_AT_STOP: return "breakpoint";
+    case EXECUTION_HALTED: return halt && halt->trap != C205_TRAP_NONE ? "trap" : "end";
+    case EXECUTION_AT_START: return "start";
+    case EXECUTION_INTERRUPTED: return "limit";
     default: return "moved";
     }
 }
@@ -96,28 +96,28 @@ static void put_place(const struct engine *engine, struct json *reply)
     json_count(reply, "clock", c205_clock(engine_machine(engine)));
 }
 
-static bool arrive(struct engine *engine, enum moved moved, struct json *reply,
+static bool arrive(struct engine *engine, enum execution_end ended, struct json *reply,
                    c205_error *error)
 {
     json_bool(reply, "done", true);
-    json_text(reply, "why", why(engine, moved));
+    json_text(reply, "why", why(engine, ended));
     put_place(engine, reply);
-    if (moved == MOVED_TO_STOP)
+    if (ended == EXECUTION_AT_STOP)
         stops_pass(engine->debugger, true);
-    else if (moved == MOVED_TO_HALT)
+    else if (ended == EXECUTION_HALTED)
         show_halt(engine->debugger);
     return put_said(engine, reply, "message", error);
 }
 
 static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
 {
-    enum moved moved = engine->movement.move(engine);
+    enum execution_end ended = engine->movement.move(engine);
 
     engine->goes_on = NULL;
-    if (moved == MOVED_NOT)
+    if (ended == EXECUTION_FAILED)
         return refuse_as_said(engine, error);
-    if (moved != MOVED_INTERRUPTED || engine->slice.to_the_limit)
-        return arrive(engine, moved, reply, error);
+    if (ended != EXECUTION_INTERRUPTED || engine->slice.to_the_limit)
+        return arrive(engine, ended, reply, error);
     engine->goes_on = go_on;
     json_bool(reply, "done", false);
     json_text(reply, "why", "running");

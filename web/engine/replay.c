@@ -24,13 +24,13 @@ static void fall_silent(struct replay *replay)
 }
 
 /* To a step; where nothing could go on there it is tried again. */
-static enum moved stand_at(struct engine *engine, uint64_t step, bool halted)
+static enum execution_end stand_at(struct engine *engine, uint64_t step, bool halted)
 {
-    enum moved moved = motion_to_step(engine->debugger, step);
+    enum execution_end ended = execution_to_step(engine->debugger, step);
 
-    if (halted && moved == MOVED_ON)
-        moved = motion_steps(engine->debugger, 1);
-    return moved;
+    if (halted && ended == EXECUTION_COMPLETE)
+        ended = execution_steps(engine->debugger, 1);
+    return ended;
 }
 
 void replay_drop(struct engine *engine)
@@ -56,7 +56,7 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
     replay->halted = debugger_halt(engine->debugger);
     replay->end = end;
     engine->slice.ends_at = UINT64_MAX;
-    if (motion_to_step(engine->debugger, 0) == MOVED_NOT) {
+    if (execution_to_step(engine->debugger, 0) == EXECUTION_FAILED) {
         line_profile_free(profile);
         *replay = (struct replay){ .begun = false };
         return refuse_as_said(engine, error);
@@ -82,20 +82,21 @@ static bool go_on(struct engine *engine, bool *done, c205_error *error)
 {
     enum { AT_ONCE = 512 };
     struct replay *replay = &engine->replay;
-    enum moved moved = MOVED_ON;
+    enum execution_end ended = EXECUTION_COMPLETE;
 
-    while (moved == MOVED_ON && !has_recorded_all(engine)) {
+    while (ended == EXECUTION_COMPLETE && !has_recorded_all(engine)) {
         uint64_t step = debugger_step(engine->debugger);
         uint64_t left = replay->end - step;
 
-        moved = motion_to_step(engine->debugger,
-                               step + (left < AT_ONCE ? left : AT_ONCE));
-        if (moved == MOVED_ON && !has_recorded_all(engine) && slice_is_over(engine))
-            moved = MOVED_INTERRUPTED;
+        ended = execution_to_step(engine->debugger,
+                                  step + (left < AT_ONCE ? left : AT_ONCE));
+        if (ended == EXECUTION_COMPLETE && !has_recorded_all(engine)
+            && slice_is_over(engine))
+            ended = EXECUTION_INTERRUPTED;
     }
-    if (moved == MOVED_NOT)
+    if (ended == EXECUTION_FAILED)
         return refuse_as_said(engine, error);
-    *done = moved != MOVED_INTERRUPTED;
+    *done = ended != EXECUTION_INTERRUPTED;
     if (*done && replay->halted && replay->end == replay->stands
         && debugger_step(engine->debugger) == replay->end)
         stand_at(engine, replay->stands, !debugger_halt(engine->debugger));

@@ -1,4 +1,4 @@
-/* movement.c - motions, and why they ended. */
+/* execution.c - motions, and why they ended. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -127,21 +127,21 @@ static void send_halt(struct dap *dap)
 
 /* ---- Motions ------------------------------------------------------------------------ */
 
-static void arrive(struct dap *dap, enum moved moved)
+static void arrive(struct dap *dap, enum execution_end ended)
 {
     struct sink output = dap_output_sink(dap);
 
-    if (moved != MOVED_TO_HALT)
+    if (ended != EXECUTION_HALTED)
         dap->exit_reported = false;
-    switch (moved) {
-    case MOVED_TO_STOP: send_stopped(dap, met_reason(dap), true); break;
-    case MOVED_TO_HALT: send_halt(dap); break;
-    case MOVED_TO_START:
+    switch (ended) {
+    case EXECUTION_AT_STOP: send_stopped(dap, met_reason(dap), true); break;
+    case EXECUTION_HALTED: send_halt(dap); break;
+    case EXECUTION_AT_START:
         sink_put(&output, "this is the beginning");
         dap_stopped(dap, "entry");
         break;
-    case MOVED_INTERRUPTED: dap_stopped(dap, "pause"); break;
-    case MOVED_TOO_FAR:
+    case EXECUTION_INTERRUPTED: dap_stopped(dap, "pause"); break;
+    case EXECUTION_OUT_OF_RANGE:
         sink_print(&output, "%" PRIu64 " clock%s passed", dap->setup.clocks_most,
                    dap->setup.clocks_most == 1 ? " has" : "s have");
         dap_stopped(dap, "pause");
@@ -150,10 +150,10 @@ static void arrive(struct dap *dap, enum moved moved)
     }
 }
 
-static enum moved to_the_beginning(struct debugger *debugger)
+static enum execution_end to_the_beginning(struct debugger *debugger)
 {
-    motion_back(debugger, UINT64_MAX);
-    return MOVED_ON;
+    execution_back(debugger, UINT64_MAX);
+    return EXECUTION_COMPLETE;
 }
 
 /* Hits are counted from here on, and what is printed is printed again. */
@@ -165,25 +165,25 @@ static void prepare_beginning(struct dap *dap)
         debugger->stops[i].hits = 0;
     debugger->reported = 0;
     dap->reason = "entry";
-    dap->move = dap->stop_on_entry ? to_the_beginning : motion_run;
+    dap->move = dap->stop_on_entry ? to_the_beginning : execution_run;
 }
 
 static void go(struct dap *dap)
 {
-    enum moved moved;
+    enum execution_end ended;
 
     do {
         if (dap->pending == PENDING_RESTART)
             prepare_beginning(dap);
         dap->pending = PENDING_NONE;
         dap->state = DAP_RUNNING;
-        moved = dap->move(dap->debugger);
+        ended = dap->move(dap->debugger);
         dap->state = DAP_STANDING;
     } while (!dap->over && dap->pending == PENDING_RESTART);
     if (dap->pending == PENDING_TERMINATE)
         dap_finish(dap);
     else if (!dap->over)
-        arrive(dap, moved);
+        arrive(dap, ended);
 }
 
 void dap_begin(struct dap *dap)
@@ -193,7 +193,7 @@ void dap_begin(struct dap *dap)
 }
 
 /* What the client hears first is that the program runs. */
-static bool move_by(struct dap *dap, enum moved (*move)(struct debugger *))
+static bool move_by(struct dap *dap, enum execution_end (*move)(struct debugger *))
 {
     dap->move = move;
     dap->reason = "step";
@@ -201,19 +201,19 @@ static bool move_by(struct dap *dap, enum moved (*move)(struct debugger *))
     return true;
 }
 
-static enum moved run(struct debugger *debugger)
+static enum execution_end run(struct debugger *debugger)
 {
-    return motion_steps(debugger, UINT64_MAX);
+    return execution_steps(debugger, UINT64_MAX);
 }
 
-static enum moved step(struct debugger *debugger)
+static enum execution_end step(struct debugger *debugger)
 {
-    return motion_steps(debugger, 1);
+    return execution_steps(debugger, 1);
 }
 
-static enum moved step_back(struct debugger *debugger)
+static enum execution_end step_back(struct debugger *debugger)
 {
-    return motion_back(debugger, 1);
+    return execution_back(debugger, 1);
 }
 
 bool request_continue(struct dap *dap, const struct json_value *arguments,
@@ -236,7 +236,7 @@ bool request_next(struct dap *dap, const struct json_value *arguments,
                   struct json *body)
 {
     (void)body;
-    return move_by(dap, by_instruction(arguments) ? motion_next : motion_line);
+    return move_by(dap, by_instruction(arguments) ? execution_next : execution_line);
 }
 
 bool request_step_in(struct dap *dap, const struct json_value *arguments,
@@ -252,14 +252,14 @@ bool request_step_out(struct dap *dap, const struct json_value *arguments,
 {
     (void)arguments;
     (void)body;
-    return motion_can_go_out(dap->debugger) && move_by(dap, motion_out);
+    return execution_can_go_out(dap->debugger) && move_by(dap, execution_out);
 }
 
 bool request_step_back(struct dap *dap, const struct json_value *arguments,
                        struct json *body)
 {
     (void)body;
-    return move_by(dap, by_instruction(arguments) ? step_back : motion_back_line);
+    return move_by(dap, by_instruction(arguments) ? step_back : execution_back_line);
 }
 
 bool request_reverse_continue(struct dap *dap, const struct json_value *arguments,
@@ -267,7 +267,7 @@ bool request_reverse_continue(struct dap *dap, const struct json_value *argument
 {
     (void)arguments;
     (void)body;
-    return move_by(dap, motion_back_to_stop);
+    return move_by(dap, execution_back_to_stop);
 }
 
 /* Of a program that stands nothing is to be done. */

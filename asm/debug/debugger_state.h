@@ -1,8 +1,8 @@
-/* stand.h - where a debugger's program stands, and what its last instruction did, for
+/* debugger_state.h - where a debugger's program stands, and what its last instruction did, for
  * who shows that otherwise than in lines.
  */
-#ifndef ASM_DEBUG_STAND_H
-#define ASM_DEBUG_STAND_H
+#ifndef ASM_DEBUG_DEBUGGER_STATE_H
+#define ASM_DEBUG_DEBUGGER_STATE_H
 
 #include "asm/debug/debugger.h"
 

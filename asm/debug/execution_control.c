@@ -1,4 +1,4 @@
-/* motion.c - forward and back. */
+/* execution_control.c - forward and back. */
 #include <string.h>
 
 #include "asm/debug/engine.h"
@@ -16,14 +16,14 @@ static uint64_t pc_of(const struct debugger *debugger)
 
 /* ---- Forward -------------------------------------------------------------- */
 
-static enum moved forward(struct debugger *debugger)
+static enum execution_end forward(struct debugger *debugger)
 {
     uint64_t before = pc_of(debugger);
 
     debugger->halted = !c205_history_forward(debugger->history, &debugger->halt);
     if (debugger->halted)
-        return MOVED_TO_HALT;
-    return stops_meet(debugger, before) ? MOVED_TO_STOP : MOVED_ON;
+        return EXECUTION_HALTED;
+    return stops_meet(debugger, before) ? EXECUTION_AT_STOP : EXECUTION_COMPLETE;
 }
 
 /* Asked seldom: it may be a question to the system.  Vector instructions are long. */
@@ -40,11 +40,11 @@ static bool is_interrupted(struct debugger *debugger)
 }
 
 /* Whether a movement that began at a clock continues. */
-static enum moved look_up(struct debugger *debugger, uint64_t begun)
+static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
 {
     if (clock_of(debugger) - begun > debugger->setup.clocks_most)
-        return MOVED_TOO_FAR;
-    return is_interrupted(debugger) ? MOVED_INTERRUPTED : MOVED_ON;
+        return EXECUTION_OUT_OF_RANGE;
+    return is_interrupted(debugger) ? EXECUTION_INTERRUPTED : EXECUTION_COMPLETE;
 }
 
 /* What ends a movement besides stops. */
@@ -63,44 +63,44 @@ static bool is_reached(const struct debugger *debugger, const struct aim *aim)
            || (aim->is_there && aim->is_there(aim->context, machine_of(debugger)));
 }
 
-static enum moved advance(struct debugger *debugger, struct aim aim)
+static enum execution_end advance(struct debugger *debugger, struct aim aim)
 {
     uint64_t begun = clock_of(debugger);
-    enum moved moved = MOVED_ON;
+    enum execution_end ended = EXECUTION_COMPLETE;
 
     stops_sample(debugger);
-    for (uint64_t i = 1; i <= aim.count && moved == MOVED_ON; i++) {
-        moved = forward(debugger);
-        if (moved == MOVED_ON && is_reached(debugger, &aim))
+    for (uint64_t i = 1; i <= aim.count && ended == EXECUTION_COMPLETE; i++) {
+        ended = forward(debugger);
+        if (ended == EXECUTION_COMPLETE && is_reached(debugger, &aim))
             break;
-        if (moved == MOVED_ON && i < aim.count)
-            moved = look_up(debugger, begun);
+        if (ended == EXECUTION_COMPLETE && i < aim.count)
+            ended = look_up(debugger, begun);
     }
-    return moved;
+    return ended;
 }
 
-enum moved motion_steps(struct debugger *debugger, uint64_t count)
+enum execution_end execution_steps(struct debugger *debugger, uint64_t count)
 {
     return advance(debugger, (struct aim){ .count = count });
 }
 
-enum moved motion_to(struct debugger *debugger, uint64_t address)
+enum execution_end execution_to(struct debugger *debugger, uint64_t address)
 {
     return advance(debugger, (struct aim){ .count = UINT64_MAX,
                                            .at_address = true,
                                            .address = address });
 }
 
-enum moved motion_until(struct debugger *debugger,
-                        bool (*is_there)(void *context, const c205 *machine),
-                        void *context)
+enum execution_end execution_until(struct debugger *debugger,
+                                   bool (*is_there)(void *context, const c205 *machine),
+                                   void *context)
 {
     return advance(debugger, (struct aim){ .count = UINT64_MAX,
                                            .is_there = is_there,
                                            .context = context });
 }
 
-bool motion_is_call(const struct debugger *debugger, uint64_t *behind)
+bool execution_is_call(const struct debugger *debugger, uint64_t *behind)
 {
     struct instruction_view view;
 
@@ -109,12 +109,12 @@ bool motion_is_call(const struct debugger *debugger, uint64_t *behind)
     return view.insn && view.insn == c205_insn_named("BSAVE", 5);
 }
 
-enum moved motion_next(struct debugger *debugger)
+enum execution_end execution_next(struct debugger *debugger)
 {
     uint64_t behind;
 
-    return motion_is_call(debugger, &behind) ? motion_to(debugger, behind)
-                                             : motion_steps(debugger, 1);
+    return execution_is_call(debugger, &behind) ? execution_to(debugger, behind)
+                                                : execution_steps(debugger, 1);
 }
 
 /* ---- Macro calls ------------------------------------------------------------ */
@@ -143,14 +143,14 @@ static bool is_behind_beginning(const struct debugger *debugger,
                             pc_of(debugger));
 }
 
-enum moved motion_line(struct debugger *debugger)
+enum execution_end execution_line(struct debugger *debugger)
 {
     const struct asm_line *call = call_of(debugger);
-    enum moved moved = motion_next(debugger);
+    enum execution_end ended = execution_next(debugger);
 
-    while (moved == MOVED_ON && call && is_behind_beginning(debugger, call))
-        moved = motion_next(debugger);
-    return moved;
+    while (ended == EXECUTION_COMPLETE && call && is_behind_beginning(debugger, call))
+        ended = execution_next(debugger);
+    return ended;
 }
 
 static const char *region_here(const struct debugger *debugger)
@@ -158,25 +158,25 @@ static const char *region_here(const struct debugger *debugger)
     return object_region(debugger->setup.object, pc_of(debugger));
 }
 
-bool motion_can_go_out(struct debugger *debugger)
+bool execution_can_go_out(struct debugger *debugger)
 {
     return call_of(debugger) || *region_here(debugger)
            || debug_fault(debugger, "this is neither in a macro call nor in a "
                                     "region that could be left");
 }
 
-enum moved motion_out(struct debugger *debugger)
+enum execution_end execution_out(struct debugger *debugger)
 {
     const struct asm_line *call = call_of(debugger);
     const char *region = region_here(debugger);
-    enum moved moved;
+    enum execution_end ended;
 
     do
-        moved = motion_steps(debugger, 1);
+        ended = execution_steps(debugger, 1);
     while (
-        moved == MOVED_ON
+        ended == EXECUTION_COMPLETE
         && (call ? is_in(debugger, call) : strcmp(region_here(debugger), region) == 0));
-    return moved;
+    return ended;
 }
 
 /* ---- Back ----------------------------------------------------------------- */
@@ -195,51 +195,52 @@ static bool go_back(struct debugger *debugger, uint64_t step)
     return true;
 }
 
-enum moved motion_back(struct debugger *debugger, uint64_t count)
+enum execution_end execution_back(struct debugger *debugger, uint64_t count)
 {
     uint64_t step = step_of(debugger);
 
     if (!go_back(debugger, count < step ? step - count : 0))
-        return MOVED_NOT;
-    return step == 0 ? MOVED_TO_START : MOVED_ON;
+        return EXECUTION_FAILED;
+    return step == 0 ? EXECUTION_AT_START : EXECUTION_COMPLETE;
 }
 
-enum moved motion_back_line(struct debugger *debugger)
+enum execution_end execution_back_line(struct debugger *debugger)
 {
-    enum moved moved = motion_back(debugger, 1);
+    enum execution_end ended = execution_back(debugger, 1);
     const struct asm_line *call = call_of(debugger);
 
-    while (moved == MOVED_ON && call && is_behind_beginning(debugger, call)
+    while (ended == EXECUTION_COMPLETE && call && is_behind_beginning(debugger, call)
            && step_of(debugger) > 0)
-        moved = motion_back(debugger, 1);
-    return moved;
+        ended = execution_back(debugger, 1);
+    return ended;
 }
 
 /* The last step with a stop in a stretch, before its end. */
-static enum moved find_last(struct debugger *debugger, struct back_search *search)
+static enum execution_end find_last(struct debugger *debugger,
+                                    struct back_search *search)
 {
-    enum moved moved = MOVED_ON;
+    enum execution_end ended = EXECUTION_COMPLETE;
 
     if (!search->inside && !go_back(debugger, search->begin))
-        return MOVED_NOT;
+        return EXECUTION_FAILED;
     search->inside = true;
-    while (moved != MOVED_TO_HALT && step_of(debugger) + 1 < search->end) {
-        moved = forward(debugger);
-        if (moved == MOVED_TO_STOP) {
+    while (ended != EXECUTION_HALTED && step_of(debugger) + 1 < search->end) {
+        ended = forward(debugger);
+        if (ended == EXECUTION_AT_STOP) {
             search->found = step_of(debugger);
             stops_sample(debugger);
         }
         if (is_interrupted(debugger))
-            return MOVED_INTERRUPTED;
+            return EXECUTION_INTERRUPTED;
     }
     search->inside = false;
-    return MOVED_ON;
+    return EXECUTION_COMPLETE;
 }
 
 /* What is watched held before the change. */
-static enum moved arrive_back(struct debugger *debugger, uint64_t step)
+static enum execution_end arrive_back(struct debugger *debugger, uint64_t step)
 {
-    return go_back(debugger, step - 1) ? forward(debugger) : MOVED_NOT;
+    return go_back(debugger, step - 1) ? forward(debugger) : EXECUTION_FAILED;
 }
 
 static void begin_stretch(struct back_search *search)
@@ -249,43 +250,45 @@ static void begin_stretch(struct back_search *search)
 }
 
 /* A stretch at a time from here back. */
-static enum moved search_back(struct debugger *debugger, struct back_search *search)
+static enum execution_end search_back(struct debugger *debugger,
+                                      struct back_search *search)
 {
     if (!search->begun)
         *search = (struct back_search){ .begun = true,
                                         .end = step_of(debugger),
                                         .stretch = 64 };
     while (search->end > 0) {
-        enum moved moved;
+        enum execution_end ended;
 
         if (!search->inside)
             begin_stretch(search);
-        moved = find_last(debugger, search);
-        if (moved != MOVED_ON)
-            return moved;
+        ended = find_last(debugger, search);
+        if (ended != EXECUTION_COMPLETE)
+            return ended;
         if (search->found > 0)
             return arrive_back(debugger, search->found);
         search->end = search->begin > 0 ? search->begin + 1 : 0;
         search->stretch *= 2;
     }
-    return go_back(debugger, 0) ? MOVED_TO_START : MOVED_NOT;
+    return go_back(debugger, 0) ? EXECUTION_AT_START : EXECUTION_FAILED;
 }
 
-enum moved motion_search_back(struct debugger *debugger, struct back_search *search)
+enum execution_end execution_search_back(struct debugger *debugger,
+                                         struct back_search *search)
 {
-    enum moved moved;
+    enum execution_end ended;
 
     debugger->searching = true;
-    moved = search_back(debugger, search);
+    ended = search_back(debugger, search);
     debugger->searching = false;
-    return moved;
+    return ended;
 }
 
-enum moved motion_back_to_stop(struct debugger *debugger)
+enum execution_end execution_back_to_stop(struct debugger *debugger)
 {
     struct back_search search = { .begun = false };
 
-    return motion_search_back(debugger, &search);
+    return execution_search_back(debugger, &search);
 }
 
 /* ---- Anywhere ------------------------------------------------------------- */
@@ -296,38 +299,41 @@ static bool is_short_of(const struct debugger *debugger, uint64_t step, uint64_t
 }
 
 /* Forward without a look at stops. */
-static enum moved go_on_to(struct debugger *debugger, uint64_t step, uint64_t clock)
+static enum execution_end go_on_to(struct debugger *debugger, uint64_t step,
+                                   uint64_t clock)
 {
     uint64_t begun = clock_of(debugger);
-    enum moved moved = MOVED_ON;
+    enum execution_end ended = EXECUTION_COMPLETE;
 
-    while (moved == MOVED_ON && is_short_of(debugger, step, clock)) {
+    while (ended == EXECUTION_COMPLETE && is_short_of(debugger, step, clock)) {
         debugger->halted = !c205_history_forward(debugger->history, &debugger->halt);
         if (debugger->halted)
-            moved = MOVED_TO_HALT;
+            ended = EXECUTION_HALTED;
         else if (is_short_of(debugger, step, clock))
-            moved = look_up(debugger, begun);
+            ended = look_up(debugger, begun);
     }
     stops_sample(debugger);
-    return moved;
+    return ended;
 }
 
-enum moved motion_to_step(struct debugger *debugger, uint64_t step)
+enum execution_end execution_to_step(struct debugger *debugger, uint64_t step)
 {
-    return go_back(debugger, step) ? go_on_to(debugger, step, UINT64_MAX) : MOVED_NOT;
+    return go_back(debugger, step) ? go_on_to(debugger, step, UINT64_MAX)
+                                   : EXECUTION_FAILED;
 }
 
-enum moved motion_to_clock(struct debugger *debugger, uint64_t clock)
+enum execution_end execution_to_clock(struct debugger *debugger, uint64_t clock)
 {
     return go_back(debugger, clock_of(debugger) >= clock ? 0 : UINT64_MAX)
                ? go_on_to(debugger, UINT64_MAX, clock)
-               : MOVED_NOT;
+               : EXECUTION_FAILED;
 }
 
-enum moved motion_run(struct debugger *debugger)
+enum execution_end execution_run(struct debugger *debugger)
 {
     if (!go_back(debugger, 0))
-        return MOVED_NOT;
+        return EXECUTION_FAILED;
     stops_sample(debugger);
-    return stops_meet(debugger, 0) ? MOVED_TO_STOP : motion_steps(debugger, UINT64_MAX);
+    return stops_meet(debugger, 0) ? EXECUTION_AT_STOP
+                                   : execution_steps(debugger, UINT64_MAX);
 }

@@ -1,20 +1,20 @@
-/* move.c - the verbs of motions. */
+/* step_verbs.c - the verbs of motions. */
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
 
-static bool arrive(struct debugger *debugger, enum moved moved)
+static bool arrive(struct debugger *debugger, enum execution_end ended)
 {
-    if (moved == MOVED_NOT)
+    if (ended == EXECUTION_FAILED)
         return false;
     line_tracker_close(&debugger->printed);
-    if (moved == MOVED_TO_STOP)
+    if (ended == EXECUTION_AT_STOP)
         stops_pass(debugger, true);
-    else if (moved == MOVED_TO_START)
+    else if (ended == EXECUTION_AT_START)
         sink_put(&debugger->out, "this is the beginning\n");
-    else if (moved == MOVED_INTERRUPTED)
+    else if (ended == EXECUTION_INTERRUPTED)
         sink_put(&debugger->out, "interrupted\n");
-    else if (moved == MOVED_TOO_FAR)
+    else if (ended == EXECUTION_OUT_OF_RANGE)
         sink_print(&debugger->out, "%" PRIu64 " clock%s passed; continue goes on\n",
                    debugger->setup.clocks_most,
                    debugger->setup.clocks_most == 1 ? " has" : "s have");
@@ -37,36 +37,36 @@ bool verb_step(struct debugger *debugger, struct text_cursor *cursor)
     uint64_t count;
 
     return read_times(debugger, cursor, &count)
-           && arrive(debugger, motion_steps(debugger, count));
+           && arrive(debugger, execution_steps(debugger, count));
 }
 
 bool verb_continue(struct debugger *debugger, struct text_cursor *cursor)
 {
-    enum moved moved = MOVED_ON;
+    enum execution_end ended = EXECUTION_COMPLETE;
     uint64_t count;
 
     if (!read_times(debugger, cursor, &count))
         return false;
     for (; count > 0; count--) {
-        moved = motion_steps(debugger, UINT64_MAX);
-        if (moved != MOVED_TO_STOP)
+        ended = execution_steps(debugger, UINT64_MAX);
+        if (ended != EXECUTION_AT_STOP)
             break;
         if (count > 1)
             stops_pass(debugger, false);
     }
-    return arrive(debugger, moved);
+    return arrive(debugger, ended);
 }
 
 bool verb_next(struct debugger *debugger, struct text_cursor *cursor)
 {
-    enum moved moved = MOVED_ON;
+    enum execution_end ended = EXECUTION_COMPLETE;
     uint64_t count;
 
     if (!read_times(debugger, cursor, &count))
         return false;
-    for (; count > 0 && moved == MOVED_ON; count--)
-        moved = motion_next(debugger);
-    return arrive(debugger, moved);
+    for (; count > 0 && ended == EXECUTION_COMPLETE; count--)
+        ended = execution_next(debugger);
+    return arrive(debugger, ended);
 }
 
 bool verb_until(struct debugger *debugger, struct text_cursor *cursor)
@@ -75,13 +75,13 @@ bool verb_until(struct debugger *debugger, struct text_cursor *cursor)
 
     return place_code(debugger, cursor, &address)
            && text_cursor_finish(debugger, cursor)
-           && arrive(debugger, motion_to(debugger, place_of(debugger, address)));
+           && arrive(debugger, execution_to(debugger, place_of(debugger, address)));
 }
 
 void debugger_seek(struct debugger *debugger,
                    bool (*is_there)(void *context, const c205 *machine), void *context)
 {
-    arrive(debugger, motion_until(debugger, is_there, context));
+    arrive(debugger, execution_until(debugger, is_there, context));
 }
 
 bool verb_reverse_step(struct debugger *debugger, struct text_cursor *cursor)
@@ -89,13 +89,13 @@ bool verb_reverse_step(struct debugger *debugger, struct text_cursor *cursor)
     uint64_t count;
 
     return read_times(debugger, cursor, &count)
-           && arrive(debugger, motion_back(debugger, count));
+           && arrive(debugger, execution_back(debugger, count));
 }
 
 bool verb_reverse_continue(struct debugger *debugger, struct text_cursor *cursor)
 {
     return text_cursor_finish(debugger, cursor)
-           && arrive(debugger, motion_back_to_stop(debugger));
+           && arrive(debugger, execution_back_to_stop(debugger));
 }
 
 /* goto N, an instruction; goto clock N */
@@ -106,13 +106,13 @@ bool verb_goto(struct debugger *debugger, struct text_cursor *cursor)
 
     return debug_count(debugger, cursor, &number)
            && text_cursor_finish(debugger, cursor)
-           && arrive(debugger, by_clock ? motion_to_clock(debugger, number)
-                                        : motion_to_step(debugger, number));
+           && arrive(debugger, by_clock ? execution_to_clock(debugger, number)
+                                        : execution_to_step(debugger, number));
 }
 
 /* To the first stop, which may be at the beginning. */
 bool verb_run(struct debugger *debugger, struct text_cursor *cursor)
 {
     return text_cursor_finish(debugger, cursor)
-           && arrive(debugger, motion_run(debugger));
+           && arrive(debugger, execution_run(debugger));
 }
