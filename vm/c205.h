@@ -560,7 +560,7 @@ void c205_reset_clock(c205 *machine);
 enum { C205_LISTENERS = 8 };
 bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
-/* ---- Stops (vm/stops.c) ---------------------------------------------------
+/* ---- Stops (vm/breakpoints.c) ---------------------------------------------------
  *
  * They end a run behind an instruction, with a trap of their own, of which listeners hear
  * as of others, and the next run continues there as if nothing had been.  A load leaves

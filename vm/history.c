@@ -4,7 +4,7 @@
  * kept but states, so many instructions and so many clocks apart; to go back is
  * to restore the last state before, and to run from there.
  */
-#include "vm/stops.h"
+#include "vm/breakpoints.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -236,9 +236,9 @@ static void replace(struct c205_history *history, c205 *machine)
     c205 *old = history->machine;
     memcpy(machine->listener, old->listener, sizeof machine->listener);
     machine->listener_count = old->listener_count;
-    machine->stops = old->stops;
-    old->stops = NULL;
-    machine->eventful = machine->listener_count > 0 || machine->stops;
+    machine->breakpoints = old->breakpoints;
+    old->breakpoints = NULL;
+    machine->eventful = machine->listener_count > 0 || machine->breakpoints;
     if (machine->eventful)
         clock_listen(machine->clock, &machine->record);
     c205_free(history->machine);

@@ -1,7 +1,7 @@
 #include "vm/machine.h"
 #include "vm/shared.h"
 #include "vm/events.h"
-#include "vm/stops.h"
+#include "vm/breakpoints.h"
 #include "vm/time/schedule.h"
 
 #include <stdio.h>
@@ -70,7 +70,7 @@ void c205_free(c205 *machine)
     memory_free(&machine->memory);
     for (size_t i = 0; i < SCRATCHES; i++)
         free(machine->scratch[i]);
-    machine_free_stops(machine->stops);
+    machine_free_breakpoints(machine->breakpoints);
     free(machine->ranges);
     free(machine->cache);
     free(machine->blocks);
@@ -205,8 +205,8 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
 static bool go_past_stops(struct c205 *machine, c205_stop *stop)
 {
     uint64_t address = 0;
-    c205_trap trap = machine->stops ? machine_meets_stop(machine, &address)
-                                    : C205_TRAP_NONE;
+    c205_trap trap = machine->breakpoints ? machine_hits_breakpoint(machine, &address)
+                                          : C205_TRAP_NONE;
     if (trap == C205_TRAP_NONE && machine->pausing)
         trap = C205_TRAP_PAUSED;
     machine->pausing = false;
@@ -222,7 +222,7 @@ static bool attend(struct c205 *machine, const struct decoded *decoded, uint64_t
     unsigned request = machine->request;
     machine_notify_instruction(machine, decoded, before);
     machine->request = NO_REQUEST;
-    machine->eventful = machine->listener_count > 0 || machine->stops;
+    machine->eventful = machine->listener_count > 0 || machine->breakpoints;
     if (request != REQUEST_EXIT)
         return go_past_stops(machine, stop);
     machine->pausing = false;
@@ -359,7 +359,7 @@ static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 c205_stop c205_run(c205 *machine, uint64_t limit)
 {
     c205_stop stop;
-    machine_sample_stops(machine);
+    machine_sample_watchpoints(machine);
     if (first_step(machine, limit, &stop))
         while (go_on(machine, limit, &stop))
             continue;
@@ -369,7 +369,7 @@ c205_stop c205_run(c205 *machine, uint64_t limit)
 c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit)
 {
     c205_stop stop;
-    machine_sample_stops(machine);
+    machine_sample_watchpoints(machine);
     if (count == 0)
         stop_between(machine, C205_TRAP_PAUSED, 0, &stop);
     else if (first_step(machine, limit, &stop)) {
@@ -388,7 +388,7 @@ void c205_pause(c205 *machine)
 
 bool c205_step(c205 *machine, c205_stop *stop)
 {
-    machine_sample_stops(machine);
+    machine_sample_watchpoints(machine);
     return first_step(machine, C205_NO_LIMIT, stop);
 }
 

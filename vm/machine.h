@@ -62,7 +62,7 @@ struct c205 {
     unsigned request;               /* that EXIT just made, or NO_REQUEST */
     bool eventful; /* EXIT was executed, somebody listens, or there are stops */
     bool pausing;  /* a listener has asked for an end of the run */
-    struct machine_stops *stops; /* NULL: none were ever set */
+    struct machine_breakpoints *breakpoints; /* NULL: none were ever set */
     unsigned listener_count;
     struct {
         c205_listener *call;

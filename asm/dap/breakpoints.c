@@ -12,10 +12,10 @@
 /* What it is called in the arguments and how its place is found there; both tell what
  * is wrong. */
 typedef bool stop_reader(struct dap *dap, const struct json_value *wanted,
-                         const char *file, struct stop_point *stop);
+                         const char *file, struct breakpoint *stop);
 
 static bool make_stop(struct dap *dap, const struct json_value *wanted,
-                      const char *file, stop_reader *read, struct stop_point *stop)
+                      const char *file, stop_reader *read, struct breakpoint *stop)
 {
     struct debugger *debugger = dap->debugger;
 
@@ -24,12 +24,14 @@ static bool make_stop(struct dap *dap, const struct json_value *wanted,
     if (json_member(wanted, "logMessage"))
         return dap_fault(dap, "there are no log points");
     return read(dap, wanted, file, stop)
-           && stops_condition(debugger, stop, json_member_text(wanted, "condition"))
-           && stops_wanted(debugger, stop, json_member_text(wanted, "hitCondition"))
-           && stops_add(debugger, stop);
+           && breakpoints_condition(debugger, stop,
+                                    json_member_text(wanted, "condition"))
+           && breakpoints_wanted(debugger, stop,
+                                 json_member_text(wanted, "hitCondition"))
+           && breakpoints_add(debugger, stop);
 }
 
-static void put_place(struct dap *dap, struct json *body, const struct stop_point *stop)
+static void put_place(struct dap *dap, struct json *body, const struct breakpoint *stop)
 {
     json_count(body, "id", stop->number);
     json_text(body, "message", stop->text);
@@ -37,7 +39,7 @@ static void put_place(struct dap *dap, struct json *body, const struct stop_poin
         put_source(dap, body, stop->file);
         put_line(dap, body, "line", stop->line);
     }
-    if (stop->kind == STOP_LINE || stop->kind == STOP_AT)
+    if (stop->kind == BREAK_LINE || stop->kind == BREAK_ADDRESS)
         dap_put_address(body, "instructionReference", stop->address);
 }
 
@@ -45,7 +47,7 @@ static void put_stop(struct dap *dap, struct json *body,
                      const struct json_value *wanted, const char *file, size_t group,
                      stop_reader *read)
 {
-    struct stop_point stop = { .group = group };
+    struct breakpoint stop = { .group = group };
     bool good = make_stop(dap, wanted, file, read, &stop);
     char *why = good ? NULL : dap_take_said(dap);
 
@@ -65,7 +67,7 @@ static bool replace(struct dap *dap, const struct json_value *arguments,
 {
     const struct json_value *wanted = json_member_first(arguments, "breakpoints");
 
-    stops_forget(dap->debugger, group);
+    breakpoints_forget(dap->debugger, group);
     json_array(body, "breakpoints");
     for (; wanted; wanted = wanted->next)
         put_stop(dap, body, wanted, file, group, read);
@@ -76,7 +78,7 @@ static bool replace(struct dap *dap, const struct json_value *arguments,
 /* ---- Lines ------------------------------------------------------------------------ */
 
 static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
-                           const char *file, struct stop_point *stop)
+                           const char *file, struct breakpoint *stop)
 {
     int64_t line = 0;
 
@@ -159,7 +161,7 @@ static const char *kind_of(const struct dap *dap, const char *name)
 }
 
 static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
-                            const char *file, struct stop_point *stop)
+                            const char *file, struct breakpoint *stop)
 {
     const char *name = json_member_text(wanted, "name");
     char text[MAX_TEXT];
@@ -185,7 +187,7 @@ bool request_function_breakpoints(struct dap *dap, const struct json_value *argu
 /* ---- Instructions --------------------------------------------------------------------- */
 
 static bool read_instruction_stop(struct dap *dap, const struct json_value *wanted,
-                                  const char *file, struct stop_point *stop)
+                                  const char *file, struct breakpoint *stop)
 {
     char text[DAP_ADDRESS_SIZE];
     struct text_cursor cursor = { text };
@@ -210,7 +212,7 @@ bool request_instruction_breakpoints(struct dap *dap,
 
 /* ADDRESS, WORDS: what the debugger's watch takes. */
 static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
-                           const char *file, struct stop_point *stop)
+                           const char *file, struct breakpoint *stop)
 {
     const char *id = json_member_text(wanted, "dataId");
     const char *access = json_member_text(wanted, "accessType");
@@ -219,7 +221,7 @@ static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
     (void)file;
     if (access && strcmp(access, "write") != 0)
         return dap_fault(dap, "only what is written is watched");
-    return stops_watch(dap->debugger, &cursor, stop)
+    return breakpoints_watch(dap->debugger, &cursor, stop)
            && text_cursor_finish(dap->debugger, &cursor);
 }
 

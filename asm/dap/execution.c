@@ -7,9 +7,9 @@
 
 /* ---- The program stands --------------------------------------------------------- */
 
-static const char *stop_reason(const struct stop_point *stop)
+static const char *stop_reason(const struct breakpoint *stop)
 {
-    if (stop->kind == STOP_WATCH)
+    if (stop->kind == BREAK_WATCH)
         return "data breakpoint";
     switch (stop->group) {
     case GROUP_FUNCTIONS: return "function breakpoint";
@@ -23,9 +23,9 @@ static const char *met_reason(const struct dap *dap)
 {
     const struct debugger *debugger = dap->debugger;
 
-    for (size_t i = 0; i < debugger->stop_count; i++)
-        if (debugger->stops[i].met)
-            return stop_reason(&debugger->stops[i]);
+    for (size_t i = 0; i < debugger->breakpoint_count; i++)
+        if (debugger->breakpoints[i].met)
+            return stop_reason(&debugger->breakpoints[i]);
     return "breakpoint";
 }
 
@@ -34,9 +34,9 @@ static void put_met(const struct dap *dap, struct json *body)
     const struct debugger *debugger = dap->debugger;
 
     json_array(body, "hitBreakpointIds");
-    for (size_t i = 0; i < debugger->stop_count; i++)
-        if (debugger->stops[i].met)
-            json_count(body, NULL, debugger->stops[i].number);
+    for (size_t i = 0; i < debugger->breakpoint_count; i++)
+        if (debugger->breakpoints[i].met)
+            json_count(body, NULL, debugger->breakpoints[i].number);
     json_end(body);
 }
 
@@ -57,7 +57,7 @@ static void send_stopped(struct dap *dap, const char *reason, bool met)
     json_bool(body, "allThreadsStopped", true);
     if (met) {
         put_met(dap, body);
-        stops_pass(dap->debugger, true);
+        breakpoints_pass(dap->debugger, true);
     }
     said = dap_take_said(dap);
     if (said) {
@@ -161,8 +161,8 @@ static void prepare_beginning(struct dap *dap)
 {
     struct debugger *debugger = dap->debugger;
 
-    for (size_t i = 0; i < debugger->stop_count; i++)
-        debugger->stops[i].hits = 0;
+    for (size_t i = 0; i < debugger->breakpoint_count; i++)
+        debugger->breakpoints[i].hits = 0;
     debugger->reported = 0;
     dap->reason = "entry";
     dap->move = dap->stop_on_entry ? to_the_beginning : execution_run;
@@ -287,7 +287,7 @@ bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
                           struct json *body)
 {
     const char *file = source_file(dap, json_member(arguments, "source"));
-    struct stop_point stop = { .number = 0 };
+    struct breakpoint stop = { .number = 0 };
     int64_t line = 0;
 
     if (!file)

@@ -188,7 +188,7 @@ void debugger_free(struct debugger *debugger)
     if (!debugger)
         return;
     c205_history_free(debugger->history);
-    free(debugger->stops);
+    free(debugger->breakpoints);
     free(debugger);
 }
 

@@ -29,27 +29,27 @@ struct text_cursor {
 
 /* ---- Stops (stops.c) ------------------------------------------------------ */
 
-enum stop_kind {
-    STOP_AT,    /* an address */
-    STOP_LINE,  /* where code of a source line begins, or of a macro that it calls */
-    STOP_INSN,  /* each instruction of a name */
-    STOP_ENTRY, /* where control comes into a region */
-    STOP_WATCH  /* what memory holds changes */
+enum breakpoint_kind {
+    BREAK_ADDRESS, /* an address */
+    BREAK_LINE,    /* where code of a source line begins, or of a macro that it calls */
+    BREAK_INSN,    /* each instruction of a name */
+    BREAK_ENTRY,   /* where control comes into a region */
+    BREAK_WATCH    /* what memory holds changes */
 };
 
 enum { WATCHED_WORDS = 64, MAX_TEXT = 200 };
 
-struct stop_point {
+struct breakpoint {
     size_t number;
     size_t group; /* those of one group go together; 0: of nobody */
-    enum stop_kind kind;
+    enum breakpoint_kind kind;
     bool once;
     char text[MAX_TEXT];      /* as it was written */
     char condition[MAX_TEXT]; /* "": none */
     char wanted[MAX_TEXT];    /* of the number of hits: "> 4", "% 3"; or "" */
     bool met;                 /* where the program stands */
     uint64_t address;
-    const char *file; /* STOP_LINE; STOP_AT, if it is known */
+    const char *file; /* BREAK_LINE; BREAK_AT, if it is known */
     size_t line;
     const c205_insn *insn;
     const char *region;
@@ -76,8 +76,8 @@ struct debugger {
     c205_stop halt;
     uint64_t asked; /* the clock at which it was asked last whether to stop */
     bool searching; /* it is run again to find a stop: hits do not count */
-    size_t stop_count, stop_number;
-    struct stop_point *stops;
+    size_t breakpoint_count, breakpoint_number;
+    struct breakpoint *breakpoints;
     char again[MAX_TEXT]; /* the last movement */
     size_t faults;
 };
@@ -163,10 +163,10 @@ bool debug_jump(struct debugger *debugger, uint64_t address);
 /* What a stop point is at, and its text, with the position if that is not the one in the text.
  * LABEL, LABEL + EXPRESSION, LINE, FILE:LINE, *EXPRESSION, insn NAME, region NAME. */
 bool place_read(struct debugger *debugger, struct text_cursor *cursor,
-                struct stop_point *stop);
+                struct breakpoint *stop);
 /* The same of a source line, or the next that has code. */
 bool place_line(struct debugger *debugger, const char *file, size_t number,
-                struct stop_point *stop);
+                struct breakpoint *stop);
 /* One address; one at which an instruction of the program begins. */
 bool place_address(struct debugger *debugger, struct text_cursor *cursor,
                    uint64_t *address);
@@ -186,24 +186,25 @@ uint64_t place_before(const struct debugger *debugger, uint64_t address);
 /* ---- Stops (stops.c) -------------------------------------------------------- */
 
 /* ADDRESS [, WORDS], to be watched. */
-bool stops_watch(struct debugger *debugger, struct text_cursor *cursor,
-                 struct stop_point *stop);
+bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
+                       struct breakpoint *stop);
 /* All of a text; "" or NULL: none. */
-bool stops_condition(struct debugger *debugger, struct stop_point *stop,
-                     const char *text);
+bool breakpoints_condition(struct debugger *debugger, struct breakpoint *stop,
+                           const char *text);
 /* An operator and its operand, or a number: the count from which it stops. */
-bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char *text);
+bool breakpoints_wanted(struct debugger *debugger, struct breakpoint *stop,
+                        const char *text);
 /* It has its number then.  False: no memory. */
-bool stops_add(struct debugger *debugger, struct stop_point *stop);
+bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop);
 /* The stop with a number; false: there is none.  All of a group. */
-bool stops_delete(struct debugger *debugger, uint64_t number);
-void stops_forget(struct debugger *debugger, size_t group);
+bool breakpoints_delete(struct debugger *debugger, uint64_t number);
+void breakpoints_forget(struct debugger *debugger, size_t group);
 
 /* Whether the last instruction, or where the program stands, has come to some of them; these
  * are marked.  before: the address of that instruction. */
-bool stops_meet(struct debugger *debugger, uint64_t before);
+bool breakpoints_meet(struct debugger *debugger, uint64_t before);
 /* What is watched is as it is now. */
-void stops_sample(struct debugger *debugger);
+void breakpoints_sample(struct debugger *debugger);
 /* ---- What is shown ----------------------------------------------------------- */
 
 /* A word, or a half word at the left of one, in all that it may mean. */

@@ -23,7 +23,7 @@ static enum execution_end forward(struct debugger *debugger)
     debugger->halted = !c205_history_forward(debugger->history, &debugger->halt);
     if (debugger->halted)
         return EXECUTION_HALTED;
-    return stops_meet(debugger, before) ? EXECUTION_AT_STOP : EXECUTION_COMPLETE;
+    return breakpoints_meet(debugger, before) ? EXECUTION_AT_STOP : EXECUTION_COMPLETE;
 }
 
 /* Asked seldom: it may be a question to the system.  Vector instructions are long. */
@@ -68,7 +68,7 @@ static enum execution_end advance(struct debugger *debugger, struct aim aim)
     uint64_t begun = clock_of(debugger);
     enum execution_end ended = EXECUTION_COMPLETE;
 
-    stops_sample(debugger);
+    breakpoints_sample(debugger);
     for (uint64_t i = 1; i <= aim.count && ended == EXECUTION_COMPLETE; i++) {
         ended = forward(debugger);
         if (ended == EXECUTION_COMPLETE && is_reached(debugger, &aim))
@@ -191,7 +191,7 @@ static bool go_back(struct debugger *debugger, uint64_t step)
     }
     if (!c205_history_back(debugger->history, step, &error))
         return debug_fault(debugger, "%s", error.message);
-    stops_sample(debugger);
+    breakpoints_sample(debugger);
     return true;
 }
 
@@ -228,7 +228,7 @@ static enum execution_end find_last(struct debugger *debugger,
         ended = forward(debugger);
         if (ended == EXECUTION_AT_STOP) {
             search->found = step_of(debugger);
-            stops_sample(debugger);
+            breakpoints_sample(debugger);
         }
         if (is_interrupted(debugger))
             return EXECUTION_INTERRUPTED;
@@ -312,7 +312,7 @@ static enum execution_end go_on_to(struct debugger *debugger, uint64_t step,
         else if (is_short_of(debugger, step, clock))
             ended = look_up(debugger, begun);
     }
-    stops_sample(debugger);
+    breakpoints_sample(debugger);
     return ended;
 }
 
@@ -333,7 +333,7 @@ enum execution_end execution_run(struct debugger *debugger)
 {
     if (!go_back(debugger, 0))
         return EXECUTION_FAILED;
-    stops_sample(debugger);
-    return stops_meet(debugger, 0) ? EXECUTION_AT_STOP
-                                   : execution_steps(debugger, UINT64_MAX);
+    breakpoints_sample(debugger);
+    return breakpoints_meet(debugger, 0) ? EXECUTION_AT_STOP
+                                         : execution_steps(debugger, UINT64_MAX);
 }

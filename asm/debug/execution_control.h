@@ -10,7 +10,7 @@
 
 #include "asm/debug/debugger.h"
 
-/* How one ended.  Of stops that were met stops_pass is still to be told. */
+/* How one ended.  Of stops that were met breakpoints_pass is still to be told. */
 enum execution_end {
     EXECUTION_COMPLETE, /* as far as it was to go */
     EXECUTION_AT_STOP,
@@ -23,7 +23,7 @@ enum execution_end {
 
 /* Those that were met have been, and what is once is over.  With a word of each, or
  * without. */
-void stops_pass(struct debugger *debugger, bool reported);
+void breakpoints_pass(struct debugger *debugger, bool reported);
 
 enum execution_end execution_steps(struct debugger *debugger, uint64_t count);
 /* One instruction, a call and all that it does being one. */

@@ -42,13 +42,13 @@ static bool info_registers(struct debugger *debugger)
 
 static bool info_breaks(struct debugger *debugger)
 {
-    if (debugger->stop_count == 0)
+    if (debugger->breakpoint_count == 0)
         sink_put(&debugger->out, "there are none\n");
-    for (size_t i = 0; i < debugger->stop_count; i++) {
-        const struct stop_point *stop = &debugger->stops[i];
+    for (size_t i = 0; i < debugger->breakpoint_count; i++) {
+        const struct breakpoint *stop = &debugger->breakpoints[i];
 
         sink_print(&debugger->out, "%zu %s %s%s%s%s, met %" PRIu64 " time%s\n",
-                   stop->number, stop->kind == STOP_WATCH ? "watch" : "break",
+                   stop->number, stop->kind == BREAK_WATCH ? "watch" : "break",
                    stop->text, *stop->condition ? " if " : "", stop->condition,
                    stop->once ? ", once" : "", stop->hits, plural(stop->hits));
     }

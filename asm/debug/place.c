@@ -271,11 +271,11 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address)
 
 /* What is behind a LINKV is at the LINKV. */
 static void be_at(const struct debugger *debugger, uint64_t address,
-                  struct stop_point *stop)
+                  struct breakpoint *stop)
 {
     const struct asm_line *line;
 
-    stop->kind = STOP_AT;
+    stop->kind = BREAK_ADDRESS;
     stop->address = place_of(debugger, address);
     line = object_line(debugger->setup.object, stop->address);
     stop->file = line ? line->file : NULL;
@@ -283,18 +283,18 @@ static void be_at(const struct debugger *debugger, uint64_t address,
 }
 
 static void be_at_line(const struct debugger *debugger, const struct line_place *found,
-                       struct stop_point *stop)
+                       struct breakpoint *stop)
 {
     be_at(debugger, found->address, stop);
     if (stop->address != found->address)
         return;
-    stop->kind = STOP_LINE;
+    stop->kind = BREAK_LINE;
     stop->file = found->file;
     stop->line = found->number;
 }
 
 bool place_line(struct debugger *debugger, const char *file, size_t number,
-                struct stop_point *stop)
+                struct breakpoint *stop)
 {
     struct line_place found;
 
@@ -315,7 +315,7 @@ bool place_code(struct debugger *debugger, struct text_cursor *cursor,
 
 /* *moved: it is at another line or instruction than was asked for. */
 static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
-                         struct stop_point *stop, bool *ended)
+                         struct breakpoint *stop, bool *ended)
 {
     struct line_place found = { .file = NULL };
     uint64_t address;
@@ -336,28 +336,28 @@ static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
 }
 
 static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
-                       struct stop_point *stop, bool *ended)
+                       struct breakpoint *stop, bool *ended)
 {
     char name[MAX_TEXT];
 
     if (text_cursor_take(cursor, "insn")) {
         size_t length = take_name(cursor, name);
 
-        stop->kind = STOP_INSN;
+        stop->kind = BREAK_INSN;
         stop->insn = c205_insn_named(name, length);
         return stop->insn
                || debug_fault(debugger, "no instruction is called '%.60s'", name);
     }
     if (text_cursor_take(cursor, "region")) {
         take_name(cursor, name);
-        stop->kind = STOP_ENTRY;
+        stop->kind = BREAK_ENTRY;
         return is_region(debugger, name, &stop->region)
                || debug_fault(debugger, "no region is called '%.60s'", name);
     }
     return read_address(debugger, cursor, stop, ended);
 }
 
-static void add_position(struct stop_point *stop)
+static void add_position(struct breakpoint *stop)
 {
     size_t length = strlen(stop->text);
 
@@ -370,7 +370,7 @@ static void add_position(struct stop_point *stop)
 }
 
 bool place_read(struct debugger *debugger, struct text_cursor *cursor,
-                struct stop_point *stop)
+                struct breakpoint *stop)
 {
     const char *from;
     bool ended = false;

@@ -16,7 +16,7 @@ static bool keep_change(struct debugger *debugger)
     debugger->halted = false;
     if (debugger->reported > step_of(debugger))
         debugger->reported = step_of(debugger);
-    stops_sample(debugger);
+    breakpoints_sample(debugger);
     return c205_history_changed(debugger->history, &error)
            || debug_fault(debugger, "%s", error.message);
 }

@@ -9,7 +9,7 @@ static bool arrive(struct debugger *debugger, enum execution_end ended)
         return false;
     line_tracker_close(&debugger->printed);
     if (ended == EXECUTION_AT_STOP)
-        stops_pass(debugger, true);
+        breakpoints_pass(debugger, true);
     else if (ended == EXECUTION_AT_START)
         sink_put(&debugger->out, "this is the beginning\n");
     else if (ended == EXECUTION_INTERRUPTED)
@@ -52,7 +52,7 @@ bool verb_continue(struct debugger *debugger, struct text_cursor *cursor)
         if (ended != EXECUTION_AT_STOP)
             break;
         if (count > 1)
-            stops_pass(debugger, false);
+            breakpoints_pass(debugger, false);
     }
     return arrive(debugger, ended);
 }

@@ -39,10 +39,11 @@ static bool is_instruction(const struct object *object, uint64_t address)
 static void check_line(struct debug_session *session, const char *line, bool good,
                        const char *said)
 {
-    size_t stops = session->debugger->stop_count;
+    size_t stops = session->debugger->breakpoint_count;
 
     session_obey(session, line);
-    if (session->debugger->stop_count != stops + good || !session_says(session, said))
+    if (session->debugger->breakpoint_count != stops + good
+        || !session_says(session, said))
         fail_msg("%s: %s", line, session->said.text);
     session_obey(session, "delete");
 }

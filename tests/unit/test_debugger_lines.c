@@ -137,7 +137,7 @@ TEST(faults)
     session_check(&session, lines, LINES);
     assert_int_equal(debugger_faults(session.debugger), LINES);
     assert_int_equal(c205_history_step(session.debugger->history), 0);
-    assert_int_equal(session.debugger->stop_count, 0);
+    assert_int_equal(session.debugger->breakpoint_count, 0);
     assert_false(debugger_obey(session.debugger, "quit"));
     session_end(&session);
 }

@@ -103,7 +103,7 @@ static bool arrive(struct engine *engine, enum execution_end ended, struct json 
     json_text(reply, "why", why(engine, ended));
     put_place(engine, reply);
     if (ended == EXECUTION_AT_STOP)
-        stops_pass(engine->debugger, true);
+        breakpoints_pass(engine->debugger, true);
     else if (ended == EXECUTION_HALTED)
         show_halt(engine->debugger);
     return put_said(engine, reply, "message", error);

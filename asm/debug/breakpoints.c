@@ -1,4 +1,4 @@
-/* stops.c - break and watch points: whether they are met; made and forgotten. */
+/* breakpoints.c - break and watch points: whether they are met; made and forgotten. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 
 /* ---- Are they met? -------------------------------------------------------- */
 
-static bool is_insn(const struct debugger *debugger, const struct stop_point *stop)
+static bool is_insn(const struct debugger *debugger, const struct breakpoint *stop)
 {
     struct instruction_view view;
 
@@ -19,7 +19,7 @@ static bool is_insn(const struct debugger *debugger, const struct stop_point *st
     return view.insn == stop->insn;
 }
 
-static bool is_changed(const struct debugger *debugger, const struct stop_point *stop)
+static bool is_changed(const struct debugger *debugger, const struct breakpoint *stop)
 {
     c205_word now[WATCHED_WORDS];
 
@@ -27,7 +27,7 @@ static bool is_changed(const struct debugger *debugger, const struct stop_point 
            && memcmp(now, stop->held, stop->count * sizeof *now) != 0;
 }
 
-static bool is_entered(const struct debugger *debugger, const struct stop_point *stop,
+static bool is_entered(const struct debugger *debugger, const struct breakpoint *stop,
                        uint64_t before)
 {
     const struct object *object = debugger->setup.object;
@@ -37,22 +37,22 @@ static bool is_entered(const struct debugger *debugger, const struct stop_point 
            && strcmp(object_region(object, before), stop->region) != 0;
 }
 
-static bool is_there(const struct debugger *debugger, const struct stop_point *stop,
+static bool is_there(const struct debugger *debugger, const struct breakpoint *stop,
                      uint64_t before)
 {
     switch (stop->kind) {
-    case STOP_AT: return c205_pc(machine_of(debugger)) == stop->address;
-    case STOP_LINE:
+    case BREAK_ADDRESS: return c205_pc(machine_of(debugger)) == stop->address;
+    case BREAK_LINE:
         return place_begins(debugger, stop->file, stop->line,
                             c205_pc(machine_of(debugger)));
-    case STOP_INSN: return is_insn(debugger, stop);
-    case STOP_ENTRY: return is_entered(debugger, stop, before);
+    case BREAK_INSN: return is_insn(debugger, stop);
+    case BREAK_ENTRY: return is_entered(debugger, stop, before);
     default: return is_changed(debugger, stop);
     }
 }
 
 /* One that cannot be told holds: it is shown where it fails. */
-static bool holds(struct debugger *debugger, const struct stop_point *stop)
+static bool holds(struct debugger *debugger, const struct breakpoint *stop)
 {
     struct text_cursor cursor = { stop->condition };
     struct value_of value;
@@ -71,7 +71,7 @@ static void wanted_text(char text[WANTED_TEXT], const char *wanted, uint64_t hit
              *wanted == '%' ? " == 0" : "");
 }
 
-static bool has_hits(struct debugger *debugger, const struct stop_point *stop)
+static bool has_hits(struct debugger *debugger, const struct breakpoint *stop)
 {
     char text[WANTED_TEXT];
     struct text_cursor cursor = { text };
@@ -83,24 +83,24 @@ static bool has_hits(struct debugger *debugger, const struct stop_point *stop)
     return !debug_value(debugger, &cursor, &value) || debug_is_true(&value);
 }
 
-static void sample(const struct debugger *debugger, struct stop_point *stop)
+static void sample(const struct debugger *debugger, struct breakpoint *stop)
 {
-    if (stop->kind == STOP_WATCH)
+    if (stop->kind == BREAK_WATCH)
         c205_read(machine_of(debugger), stop->address, stop->held, stop->count);
 }
 
-void stops_sample(struct debugger *debugger)
+void breakpoints_sample(struct debugger *debugger)
 {
-    for (size_t i = 0; i < debugger->stop_count; i++)
-        sample(debugger, &debugger->stops[i]);
+    for (size_t i = 0; i < debugger->breakpoint_count; i++)
+        sample(debugger, &debugger->breakpoints[i]);
 }
 
-bool stops_meet(struct debugger *debugger, uint64_t before)
+bool breakpoints_meet(struct debugger *debugger, uint64_t before)
 {
     bool any = false;
 
-    for (size_t i = 0; i < debugger->stop_count; i++) {
-        struct stop_point *stop = &debugger->stops[i];
+    for (size_t i = 0; i < debugger->breakpoint_count; i++) {
+        struct breakpoint *stop = &debugger->breakpoints[i];
         bool there = is_there(debugger, stop, before);
 
         stop->met = there && holds(debugger, stop);
@@ -116,7 +116,7 @@ bool stops_meet(struct debugger *debugger, uint64_t before)
 
 /* ---- What is told --------------------------------------------------------- */
 
-static void print_change(struct debugger *debugger, const struct stop_point *stop)
+static void print_change(struct debugger *debugger, const struct breakpoint *stop)
 {
     c205_word now[WATCHED_WORDS];
     char old_text[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
@@ -134,25 +134,25 @@ static void print_change(struct debugger *debugger, const struct stop_point *sto
 
 static void forget(struct debugger *debugger, size_t i)
 {
-    memmove(&debugger->stops[i], &debugger->stops[i + 1],
-            (debugger->stop_count - i - 1) * sizeof *debugger->stops);
-    debugger->stop_count--;
+    memmove(&debugger->breakpoints[i], &debugger->breakpoints[i + 1],
+            (debugger->breakpoint_count - i - 1) * sizeof *debugger->breakpoints);
+    debugger->breakpoint_count--;
 }
 
-static void print_stop(struct debugger *debugger, const struct stop_point *stop)
+static void print_stop(struct debugger *debugger, const struct breakpoint *stop)
 {
-    if (stop->kind == STOP_WATCH)
+    if (stop->kind == BREAK_WATCH)
         print_change(debugger, stop);
     else
         sink_print(&debugger->out, "break %zu: %s\n", stop->number, stop->text);
 }
 
-void stops_pass(struct debugger *debugger, bool reported)
+void breakpoints_pass(struct debugger *debugger, bool reported)
 {
     size_t i = 0;
 
-    while (i < debugger->stop_count) {
-        struct stop_point *stop = &debugger->stops[i];
+    while (i < debugger->breakpoint_count) {
+        struct breakpoint *stop = &debugger->breakpoints[i];
 
         if (stop->met && reported)
             print_stop(debugger, stop);
@@ -188,14 +188,15 @@ static bool is_condition(struct debugger *debugger, const char *text)
     return debug_grammar(debugger, &cursor) && text_cursor_finish(debugger, &cursor);
 }
 
-bool stops_condition(struct debugger *debugger, struct stop_point *stop,
-                     const char *text)
+bool breakpoints_condition(struct debugger *debugger, struct breakpoint *stop,
+                           const char *text)
 {
     return read_text(debugger, stop->condition, text ? text : "")
            && (!*stop->condition || is_condition(debugger, stop->condition));
 }
 
-bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char *text)
+bool breakpoints_wanted(struct debugger *debugger, struct breakpoint *stop,
+                        const char *text)
 {
     char whole[WANTED_TEXT];
 
@@ -205,13 +206,13 @@ bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char
     return !*stop->wanted || is_condition(debugger, whole);
 }
 
-bool stops_watch(struct debugger *debugger, struct text_cursor *cursor,
-                 struct stop_point *stop)
+bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
+                       struct breakpoint *stop)
 {
     uint64_t count = 1;
     const char *from;
 
-    stop->kind = STOP_WATCH;
+    stop->kind = BREAK_WATCH;
     text_cursor_skip(cursor);
     from = cursor->at;
     if (*cursor->at == '*')
@@ -232,36 +233,36 @@ bool stops_watch(struct debugger *debugger, struct text_cursor *cursor,
            || debug_fault(debugger, "there are no words at %" PRIX64, stop->address);
 }
 
-bool stops_add(struct debugger *debugger, struct stop_point *stop)
+bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop)
 {
-    struct stop_point *grown = array_grow(debugger->stops, debugger->stop_count,
-                                          sizeof *grown);
+    struct breakpoint *grown = array_grow(debugger->breakpoints,
+                                          debugger->breakpoint_count, sizeof *grown);
 
     if (!grown)
         return debug_fault(debugger, "no memory");
-    stop->number = ++debugger->stop_number;
+    stop->number = ++debugger->breakpoint_number;
     sample(debugger, stop);
-    debugger->stops = grown;
-    grown[debugger->stop_count++] = *stop;
+    debugger->breakpoints = grown;
+    grown[debugger->breakpoint_count++] = *stop;
     return true;
 }
 
-bool stops_delete(struct debugger *debugger, uint64_t number)
+bool breakpoints_delete(struct debugger *debugger, uint64_t number)
 {
     size_t i = 0;
 
-    while (i < debugger->stop_count && debugger->stops[i].number != number)
+    while (i < debugger->breakpoint_count && debugger->breakpoints[i].number != number)
         i++;
-    if (i == debugger->stop_count)
+    if (i == debugger->breakpoint_count)
         return false;
     forget(debugger, i);
     return true;
 }
 
-void stops_forget(struct debugger *debugger, size_t group)
+void breakpoints_forget(struct debugger *debugger, size_t group)
 {
-    for (size_t i = debugger->stop_count; i-- > 0;)
-        if (debugger->stops[i].group == group)
+    for (size_t i = debugger->breakpoint_count; i-- > 0;)
+        if (debugger->breakpoints[i].group == group)
             forget(debugger, i);
 }
 
@@ -272,9 +273,9 @@ enum { GROUP_LINES = 1 };
 bool debugger_break_line(struct debugger *debugger, const char *file, size_t number,
                          size_t *line)
 {
-    struct stop_point stop = { .group = GROUP_LINES };
+    struct breakpoint stop = { .group = GROUP_LINES };
 
-    if (!place_line(debugger, file, number, &stop) || !stops_add(debugger, &stop))
+    if (!place_line(debugger, file, number, &stop) || !breakpoints_add(debugger, &stop))
         return false;
     *line = stop.line;
     return true;
@@ -282,5 +283,5 @@ bool debugger_break_line(struct debugger *debugger, const char *file, size_t num
 
 void debugger_forget_lines(struct debugger *debugger)
 {
-    stops_forget(debugger, GROUP_LINES);
+    breakpoints_forget(debugger, GROUP_LINES);
 }

@@ -1,31 +1,31 @@
-/* breaks.c - the verbs that make and delete stops. */
+/* break_verbs.c - the verbs that make and delete stops. */
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
 
 /* "if CONDITION", or nothing. */
 static bool add(struct debugger *debugger, struct text_cursor *cursor,
-                struct stop_point *stop)
+                struct breakpoint *stop)
 {
     if (text_cursor_take(cursor, "if")) {
         if (text_cursor_end(cursor))
             return debug_grammar(debugger, cursor);
-        if (!stops_condition(debugger, stop, cursor->at))
+        if (!breakpoints_condition(debugger, stop, cursor->at))
             return false;
     } else if (!text_cursor_finish(debugger, cursor)) {
         return false;
     }
-    if (!stops_add(debugger, stop))
+    if (!breakpoints_add(debugger, stop))
         return false;
     sink_print(&debugger->out, "%s %zu: %s%s%s\n",
-               stop->kind == STOP_WATCH ? "watch" : "break", stop->number, stop->text,
+               stop->kind == BREAK_WATCH ? "watch" : "break", stop->number, stop->text,
                *stop->condition ? " if " : "", stop->condition);
     return true;
 }
 
 static bool make_break(struct debugger *debugger, struct text_cursor *cursor, bool once)
 {
-    struct stop_point stop = { .once = once };
+    struct breakpoint stop = { .once = once };
 
     return place_read(debugger, cursor, &stop) && add(debugger, cursor, &stop);
 }
@@ -43,9 +43,9 @@ bool verb_tbreak(struct debugger *debugger, struct text_cursor *cursor)
 /* watch ADDRESS [, WORDS] [if CONDITION] */
 bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
 {
-    struct stop_point stop = { .number = 0 };
+    struct breakpoint stop = { .number = 0 };
 
-    return stops_watch(debugger, cursor, &stop) && add(debugger, cursor, &stop);
+    return breakpoints_watch(debugger, cursor, &stop) && add(debugger, cursor, &stop);
 }
 
 /* One, or all. */
@@ -54,12 +54,12 @@ bool verb_delete(struct debugger *debugger, struct text_cursor *cursor)
     uint64_t number;
 
     if (text_cursor_end(cursor)) {
-        debugger->stop_count = 0;
+        debugger->breakpoint_count = 0;
         return true;
     }
     if (!debug_count(debugger, cursor, &number)
         || !text_cursor_finish(debugger, cursor))
         return false;
-    return stops_delete(debugger, number)
+    return breakpoints_delete(debugger, number)
            || debug_fault(debugger, "there is no stop %" PRIu64, number);
 }
