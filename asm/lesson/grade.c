@@ -30,7 +30,7 @@ struct sitting {
     c205_model *model;
     c205 *data, *machine; /* the test's memory, and the answer's */
     struct line_profile *profile;
-    struct lesson_exchange exchange;
+    struct lesson_test_data test_data;
     struct printer printer;
     struct text_buffer printed;
 };
@@ -274,7 +274,7 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
     trial->clocks = c205_clock(sitting->machine);
     if (!check_stop(sitting, stop))
         return;
-    trial->right = exchange_end(&sitting->exchange);
+    trial->right = test_data_end(&sitting->test_data);
     trial->right = check_expected(sitting, stop) && trial->right;
     trial->passed = trial->right;
     if (!trial->right || !trial->test->has_goals)
@@ -303,7 +303,7 @@ static bool run(struct sitting *sitting)
 
 static bool sit(struct sitting *sitting)
 {
-    struct lesson_exchange *exchange = &sitting->exchange;
+    struct lesson_test_data *test_data = &sitting->test_data;
     c205_error why;
 
     sitting->printer.sink = text_buffer_sink(&sitting->printed);
@@ -318,15 +318,15 @@ static bool sit(struct sitting *sitting)
     }
     if (!load_answer(sitting))
         return false;
-    *exchange = (struct lesson_exchange){ .test = sitting->test,
-                                          .answer = sitting->answer,
-                                          .data = sitting->data,
-                                          .machine = sitting->machine,
-                                          .notes = sitting->trial->test,
-                                          .report = &sitting->trial->report,
-                                          .general = sitting->general,
-                                          .kept = sitting->kept };
-    return !exchange_begin(exchange) || run(sitting);
+    *test_data = (struct lesson_test_data){ .test = sitting->test,
+                                            .answer = sitting->answer,
+                                            .data = sitting->data,
+                                            .machine = sitting->machine,
+                                            .notes = sitting->trial->test,
+                                            .report = &sitting->trial->report,
+                                            .general = sitting->general,
+                                            .kept = sitting->kept };
+    return !test_data_begin(test_data) || run(sitting);
 }
 
 static void leave(struct sitting *sitting)

@@ -23,23 +23,24 @@ const char *lesson_source(const char *line);
 /* ---- test_data.c: data between a test and an answer ------------------------- */
 
 /* A label of both. */
-struct test_data {
+struct test_item {
     const char *label; /* of the answer */
     enum asm_contents contents;
     size_t count;
-    uint64_t here, there; /* where it begins, in the test and in the answer */
+    uint64_t expected_at,
+        actual_at; /* where it begins, in the test and in the answer */
     const struct lesson_tolerance *tolerance; /* NULL: the same words */
     /* What is wanted, and what the answer has there before the run and behind it, an element
      * at the left of each word; inputs have none. */
-    c205_word *wanted, *before, *found;
+    c205_word *expected, *initial, *actual;
 };
 
-struct lesson_exchange {
+struct lesson_test_data {
     const struct object *test, *answer;
     const c205 *data; /* the test's, loaded */
     c205 *machine;    /* the answer's, loaded */
     size_t count;
-    struct test_data *items;
+    struct test_item *items;
     const struct lesson_test *notes;
     struct lesson_report *report, *general; /* of this test; of all */
     struct arena *kept;
@@ -47,14 +48,14 @@ struct lesson_exchange {
 
 /* Lists what is wanted and puts the data.  False: labels are missing, too small or of another
  * kind; each is told. */
-bool exchange_begin(struct lesson_exchange *exchange);
+bool test_data_begin(struct lesson_test_data *test_data);
 /* Behind the run.  False: something is wrong; it is told. */
-bool exchange_end(struct lesson_exchange *exchange);
+bool test_data_end(struct lesson_test_data *test_data);
 
 /* ---- In words -------------------------------------------------------------- */
 
 /* mismatch.c: false, and told, if what was found is not what was wanted. */
-bool mismatch_report(const struct test_data *exchanged, struct lesson_report *report);
+bool mismatch_report(const struct test_item *item, struct lesson_report *report);
 
 /* performance_hint.c: why it takes more clocks than the next goal. */
 void performance_hint_report(const struct lesson_trial *trial, const c205 *machine,

@@ -8,9 +8,9 @@
 
 /* ---- Elements -------------------------------------------------------------- */
 
-static double number_of(const struct test_data *exchanged, c205_word element)
+static double number_of(const struct test_item *item, c205_word element)
 {
-    switch (exchanged->contents) {
+    switch (item->contents) {
     case ASM_WORDS: return c205_to_double(element);
     case ASM_HALF_WORDS: return c205_half_to_double(element);
     case ASM_BYTES: return (double)(element >> 56);
@@ -18,99 +18,96 @@ static double number_of(const struct test_data *exchanged, c205_word element)
     }
 }
 
-static bool is_same(const struct test_data *exchanged, c205_word wanted,
-                    c205_word found)
+static bool is_same(const struct test_item *item, c205_word expected, c205_word actual)
 {
-    return wanted == found
-           || (exchanged->tolerance
-               && fabs(number_of(exchanged, found) - number_of(exchanged, wanted))
-                      <= exchanged->tolerance->most);
+    return expected == actual
+           || (item->tolerance
+               && fabs(number_of(item, actual) - number_of(item, expected))
+                      <= item->tolerance->most);
 }
 
-static bool is_right(const struct test_data *exchanged, size_t i)
+static bool is_right(const struct test_item *item, size_t i)
 {
-    return is_same(exchanged, exchanged->wanted[i], exchanged->found[i]);
+    return is_same(item, item->expected[i], item->actual[i]);
 }
 
 /* ---- What they look like --------------------------------------------------- */
 
 /* Of a result of which something is wrong: an element, or all of it. */
-typedef bool of_element(const struct test_data *exchanged, size_t i);
-typedef bool of_result(const struct test_data *exchanged);
+typedef bool of_element(const struct test_item *item, size_t i);
+typedef bool of_result(const struct test_item *item);
 
-static bool all(const struct test_data *exchanged, of_element *is)
+static bool all(const struct test_item *item, of_element *is)
 {
     size_t i = 0;
 
-    while (i < exchanged->count && is(exchanged, i))
+    while (i < item->count && is(item, i))
         i++;
-    return i == exchanged->count;
+    return i == item->count;
 }
 
-static bool is_untouched(const struct test_data *exchanged, size_t i)
+static bool is_untouched(const struct test_item *item, size_t i)
 {
-    return exchanged->found[i] == exchanged->before[i];
+    return item->actual[i] == item->initial[i];
 }
 
-static bool is_zero(const struct test_data *exchanged, size_t i)
+static bool is_zero(const struct test_item *item, size_t i)
 {
-    return number_of(exchanged, exchanged->found[i]) == 0;
+    return number_of(item, item->actual[i]) == 0;
 }
 
-static bool is_equal(const struct test_data *exchanged, size_t i)
+static bool is_equal(const struct test_item *item, size_t i)
 {
-    return is_right(exchanged, i)
-           || number_of(exchanged, exchanged->found[i])
-                  == number_of(exchanged, exchanged->wanted[i]);
+    return is_right(item, i)
+           || number_of(item, item->actual[i]) == number_of(item, item->expected[i]);
 }
 
-static bool is_late(const struct test_data *exchanged, size_t i)
+static bool is_late(const struct test_item *item, size_t i)
 {
-    return i == 0 || is_same(exchanged, exchanged->wanted[i - 1], exchanged->found[i]);
+    return i == 0 || is_same(item, item->expected[i - 1], item->actual[i]);
 }
 
-static bool is_early(const struct test_data *exchanged, size_t i)
+static bool is_early(const struct test_item *item, size_t i)
 {
-    return i + 1 == exchanged->count
-           || is_same(exchanged, exchanged->wanted[i + 1], exchanged->found[i]);
+    return i + 1 == item->count
+           || is_same(item, item->expected[i + 1], item->actual[i]);
 }
 
-static bool is_first(const struct test_data *exchanged, size_t i)
+static bool is_first(const struct test_item *item, size_t i)
 {
-    return exchanged->wanted[i] == exchanged->wanted[0];
+    return item->expected[i] == item->expected[0];
 }
 
 /* What so few bits look like is chance. */
-static bool is_chance(const struct test_data *exchanged)
+static bool is_chance(const struct test_item *item)
 {
-    return exchanged->contents == ASM_BITS && exchanged->count < 16;
+    return item->contents == ASM_BITS && item->count < 16;
 }
 
 /* Elements that are all the same, or one or two, stand nowhere too early. */
-static bool have_places(const struct test_data *exchanged)
+static bool have_places(const struct test_item *item)
 {
-    return exchanged->count > 2 && !is_chance(exchanged) && !all(exchanged, is_first);
+    return item->count > 2 && !is_chance(item) && !all(item, is_first);
 }
 
-static bool too_late(const struct test_data *exchanged)
+static bool too_late(const struct test_item *item)
 {
-    return have_places(exchanged) && all(exchanged, is_late);
+    return have_places(item) && all(item, is_late);
 }
 
-static bool too_early(const struct test_data *exchanged)
+static bool too_early(const struct test_item *item)
 {
-    return have_places(exchanged) && all(exchanged, is_early);
+    return have_places(item) && all(item, is_early);
 }
 
-static bool is_backwards(const struct test_data *exchanged, size_t i)
+static bool is_backwards(const struct test_item *item, size_t i)
 {
-    return is_same(exchanged, exchanged->wanted[exchanged->count - 1 - i],
-                   exchanged->found[i]);
+    return is_same(item, item->expected[item->count - 1 - i], item->actual[i]);
 }
 
-static bool backwards(const struct test_data *exchanged)
+static bool backwards(const struct test_item *item)
 {
-    return !is_chance(exchanged) && all(exchanged, is_backwards);
+    return !is_chance(item) && all(item, is_backwards);
 }
 
 static int compare_words(const void *a, const void *b)
@@ -121,65 +118,64 @@ static int compare_words(const void *a, const void *b)
 }
 
 /* The same elements, each as often; of bits that says little. */
-static bool other_order(const struct test_data *exchanged)
+static bool other_order(const struct test_item *item)
 {
-    size_t size = exchanged->count * sizeof(c205_word);
-    c205_word *wanted = malloc(size), *found = malloc(size);
-    bool same = wanted && found && exchanged->contents != ASM_BITS;
+    size_t size = item->count * sizeof(c205_word);
+    c205_word *expected = malloc(size), *actual = malloc(size);
+    bool same = expected && actual && item->contents != ASM_BITS;
 
     if (same) {
-        memcpy(wanted, exchanged->wanted, size);
-        memcpy(found, exchanged->found, size);
-        qsort(wanted, exchanged->count, sizeof *wanted, compare_words);
-        qsort(found, exchanged->count, sizeof *found, compare_words);
-        same = memcmp(wanted, found, size) == 0;
+        memcpy(expected, item->expected, size);
+        memcpy(actual, item->actual, size);
+        qsort(expected, item->count, sizeof *expected, compare_words);
+        qsort(actual, item->count, sizeof *actual, compare_words);
+        same = memcmp(expected, actual, size) == 0;
     }
-    free(wanted);
-    free(found);
+    free(expected);
+    free(actual);
     return same;
 }
 
-static bool is_above(const struct test_data *exchanged, size_t i)
+static bool is_above(const struct test_item *item, size_t i)
 {
     return i == 0
-           || number_of(exchanged, exchanged->wanted[i - 1])
-                  <= number_of(exchanged, exchanged->wanted[i]);
+           || number_of(item, item->expected[i - 1])
+                  <= number_of(item, item->expected[i]);
 }
 
-static bool unsorted(const struct test_data *exchanged)
+static bool unsorted(const struct test_item *item)
 {
-    return all(exchanged, is_above) && other_order(exchanged);
+    return all(item, is_above) && other_order(item);
 }
 
-static bool has_other_sign(const struct test_data *exchanged, size_t i)
+static bool has_other_sign(const struct test_item *item, size_t i)
 {
-    return number_of(exchanged, exchanged->found[i])
-           == -number_of(exchanged, exchanged->wanted[i]);
+    return number_of(item, item->actual[i]) == -number_of(item, item->expected[i]);
 }
 
-static bool is_other_bit(const struct test_data *exchanged, size_t i)
+static bool is_other_bit(const struct test_item *item, size_t i)
 {
-    return exchanged->contents == ASM_BITS && exchanged->count > 1
-           && exchanged->found[i] != exchanged->wanted[i];
+    return item->contents == ASM_BITS && item->count > 1
+           && item->actual[i] != item->expected[i];
 }
 
-static bool is_little_off(const struct test_data *exchanged, size_t i)
+static bool is_little_off(const struct test_item *item, size_t i)
 {
-    double little = exchanged->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
-    double wanted = number_of(exchanged, exchanged->wanted[i]);
-    double found = number_of(exchanged, exchanged->found[i]);
+    double little = item->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
+    double expected = number_of(item, item->expected[i]);
+    double actual = number_of(item, item->actual[i]);
 
-    return is_right(exchanged, i) || fabs(found - wanted) <= little * fabs(wanted);
+    return is_right(item, i) || fabs(actual - expected) <= little * fabs(expected);
 }
 
-static bool is_indefinite(const struct test_data *exchanged, size_t i)
+static bool is_indefinite(const struct test_item *item, size_t i)
 {
-    return is_right(exchanged, i) || isnan(number_of(exchanged, exchanged->found[i]));
+    return is_right(item, i) || isnan(number_of(item, item->actual[i]));
 }
 
-static bool is_normalised(const struct test_data *exchanged, c205_word element)
+static bool is_normalised(const struct test_item *item, c205_word element)
 {
-    switch (exchanged->contents) {
+    switch (item->contents) {
     case ASM_WORDS: return c205_from_double(c205_to_double(element)) == element;
     case ASM_HALF_WORDS:
         return c205_half_from_double(c205_half_to_double(element)) == element;
@@ -187,29 +183,29 @@ static bool is_normalised(const struct test_data *exchanged, c205_word element)
     }
 }
 
-static bool keeps_bits(const struct test_data *exchanged, size_t i)
+static bool keeps_bits(const struct test_item *item, size_t i)
 {
-    return is_zero(exchanged, i) || is_normalised(exchanged, exchanged->found[i])
-           || !is_normalised(exchanged, exchanged->wanted[i]);
+    return is_zero(item, i) || is_normalised(item, item->actual[i])
+           || !is_normalised(item, item->expected[i]);
 }
 
-static bool lost_bits(const struct test_data *exchanged)
+static bool lost_bits(const struct test_item *item)
 {
-    return !all(exchanged, keeps_bits);
+    return !all(item, keeps_bits);
 }
 
 /* Some at the beginning are right, and nothing was stored behind them. */
-static bool only_begun(const struct test_data *exchanged)
+static bool only_begun(const struct test_item *item)
 {
     size_t i = 0;
 
-    if (!is_right(exchanged, 0))
+    if (!is_right(item, 0))
         return false;
-    while (is_right(exchanged, i))
+    while (is_right(item, i))
         i++;
-    while (i < exchanged->count && is_untouched(exchanged, i))
+    while (i < item->count && is_untouched(item, i))
         i++;
-    return i == exchanged->count;
+    return i == item->count;
 }
 
 /* The first that fits is told. */
@@ -248,9 +244,9 @@ static const struct likeness {
     { NULL, only_begun, "Nothing new was stored behind those that are right." },
 };
 
-static bool fits(const struct likeness *likeness, const struct test_data *exchanged)
+static bool fits(const struct likeness *likeness, const struct test_item *item)
 {
-    return likeness->each ? all(exchanged, likeness->each) : likeness->whole(exchanged);
+    return likeness->each ? all(item, likeness->each) : likeness->whole(item);
 }
 
 /* ---- In words -------------------------------------------------------------- */
@@ -258,14 +254,14 @@ static bool fits(const struct likeness *likeness, const struct test_data *exchan
 enum { MAX_LISTED = 3 };
 
 /* Words of equal numbers are told by their bits as well. */
-static void print_value(const struct test_data *exchanged, c205_word element,
-                        bool with_bits, const struct sink *sink)
+static void print_value(const struct test_item *item, c205_word element, bool with_bits,
+                        const struct sink *sink)
 {
     char text[C205_TEXT_SIZE], bits[C205_TEXT_SIZE];
-    bool half = exchanged->contents == ASM_HALF_WORDS;
+    bool half = item->contents == ASM_HALF_WORDS;
 
-    if (exchanged->contents == ASM_BITS || exchanged->contents == ASM_BYTES) {
-        sink_print(sink, "%.0f", number_of(exchanged, element));
+    if (item->contents == ASM_BITS || item->contents == ASM_BYTES) {
+        sink_print(sink, "%.0f", number_of(item, element));
         return;
     }
     (half ? c205_half_to_text : c205_to_text)(element, text);
@@ -278,27 +274,27 @@ static void print_value(const struct test_data *exchanged, c205_word element,
         sink_put(sink, text);
 }
 
-static void print_element(const struct test_data *exchanged, size_t i,
+static void print_element(const struct test_item *item, size_t i,
                           const struct sink *sink)
 {
-    c205_word wanted = exchanged->wanted[i], found = exchanged->found[i];
-    bool with_bits = is_equal(exchanged, i);
+    c205_word expected = item->expected[i], actual = item->actual[i];
+    bool with_bits = is_equal(item, i);
 
     sink_put(sink, " is ");
-    print_value(exchanged, found, with_bits, sink);
+    print_value(item, actual, with_bits, sink);
     sink_put(sink, " and should be ");
-    print_value(exchanged, wanted, with_bits, sink);
+    print_value(item, expected, with_bits, sink);
 }
 
-static void print_elements(const struct test_data *exchanged, size_t wrong,
+static void print_elements(const struct test_item *item, size_t wrong,
                            const struct sink *sink)
 {
     size_t reported = 0;
 
-    for (size_t i = 0; i < exchanged->count && reported < MAX_LISTED; i++)
-        if (!is_right(exchanged, i)) {
+    for (size_t i = 0; i < item->count && reported < MAX_LISTED; i++)
+        if (!is_right(item, i)) {
             sink_print(sink, "%s %zu", reported == 0 ? "element" : ",", i);
-            print_element(exchanged, i, sink);
+            print_element(item, i, sink);
             reported++;
         }
     if (wrong > reported)
@@ -306,15 +302,15 @@ static void print_elements(const struct test_data *exchanged, size_t wrong,
 }
 
 /* What single results are is told without counting. */
-static void print_wrong(const struct test_data *exchanged, size_t wrong,
+static void print_wrong(const struct test_item *item, size_t wrong,
                         const struct sink *sink)
 {
-    const char *label = exchanged->label;
-    size_t count = exchanged->count;
+    const char *label = item->label;
+    size_t count = item->count;
 
     if (count == 1) {
         sink_put(sink, label);
-        print_element(exchanged, 0, sink);
+        print_element(item, 0, sink);
         sink_put(sink, ".");
         return;
     }
@@ -325,32 +321,32 @@ static void print_wrong(const struct test_data *exchanged, size_t wrong,
     else
         sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong, count,
                    label, wrong == 1 ? "is" : "are");
-    print_elements(exchanged, wrong, sink);
+    print_elements(item, wrong, sink);
     sink_put(sink, " (counted from 0).");
 }
 
-static void print_likeness(const struct test_data *exchanged, const struct sink *sink)
+static void print_likeness(const struct test_item *item, const struct sink *sink)
 {
     size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
 
-    while (i < count && !fits(&likenesses[i], exchanged))
+    while (i < count && !fits(&likenesses[i], item))
         i++;
     if (i < count)
         sink_print(sink, "  %s", likenesses[i].sentence);
 }
 
-bool mismatch_report(const struct test_data *exchanged, struct lesson_report *report)
+bool mismatch_report(const struct test_item *item, struct lesson_report *report)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
     size_t wrong = 0;
 
-    for (size_t i = 0; i < exchanged->count; i++)
-        wrong += !is_right(exchanged, i);
+    for (size_t i = 0; i < item->count; i++)
+        wrong += !is_right(item, i);
     if (wrong == 0)
         return true;
-    print_wrong(exchanged, wrong, &sink);
-    print_likeness(exchanged, &sink);
+    print_wrong(item, wrong, &sink);
+    print_likeness(item, &sink);
     report_buffer(report, &text);
     return false;
 }

@@ -52,23 +52,23 @@ static void set_element(c205 *machine, uint64_t at, unsigned width, c205_word el
     c205_write(machine, at / 64 * 64, &word, 1);
 }
 
-static void get_elements(const c205 *machine, uint64_t at,
-                         const struct test_data *exchanged, c205_word *words)
+static void get_elements(const c205 *machine, uint64_t at, const struct test_item *item,
+                         c205_word *words)
 {
-    unsigned width = width_of(exchanged->contents);
+    unsigned width = width_of(item->contents);
 
-    for (size_t i = 0; i < exchanged->count; i++)
+    for (size_t i = 0; i < item->count; i++)
         words[i] = get_element(machine, at + i * width, width);
 }
 
-static void put_elements(const struct lesson_exchange *exchange,
-                         const struct test_data *exchanged)
+static void put_elements(const struct lesson_test_data *test_data,
+                         const struct test_item *item)
 {
-    unsigned width = width_of(exchanged->contents);
+    unsigned width = width_of(item->contents);
 
-    for (size_t i = 0; i < exchanged->count; i++)
-        set_element(exchange->machine, exchanged->there + i * width, width,
-                    get_element(exchange->data, exchanged->here + i * width, width));
+    for (size_t i = 0; i < item->count; i++)
+        set_element(test_data->machine, item->actual_at + i * width, width,
+                    get_element(test_data->data, item->expected_at + i * width, width));
 }
 
 /* ---- Labels ---------------------------------------------------------------- */
@@ -80,13 +80,13 @@ static bool holds_data(const struct asm_symbol *symbol)
 }
 
 /* What the answer has at a label of the test. */
-static bool check_room(struct lesson_exchange *exchange, const struct asm_symbol *ours,
-                       const struct asm_symbol *theirs)
+static bool check_room(struct lesson_test_data *test_data,
+                       const struct asm_symbol *ours, const struct asm_symbol *theirs)
 {
     const char *kind = kind_name(ours->contents);
 
     if (ours->contents != theirs->contents) {
-        report_printf(exchange->general,
+        report_printf(test_data->general,
                       "There should be %s at the answer's label %s, and there "
                       "%s %s.",
                       kind, theirs->name,
@@ -95,7 +95,7 @@ static bool check_room(struct lesson_exchange *exchange, const struct asm_symbol
         return false;
     }
     if (ours->count > theirs->count) {
-        report_printf(exchange->report,
+        report_printf(test_data->report,
                       "%s has room for %" PRIu64 " %s, and this test needs "
                       "%" PRIu64 ": the constants of the test say how many there are.",
                       theirs->name, theirs->count, kind, ours->count);
@@ -114,98 +114,99 @@ static const struct lesson_tolerance *find_tolerance(const struct lesson_test *t
     return found;
 }
 
-static void begin_wanted(struct lesson_exchange *exchange, struct test_data *item)
+static void begin_wanted(struct lesson_test_data *test_data, struct test_item *item)
 {
-    size_t size = (item->count + 1) * sizeof *item->wanted;
+    size_t size = (item->count + 1) * sizeof *item->expected;
 
-    item->tolerance = find_tolerance(exchange->notes, item->label);
-    item->wanted = arena_take(exchange->kept, size);
-    item->before = arena_take(exchange->kept, size);
-    item->found = arena_take(exchange->kept, size);
-    if (!exchange->kept->failed)
-        get_elements(exchange->data, item->here, item, item->wanted);
+    item->tolerance = find_tolerance(test_data->notes, item->label);
+    item->expected = arena_take(test_data->kept, size);
+    item->initial = arena_take(test_data->kept, size);
+    item->actual = arena_take(test_data->kept, size);
+    if (!test_data->kept->failed)
+        get_elements(test_data->data, item->expected_at, item, item->expected);
 }
 
 /* A label of the test that holds data. */
-static bool begin_label(struct lesson_exchange *exchange, const struct asm_symbol *ours)
+static bool begin_label(struct lesson_test_data *test_data,
+                        const struct asm_symbol *ours)
 {
-    const char *wanted = lesson_wanted(ours->name);
-    const char *label = wanted ? wanted : ours->name;
-    const struct asm_symbol *theirs = object_symbol(exchange->answer, label);
-    struct test_data *item = &exchange->items[exchange->count];
+    const char *expected = lesson_wanted(ours->name);
+    const char *label = expected ? expected : ours->name;
+    const struct asm_symbol *theirs = object_symbol(test_data->answer, label);
+    struct test_item *item = &test_data->items[test_data->count];
 
     if (!theirs || !theirs->is_label) {
-        if (wanted)
-            report_printf(exchange->general,
+        if (expected)
+            report_printf(test_data->general,
                           "The answer has no label %s, where results are looked "
                           "for.",
                           label);
-        return !wanted;
+        return !expected;
     }
-    if (!check_room(exchange, ours, theirs))
+    if (!check_room(test_data, ours, theirs))
         return false;
-    *item = (struct test_data){ .label = label,
+    *item = (struct test_item){ .label = label,
                                 .contents = ours->contents,
                                 .count = (size_t)ours->count,
-                                .here = (uint64_t)ours->value,
-                                .there = (uint64_t)theirs->value };
-    exchange->count++;
-    if (wanted)
-        begin_wanted(exchange, item);
+                                .expected_at = (uint64_t)ours->value,
+                                .actual_at = (uint64_t)theirs->value };
+    test_data->count++;
+    if (expected)
+        begin_wanted(test_data, item);
     else
-        put_elements(exchange, item);
+        put_elements(test_data, item);
     return true;
 }
 
-bool exchange_begin(struct lesson_exchange *exchange)
+bool test_data_begin(struct lesson_test_data *test_data)
 {
-    const struct object *test = exchange->test;
+    const struct object *test = test_data->test;
     bool good = true;
 
-    exchange->items = arena_take(exchange->kept,
-                                 (test->symbol_count + 1) * sizeof *exchange->items);
-    if (!exchange->items)
+    test_data->items = arena_take(test_data->kept,
+                                  (test->symbol_count + 1) * sizeof *test_data->items);
+    if (!test_data->items)
         return false;
     for (size_t i = 0; i < test->symbol_count; i++)
         if (holds_data(&test->symbols[i]))
-            good = begin_label(exchange, &test->symbols[i]) && good;
-    if (!good || exchange->kept->failed)
+            good = begin_label(test_data, &test->symbols[i]) && good;
+    if (!good || test_data->kept->failed)
         return false;
-    for (size_t i = 0; i < exchange->count; i++)
-        if (exchange->items[i].wanted)
-            get_elements(exchange->machine, exchange->items[i].there,
-                         &exchange->items[i], exchange->items[i].before);
+    for (size_t i = 0; i < test_data->count; i++)
+        if (test_data->items[i].expected)
+            get_elements(test_data->machine, test_data->items[i].actual_at,
+                         &test_data->items[i], test_data->items[i].initial);
     return true;
 }
 
 /* Inputs that the answer calls otherwise. */
-static void print_missing(struct lesson_exchange *exchange)
+static void print_missing(struct lesson_test_data *test_data)
 {
-    for (size_t i = 0; i < exchange->test->symbol_count; i++) {
-        const struct asm_symbol *symbol = &exchange->test->symbols[i];
+    for (size_t i = 0; i < test_data->test->symbol_count; i++) {
+        const struct asm_symbol *symbol = &test_data->test->symbols[i];
 
         if (holds_data(symbol) && !lesson_wanted(symbol->name)
-            && !object_symbol(exchange->answer, symbol->name))
-            report_printf(exchange->report,
+            && !object_symbol(test_data->answer, symbol->name))
+            report_printf(test_data->report,
                           "The answer has no label %s, where the test's data "
                           "would have gone.",
                           symbol->name);
     }
 }
 
-bool exchange_end(struct lesson_exchange *exchange)
+bool test_data_end(struct lesson_test_data *test_data)
 {
     bool good = true;
 
-    for (size_t i = 0; i < exchange->count; i++) {
-        struct test_data *item = &exchange->items[i];
+    for (size_t i = 0; i < test_data->count; i++) {
+        struct test_item *item = &test_data->items[i];
 
-        if (!item->wanted)
+        if (!item->expected)
             continue;
-        get_elements(exchange->machine, item->there, item, item->found);
-        good = mismatch_report(item, exchange->report) && good;
+        get_elements(test_data->machine, item->actual_at, item, item->actual);
+        good = mismatch_report(item, test_data->report) && good;
     }
     if (!good)
-        print_missing(exchange);
+        print_missing(test_data);
     return good;
 }

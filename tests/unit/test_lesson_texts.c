@@ -309,16 +309,16 @@ TEST(likeness)
         c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
         struct arena arena = { 0 };
         struct lesson_report report = { .kept = &arena };
-        struct test_data exchanged = { .label = "y",
-                                       .contents = rows[i].contents,
-                                       .wanted = wanted,
-                                       .before = before,
-                                       .found = found };
+        struct test_item item = { .label = "y",
+                                  .contents = rows[i].contents,
+                                  .expected = wanted,
+                                  .initial = before,
+                                  .actual = found };
 
         take_elements(rows[i].before, rows[i].contents, before);
         take_elements(rows[i].found, rows[i].contents, found);
-        exchanged.count = take_elements(rows[i].wanted, rows[i].contents, wanted);
-        assert_false(mismatch_report(&exchanged, &report));
+        item.count = take_elements(rows[i].wanted, rows[i].contents, wanted);
+        assert_false(mismatch_report(&item, &report));
         if (rows[i].said ? !strstr(report.sentences[0], rows[i].said)
                          : !strstr(report.sentences[0], " (counted from 0).")
                                || strstr(report.sentences[0], ").  "))
