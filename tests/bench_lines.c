@@ -9,7 +9,7 @@
  */
 #include <stdio.h>
 
-#include "rt/trace/lines.h"
+#include "rt/trace/ray_query.h"
 #include "tests/timed_program.h"
 
 enum { ACROSS = 80, DOWN = 60, LINES = ACROSS * DOWN };
@@ -23,7 +23,7 @@ static const struct asked {
     { "normals, too", true, true },
 };
 
-static void put_lines(const struct camera *camera, struct scene_line list[LINES])
+static void put_lines(const struct camera *camera, struct scene_ray list[LINES])
 {
     for (size_t i = 0; i < LINES; i++) {
         double u = ((double)(i % ACROSS) + .5) / ACROSS - .5;
@@ -43,23 +43,23 @@ static void put_lines(const struct camera *camera, struct scene_line list[LINES]
 /* Clocks a line. */
 static double follow(const struct scene *scene, const c205_model *model,
                      enum trace_mode mode, const struct asked *what,
-                     const struct scene_line list[LINES], struct seen_crossings *found)
+                     const struct scene_ray list[LINES], struct ray_hits *found)
 {
-    const struct lines_options options = { .mode = mode,
-                                           .queue = TRACE_QUEUE,
-                                           .bodies = what->bodies,
-                                           .normals = what->normals,
-                                           .model = model };
+    const struct ray_query_options options = { .mode = mode,
+                                               .queue = TRACE_QUEUE,
+                                               .bodies = what->bodies,
+                                               .normals = what->normals,
+                                               .model = model };
     c205_error error = { "no memory" };
-    struct lines *lines = lines_new(scene, &options, &error);
+    struct ray_query *lines = ray_query_new(scene, &options, &error);
 
-    if (!lines || !lines_find(lines, list, LINES, found, &error))
+    if (!lines || !ray_query_find(lines, list, LINES, found, &error))
         stop_bench(error.message);
-    lines_free(lines);
+    ray_query_free(lines);
     return (double)found->accounts.clocks / LINES;
 }
 
-static bool are_same(const struct seen_crossings *a, const struct seen_crossings *b)
+static bool are_same(const struct ray_hits *a, const struct ray_hits *b)
 {
     bool same = a->first[LINES] == b->first[LINES];
 
@@ -72,8 +72,8 @@ static bool are_same(const struct seen_crossings *a, const struct seen_crossings
 static void print_row(const char *path, const struct scene *scene,
                       const c205_model *model, const struct asked *what)
 {
-    static struct scene_line list[LINES];
-    struct seen_crossings scalar, vector;
+    static struct scene_ray list[LINES];
+    struct ray_hits scalar, vector;
     double slow, fast;
 
     put_lines(&scene->camera, list);
@@ -83,8 +83,8 @@ static void print_row(const char *path, const struct scene *scene,
         stop_bench("the two forms do not find the same");
     printf("%-24s %-13s %15.2f %9.0f %9.0f %8.1f\n", path, what->name,
            (double)scalar.first[LINES] / LINES, slow, fast, slow / fast);
-    seen_crossings_free(&scalar);
-    seen_crossings_free(&vector);
+    ray_hits_free(&scalar);
+    ray_hits_free(&vector);
 }
 
 int main(int count, char **paths)

@@ -32,7 +32,7 @@ double chords_weight(const struct chords *chords)
 }
 
 bool chords_run(const struct chords *chords, const struct emission_choice *choice,
-                c205_word *planes, struct scene_line *lines, struct accounts *accounts,
+                c205_word *planes, struct scene_ray *lines, struct accounts *accounts,
                 c205_error *error)
 {
     size_t count = chords->count;

@@ -9,7 +9,7 @@
 #define RT_CHORDS_H
 
 #include "rt/heat/emission.h"
-#include "rt/trace/lines.h"
+#include "rt/trace/ray_query.h"
 
 /* Lines end on the sphere and begin outside of it, so many radii before. */
 #define CHORDS_BEHIND 2.01
@@ -31,7 +31,7 @@ double chords_weight(const struct chords *chords);
 /* As many lines, and the planes of the points where they end (enum emitted).  Any number of
  * threads may run them at a time.  False: a trap, no memory. */
 bool chords_run(const struct chords *chords, const struct emission_choice *choice,
-                c205_word *planes, struct scene_line *lines, struct accounts *accounts,
+                c205_word *planes, struct scene_ray *lines, struct accounts *accounts,
                 c205_error *error);
 
 #endif

@@ -307,8 +307,8 @@ static bool keep(const struct rows_work *work, struct farm *farm, c205_error *er
         hash_sizes(HASH_START, work->emitters, work->emitter_count),
     };
 
-    return lines_keep(programs->rays, farm, "heat by rays", choices,
-                      sizeof choices / sizeof *choices, error);
+    return ray_query_keep(programs->rays, farm, "heat by rays", choices,
+                          sizeof choices / sizeof *choices, error);
 }
 
 static bool run_farm(struct rows_work *work, c205_error *error)

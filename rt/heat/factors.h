@@ -16,7 +16,7 @@
 #include "rt/heat/emission.h"
 #include "rt/heat/estimate.h"
 #include "rt/heat/step.h"
-#include "rt/trace/lines.h"
+#include "rt/trace/ray_query.h"
 
 /* Of a repeat; more than a vector holds are found in pieces. */
 enum { MAX_FACTORS_POINTS = 1 << 20 };

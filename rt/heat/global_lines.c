@@ -11,7 +11,7 @@
 #include "rt/scene/elementary.h"
 #include "rt/shapes/primitive.h"
 #include "rt/trace/form.h"
-#include "rt/trace/lines.h"
+#include "rt/trace/ray_query.h"
 
 /* Gaps shorter than that, a length in the world, are none: surfaces touch there. */
 static const double least_gap = 1e-7;
@@ -25,7 +25,7 @@ struct global_work {
     const struct global_lines_options *options;
     struct global_lines *found;
     struct chords chords;
-    struct lines *lines;
+    struct ray_query *lines;
     struct object *gaps;
     size_t lines_of_packet, packets; /* packets: of a repeat */
 };
@@ -125,7 +125,7 @@ static bool begin_chords(struct global_work *work, c205_error *error)
 static bool begin_lines(struct global_work *work, c205_error *error)
 {
     const struct global_lines_options *options = work->options;
-    const struct lines_options lines = {
+    const struct ray_query_options lines = {
         .mode = options->mode,
         .queue = options->queue,
         .packet = work->lines_of_packet,
@@ -134,7 +134,7 @@ static bool begin_lines(struct global_work *work, c205_error *error)
         .model = options->model,
     };
 
-    work->lines = lines_new(work->scene, &lines, error);
+    work->lines = ray_query_new(work->scene, &lines, error);
     return work->lines;
 }
 
@@ -166,7 +166,7 @@ static bool begin(struct global_work *work, c205_error *error)
 static void end(struct global_work *work)
 {
     chords_end(&work->chords);
-    lines_free(work->lines);
+    ray_query_free(work->lines);
     object_free(work->gaps);
 }
 
@@ -176,8 +176,8 @@ struct global_packet {
     const struct global_work *work;
     size_t unit;
     c205_word *planes; /* of the sphere's points */
-    struct scene_line *lines;
-    struct seen_crossings seen;
+    struct scene_ray *lines;
+    struct ray_hits seen;
     c205_word *counts; /* of gaps, a row for each surface */
     struct accounts accounts;
     uint64_t clocks[HEAT_STEPS]; /* .. of them */
@@ -230,7 +230,7 @@ static size_t surface_of(const struct global_packet *packet, size_t primitive)
 /* Before each line and behind the last is the environment, nowhere near what is seen. */
 static bool lay_ends(const struct global_packet *packet, struct ends *ends)
 {
-    const struct seen_crossings *seen = &packet->seen;
+    const struct ray_hits *seen = &packet->seen;
     size_t environment = packet->work->found->surfaces;
     size_t count = seen->first[seen->line_count] + seen->line_count + 1;
     c205_word away = c205_from_double(packet->work->found->radius);
@@ -242,7 +242,8 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
         add_end(ends, away, environment, 0);
         for (size_t i = seen->first[line]; i < seen->first[line + 1]; i++)
             add_end(ends, seen->list[i].distance,
-                    surface_of(packet, seen->list[i].primitive), seen->list[i].within);
+                    surface_of(packet, seen->list[i].primitive),
+                    seen->list[i].scene_depth);
     }
     if (words)
         add_end(ends, away, environment, 0);
@@ -302,8 +303,8 @@ static bool run_packet(struct global_packet *packet)
 {
     const struct global_work *work = packet->work;
     bool good = make_lines(packet)
-                && lines_find(work->lines, packet->lines, work->lines_of_packet,
-                              &packet->seen, packet->error);
+                && ray_query_find(work->lines, packet->lines, work->lines_of_packet,
+                                  &packet->seen, packet->error);
 
     if (good)
         good = accounts_add_all(&packet->accounts, &packet->seen.accounts)
@@ -311,7 +312,7 @@ static bool run_packet(struct global_packet *packet)
     heat_charge(packet->clocks, &packet->accounts, STEP_CROSSINGS);
     good = good && count_all(packet);
     heat_charge(packet->clocks, &packet->accounts, STEP_COUNTS);
-    seen_crossings_free(&packet->seen);
+    ray_hits_free(&packet->seen);
     return good;
 }
 
@@ -440,8 +441,8 @@ static bool keep(const struct global_work *work, struct farm *farm, c205_error *
                    options->surface_of ? work->scene->primitive_count : 0),
     };
 
-    return lines_keep(work->lines, farm, "heat by lines", choices,
-                      sizeof choices / sizeof *choices, error);
+    return ray_query_keep(work->lines, farm, "heat by lines", choices,
+                          sizeof choices / sizeof *choices, error);
 }
 
 static bool run(struct global_work *work, c205_error *error)

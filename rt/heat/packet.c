@@ -11,16 +11,16 @@ static const double below = 1e-3;
 
 /* ---- To begin ------------------------------------------------------------- */
 
-static struct lines *begin_lines(const struct packet_programs *programs, double behind,
-                                 bool bodies, c205_error *error)
+static struct ray_query *begin_lines(const struct packet_programs *programs,
+                                     double behind, bool bodies, c205_error *error)
 {
-    const struct lines_options options = { .mode = programs->options.mode,
-                                           .queue = programs->options.queue,
-                                           .behind = behind,
-                                           .bodies = bodies,
-                                           .model = programs->options.model };
+    const struct ray_query_options options = { .mode = programs->options.mode,
+                                               .queue = programs->options.queue,
+                                               .behind = behind,
+                                               .bodies = bodies,
+                                               .model = programs->options.model };
 
-    return lines_new(programs->scene, &options, error);
+    return ray_query_new(programs->scene, &options, error);
 }
 
 bool packet_programs_begin(struct packet_programs *programs, c205_error *error)
@@ -42,8 +42,8 @@ bool packet_programs_begin(struct packet_programs *programs, c205_error *error)
 
 void packet_programs_end(struct packet_programs *programs)
 {
-    lines_free(programs->normals);
-    lines_free(programs->rays);
+    ray_query_free(programs->normals);
+    ray_query_free(programs->rays);
     object_free(programs->faces);
     object_free(programs->received);
 }
@@ -107,7 +107,7 @@ struct packet_work {
     struct packet *packet;
     struct sourced made; /* all points */
     c205_word *stays;    /* planes of those that stay, and their number */
-    struct scene_line *lines;
+    struct scene_ray *lines;
     c205_error *error;
 };
 
@@ -134,9 +134,9 @@ static bool emit(struct packet_work *work)
 }
 
 /* Those crossings that lines find from the points on in directions of these planes. */
-static bool follow(const struct packet_work *work, const struct lines *lines,
+static bool follow(const struct packet_work *work, const struct ray_query *lines,
                    const c205_word *planes, enum emitted direction, size_t count,
-                   struct seen_crossings *found)
+                   struct ray_hits *found)
 {
     size_t points = work->made.count;
 
@@ -147,11 +147,11 @@ static bool follow(const struct packet_work *work, const struct lines *lines,
             work->lines[i].direction[k] = c205_to_double(
                 planes[(direction + k) * points + i]);
         }
-    if (!lines_find(lines, work->lines, count, found, work->error))
+    if (!ray_query_find(lines, work->lines, count, found, work->error))
         return false;
     if (accounts_add_all(&work->packet->accounts, &found->accounts))
         return true;
-    seen_crossings_free(found);
+    ray_hits_free(found);
     return error_set(work->error, "no memory");
 }
 
@@ -165,20 +165,20 @@ static void begin_run(const struct packet_work *work, const struct object *progr
 /* The planes of a crossing, as in faces.s. */
 enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_SENSE, FACE_PLANES };
 
-static c205_word *lay_crossings(const struct seen_crossings *found)
+static c205_word *lay_crossings(const struct ray_hits *found)
 {
     size_t count = found->first[found->line_count];
     c205_word *planes = calloc(FACE_PLANES * count + 1, sizeof *planes);
 
     for (size_t line = 0; planes && line < found->line_count; line++)
         for (size_t i = found->first[line]; i < found->first[line + 1]; i++) {
-            const struct seen_crossing *seen = &found->list[i];
+            const struct ray_hit *seen = &found->list[i];
 
             planes[FACE_DISTANCE * count + i] = seen->distance;
             planes[FACE_PRIMITIVE * count + i] = c205_from_integer(
                 (int64_t)seen->primitive);
             planes[FACE_POINT * count + i] = c205_from_integer((int64_t)line);
-            planes[FACE_SENSE * count + i] = c205_from_integer(seen->sense + 2);
+            planes[FACE_SENSE * count + i] = c205_from_integer(seen->crossing + 2);
         }
     return planes;
 }
@@ -212,7 +212,7 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
 static bool keep_faces(const struct packet_work *work)
 {
     const struct packet_programs *programs = work->programs;
-    struct seen_crossings found = { 0 };
+    struct ray_hits found = { 0 };
     c205_word *list;
     bool good;
 
@@ -224,15 +224,15 @@ static bool keep_faces(const struct packet_work *work)
                 : error_set(work->error, "no memory");
     charge(work, STEP_FACES);
     free(list);
-    seen_crossings_free(&found);
+    ray_hits_free(&found);
     return good;
 }
 
 /* A line that leaves more bodies than it comes into began within one. */
-static bool begins_within(const struct seen_crossings *found, size_t line)
+static bool begins_within(const struct ray_hits *found, size_t line)
 {
     for (size_t k = found->first[line]; k < found->first[line + 1]; k++)
-        if (found->list[k].within < 0)
+        if (found->list[k].scene_depth < 0)
             return true;
     return false;
 }
@@ -246,8 +246,8 @@ static size_t receiver_of(const struct packet_programs *programs, size_t primiti
 
 /* Of each ray, what it meets first; of one that meets nothing, the environment; of one from
  * a point that another body covers, nothing: the place behind the environment. */
-static void list_receivers(const struct packet_work *work,
-                           const struct seen_crossings *found, c205_word *list)
+static void list_receivers(const struct packet_work *work, const struct ray_hits *found,
+                           c205_word *list)
 {
     size_t environment = packet_receivers(work->programs) - 1;
 
@@ -287,7 +287,7 @@ static bool run_received(const struct packet_work *work, const c205_word *list)
 static bool receive(const struct packet_work *work)
 {
     size_t rays = (size_t)work->packet->stay;
-    struct seen_crossings found = { 0 };
+    struct ray_hits found = { 0 };
     c205_word *list;
     bool good;
 
@@ -302,7 +302,7 @@ static bool receive(const struct packet_work *work)
     good = list ? run_received(work, list) : error_set(work->error, "no memory");
     charge(work, STEP_COUNTS);
     free(list);
-    seen_crossings_free(&found);
+    ray_hits_free(&found);
     return good;
 }
 

@@ -17,7 +17,7 @@
 struct packet_programs {
     const struct scene *scene;
     struct factors_options options;
-    struct lines *normals, *rays;
+    struct ray_query *normals, *rays;
     struct object *faces, *received;
 };
 

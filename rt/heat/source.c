@@ -21,7 +21,7 @@ struct heat_source {
     struct tree_node node;
     struct region region;
     struct primitive primitive;
-    struct lines *lines;
+    struct ray_query *lines;
     struct object *spots;
 };
 
@@ -129,7 +129,7 @@ static void put_alone(struct heat_source *source, const struct scene *scene,
 
 static bool begin_lines(struct heat_source *source, c205_error *error)
 {
-    const struct lines_options options = {
+    const struct ray_query_options options = {
         .mode = source->options.mode,
         .queue = source->options.queue,
         .behind = CHORDS_BEHIND * source->chords.radius,
@@ -139,7 +139,7 @@ static bool begin_lines(struct heat_source *source, c205_error *error)
     struct emission_options emits = source->options;
 
     emits.mode = trace_mode_besides(emits.mode);
-    source->lines = lines_new(&source->alone, &options, error);
+    source->lines = ray_query_new(&source->alone, &options, error);
     if (!source->lines)
         return false;
     source->spots = form_assemble_beside("heat/spots", emits.mode, NULL, error);
@@ -186,7 +186,7 @@ void source_free(struct heat_source *source)
         return;
     emission_free(source->emission);
     chords_end(&source->chords);
-    lines_free(source->lines);
+    ray_query_free(source->lines);
     object_free(source->spots);
     free(source);
 }
@@ -201,14 +201,14 @@ enum {
     CROSSED_PLANES = CROSSED_NORMAL + 3
 };
 
-static c205_word *lay_crossings(const struct seen_crossings *found)
+static c205_word *lay_crossings(const struct ray_hits *found)
 {
     size_t count = found->first[found->line_count];
     c205_word *planes = calloc(CROSSED_PLANES * count + 1, sizeof *planes);
 
     for (size_t line = 0; planes && line < found->line_count; line++)
         for (size_t i = found->first[line]; i < found->first[line + 1]; i++) {
-            const struct seen_crossing *seen = &found->list[i];
+            const struct ray_hit *seen = &found->list[i];
 
             planes[CROSSED_DISTANCE * count + i] = seen->distance;
             planes[CROSSED_LINE * count + i] = c205_from_integer((int64_t)line);
@@ -238,7 +238,7 @@ static bool run_spots(const struct heat_source *source, const c205_word *lines,
 }
 
 static bool make_spots(const struct heat_source *source, const c205_word *lines,
-                       const struct seen_crossings *found, struct sourced *made,
+                       const struct ray_hits *found, struct sourced *made,
                        struct accounts *accounts, c205_error *error)
 {
     c205_word *crossings;
@@ -261,19 +261,19 @@ static bool make_spots(const struct heat_source *source, const c205_word *lines,
 }
 
 static bool run_lines(const struct heat_source *source,
-                      const struct emission_choice *choice, struct scene_line *lines,
+                      const struct emission_choice *choice, struct scene_ray *lines,
                       c205_word *planes, struct sourced *made,
                       struct accounts *accounts, c205_error *error)
 {
-    struct seen_crossings found = { 0 };
+    struct ray_hits found = { 0 };
     bool good = chords_run(&source->chords, choice, planes, lines, accounts, error)
-                && lines_find(source->lines, lines, source->chords.count, &found,
-                              error);
+                && ray_query_find(source->lines, lines, source->chords.count, &found,
+                                  error);
 
     if (good && !accounts_add_all(accounts, &found.accounts))
         good = error_set(error, "no memory");
     good = good && make_spots(source, planes, &found, made, accounts, error);
-    seen_crossings_free(&found);
+    ray_hits_free(&found);
     return good;
 }
 
@@ -282,7 +282,7 @@ static bool run_by_lines(const struct heat_source *source,
                          struct accounts *accounts, c205_error *error)
 {
     size_t count = source->chords.count;
-    struct scene_line *lines = malloc(count * sizeof *lines);
+    struct scene_ray *lines = malloc(count * sizeof *lines);
     c205_word *planes = malloc(EMITTED_PLANES * count * sizeof *planes);
     bool good = lines && planes
                     ? run_lines(source, choice, lines, planes, made, accounts, error)

@@ -10,7 +10,7 @@
 #include "rt/layout/bounds.h"
 #include "rt/mass/overlaps.h"
 #include "rt/trace/form.h"
-#include "rt/trace/lines.h"
+#include "rt/trace/ray_query.h"
 
 const char *columns_stage_name(enum columns_stage stage)
 {
@@ -76,7 +76,7 @@ struct columns_work {
     const struct columns_options *options;
     struct columns_sums *sums;
     struct object *rays, *columns, *overlaps, *totals;
-    struct lines *lines[VIEWS];
+    struct ray_query *lines[VIEWS];
     size_t rays_of_packet, packets; /* packets: of a view under a shift */
     c205_word *words; /* of each packet: [VIEWS][repeats][packets][sums] */
     uint64_t (*clocks)[COLUMNS_STAGES]; /* .. likewise */
@@ -103,7 +103,7 @@ static struct object *assemble(const struct columns_work *work, const char *name
 static bool begin_view(struct columns_work *work, size_t view, c205_error *error)
 {
     const struct columns_options *options = work->options;
-    const struct lines_options lines = {
+    const struct ray_query_options lines = {
         .mode = options->mode,
         .queue = options->queue,
         .packet = work->rays_of_packet,
@@ -113,7 +113,7 @@ static bool begin_view(struct columns_work *work, size_t view, c205_error *error
         .model = options->model,
     };
 
-    work->lines[view] = lines_new(work->scene, &lines, error);
+    work->lines[view] = ray_query_new(work->scene, &lines, error);
     return work->lines[view];
 }
 
@@ -143,7 +143,7 @@ static bool begin_work(struct columns_work *work, c205_error *error)
 static void end_work(struct columns_work *work)
 {
     for (size_t view = 0; view < VIEWS; view++)
-        lines_free(work->lines[view]);
+        ray_query_free(work->lines[view]);
     object_free(work->rays);
     object_free(work->columns);
     object_free(work->overlaps);
@@ -162,8 +162,8 @@ struct columns_packet {
     const struct columns_work *work;
     size_t unit, view, shift, first; /* first: the number of its first ray */
     c205_word *rays;                 /* [RAY_PLANES][rays] */
-    struct scene_line *lines;
-    struct seen_crossings seen;
+    struct scene_ray *lines;
+    struct ray_hits seen;
     c205_error *error;
 };
 
@@ -207,9 +207,9 @@ static void lay_lines(const struct columns_packet *packet)
     size_t count = packet->work->rays_of_packet, view = packet->view;
 
     for (size_t i = 0; i < count; i++) {
-        struct scene_line *line = &packet->lines[i];
+        struct scene_ray *line = &packet->lines[i];
 
-        *line = (struct scene_line){ { 0 }, { 0 } };
+        *line = (struct scene_ray){ { 0 }, { 0 } };
         line->direction[view] = 1;
         line->origin[view] = sums->middle[view];
         for (size_t k = 0; k < 2; k++)
@@ -223,8 +223,8 @@ static bool find_crossings(struct columns_packet *packet)
     const struct columns_work *work = packet->work;
 
     lay_lines(packet);
-    if (!lines_find(work->lines[packet->view], packet->lines, work->rays_of_packet,
-                    &packet->seen, packet->error))
+    if (!ray_query_find(work->lines[packet->view], packet->lines, work->rays_of_packet,
+                        &packet->seen, packet->error))
         return false;
     work->clocks[packet->unit][STAGE_CROSSINGS] += packet->seen.accounts.clocks;
     work->crossings[packet->unit] = packet->seen.first[work->rays_of_packet];
@@ -233,12 +233,12 @@ static bool find_crossings(struct columns_packet *packet)
 
 /* Bodies alone have volumes. */
 static bool check_crossing(const struct columns_packet *packet,
-                           const struct seen_crossing *seen)
+                           const struct ray_hit *seen)
 {
     const struct primitive *primitive = &packet->work->scene
                                              ->primitives[seen->primitive];
 
-    if (seen->sense != 0)
+    if (seen->crossing != 0)
         return true;
     return error_set(packet->error,
                      "the %s of line %zu is an open surface: it has no volume",
@@ -260,7 +260,7 @@ enum {
 static void lay_crossing(const struct columns_packet *packet, size_t ray, size_t i,
                          size_t count, c205_word *planes)
 {
-    const struct seen_crossing *seen = &packet->seen.list[i];
+    const struct ray_hit *seen = &packet->seen.list[i];
     const size_t *part_of = packet->work->options->part_of;
 
     planes[CROSSED_S * count + i] = seen->distance;
@@ -268,14 +268,14 @@ static void lay_crossing(const struct columns_packet *packet, size_t ray, size_t
     planes[CROSSED_RAY * count + i] = c205_from_integer((int64_t)ray);
     planes[CROSSED_PART * count + i] = c205_from_integer(
         (int64_t)part_of[seen->object]);
-    planes[CROSSED_SENSE * count + i] = c205_from_integer(seen->sense);
-    planes[CROSSED_INSIDE * count + i] = c205_from_integer(seen->inside);
-    planes[CROSSED_WITHIN * count + i] = c205_from_integer(seen->within);
+    planes[CROSSED_SENSE * count + i] = c205_from_integer(seen->crossing);
+    planes[CROSSED_INSIDE * count + i] = c205_from_integer(seen->object_depth);
+    planes[CROSSED_WITHIN * count + i] = c205_from_integer(seen->scene_depth);
 }
 
 static bool lay_crossings(const struct columns_packet *packet, c205_word *planes)
 {
-    const struct seen_crossings *seen = &packet->seen;
+    const struct ray_hits *seen = &packet->seen;
     size_t count = seen->first[seen->line_count];
 
     for (size_t ray = 0; ray < seen->line_count; ray++)
@@ -371,7 +371,7 @@ static bool do_packet(const struct columns_work *work, size_t unit, c205_error *
                           && add_columns(&packet)
                     : error_set(error, "no memory");
 
-    seen_crossings_free(&packet.seen);
+    ray_hits_free(&packet.seen);
     free(packet.rays);
     free(packet.lines);
     return good;
@@ -422,8 +422,8 @@ static bool keep(const struct columns_work *work, struct farm *farm, c205_error 
         hash_sizes(HASH_START, options->part_of, work->scene->object_count),
     };
 
-    return lines_keep(work->lines[0], farm, "mass", choices,
-                      sizeof choices / sizeof *choices, error);
+    return ray_query_keep(work->lines[0], farm, "mass", choices,
+                          sizeof choices / sizeof *choices, error);
 }
 
 static bool do_packets(struct columns_work *work, c205_error *error)

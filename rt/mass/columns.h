@@ -3,7 +3,7 @@
  * A view looks along an axis, x, y or z: 2^rays_log parallel rays, at points of a
  * lattice, a grid or the random stream, go through the box about the scene's bodies.
  * What is seen along them, and what that adds to volumes, moments and areas, programs
- * of the machine find (rt/kernels/mass/, rt/kernels/lines/): packet by packet of
+ * of the machine find (rt/kernels/mass/, rt/kernels/query/): packet by packet of
  * COLUMNS_PACKET rays, each in machines of its own, whose sums a last program adds in the
  * order of packets.  So the sums are equal bit for bit in both forms, for any queue
  * and any number of jobs.

@@ -156,9 +156,9 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool norm
                                    c205_error *error)
 {
     static const char *const programs[TRACE_MODES] = {
-        [TRACE_SCALAR] = "lines/lines_scalar.s",
-        [TRACE_VECTOR] = "lines/lines_vector.s",
-        [TRACE_KERNELS] = "lines/lines_1984.s",
+        [TRACE_SCALAR] = "query/query_scalar.s",
+        [TRACE_VECTOR] = "query/query_vector.s",
+        [TRACE_KERNELS] = "query/query_1984.s",
     };
     struct defines defines = { .count = 0 };
 

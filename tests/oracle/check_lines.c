@@ -27,10 +27,10 @@ static c205_model *model;
 
 /* --- ways ----------------------------------------------------------------- */
 
-static struct lines_options random_way(uint64_t *state)
+static struct ray_query_options random_way(uint64_t *state)
 {
     static const size_t queues[] = { 1, 7, 7, LINES - 1, LINES, 2000 };
-    struct lines_options way = { .queue = queues[below(state, 6)] };
+    struct ray_query_options way = { .queue = queues[below(state, 6)] };
     way.packet = one_in(state, 3) ? 1 + below(state, LINES) : 0;
     way.mode = one_in(state, 3) ? TRACE_KERNELS : TRACE_VECTOR;
     way.no_bounds = one_in(state, 5);
@@ -38,9 +38,8 @@ static struct lines_options random_way(uint64_t *state)
     return way;
 }
 
-static struct seen_crossings find_in(const struct scene *scene,
-                                     struct lines_options way, double behind,
-                                     const struct scene_line *list)
+static struct ray_hits find_in(const struct scene *scene, struct ray_query_options way,
+                               double behind, const struct scene_ray *list)
 {
     way.normals = way.bodies = true;
     way.behind = behind;
@@ -58,7 +57,7 @@ static struct random_scene draw(uint64_t *state, size_t number)
 /* What scenes are followed along: every other line of those on the grid is on it,
  * unless the plain tracer looks on. */
 static void draw_lines(const struct random_scene *sight, const struct scene *scene,
-                       struct scene_line list[LINES])
+                       struct scene_ray list[LINES])
 {
     uint64_t state = sight->state;
     draw_camera_lines(&state, scene, list, LINES);
@@ -67,56 +66,56 @@ static void draw_lines(const struct random_scene *sight, const struct scene *sce
 }
 
 static bool same_in_ways(const struct scene *scene, uint64_t state, double behind,
-                         const struct scene_line *list,
-                         const struct seen_crossings *expected, char *reason)
+                         const struct scene_ray *list, const struct ray_hits *expected,
+                         char *reason)
 {
     bool same = true;
     for (size_t i = 0; same && i < WAYS; i++) {
-        struct lines_options way = random_way(&state);
-        struct seen_crossings found = find_in(scene, way, behind, list);
+        struct ray_query_options way = random_way(&state);
+        struct ray_hits found = find_in(scene, way, behind, list);
         same = same_crossings(expected, &found, reason);
         if (!same)
             snprintf(reason + strlen(reason), LINE_REASON - strlen(reason),
                      " with %s, a queue of %zu%s%s", trace_mode_name(way.mode),
                      way.queue, way.no_bounds ? ", without bounds" : "",
                      way.flat ? ", flat" : "");
-        seen_crossings_free(&found);
+        ray_hits_free(&found);
     }
     return same;
 }
 
 static bool same_in_any_order(const struct random_scene *sight, double behind,
-                              const struct scene_line *list,
-                              const struct seen_crossings *expected, char *reason)
+                              const struct scene_ray *list,
+                              const struct ray_hits *expected, char *reason)
 {
-    const struct lines_options way = { .mode = TRACE_VECTOR, .queue = 77 };
+    const struct ray_query_options way = { .mode = TRACE_VECTOR, .queue = 77 };
     if (!sight->other)
         return true;
     struct scene *scene = scene_of(sight->other);
-    struct seen_crossings found = find_in(scene, way, behind, list);
+    struct ray_hits found = find_in(scene, way, behind, list);
     bool same = same_distances(expected, &found, reason);
     if (!same)
         strcat(reason, " with parts in another order");
-    seen_crossings_free(&found);
+    ray_hits_free(&found);
     scene_free(scene);
     return same;
 }
 
 static bool passes(struct random_scene *sight, char *reason)
 {
-    const struct lines_options serial = { .mode = TRACE_SCALAR, .queue = 1 };
+    const struct ray_query_options serial = { .mode = TRACE_SCALAR, .queue = 1 };
     struct scene *scene = scene_of(sight->text);
-    struct scene_line list[LINES];
+    struct scene_ray list[LINES];
     double behind = sight->state % 3 == 0 ? 100 : 0;
     draw_lines(sight, scene, list);
-    struct seen_crossings found = find_in(scene, serial, behind, list);
+    struct ray_hits found = find_in(scene, serial, behind, list);
     bool good = same_in_ways(scene, sight->state, behind, list, &found, reason)
                 && keep_line_rules(scene, list, &found, behind, reason)
                 && same_in_any_order(sight, behind, list, &found, reason)
                 && (sight->certainty == NOTHING_CERTAIN
                     || same_as_plain_lines(scene, list, &found, behind,
                                            sight->certainty == ALL_CERTAIN, reason));
-    seen_crossings_free(&found);
+    ray_hits_free(&found);
     scene_free(scene);
     return good;
 }

@@ -16,7 +16,7 @@ enum { ROUNDED_EACH = 50 };
 /* --- lines ---------------------------------------------------------------- */
 
 void draw_camera_lines(uint64_t *state, const struct scene *scene,
-                       struct scene_line *list, size_t count)
+                       struct scene_ray *list, size_t count)
 {
     const struct camera *camera = &scene->camera;
     for (size_t i = 0; i < count; i++) {
@@ -30,10 +30,10 @@ void draw_camera_lines(uint64_t *state, const struct scene *scene,
     }
 }
 
-void draw_grid_lines(uint64_t *state, struct scene_line *list, size_t count)
+void draw_grid_lines(uint64_t *state, struct scene_ray *list, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        struct scene_line *line = &list[i];
+        struct scene_ray *line = &list[i];
         double far = 0;
         for (int k = 0; k < 3; k++) {
             line->origin[k] = (double)below(state, 5) / 2 - 1;
@@ -46,38 +46,38 @@ void draw_grid_lines(uint64_t *state, struct scene_line *list, size_t count)
     }
 }
 
-struct seen_crossings find_lines(const struct scene *scene,
-                                 const struct lines_options *options,
-                                 const struct scene_line *list, size_t count)
+struct ray_hits find_lines(const struct scene *scene,
+                           const struct ray_query_options *options,
+                           const struct scene_ray *list, size_t count)
 {
     c205_error error;
-    struct seen_crossings found;
-    struct lines *lines = lines_new(scene, options, &error);
-    if (!lines || !lines_find(lines, list, count, &found, &error))
+    struct ray_hits found;
+    struct ray_query *lines = ray_query_new(scene, options, &error);
+    if (!lines || !ray_query_find(lines, list, count, &found, &error))
         give_up(error.message);
-    lines_free(lines);
+    ray_query_free(lines);
     return found;
 }
 
 /* --- one form and another ------------------------------------------------- */
 
-static bool is_same(const struct seen_crossing *a, const struct seen_crossing *b)
+static bool is_same(const struct ray_hit *a, const struct ray_hit *b)
 {
     return a->distance == b->distance && a->primitive == b->primitive
            && a->object == b->object && a->triangle == b->triangle
-           && a->sense == b->sense && a->inside == b->inside && a->within == b->within
+           && a->crossing == b->crossing && a->object_depth == b->object_depth
+           && a->scene_depth == b->scene_depth
            && memcmp(a->normal, b->normal, sizeof a->normal) == 0;
 }
 
-static bool is_as_far(const struct seen_crossing *a, const struct seen_crossing *b)
+static bool is_as_far(const struct ray_hit *a, const struct ray_hit *b)
 {
     return a->distance == b->distance;
 }
 
-static bool
-same_by(const struct seen_crossings *expected, const struct seen_crossings *found,
-        bool (*same)(const struct seen_crossing *a, const struct seen_crossing *b),
-        char *reason)
+static bool same_by(const struct ray_hits *expected, const struct ray_hits *found,
+                    bool (*same)(const struct ray_hit *a, const struct ray_hit *b),
+                    char *reason)
 {
     for (size_t i = 0; i < expected->line_count; i++) {
         size_t first = expected->first[i], next = expected->first[i + 1];
@@ -96,14 +96,14 @@ same_by(const struct seen_crossings *expected, const struct seen_crossings *foun
     return true;
 }
 
-bool same_crossings(const struct seen_crossings *expected,
-                    const struct seen_crossings *found, char *reason)
+bool same_crossings(const struct ray_hits *expected, const struct ray_hits *found,
+                    char *reason)
 {
     return same_by(expected, found, is_same, reason);
 }
 
-bool same_distances(const struct seen_crossings *expected,
-                    const struct seen_crossings *found, char *reason)
+bool same_distances(const struct ray_hits *expected, const struct ray_hits *found,
+                    char *reason)
 {
     return same_by(expected, found, is_as_far, reason);
 }
@@ -113,8 +113,8 @@ bool same_distances(const struct seen_crossings *expected,
 /* Of one line: its crossings, and what went before the one that is looked at. */
 struct along {
     const struct scene *scene;
-    const struct scene_line *line;
-    const struct seen_crossing *list;
+    const struct scene_ray *line;
+    const struct ray_hit *list;
     size_t count;
     double behind;
 };
@@ -122,7 +122,7 @@ struct along {
 static bool are_in_order(const struct along *along)
 {
     for (size_t k = 1; k < along->count; k++) {
-        const struct seen_crossing *here = &along->list[k];
+        const struct ray_hit *here = &along->list[k];
         double before = c205_to_double(here[-1].distance);
         double distance = c205_to_double(here->distance);
         if (before > distance
@@ -134,14 +134,15 @@ static bool are_in_order(const struct along *along)
 
 static bool are_counted(const struct along *along)
 {
-    int within = 0;
+    int scene_depth = 0;
     for (size_t k = 0; k < along->count; k++) {
-        int inside = 0;
-        within += along->list[k].sense;
+        int object_depth = 0;
+        scene_depth += along->list[k].crossing;
         for (size_t i = 0; i <= k; i++)
             if (along->list[i].object == along->list[k].object)
-                inside += along->list[i].sense;
-        if (along->list[k].inside != inside || along->list[k].within != within)
+                object_depth += along->list[i].crossing;
+        if (along->list[k].object_depth != object_depth
+            || along->list[k].scene_depth != scene_depth)
             return false;
     }
     return true;
@@ -161,7 +162,7 @@ static bool is_bounded(const struct scene *scene, const struct region *region)
     return true;
 }
 
-static struct ray ray_of(const struct scene_line *line)
+static struct ray ray_of(const struct scene_ray *line)
 {
     struct ray ray;
     copy(ray.origin, line->origin);
@@ -187,28 +188,28 @@ static bool is_complement(const struct along *along, const struct region *region
 static bool region_keeps_rules(const struct along *along, const struct region *region)
 {
     bool closed = plain_is_closed(along->scene, region);
-    bool inside = closed && begins_inside(along, region);
+    bool object_depth = closed && begins_inside(along, region);
     double last = -INFINITY;
     for (size_t k = 0; k < along->count; k++) {
-        const struct seen_crossing *here = &along->list[k];
+        const struct ray_hit *here = &along->list[k];
         double distance = c205_to_double(here->distance);
         if (here->primitive - region->first_primitive >= region->primitive_count)
             continue;
         if (distance - last < .999 * PLAIN_DELTA - 1e-12 * fabs(distance)
-            || here->sense
-                   != (!closed  ? 0
-                       : inside ? -1
-                                : 1))
+            || here->crossing
+                   != (!closed        ? 0
+                       : object_depth ? -1
+                                      : 1))
             return false;
         last = distance;
-        inside = !inside;
+        object_depth = !object_depth;
     }
     return !closed || !is_bounded(along->scene, region)
-           || inside == is_complement(along, region);
+           || object_depth == is_complement(along, region);
 }
 
 /* On the plane of its triangle. */
-static bool is_on_triangle(const struct along *along, const struct seen_crossing *seen)
+static bool is_on_triangle(const struct along *along, const struct ray_hit *seen)
 {
     const struct primitive *mesh = &along->scene->primitives[seen->primitive];
     const struct triangle *triangle;
@@ -229,7 +230,7 @@ static bool is_on_triangle(const struct along *along, const struct seen_crossing
            <= 1e-5 * greatest(edges[0]) * greatest(edges[1]) * (1 + greatest(point));
 }
 
-static bool has_normal(const struct along *along, const struct seen_crossing *seen)
+static bool has_normal(const struct along *along, const struct ray_hit *seen)
 {
     double normal[3], size = sqrt(dot(along->line->direction, along->line->direction));
     for (int i = 0; i < 3; i++)
@@ -256,8 +257,8 @@ static const char *broken_rule(const struct along *along)
     return NULL;
 }
 
-bool keep_line_rules(const struct scene *scene, const struct scene_line *list,
-                     const struct seen_crossings *found, double behind, char *reason)
+bool keep_line_rules(const struct scene *scene, const struct scene_ray *list,
+                     const struct ray_hits *found, double behind, char *reason)
 {
     for (size_t i = 0; i < found->line_count; i++) {
         const struct along along = { scene, &list[i], found->list + found->first[i],
@@ -273,8 +274,8 @@ bool keep_line_rules(const struct scene *scene, const struct scene_line *list,
 
 /* --- the plain tracer ----------------------------------------------------- */
 
-static bool is_plain(const struct seen_crossing *seen,
-                     const struct plain_crossing *plain, bool certain)
+static bool is_plain(const struct ray_hit *seen, const struct plain_crossing *plain,
+                     bool certain)
 {
     double distance = c205_to_double(seen->distance), off = 0;
     if (fabs(distance - plain->distance) > 1e-6 * (1 + fabs(distance)))
@@ -282,7 +283,7 @@ static bool is_plain(const struct seen_crossing *seen,
     for (int i = 0; i < 3; i++)
         off = fmax(off, fabs(c205_to_double(seen->normal[i]) - plain->normal[i]));
     return !certain
-           || (seen->primitive == plain->primitive && seen->sense == plain->sense
+           || (seen->primitive == plain->primitive && seen->crossing == plain->crossing
                && off < 1e-5);
 }
 
@@ -301,9 +302,9 @@ static bool is_plain_line(const struct along *along, bool certain)
     return same;
 }
 
-bool same_as_plain_lines(const struct scene *scene, const struct scene_line *list,
-                         const struct seen_crossings *found, double behind,
-                         bool certain, char *reason)
+bool same_as_plain_lines(const struct scene *scene, const struct scene_ray *list,
+                         const struct ray_hits *found, double behind, bool certain,
+                         char *reason)
 {
     size_t others = 0;
     for (size_t i = 0; i < found->line_count; i++) {

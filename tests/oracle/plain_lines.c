@@ -82,9 +82,9 @@ static void see_region(struct seen_list *seen, const struct scene *scene, size_t
             .distance = hit.distance,
             .primitive = (size_t)(hit.primitive - scene->primitives),
             .region = region,
-            .sense = !closed        ? 0
-                     : hit.entering ? 1
-                                    : -1,
+            .crossing = !closed        ? 0
+                        : hit.entering ? 1
+                                       : -1,
         };
         copy(crossing.normal, hit.normal);
         insert(seen, &crossing);

@@ -13,7 +13,7 @@ struct plain_crossing {
     double distance;
     size_t primitive; /* of the scene's, from 0 on */
     size_t region;
-    int sense;        /* 1 into the region's body, -1 out of it, 0: it has none */
+    int crossing;     /* 1 into the region's body, -1 out of it, 0: it has none */
     double normal[3]; /* against the line */
 };
 

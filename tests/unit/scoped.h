@@ -36,7 +36,7 @@ SCOPED_BY_FREE(c205_projection);
 SCOPED_BY_FREE(emission);
 SCOPED_BY_FREE(factors);
 SCOPED_BY_FREE(line_profile);
-SCOPED_BY_FREE(lines);
+SCOPED_BY_FREE(ray_query);
 SCOPED_BY_FREE(object);
 SCOPED_BY_FREE(point_maker);
 SCOPED_BY_FREE(register_owners);

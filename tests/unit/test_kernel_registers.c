@@ -159,21 +159,21 @@ static void trace_watched(const struct scene *scene,
 static void follow_lines(const struct scene *scene, size_t queue, const char *what)
 {
     enum { LINES = 20 };
-    struct lines_options options = ON_PRIOR(.queue = queue, .normals = true,
-                                            .bodies = true, .behind = 1,
-                                            .no_bounds = traced.no_bounds);
-    struct scene_line list[LINES];
+    struct ray_query_options options = ON_PRIOR(.queue = queue, .normals = true,
+                                                .bodies = true, .behind = 1,
+                                                .no_bounds = traced.no_bounds);
+    struct scene_ray list[LINES];
 
     draw_camera_lines(&traced.random, scene, list, LINES);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         c205_error error = { "" };
         options.mode = (enum trace_mode)mode;
-        SCOPED(lines) *lines = lines_new(scene, &options, &error);
-        SCOPED(c205) *machine = lines ? lines_machine(lines, list, LINES, &error)
+        SCOPED(ray_query) *lines = ray_query_new(scene, &options, &error);
+        SCOPED(c205) *machine = lines ? ray_query_machine(lines, list, LINES, &error)
                                       : NULL;
         if (!machine)
             fail_msg("%s: %s", what, error.message);
-        run_watched(lines_program(lines), machine, what);
+        run_watched(ray_query_program(lines), machine, what);
     }
 }
 

@@ -30,8 +30,8 @@ static void check(bool good, const char *reason, const char *text)
 }
 
 static void check_queues(const struct scene *scene, const char *text,
-                         struct lines_options options, const struct scene_line *list,
-                         const struct seen_crossings *scalar)
+                         struct ray_query_options options, const struct scene_ray *list,
+                         const struct ray_hits *scalar)
 {
     static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
     for (size_t i = 0; i < COUNT(queues); i++) {
@@ -41,7 +41,7 @@ static void check_queues(const struct scene *scene, const char *text,
         options.packet = i == 1 ? LINES / 3 : 0;
         options.flat = i == 2;
         options.no_bounds = i == 3;
-        SCOPED_VALUE(seen_crossings) vector = find_lines(scene, &options, list, LINES);
+        SCOPED_VALUE(ray_hits) vector = find_lines(scene, &options, list, LINES);
         check(same_crossings(scalar, &vector, reason), reason, text);
     }
 }
@@ -51,9 +51,9 @@ static void check_queues(const struct scene *scene, const char *text,
 static void check_solids(double z, double behind)
 {
     static char text[1 << 18];
-    struct lines_options options = ON_PRIOR(.normals = true, .bodies = true,
-                                            .behind = behind);
-    struct scene_line list[LINES];
+    struct ray_query_options options = ON_PRIOR(.normals = true, .bodies = true,
+                                                .behind = behind);
+    struct scene_ray list[LINES];
     char camera[80], reason[LINE_REASON];
     snprintf(camera, sizeof camera,
              "location <%.3f, %.3f, %.3f> look_at <0, .1, .2> angle 40", between(-3, 3),
@@ -61,7 +61,7 @@ static void check_solids(double z, double behind)
     write_scene(text, sizeof text, camera);
     SCOPED(scene) *scene = read_text(text);
     draw_camera_lines(&traced.random, scene, list, LINES);
-    SCOPED_VALUE(seen_crossings) found = find_lines(scene, &options, list, LINES);
+    SCOPED_VALUE(ray_hits) found = find_lines(scene, &options, list, LINES);
     check_queues(scene, text, options, list, &found);
     check(keep_line_rules(scene, list, &found, behind, reason), reason, text);
     check(same_as_plain_lines(scene, list, &found, behind, true, reason), reason, text);
@@ -83,10 +83,10 @@ enum { SIDE = 32 };
 /* Rays that a camera sends whose numbers are exact. */
 #define EXACT "orthographic location -8*z direction z right 4*x up 4*y"
 
-static void put_pixels(struct scene_line list[SIDE * SIDE])
+static void put_pixels(struct scene_ray list[SIDE * SIDE])
 {
     for (size_t i = 0; i < SIDE * SIDE; i++)
-        list[i] = (struct scene_line){
+        list[i] = (struct scene_ray){
             .origin = { ((double)(i % SIDE) + .5) / (SIDE / 4) - 2,
                         2 - ((double)(i / SIDE) + .5) / (SIDE / 4), -8 },
             .direction = { 0, 0, 1 },
@@ -103,7 +103,7 @@ static bool is_word(c205_word found, c205_word expected, bool mesh)
 
 /* A frame has the distance, the normal and the number of what is seen first. */
 static bool is_nearest(const struct scene *scene, const struct words *words,
-                       size_t pixel, const struct seen_crossing *seen)
+                       size_t pixel, const struct ray_hit *seen)
 {
     size_t id = (size_t)c205_to_integer(words->channel[CHANNEL_ID][pixel]);
     bool mesh = id > 0 && scene->primitives[id - 1].kind == PRIMITIVE_MESH;
@@ -117,17 +117,15 @@ static bool is_nearest(const struct scene *scene, const struct words *words,
 }
 
 static void check_nearest(const struct scene *scene, const struct words *words,
-                          size_t pixel, const struct seen_crossings *found,
-                          const char *text)
+                          size_t pixel, const struct ray_hits *found, const char *text)
 {
     size_t first = found->first[pixel];
     c205_word zero = c205_from_double(0);
-    const struct seen_crossing none = { .primitive = (size_t)-1,
-                                        .distance = zero,
-                                        .normal = { zero, zero, zero } };
-    const struct seen_crossing *seen = first < found->first[pixel + 1]
-                                           ? &found->list[first]
-                                           : &none;
+    const struct ray_hit none = { .primitive = (size_t)-1,
+                                  .distance = zero,
+                                  .normal = { zero, zero, zero } };
+    const struct ray_hit *seen = first < found->first[pixel + 1] ? &found->list[first]
+                                                                 : &none;
     if (!is_nearest(scene, words, pixel, seen))
         fail_msg("pixel %zu: not the first along its line in\n%s", pixel, text);
 }
@@ -135,9 +133,9 @@ static void check_nearest(const struct scene *scene, const struct words *words,
 TEST(nearest)
 {
     static char text[1 << 18];
-    static struct scene_line list[SIDE * SIDE];
-    struct lines_options options = ON_PRIOR(.queue = 300, .normals = true,
-                                            .bodies = true);
+    static struct scene_ray list[SIDE * SIDE];
+    struct ray_query_options options = ON_PRIOR(.queue = 300, .normals = true,
+                                                .bodies = true);
     traced.width = traced.height = SIDE;
     traced.pixels = SIDE * SIDE;
     put_pixels(list);
@@ -147,14 +145,11 @@ TEST(nearest)
         SCOPED(scene) *scene = read_text(text);
         FREED struct words *words = trace_words(scene, TRACE_VECTOR, 2000);
         options.mode = TRACE_SCALAR;
-        SCOPED_VALUE(seen_crossings) scalar = find_lines(scene, &options, list,
-                                                         SIDE * SIDE);
+        SCOPED_VALUE(ray_hits) scalar = find_lines(scene, &options, list, SIDE * SIDE);
         options.mode = TRACE_KERNELS;
-        SCOPED_VALUE(seen_crossings) serial = find_lines(scene, &options, list,
-                                                         SIDE * SIDE);
+        SCOPED_VALUE(ray_hits) serial = find_lines(scene, &options, list, SIDE * SIDE);
         options.mode = TRACE_VECTOR;
-        SCOPED_VALUE(seen_crossings) found = find_lines(scene, &options, list,
-                                                        SIDE * SIDE);
+        SCOPED_VALUE(ray_hits) found = find_lines(scene, &options, list, SIDE * SIDE);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             check_nearest(scene, words, k, &found, text);
         check(same_crossings(&scalar, &found, reason), reason, text);
@@ -172,33 +167,32 @@ TEST(nearest)
 struct expected {
     double distance;
     size_t primitive, object;
-    int sense, inside, within;
+    int crossing, object_depth, scene_depth;
 };
 
 /* So many lines, all the same: what is found of them fills pages. */
 enum { COPIES = 64 };
 
-static void check_crossing(const struct seen_crossing *seen,
-                           const struct expected *expected)
+static void check_crossing(const struct ray_hit *seen, const struct expected *expected)
 {
     assert_float_equal(c205_to_double(seen->distance), expected->distance, 1e-12);
     assert_int_equal(seen->primitive, expected->primitive);
     assert_int_equal(seen->object, expected->object);
-    assert_int_equal(seen->sense, expected->sense);
-    assert_int_equal(seen->inside, expected->inside);
-    assert_int_equal(seen->within, expected->within);
+    assert_int_equal(seen->crossing, expected->crossing);
+    assert_int_equal(seen->object_depth, expected->object_depth);
+    assert_int_equal(seen->scene_depth, expected->scene_depth);
 }
 
 static void check_form(const char *text, enum trace_mode mode, double behind,
                        size_t count, const struct expected *expected)
 {
-    struct lines_options options = ON_PRIOR(.mode = mode, .queue = 10, .bodies = true,
-                                            .behind = behind);
-    struct scene_line list[COPIES];
+    struct ray_query_options options = ON_PRIOR(.mode = mode, .queue = 10,
+                                                .bodies = true, .behind = behind);
+    struct scene_ray list[COPIES];
     SCOPED(scene) *scene = read_text(text);
     for (size_t i = 0; i < COPIES; i++)
-        list[i] = (struct scene_line){ { 0, .125, -4 }, { 0, 0, 2 } };
-    SCOPED_VALUE(seen_crossings) found = find_lines(scene, &options, list, COPIES);
+        list[i] = (struct scene_ray){ { 0, .125, -4 }, { 0, 0, 2 } };
+    SCOPED_VALUE(ray_hits) found = find_lines(scene, &options, list, COPIES);
     for (size_t i = 0; i < COPIES; i++) {
         if (found.first[i + 1] != (i + 1) * count)
             fail_msg("%zu crossings, not %zu, in\n%s", found.first[i + 1] - i * count,
@@ -291,17 +285,17 @@ TEST(behind)
 
 /* --- errors --------------------------------------------------------------- */
 
-static void check_refused(const struct lines_options *options, const char *message)
+static void check_refused(const struct ray_query_options *options, const char *message)
 {
     SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
-    assert_null(lines_new(scene, options, &error));
+    assert_null(ray_query_new(scene, options, &error));
     assert_string_equal(error.message, message);
 }
 
 TEST(refused)
 {
-    const struct lines_options bad[] = {
+    const struct ray_query_options bad[] = {
         { .mode = TRACE_MODES, .queue = 10 },
         { .mode = TRACE_VECTOR, .queue = 0 },
         { .mode = TRACE_VECTOR, .queue = 65536 },
@@ -319,24 +313,25 @@ TEST(refused)
 
 TEST(no_lines)
 {
-    static const struct scene_line bad[][2] = {
+    static const struct scene_ray bad[][2] = {
         { { { 0 }, { 0, 0, 1 } }, { { 0 }, { 0, 0, 0 } } },
         { { { 0 }, { 0, 0, 1 } }, { { NAN, 0, 0 }, { 0, 0, 1 } } },
         { { { 0 }, { 0, 0, 1 } }, { { 0 }, { 0, 0, INFINITY } } },
     };
-    const struct lines_options options = { .mode = TRACE_SCALAR, .model = prior_model };
+    const struct ray_query_options options = { .mode = TRACE_SCALAR,
+                                               .model = prior_model };
     SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
-    SCOPED(lines) *lines = lines_new(scene, &options, &error);
-    SCOPED_VALUE(seen_crossings) found;
+    SCOPED(ray_query) *lines = ray_query_new(scene, &options, &error);
+    SCOPED_VALUE(ray_hits) found;
     assert_non_null(lines);
     for (size_t i = 0; i < 3; i++) {
-        assert_false(lines_find(lines, bad[i], 2, &found, &error));
+        assert_false(ray_query_find(lines, bad[i], 2, &found, &error));
         assert_string_equal(error.message,
                             "line 1 has no direction, or numbers that are not finite");
         assert_null(found.list);
     }
-    assert_true(lines_find(lines, NULL, 0, &found, &error));
+    assert_true(ray_query_find(lines, NULL, 0, &found, &error));
     assert_int_equal(found.first[0], 0);
 }
 

@@ -4,7 +4,7 @@
 ; written once, here.  Numbers are normalised 64-bit words in world units;
 ; colours are linear.
 
-; 1: bodies are counted along lines (lines/lines.s).
+; 1: bodies are counted along lines (lines/query.s).
         .ifndef BODIES
         .equ    BODIES, 0
         .endif

@@ -1,10 +1,10 @@
-; lines_scalar.s - all that is seen along lines, one after another: the scalar form;
-; lines.s says what goes in and comes out.
+; query_scalar.s - all that is seen along lines, one after another: the scalar form;
+; query.s says what goes in and comes out.
 
         .include "frame/records.s"
         .include "frame/linkage.s"
         .include "frame/vectors_scalar.s"
-        .include "lines/lines.s"
+        .include "query/query.s"
 
 ; Room that the host leaves for each crossing of a tree, each value of one, in words.
         .equ    CROSSING_SIZE, 1
@@ -30,7 +30,7 @@
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal_scalar.s"
-        .include "lines/seen_scalar.s"
+        .include "query/seen_scalar.s"
         .include "solids/unseen_scalar.s"
 
         .data
@@ -68,7 +68,7 @@ line_seen:      .space 1
         .endm
 
         .if     BODIES
-        .include "lines/bodies_scalar.s"
+        .include "query/depth_scalar.s"
         .endif
 
         .entry  lines

@@ -1,4 +1,4 @@
-#include "rt/trace/lines.h"
+#include "rt/trace/ray_query.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,12 +11,12 @@
 #include "rt/shapes/mesh.h"
 #include "rt/trace/form.h"
 
-struct lines {
-    struct lines_options options;
+struct ray_query {
+    struct ray_query_options options;
     const struct scene *scene;
     size_t **orders; /* of meshes, the numbers of their triangles */
     struct object *program;
-    struct lines_layout *layout;
+    struct query_layout *layout;
 };
 
 /* ---- To begin ------------------------------------------------------------ */
@@ -42,7 +42,7 @@ static bool lay_bare(const struct scene *scene, struct scene *bare)
     return bare->primitives;
 }
 
-static bool find_orders(struct lines *lines)
+static bool find_orders(struct ray_query *lines)
 {
     const struct scene *scene = lines->scene;
 
@@ -59,9 +59,9 @@ static bool find_orders(struct lines *lines)
     return lines->orders;
 }
 
-static bool lay_out(struct lines *lines, c205_error *error)
+static bool lay_out(struct ray_query *lines, c205_error *error)
 {
-    const struct lines_options *options = &lines->options;
+    const struct ray_query_options *options = &lines->options;
     enum bounding bounding = options->no_bounds ? BOUNDING_NONE
                              : options->flat    ? BOUNDING_FLAT
                                                 : BOUNDING_HIERARCHY;
@@ -73,12 +73,12 @@ static bool lay_out(struct lines *lines, c205_error *error)
                                          options->normals, options->bodies, &bare,
                                          error);
     if (lines->program)
-        lines->layout = lines_layout_new(lines->program, &bare, bounding, error);
+        lines->layout = query_layout_new(lines->program, &bare, bounding, error);
     free(bare.primitives);
     return lines->layout;
 }
 
-static bool check_options(const struct lines_options *options, c205_error *error)
+static bool check_options(const struct ray_query_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_MODES)
         return error_set(error, "lines have a scalar form, a vector form and "
@@ -91,10 +91,11 @@ static bool check_options(const struct lines_options *options, c205_error *error
     return true;
 }
 
-struct lines *lines_new(const struct scene *scene, const struct lines_options *options,
-                        c205_error *error)
+struct ray_query *ray_query_new(const struct scene *scene,
+                                const struct ray_query_options *options,
+                                c205_error *error)
 {
-    struct lines *lines;
+    struct ray_query *lines;
 
     if (!check_options(options, error))
         return NULL;
@@ -106,70 +107,70 @@ struct lines *lines_new(const struct scene *scene, const struct lines_options *o
     lines->options = *options;
     lines->scene = scene;
     if (options->packet == 0)
-        lines->options.packet = LINES_PACKET;
+        lines->options.packet = QUERY_PACKET;
     if (lay_out(lines, error))
         return lines;
-    lines_free(lines);
+    ray_query_free(lines);
     return NULL;
 }
 
-void lines_free(struct lines *lines)
+void ray_query_free(struct ray_query *lines)
 {
     if (!lines)
         return;
     for (size_t i = 0; lines->orders && i < lines->scene->primitive_count; i++)
         free(lines->orders[i]);
     free(lines->orders);
-    lines_layout_free(lines->layout);
+    query_layout_free(lines->layout);
     object_free(lines->program);
     free(lines);
 }
 
-const struct object *lines_program(const struct lines *lines)
+const struct object *ray_query_program(const struct ray_query *lines)
 {
     return lines->program;
 }
 
 /* ---- What was found ------------------------------------------------------ */
 
-void seen_crossings_free(struct seen_crossings *found)
+void ray_hits_free(struct ray_hits *found)
 {
     free(found->first);
     free(found->list);
     accounts_free(&found->accounts);
-    *found = (struct seen_crossings){ 0 };
+    *found = (struct ray_hits){ 0 };
 }
 
 /* Where the words of a crossing stand, among the planes of its column. */
 struct seen_fields {
-    size_t size, distance, primitive, sense, point;
-    size_t normal, inside, within; /* if asked */
+    size_t size, distance, primitive, crossing, point;
+    size_t normal, object_depth, scene_depth; /* if asked */
 };
 
-static size_t field(const struct lines *lines, const char *name)
+static size_t field(const struct ray_query *lines, const char *name)
 {
     const struct asm_symbol *symbol = object_symbol(lines->program, name);
 
     return symbol ? (size_t)symbol->value : 0;
 }
 
-static struct seen_fields find_fields(const struct lines *lines)
+static struct seen_fields find_fields(const struct ray_query *lines)
 {
     return (struct seen_fields){
         .size = field(lines, "SEEN_SIZE"),
         .distance = field(lines, "SEEN_DISTANCE"),
         .primitive = field(lines, "SEEN_PRIMITIVE"),
-        .sense = field(lines, "SEEN_SENSE"),
+        .crossing = field(lines, "SEEN_SENSE"),
         .point = field(lines, "SEEN_POINT"),
         .normal = field(lines, "SEEN_NORMAL"),
-        .inside = field(lines, "SEEN_INSIDE"),
-        .within = field(lines, "SEEN_WITHIN"),
+        .object_depth = field(lines, "SEEN_OBJECT_DEPTH"),
+        .scene_depth = field(lines, "SEEN_SCENE_DEPTH"),
     };
 }
 
 /* The planes of a column, a word for each line. */
 struct column {
-    const struct lines *lines;
+    const struct ray_query *lines;
     struct seen_fields fields;
     size_t count; /* of the lines */
     c205_word *words;
@@ -188,7 +189,7 @@ static int integer_of(const struct column *column, size_t field, size_t line)
 /* Of a mesh the point is where its row is in the table. */
 static size_t triangle_of(const struct column *column, size_t line, size_t primitive)
 {
-    const struct lines *lines = column->lines;
+    const struct ray_query *lines = column->lines;
     const size_t *order = lines->orders[primitive];
 
     return order
@@ -197,24 +198,24 @@ static size_t triangle_of(const struct column *column, size_t line, size_t primi
                : 0;
 }
 
-static struct seen_crossing crossing_of(const struct column *column, size_t line)
+static struct ray_hit crossing_of(const struct column *column, size_t line)
 {
-    const struct lines *lines = column->lines;
+    const struct ray_query *lines = column->lines;
     const struct seen_fields *fields = &column->fields;
     size_t id = (size_t)integer_of(column, fields->primitive, line) - 1;
-    struct seen_crossing seen = {
+    struct ray_hit seen = {
         .distance = word_of(column, fields->distance, line),
         .primitive = id,
         .object = lines->scene->primitives[id].object,
         .triangle = triangle_of(column, line, id),
-        .sense = integer_of(column, fields->sense, line),
+        .crossing = integer_of(column, fields->crossing, line),
     };
 
     for (size_t i = 0; lines->options.normals && i < 3; i++)
         seen.normal[i] = word_of(column, fields->normal + i, line);
     if (lines->options.bodies) {
-        seen.inside = integer_of(column, fields->inside, line);
-        seen.within = integer_of(column, fields->within, line);
+        seen.object_depth = integer_of(column, fields->object_depth, line);
+        seen.scene_depth = integer_of(column, fields->scene_depth, line);
     }
     return seen;
 }
@@ -247,7 +248,7 @@ static bool read_counts(const c205 *machine, const struct packet_layout *packet,
 }
 
 static bool read_column(struct column *column, const c205 *machine, uint64_t found,
-                        size_t k, const size_t *first, struct seen_crossing *list)
+                        size_t k, const size_t *first, struct ray_hit *list)
 {
     size_t words = column->fields.size * column->count;
 
@@ -262,10 +263,10 @@ static bool read_column(struct column *column, const c205 *machine, uint64_t fou
 /* The packet's crossings, behind those of the packets before. */
 static bool read_columns(struct column *column, const c205 *machine,
                          const struct packet_layout *packet, const size_t *first,
-                         size_t most, struct seen_crossings *found)
+                         size_t most, struct ray_hits *found)
 {
     size_t total = first[packet->count];
-    struct seen_crossing *list = realloc(found->list, (total + 1) * sizeof *list);
+    struct ray_hit *list = realloc(found->list, (total + 1) * sizeof *list);
 
     if (!list)
         return false;
@@ -278,8 +279,8 @@ static bool read_columns(struct column *column, const c205 *machine,
     return true;
 }
 
-static bool collect(const struct lines *lines, const c205 *machine,
-                    const struct packet_layout *packet, struct seen_crossings *found,
+static bool collect(const struct ray_query *lines, const c205 *machine,
+                    const struct packet_layout *packet, struct ray_hits *found,
                     size_t line)
 {
     struct column column = { .lines = lines,
@@ -298,7 +299,7 @@ static bool collect(const struct lines *lines, const c205 *machine,
 
 /* ---- To find them -------------------------------------------------------- */
 
-static bool is_line(const struct scene_line *line)
+static bool is_line(const struct scene_ray *line)
 {
     double size = 0;
 
@@ -310,7 +311,7 @@ static bool is_line(const struct scene_line *line)
     return size > 0;
 }
 
-static bool check_lines(const struct scene_line *list, size_t count, c205_error *error)
+static bool check_lines(const struct scene_ray *list, size_t count, c205_error *error)
 {
     for (size_t i = 0; i < count; i++)
         if (!is_line(&list[i]))
@@ -321,16 +322,16 @@ static bool check_lines(const struct scene_line *list, size_t count, c205_error 
     return true;
 }
 
-static bool load_packet(const struct lines *lines, c205 *machine,
+static bool load_packet(const struct ray_query *lines, c205 *machine,
                         struct packet_layout *packet, c205_error *error)
 {
     packet->behind = lines->options.behind;
     return c205_load(machine, &lines->program->program, error)
-           && lines_layout_put(lines->layout, machine, packet, error);
+           && query_layout_put(lines->layout, machine, packet, error);
 }
 
-c205 *lines_machine(const struct lines *lines, const struct scene_line *list,
-                    size_t count, c205_error *error)
+c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *list,
+                        size_t count, c205_error *error)
 {
     struct packet_layout packet = { .lines = list, .count = count };
     c205 *machine;
@@ -344,8 +345,8 @@ c205 *lines_machine(const struct lines *lines, const struct scene_line *list,
     return NULL;
 }
 
-static bool find_packet(const struct lines *lines, c205 *machine,
-                        struct packet_layout *packet, struct seen_crossings *found,
+static bool find_packet(const struct ray_query *lines, c205 *machine,
+                        struct packet_layout *packet, struct ray_hits *found,
                         size_t line, c205_error *error)
 {
     bool stopped = false;
@@ -357,8 +358,8 @@ static bool find_packet(const struct lines *lines, c205 *machine,
            || error_set(error, "no memory");
 }
 
-static bool find_packets(const struct lines *lines, c205 *machine,
-                         const struct scene_line *list, struct seen_crossings *found,
+static bool find_packets(const struct ray_query *lines, c205 *machine,
+                         const struct scene_ray *list, struct ray_hits *found,
                          c205_error *error)
 {
     size_t most = lines->options.packet, count = found->line_count;
@@ -375,14 +376,14 @@ static bool find_packets(const struct lines *lines, c205 *machine,
     return true;
 }
 
-bool lines_find(const struct lines *lines, const struct scene_line *list, size_t count,
-                struct seen_crossings *found, c205_error *error)
+bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
+                    size_t count, struct ray_hits *found, c205_error *error)
 {
     c205 *machine;
     bool good;
 
-    *found = (struct seen_crossings){ .line_count = count,
-                                      .accounts = { .model = lines->options.model } };
+    *found = (struct ray_hits){ .line_count = count,
+                                .accounts = { .model = lines->options.model } };
     if (!check_lines(list, count, error))
         return false;
     found->first = calloc(count + 1, sizeof *found->first);
@@ -392,22 +393,22 @@ bool lines_find(const struct lines *lines, const struct scene_line *list, size_t
     good = machine && find_packets(lines, machine, list, found, error);
     c205_free(machine);
     if (!good)
-        seen_crossings_free(found);
+        ray_hits_free(found);
     return good;
 }
 
 /* ---- Units of work along lines --------------------------------------------- */
 
-bool lines_keep(const struct lines *lines, struct farm *farm, const char *kind,
-                const uint64_t *choices, size_t count, c205_error *error)
+bool ray_query_keep(const struct ray_query *lines, struct farm *farm, const char *kind,
+                    const uint64_t *choices, size_t count, c205_error *error)
 {
-    const struct scene_line line = { { 0 }, { 1, 0, 0 } };
+    const struct scene_ray line = { { 0 }, { 1, 0, 0 } };
     c205 *machine;
     bool good;
 
     if (!farm || farm->path_count == 0 || farm->file)
         return true;
-    machine = lines_machine(lines, &line, 1, error);
+    machine = ray_query_machine(lines, &line, 1, error);
     good = machine && farm_keep(farm, farm_key(kind, machine, choices, count), error);
     c205_free(machine);
     return good;

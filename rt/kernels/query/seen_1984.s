@@ -1,7 +1,7 @@
 ; seen_1984.s - what the lines of a queue see of a region, line by line: each crossing to
 ; its place among the planes of its line, behind those that are no farther.
 ;
-; simple_met: no region of lines is simple (rt/layout/lines.c).
+; simple_met: no region of lines is simple (rt/layout/query_layout.c).
 ; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
 
         .include "frame/trees_1984.s"

@@ -1,5 +1,5 @@
-; lines_1984.s - all that is seen along lines as in 1984: queues of lines are met with the
-; primitives by vector kernels, all else is done line by line; lines.s says what goes in
+; query_1984.s - all that is seen along lines as in 1984: queues of lines are met with the
+; primitives by vector kernels, all else is done line by line; query.s says what goes in
 ; and comes out.
 ;
 ; Queues, kernels and bounding spheres are those of the vector form; what is seen of a
@@ -9,12 +9,12 @@
 
         .include "frame/records.s"
         .include "frame/queue.s"
-        .include "lines/lines.s"
+        .include "query/query.s"
         .reg    link_walk, r133
 
         .equ    VALUE_SIZE, 1           ; of a tree's, in words
 
-        .include "lines/queue_vector.s"
+        .include "query/queue_vector.s"
 
         .entry  lines
         .kernel lines
@@ -50,10 +50,10 @@ lines_next:
         .include "light/surface_scalar.s"
         .include "shapes/normal_scalar.s"
         .include "shapes/every_normal_scalar.s"
-        .include "lines/crossing_scalar.s"
-        .include "lines/seen_1984.s"
+        .include "query/crossing_scalar.s"
+        .include "query/seen_1984.s"
         .if     BODIES
-        .include "lines/bodies_scalar.s"
-        .include "lines/bodies_1984.s"
+        .include "query/depth_scalar.s"
+        .include "query/depth_1984.s"
         .endif
         .endshare

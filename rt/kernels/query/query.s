@@ -1,4 +1,4 @@
-; lines.s - what a caller says of lines, and what is found of them: all that is seen
+; query.s - what a caller says of lines, and what is found of them: all that is seen
 ; along each, in order.
 ;
 ; A line is a ray from an origin in a direction of any length but 0, which the
@@ -34,14 +34,14 @@
         .field  SEEN_NORMAL, 3          ; in the world, of length one, against the
         .endif                          ; line
         .if     BODIES
-        .field  SEEN_INSIDE             ; in how many bodies of its object the line
+        .field  SEEN_OBJECT_DEPTH             ; in how many bodies of its object the line
                                         ; is behind it: senses added up, an integer
-        .field  SEEN_WITHIN             ; .. of all objects
+        .field  SEEN_SCENE_DEPTH             ; .. of all objects
         .endif
         .endrecord
 
         .if     BODIES
-        .equ    SEEN_FOUND, SEEN_INSIDE ; words that belong to a crossing from the first
+        .equ    SEEN_FOUND, SEEN_OBJECT_DEPTH ; words that belong to a crossing from the first
         .else
         .equ    SEEN_FOUND, SEEN_SIZE
         .endif

@@ -1,5 +1,5 @@
-; bodies_1984.s - in how many bodies the queue's lines are behind each crossing, line by
-; line; see bodies_vector.s.
+; depth_1984.s - in how many bodies the queue's lines are behind each crossing, line by
+; line; see depth_vector.s.
 
         .share  loop
         .regs   r225, line_work, seen_at, seen_left
@@ -38,8 +38,8 @@ count_bodies:
         SHIFTI  to_stride, -6, to_stride        ; in words, as indices are
         plane_of SEEN_PRIMITIVE, to_primitive
         plane_of SEEN_SENSE, to_sense
-        plane_of SEEN_INSIDE, to_inside
-        plane_of SEEN_WITHIN, to_within
+        plane_of SEEN_OBJECT_DEPTH, to_inside
+        plane_of SEEN_SCENE_DEPTH, to_within
         RTOR    n, loop_count
         ES      loop_index, 0
 bodies_line:

@@ -1,5 +1,5 @@
-; lines_vector.s - all that is seen along lines, a queue of them at a time: the vector
-; form; lines.s says what goes in and comes out.
+; query_vector.s - all that is seen along lines, a queue of them at a time: the vector
+; form; query.s says what goes in and comes out.
 ;
 ; What is seen of a region is what its crossings are stepped along for
 ; (visible_vector.s), one after another of each line, to its end: each is scattered to
@@ -8,13 +8,13 @@
 
         .include "frame/records.s"
         .include "frame/queue.s"
-        .include "lines/lines.s"
+        .include "query/query.s"
         .reg    link_walk, r133
 
 ; Of a tree's values before and after an event, in words.
         .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
 
-        .include "lines/queue_vector.s"
+        .include "query/queue_vector.s"
 
         .entry  lines
         .kernel lines
@@ -44,9 +44,9 @@ lines_next:
         .include "shapes/normal_vector.s"
         .include "shapes/every_normal_vector.s"
         .include "light/surface_vector.s"
-        .include "lines/seen_vector.s"
-        .include "lines/sort_vector.s"
+        .include "query/seen_vector.s"
+        .include "query/sort_vector.s"
         .if     BODIES
-        .include "lines/bodies_vector.s"
+        .include "query/depth_vector.s"
         .endif
         .include "solids/unseen_vector.s"

@@ -1,5 +1,5 @@
-; bodies_scalar.s - in how many bodies a line is behind each crossing; see
-; bodies_vector.s.  Part of the main program.
+; depth_scalar.s - in how many bodies a line is behind each crossing; see
+; depth_vector.s.  Part of the main program.
 
         .equ    INSIDE_SIZE, 1          ; of an object, in words
         .regs   r232, body_sense, body_at, body_count, body_all
@@ -37,7 +37,7 @@ bodies_next\@:
         ADDX    body_count, body_sense, body_count
         ADDX    body_all, body_sense, body_all
         STO     [body_at], body_count
-        IX      line_work, 64 * (SEEN_INSIDE - SEEN_SENSE)
+        IX      line_work, 64 * (SEEN_OBJECT_DEPTH - SEEN_SENSE)
         STO     [line_work], body_count
         STO     [line_work, m_index_one], body_all
         IX      seen_at, 64 * SEEN_SIZE

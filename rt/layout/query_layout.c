@@ -1,4 +1,4 @@
-#include "rt/layout/lines.h"
+#include "rt/layout/query_layout.h"
 
 #include <stdlib.h>
 
@@ -7,7 +7,7 @@
 #include "rt/layout/solids.h"
 #include "rt/layout/trees.h"
 
-struct lines_layout {
+struct query_layout {
     const struct object *program;
     struct image image;
     uint64_t end; /* the next address that nothing uses */
@@ -29,11 +29,11 @@ static void layout_bare_solids(struct record_layout *layout, const struct scene 
     interiors_free(&interiors);
 }
 
-struct lines_layout *lines_layout_new(const struct object *program,
+struct query_layout *query_layout_new(const struct object *program,
                                       const struct scene *scene, enum bounding bounding,
                                       c205_error *error)
 {
-    struct lines_layout *whole = calloc(1, sizeof *whole);
+    struct query_layout *whole = calloc(1, sizeof *whole);
     struct record_layout layout = { .program = program,
                                     .error = error,
                                     .free = program_end(program) };
@@ -51,11 +51,11 @@ struct lines_layout *lines_layout_new(const struct object *program,
     image_share(&whole->image);
     if (!layout.failed)
         return whole;
-    lines_layout_free(whole);
+    query_layout_free(whole);
     return NULL;
 }
 
-void lines_layout_free(struct lines_layout *layout)
+void query_layout_free(struct query_layout *layout)
 {
     if (!layout)
         return;
@@ -75,7 +75,7 @@ static void layout_rays(struct record_layout *layout,
         layout_fail(layout, "no memory");
     for (size_t i = 0; words && i < count; i++)
         for (size_t k = 0; k < 3; k++) {
-            const struct scene_line *line = &packet->lines[i];
+            const struct scene_ray *line = &packet->lines[i];
 
             words[k * count + i] = c205_from_double(line->origin[k]);
             words[(3 + k) * count + i] = c205_from_double(line->direction[k]);
@@ -87,7 +87,7 @@ static void layout_rays(struct record_layout *layout,
 }
 
 static void layout_packet(struct record_layout *layout,
-                          const struct lines_layout *whole,
+                          const struct query_layout *whole,
                           struct packet_layout *packet)
 {
     size_t size = (size_t)layout_symbol(layout, "SEEN_SIZE");
@@ -108,7 +108,7 @@ static void layout_packet(struct record_layout *layout,
                                        * (size_t)layout_symbol(layout, "INSIDE_SIZE")));
 }
 
-bool lines_layout_put(const struct lines_layout *whole, c205 *machine,
+bool query_layout_put(const struct query_layout *whole, c205 *machine,
                       struct packet_layout *packet, c205_error *error)
 {
     struct image image = { 0 };

@@ -3,7 +3,7 @@
 ;       CALL SEE_LINE (RAY, ROOM, COUNT)
 ;
 ; RAY = O, D, the least distance that counts, and the same enlarged, to be scaled (8
-; words); ROOM = where crossings go, SEEN words each (lines.s), one behind the other,
+; words); ROOM = where crossings go, SEEN words each (query.s), one behind the other,
 ; as many as the scene may have; COUNT = how many they are (1).
 ;
 ; Region by region (hierarchy_scalar.s); of each what VISIBLE finds, one crossing
@@ -11,7 +11,7 @@
 ; farther, of regions before: of one region they come in order.
 ; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
 
-        .include "lines/crossing_scalar.s"
+        .include "query/crossing_scalar.s"
 
         .share  local
         .regs   r89, c_count, c_first, c_end, c_at, c_before

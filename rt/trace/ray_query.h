@@ -1,8 +1,8 @@
-/* lines.h - all that is seen of a scene along lines, found by machines.
+/* ray_query.h - all that is seen of a scene along lines, found by machines.
  *
  * A crossing of a line with a surface is seen where the tree of its region has
- * another value before it than behind it (docs/solids.md).  lines_new assembles
- * the program and lays the scene out once; lines_find finds the crossings of any
+ * another value before it than behind it (docs/solids.md).  ray_query_new assembles
+ * the program and lays the scene out once; ray_query_find finds the crossings of any
  * lines, packet by packet, and gives them line by line, from near to far.
  *
  * What belongs to bodies comes in pairs: the senses of a region's crossings are 1 and
@@ -15,14 +15,14 @@
 #define RT_LINES_H
 
 #include "base/accounts.h"
-#include "rt/layout/lines.h"
+#include "rt/layout/query_layout.h"
 #include "rt/trace/trace.h"
 
-struct lines_options {
+struct ray_query_options {
     enum trace_mode mode;
     size_t queue; /* lines at a time; not in scalar mode */
     /* Lines that a machine takes at most, before it is loaded again; 0:
-     * LINES_PACKET. */
+     * QUERY_PACKET. */
     size_t packet;
     /* Lines begin so far behind their origins, a length in the world, not below
      * 0; what lies behind an origin has a distance below 0. */
@@ -34,10 +34,10 @@ struct lines_options {
 };
 /* Four queues: what is found of so many fills a few of the 16 pages that are in
  * memory. */
-enum { LINES_PACKET = 8000 };
+enum { QUERY_PACKET = 8000 };
 
 /* What the machine found, in its own words where these are numbers. */
-struct seen_crossing {
+struct ray_hit {
     c205_word distance;  /* from the line's origin, a length in the world */
     c205_word normal[3]; /* if asked: of length one, against the line */
     size_t primitive;    /* of the scene's, from 0 on */
@@ -45,46 +45,47 @@ struct seen_crossing {
     size_t triangle;     /* .. of a mesh, of its triangles; else 0 */
     /* 1: the line comes into the body of the region, -1: it leaves it, 0: the
      * region has none: a surface in it is open, or cuts and is not seen. */
-    int sense;
+    int crossing;
     /* If asked: in how many bodies of the object the line is behind it, and of
      * all objects: senses added up, 0 where the line begins. */
-    int inside, within;
+    int object_depth, scene_depth;
 };
 
 /* Line by line. */
-struct seen_crossings {
+struct ray_hits {
     size_t line_count;
     size_t *first; /* of each line, and behind the last: line_count + 1 */
-    struct seen_crossing *list;
+    struct ray_hit *list;
     struct accounts accounts; /* of the machines that found them */
 };
-void seen_crossings_free(struct seen_crossings *found);
+void ray_hits_free(struct ray_hits *found);
 
-struct lines;
+struct ray_query;
 
 /* NULL: options or a scene that cannot be; the error says why.  The scene must
  * outlive the lines. */
-struct lines *lines_new(const struct scene *scene, const struct lines_options *options,
-                        c205_error *error);
-void lines_free(struct lines *lines);
+struct ray_query *ray_query_new(const struct scene *scene,
+                                const struct ray_query_options *options,
+                                c205_error *error);
+void ray_query_free(struct ray_query *lines);
 
 /* Those of each of the lines, which the caller frees; any number of threads may ask
  * at a time.  False: a direction without length, a number that is not finite, a trap,
  * no memory; the error says which, and nothing is found. */
-bool lines_find(const struct lines *lines, const struct scene_line *list, size_t count,
-                struct seen_crossings *found, c205_error *error);
+bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
+                    size_t count, struct ray_hits *found, c205_error *error);
 
 /* As it was assembled. */
-const struct object *lines_program(const struct lines *lines);
+const struct object *ray_query_program(const struct ray_query *lines);
 /* The machine of these lines, one packet, before it begins; the caller frees it. */
-c205 *lines_machine(const struct lines *lines, const struct scene_line *list,
-                    size_t count, c205_error *error);
+c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *list,
+                        size_t count, c205_error *error);
 
 /* Open the files of a farm (rt/farm/farm.h) for a run along such lines, of that kind and with
  * these choices besides, unless they are open or there is none (NULL).  False: one is of
  * another run. */
 struct farm;
-bool lines_keep(const struct lines *lines, struct farm *farm, const char *kind,
-                const uint64_t *choices, size_t count, c205_error *error);
+bool ray_query_keep(const struct ray_query *lines, struct farm *farm, const char *kind,
+                    const uint64_t *choices, size_t count, c205_error *error);
 
 #endif

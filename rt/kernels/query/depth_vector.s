@@ -1,10 +1,10 @@
-; bodies_vector.s - in how many bodies the queue's lines are behind each crossing.
+; depth_vector.s - in how many bodies the queue's lines are behind each crossing.
 ;
 ; Column by column, from near to far, of the lines that have so many crossings alone:
 ; the count of a line's bodies of the object that is seen there, and that of all, each
 ; with the sense there added.
 ;
-; In:  the queue's planes, in order; sort_count.  Out: SEEN_INSIDE, SEEN_WITHIN.
+; In:  the queue's planes, in order; sort_count.  Out: SEEN_OBJECT_DEPTH, SEEN_SCENE_DEPTH.
 ; Source: derived here.
 
         .equ    INSIDE_SIZE, QUEUE      ; of an object: a count for each line
@@ -70,7 +70,7 @@ bodies_column:
         find_objects
         column_of SEEN_SENSE, s2
         VXTOV   [body_lines], [s2], [w2]
-        column_of SEEN_INSIDE, s2
+        column_of SEEN_OBJECT_DEPTH, s2
         add_senses w1, body_of, s2
         ADDX    s2, line_stride, s2
         add_senses body_lines, body_all, s2
