@@ -64,7 +64,7 @@
 near\@:
         .endm
 
-; Does it pass a region's box, too (beside_vector.s)?
+; Does it pass a region's box, too (miss_box_vector.s)?
         .share  local
         .regs   r62, b_cx, b_cy, b_cz, b_hx, b_hy, b_hz, b_dx, b_dy, b_dz
         .reg    b_lost, r71

@@ -4,10 +4,10 @@
 
         .include "frame/bound_vector.s"
         .include "frame/regions_vector.s"
-        .include "frame/beside_vector.s"
+        .include "frame/miss_box_vector.s"
         .include "frame/hierarchy_vector.s"
         .include "solids/nodes_vector.s"
-        .include "solids/few_vector.s"
+        .include "solids/sparse_vector.s"
         .include "shapes/slab_vector.s"
         .include "shapes/quadratic_vector.s"
         .include "shapes/every_vector.s"

@@ -2,7 +2,7 @@
 ;
 ; A region is a primitive or a Boolean tree of them (records.s).  The rays that
 ; come near it are compressed, unless they are most of the queue, and again those
-; that meet its box, if it has one (beside_vector.s); its kernels give the segments
+; that meet its box, if it has one (miss_box_vector.s); its kernels give the segments
 ; inside its primitives.
 ;
 ; What they mean is decided elsewhere: of a simple region by simple_met, of the

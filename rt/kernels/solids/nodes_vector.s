@@ -17,7 +17,7 @@
 ;
 ; Spheres of less than half of the region's radius are tested; those of needed nodes
 ; are no smaller than it.  Where few rays come near a node those are gathered for all
-; that is below it (few_vector.s).  Behind each primitive it goes on at node_met, with
+; that is below it (sparse_vector.s).  Behind each primitive it goes on at node_met, with
 ; the segments in tin ..; behind all of them at walk_tree.
 ;
 ; Where something has been met before, crossings a little beyond the limits are

@@ -1,4 +1,4 @@
-; few_vector.s - a node of a tree that few of the rays at hand come near.
+; sparse_vector.s - a node of a tree that few of the rays at hand come near.
 ;
 ; They are gathered, and they alone are at hand for all that is below it, where
 ; nothing is gathered again.  Kernels meet them; then the crossings of a primitive are

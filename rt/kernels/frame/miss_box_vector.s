@@ -1,4 +1,4 @@
-; beside_vector.s - which of the rays at hand meet a region's box, and those alone.
+; miss_box_vector.s - which of the rays at hand meet a region's box, and those alone.
 ;
 ; A sphere about a long thing or a flat one holds mostly nothing.  The box stands
 ; along the axes of the world: about C, with half sides H.  With L = C - O the line
