@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "rt/layout/eyes.h"
+#include "rt/layout/find_viewpoints.h"
 #include "rt/layout/images.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lens.h"
@@ -166,14 +166,14 @@ static void layout_things(struct record_layout *layout, const struct scene *scen
 {
     uint64_t *images = images_layout(layout, scene);
     struct interiors interiors;
-    struct eyes eyes;
+    struct viewpoints viewpoints;
 
     if (!images)
         return;
-    eyes_find(scene, &eyes);
+    viewpoints_find(scene, &viewpoints);
     layout_sky(layout, scene, images);
     if (interiors_find(scene, &interiors)) {
-        layout_solids(layout, scene, &interiors, images, &eyes, bounding);
+        layout_solids(layout, scene, &interiors, images, &viewpoints, bounding);
         interiors_layout(layout, &interiors, scene);
     } else {
         layout_fail(layout, "no memory");

@@ -14,8 +14,9 @@
 #include "rt/shapes/shape_words.h"
 
 /* False: there is no memory. */
-static bool put_integers(const struct primitive *primitive, const struct eyes *eyes,
-                         const double *table, size_t count, c205_word *words)
+static bool put_integers(const struct primitive *primitive,
+                         const struct viewpoints *viewpoints, const double *table,
+                         size_t count, c205_word *words)
 {
     const struct shape *shape = shape_of(primitive);
     bool *marks;
@@ -25,7 +26,7 @@ static bool put_integers(const struct primitive *primitive, const struct eyes *e
     marks = calloc(count + 1, sizeof *marks);
     if (!marks)
         return false;
-    shape->mark_integers(primitive, eyes, marks);
+    shape->mark_integers(primitive, viewpoints, marks);
     for (size_t i = 0; i < count; i++)
         if (marks[i])
             words[i] = c205_from_integer((int64_t)table[i]);
@@ -34,10 +35,10 @@ static bool put_integers(const struct primitive *primitive, const struct eyes *e
 }
 
 static void put_table(struct record *record, const struct primitive *primitive,
-                      const struct eyes *eyes)
+                      const struct viewpoints *viewpoints)
 {
-    size_t count = shape_table_count(primitive, eyes);
-    double *table = shape_table(primitive, eyes, count);
+    size_t count = shape_table_count(primitive, viewpoints);
+    double *table = shape_table(primitive, viewpoints, count);
     c205_word *words = calloc(count + 1, sizeof *words);
 
     if (!table || !words) {
@@ -45,7 +46,7 @@ static void put_table(struct record *record, const struct primitive *primitive,
     } else if (count > 0) {
         record_check(record, table, count);
         put_numbers(words, table, count);
-        if (put_integers(primitive, eyes, table, count, words))
+        if (put_integers(primitive, viewpoints, table, count, words))
             record_table(record, "P_TABLE", words, count);
         else
             layout_fail(record->layout, "no memory");
@@ -64,7 +65,7 @@ static size_t mesh_sort(const struct primitive *primitive,
 }
 
 static void put_shape(struct record *record, const struct primitive *primitive,
-                      const struct leaf_plan *plan, const struct eyes *eyes)
+                      const struct leaf_plan *plan, const struct viewpoints *viewpoints)
 {
     struct shape_words shape;
     const char *kernel;
@@ -91,7 +92,7 @@ static void put_shape(struct record *record, const struct primitive *primitive,
     record_integer(record, "P_EVENTS", shape.events);
     record_integer(record, "P_INVERTED", primitive->inverted);
     record_numbers(record, "P_SHAPE", shape.words, shape.count);
-    put_table(record, primitive, plan->simple ? eyes : NULL);
+    put_table(record, primitive, plan->simple ? viewpoints : NULL);
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
@@ -318,7 +319,7 @@ static void put_mirror(struct record *record, const struct primitive *primitive)
 }
 
 static size_t table_words(const struct scene *scene, const struct leaf_plan *plans,
-                          const struct eyes *eyes)
+                          const struct viewpoints *viewpoints)
 {
     const struct pigment *before = NULL;
     size_t count = 0;
@@ -327,7 +328,7 @@ static size_t table_words(const struct scene *scene, const struct leaf_plan *pla
         const struct pigment *pigment = &scene->primitives[i].pigment;
 
         count += shape_table_count(&scene->primitives[i],
-                                   plans[i].simple ? eyes : NULL);
+                                   plans[i].simple ? viewpoints : NULL);
         if (!pigment_has_map(pigment) || (before && has_stops_of(pigment, before)))
             continue;
         before = pigment;
@@ -388,13 +389,12 @@ static void put_part(struct record *record, const struct leaf_plan *plan,
     record_address(record, "P_VALUE", row_at(values, plan->value));
 }
 
-static struct row layout_primitives(struct record_layout *layout,
-                                    const struct scene *scene,
-                                    const struct leaf_plan *plans,
-                                    const struct interiors *interiors,
-                                    const uint64_t *images, const uint64_t *bumps,
-                                    const struct row *crossings,
-                                    const struct row *values, const struct eyes *eyes)
+static struct row
+layout_primitives(struct record_layout *layout, const struct scene *scene,
+                  const struct leaf_plan *plans, const struct interiors *interiors,
+                  const uint64_t *images, const uint64_t *bumps,
+                  const struct row *crossings, const struct row *values,
+                  const struct viewpoints *viewpoints)
 {
     struct looks *looks = looks_new(scene->primitive_count);
     bool alike = false;
@@ -408,7 +408,7 @@ static struct row layout_primitives(struct record_layout *layout,
     if (!looks)
         layout_fail(layout, "no memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
-                 table_words(scene, plans, eyes));
+                 table_words(scene, plans, viewpoints));
     row = record_row(&record);
     for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
         record.line = scene->primitives[i].line;
@@ -417,7 +417,7 @@ static struct row layout_primitives(struct record_layout *layout,
         record_integer(&record, "P_SPACE", space);
         if (object_symbol(layout->program, "P_OBJECT"))
             record_integer(&record, "P_OBJECT", scene->primitives[i].object);
-        put_shape(&record, &scene->primitives[i], &plans[i], eyes);
+        put_shape(&record, &scene->primitives[i], &plans[i], viewpoints);
         put_part(&record, &plans[i], crossings, values);
         put_surface(&record, scene, &scene->primitives[i], &map);
         put_mirror(&record, &scene->primitives[i]);
@@ -459,7 +459,7 @@ static struct row layout_values(struct record_layout *layout, const struct scene
 
 void layout_solids(struct record_layout *layout, const struct scene *scene,
                    const struct interiors *interiors, const uint64_t *images,
-                   const struct eyes *eyes, enum bounding bounding)
+                   const struct viewpoints *viewpoints, enum bounding bounding)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1, sizeof *plans);
     uint64_t *bumps = calloc(scene->primitive_count + 1, sizeof *bumps);
@@ -479,7 +479,8 @@ void layout_solids(struct record_layout *layout, const struct scene *scene,
                         1);
     places.values = layout_values(layout, scene);
     places.primitives = layout_primitives(layout, scene, plans, interiors, images,
-                                          bumps, &crossings, &places.values, eyes);
+                                          bumps, &crossings, &places.values,
+                                          viewpoints);
     layout_regions(layout, scene, bounding, &places);
     free(plans);
     free(bumps);

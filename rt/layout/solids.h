@@ -5,12 +5,12 @@
 #include "rt/layout/bounding.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/record.h"
-#include "rt/shapes/eyes.h"
+#include "rt/shapes/viewpoints.h"
 
 /* The images' pixels are laid out: where, by number.  Eyes: through which many rays
  * go; NULL: none. */
 void layout_solids(struct record_layout *layout, const struct scene *scene,
                    const struct interiors *interiors, const uint64_t *images,
-                   const struct eyes *eyes, enum bounding bounding);
+                   const struct viewpoints *viewpoints, enum bounding bounding);
 
 #endif

@@ -239,13 +239,13 @@ static void put_row(const struct blob_part *part, const double center[3], double
     put_matrix(part, center, row + ROW_MATRIX);
 }
 
-static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
-                        double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct viewpoints *viewpoints, double *table)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     struct bound bound;
 
-    (void)eyes;
+    (void)viewpoints;
     if (table) {
         find_center(primitive, &bound);
         for (size_t i = 0; i < parts->count; i++)

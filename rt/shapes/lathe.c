@@ -356,13 +356,13 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 7;
 }
 
-static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
-                        double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct viewpoints *viewpoints, double *table)
 {
     struct closed closed = close_path(primitive);
     double middle = middle_of(primitive);
 
-    (void)eyes;
+    (void)viewpoints;
     for (size_t i = 0; table && i < closed.count; i++, table += ROW) {
         put_corner(point_of(&closed, i), middle, table);
         table[BEGINS] = i == 0;

@@ -7,7 +7,7 @@
 #include "rt/scene/transform.h"
 #include "rt/scene/vector.h"
 #include "rt/shapes/mesh_hierarchy.h"
-#include "rt/shapes/mesh_windows.h"
+#include "rt/shapes/screen_bounds.h"
 
 /* rt/scene/language/mesh.c and mesh2.c read what is in its braces. */
 static const struct shape_field fields[] = {
@@ -370,17 +370,18 @@ static size_t table_size(const struct primitive *primitive,
 }
 
 static bool put_windows(const struct primitive *primitive,
-                        const struct mesh_hierarchy *hierarchy, const struct eyes *eyes,
-                        size_t place, double *table)
+                        const struct mesh_hierarchy *hierarchy,
+                        const struct viewpoints *viewpoints, size_t place,
+                        double *table)
 {
     size_t nodes = NODE_ROW * (hierarchy->node_count + 1);
-    struct mesh_windows windows = { .hierarchy = hierarchy,
-                                    .triangles = table + nodes,
-                                    .row = row_size(primitive),
-                                    .triangles_place = (double)nodes };
+    struct screen_bounds windows = { .hierarchy = hierarchy,
+                                     .triangles = table + nodes,
+                                     .row = row_size(primitive),
+                                     .triangles_place = (double)nodes };
     size_t planned;
-    bool good = mesh_windows_put(&windows, eyes, (double)place, table + place,
-                                 &planned);
+    bool good = screen_bounds_put(&windows, viewpoints, (double)place, table + place,
+                                  &planned);
 
     table[EYES_FIRST] = (double)place;
     table[EYES_COUNT] = (double)planned;
@@ -389,13 +390,14 @@ static bool put_windows(const struct primitive *primitive,
 
 /* The windows of eyes begin at place. */
 static bool put_hierarchy(const struct primitive *primitive,
-                          const struct triangles *triangles, const struct eyes *eyes,
-                          size_t place, double *table)
+                          const struct triangles *triangles,
+                          const struct viewpoints *viewpoints, size_t place,
+                          double *table)
 {
     struct mesh_hierarchy hierarchy = { 0 };
     bool good = plan(primitive, triangles, &hierarchy)
                 && fill_table(primitive, triangles, &hierarchy, table)
-                && put_windows(primitive, &hierarchy, eyes, place, table);
+                && put_windows(primitive, &hierarchy, viewpoints, place, table);
 
     mesh_hierarchy_free(&hierarchy);
     return good;
@@ -420,13 +422,14 @@ size_t mesh_row(const struct primitive *mesh, size_t words)
 }
 
 /* .. of what the eyes see. */
-static size_t windows_size(const struct primitive *primitive, const struct eyes *eyes,
-                           size_t *seeing)
+static size_t windows_size(const struct primitive *primitive,
+                           const struct viewpoints *viewpoints, size_t *seeing)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     struct box box = box_of(primitive, seen);
 
-    return mesh_windows_size(eyes, &box, mesh_hierarchy_nodes(seen->count), seeing);
+    return screen_bounds_size(viewpoints, &box, mesh_hierarchy_nodes(seen->count),
+                              seeing);
 }
 
 /* Behind what is seen and the body. */
@@ -439,20 +442,20 @@ static size_t eyes_place(const struct primitive *primitive)
 }
 
 /* What is seen, the body, what the eyes see.  Returns 0 without memory. */
-static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
-                        double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct viewpoints *viewpoints, double *table)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
     size_t size = table_size(primitive, seen), place = eyes_place(primitive);
     size_t seeing;
 
-    if (table && !put_hierarchy(primitive, seen, eyes, place, table))
+    if (table && !put_hierarchy(primitive, seen, viewpoints, place, table))
         return 0;
     if (table && body->count > 0
         && !put_hierarchy(primitive, body, NULL, 0, table + size))
         return 0;
-    return place + windows_size(primitive, eyes, &seeing);
+    return place + windows_size(primitive, viewpoints, &seeing);
 }
 
 /* What the triangles are made of; boxes are between their corners. */
@@ -480,8 +483,8 @@ static void mark_links(const struct triangles *triangles, bool *marks)
         marks[i] = i % NODE_ROW >= NODE_LINKS;
 }
 
-static void mark_integers(const struct primitive *primitive, const struct eyes *eyes,
-                          bool *marks)
+static void mark_integers(const struct primitive *primitive,
+                          const struct viewpoints *viewpoints, bool *marks)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
@@ -490,9 +493,9 @@ static void mark_integers(const struct primitive *primitive, const struct eyes *
     mark_links(seen, marks);
     if (body->count > 0)
         mark_links(body, marks + table_size(primitive, seen));
-    windows_size(primitive, eyes, &seeing);
-    mesh_windows_mark(seeing, mesh_hierarchy_nodes(seen->count),
-                      marks + eyes_place(primitive));
+    windows_size(primitive, viewpoints, &seeing);
+    screen_bounds_mark(seeing, mesh_hierarchy_nodes(seen->count),
+                       marks + eyes_place(primitive));
 }
 
 /* A line crosses each triangle once at most, and where that comes to an odd

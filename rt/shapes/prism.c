@@ -163,12 +163,12 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 3;
 }
 
-static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
-                        double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct viewpoints *viewpoints, double *table)
 {
     const struct outline *path = &primitive->shape.prism.path;
 
-    (void)eyes;
+    (void)viewpoints;
     if (table)
         put_rows(path, table);
     return ROW * path->count;

@@ -52,10 +52,10 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 2;
 }
 
-static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
-                        double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct viewpoints *viewpoints, double *table)
 {
-    (void)eyes;
+    (void)viewpoints;
     if (table)
         memcpy(table, primitive->shape.quartic.coefficients,
                QUARTIC_TERMS * sizeof *table);

@@ -9,7 +9,7 @@
 
 #include "rt/shapes/bound.h"
 #include "rt/shapes/emitter.h"
-#include "rt/shapes/eyes.h"
+#include "rt/shapes/viewpoints.h"
 #include "rt/shapes/primitive.h"
 
 /* How closely roots are found, beside the size of the shape. */
@@ -90,12 +90,12 @@ struct shape {
      * many, and, if table is not NULL, the words, or 0 if there is no memory
      * to work them out.  What is asked of it may be planned by where many
      * rays go through; eyes may be NULL.  NULL: none. */
-    size_t (*table)(const struct primitive *primitive, const struct eyes *eyes,
-                    double *table);
+    size_t (*table)(const struct primitive *primitive,
+                    const struct viewpoints *viewpoints, double *table);
     /* Which of them are integers: marks these where no mark is.  NULL: all are
      * numbers. */
-    void (*mark_integers)(const struct primitive *primitive, const struct eyes *eyes,
-                          bool *marks);
+    void (*mark_integers)(const struct primitive *primitive,
+                          const struct viewpoints *viewpoints, bool *marks);
     /* Whether all are finite, if that is told sooner than by working them
      * out; or NULL. */
     bool (*is_finite)(const struct primitive *primitive);

@@ -52,19 +52,21 @@ bool shape_words_historical(const struct primitive *primitive,
     return true;
 }
 
-size_t shape_table_count(const struct primitive *primitive, const struct eyes *eyes)
+size_t shape_table_count(const struct primitive *primitive,
+                         const struct viewpoints *viewpoints)
 {
     const struct shape *shape = shape_of(primitive);
 
-    return shape->table ? shape->table(primitive, eyes, NULL) : 0;
+    return shape->table ? shape->table(primitive, viewpoints, NULL) : 0;
 }
 
-double *shape_table(const struct primitive *primitive, const struct eyes *eyes,
-                    size_t count)
+double *shape_table(const struct primitive *primitive,
+                    const struct viewpoints *viewpoints, size_t count)
 {
     double *table = calloc(count + 1, sizeof *table);
 
-    if (table && count > 0 && shape_of(primitive)->table(primitive, eyes, table) == 0) {
+    if (table && count > 0
+        && shape_of(primitive)->table(primitive, viewpoints, table) == 0) {
         free(table);
         return NULL;
     }

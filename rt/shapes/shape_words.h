@@ -34,9 +34,10 @@ bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
 /* How many words its table has, and the table, of that many; the caller frees
  * it.  Eyes: through which many rays go, or NULL.  NULL: no memory. */
-size_t shape_table_count(const struct primitive *primitive, const struct eyes *eyes);
-double *shape_table(const struct primitive *primitive, const struct eyes *eyes,
-                    size_t count);
+size_t shape_table_count(const struct primitive *primitive,
+                         const struct viewpoints *viewpoints);
+double *shape_table(const struct primitive *primitive,
+                    const struct viewpoints *viewpoints, size_t count);
 /* Whether all of that is finite: what squares and reciprocals make of a
  * shape's numbers may be beyond a double.  Without memory for the table that
  * is not asked. */

@@ -39,13 +39,13 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return STEINER_SHAPE;
 }
 
-static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
-                        double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct viewpoints *viewpoints, double *table)
 {
     double found[MAX_STEINER_TABLE];
     size_t count = steiner_table(primitive, found);
 
-    (void)eyes;
+    (void)viewpoints;
     if (table)
         memcpy(table, found, count * sizeof *table);
     return count;

@@ -6,7 +6,7 @@
  *     test_mesh_windows [SCENES [SEED]]
  */
 #define SMALL_FRAMES
-#include "rt/layout/eyes.h"
+#include "rt/layout/find_viewpoints.h"
 #include "rt/shapes/mesh_hierarchy.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/unit/random_mesh.h"
@@ -163,24 +163,24 @@ static void take_primitive(struct primitive *mesh)
 /* Three eyes of a net, at any scale and place. */
 static void check_net(size_t *seeing, size_t *within)
 {
-    struct eyes eyes = { .count = 3 };
+    struct viewpoints viewpoints = { .count = 3 };
     struct primitive mesh;
     double scale = pow(10, between(-3, 3)), by[3];
     double row = 13;
     for (int k = 0; k < 3; k++)
         by[k] = below(2) ? 0 : between(-50, 50);
     random_net();
-    for (size_t i = 0; i < eyes.count; i++) {
-        random_place(eyes.places[i]);
+    for (size_t i = 0; i < viewpoints.count; i++) {
+        random_place(viewpoints.places[i]);
         for (int k = 0; k < 3; k++)
-            eyes.places[i][k] = scale * (eyes.places[i][k] + by[k]);
+            viewpoints.places[i][k] = scale * (viewpoints.places[i][k] + by[k]);
     }
     for (int k = 0; k < 3; k++)
         by[k] *= scale;
     net_move(&net, scale, by);
     take_primitive(&mesh);
-    size_t count = shape_table_count(&mesh, &eyes);
-    FREED double *table = shape_table(&mesh, &eyes, count);
+    size_t count = shape_table_count(&mesh, &viewpoints);
+    FREED double *table = shape_table(&mesh, &viewpoints, count);
     assert_non_null(table);
     if (net.smooth)
         row = 21;
@@ -190,8 +190,8 @@ static void check_net(size_t *seeing, size_t *within)
         assert_false(is_inside(eye, table, row, mesh.shape.mesh.triangles.count));
         check_eye(&mesh, table, eye, row);
     }
-    for (size_t i = 0; i < eyes.count; i++)
-        *within += is_inside(eyes.places[i], table, row,
+    for (size_t i = 0; i < viewpoints.count; i++)
+        *within += is_inside(viewpoints.places[i], table, row,
                              mesh.shape.mesh.triangles.count);
     *seeing += (size_t)table[TABLE_EYE_COUNT];
     free(mesh.shape.mesh.triangles.list);
@@ -210,13 +210,14 @@ TEST(ways)
 /* Of a ball of many triangles a ray is asked at few windows. */
 TEST(few_are_asked)
 {
-    struct eyes eyes = { 1, { { 1, 2, -9 } } };
+    struct viewpoints viewpoints = { 1, { { 1, 2, -9 } } };
     struct primitive mesh;
     net_take(&net, OCTAHEDRON);
     for (int i = 0; i < 3; i++)
         net_divide(&net);
     take_primitive(&mesh);
-    FREED double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    FREED double *table = shape_table(&mesh, &viewpoints,
+                                      shape_table_count(&mesh, &viewpoints));
     assert_non_null(table);
     assert_int_equal((int)table[TABLE_EYE_COUNT], 1);
     assert_in_range((int)check_eye(&mesh, table, table + (size_t)table[TABLE_EYES], 13),
@@ -381,15 +382,15 @@ TEST(places)
     };
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct eyes eyes;
+        struct viewpoints viewpoints;
         sprintf(text,
                 "#version 3.7; global_settings { assumed_gamma 1 }\n"
                 "camera { %s location -3*z look_at 0 }\n"
                 "light_source { 9*y, 1 %s }\nsphere { 0, 1 }\n",
                 cases[i].camera, cases[i].light);
         SCOPED(scene) *scene = read_text(text);
-        eyes_find(scene, &eyes);
-        assert_int_equal(eyes.count, cases[i].count);
+        viewpoints_find(scene, &viewpoints);
+        assert_int_equal(viewpoints.count, cases[i].count);
     }
 }
 
@@ -526,7 +527,7 @@ TEST(clocks)
 /* Slender blades that stand askew fill little of their windows. */
 TEST(where_they_do_not_pay)
 {
-    struct eyes eyes = { 1, { { -6, 8, -6 } } };
+    struct viewpoints viewpoints = { 1, { { -6, 8, -6 } } };
     struct triangle blades[100] = { { .smooth = false } };
     struct primitive mesh = { .kind = PRIMITIVE_MESH };
     take_primitive(&mesh);
@@ -539,7 +540,8 @@ TEST(where_they_do_not_pay)
     }
     mesh.shape.mesh.triangles.list = blades;
     mesh.shape.mesh.triangles.count = 100;
-    FREED double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    FREED double *table = shape_table(&mesh, &viewpoints,
+                                      shape_table_count(&mesh, &viewpoints));
     assert_non_null(table);
     assert_int_equal((int)table[TABLE_EYE_COUNT], 0);
 }

@@ -320,7 +320,7 @@
 ; the rays that come near it go on, and where the others do: among the nodes, or
 ; 0, the end.  Near a leaf they go on where the others do, and the link is
 ; greater by MESH_MET.  Of the first row MESH_FIRST and MESH_COUNT tell of the eyes
-; that the mesh is seen from (rt/shapes/mesh_windows.h): where their rows begin, and how
+; that the mesh is seen from (rt/shapes/screen_bounds.h): where their rows begin, and how
 ; many they are.
         .record MESH
         .field  MESH_BOX, 6        ; centre 3, half sides 3

@@ -1,5 +1,5 @@
 ; mesh_windows_vector.s - rays that all go through one point, an eye: a camera, or a
-; light.  From there a mesh is seen as windows (rt/shapes/mesh_windows.h), at which they
+; light.  From there a mesh is seen as windows (rt/shapes/screen_bounds.h), at which they
 ; are asked in place of boxes.
 ;
 ; That is each ray's own matter, not its queue's: where a mesh is seen edge-on, from a

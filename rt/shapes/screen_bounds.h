@@ -1,4 +1,4 @@
-/* mesh_windows.h - a mesh as it is seen from a point that many rays go through, an
+/* screen_bounds.h - a mesh as it is seen from a point that many rays go through, an
  * eye: of each node of its hierarchy a window.
  *
  * The eye looks along the axis w on which it lies farthest beside the mesh.  With
@@ -17,12 +17,12 @@
 #ifndef RT_MESH_WINDOWS_H
 #define RT_MESH_WINDOWS_H
 
-#include "rt/shapes/eyes.h"
+#include "rt/shapes/viewpoints.h"
 #include "rt/shapes/mesh_hierarchy.h"
 
 /* What is behind the other words of a mesh's table (records.s): rows for the eyes
  * that see it, then for each of these a row of zeros and one for each node. */
-struct mesh_windows {
+struct screen_bounds {
     const struct mesh_hierarchy *hierarchy;
     const double *triangles; /* the first one's row: three corners, and more */
     size_t row;              /* words of a row */
@@ -30,13 +30,14 @@ struct mesh_windows {
 };
 
 /* Room for the eyes that see what is in the box, in words; their number to *seeing. */
-size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole, size_t nodes,
-                         size_t *seeing);
+size_t screen_bounds_size(const struct viewpoints *viewpoints, const struct box *whole,
+                          size_t nodes, size_t *seeing);
 /* Those words, and for how many eyes there are windows; so many words are before them
  * in the table.  False: no memory. */
-bool mesh_windows_put(const struct mesh_windows *windows, const struct eyes *eyes,
-                      double place, double *words, size_t *planned);
+bool screen_bounds_put(const struct screen_bounds *bounds,
+                       const struct viewpoints *viewpoints, double place, double *words,
+                       size_t *planned);
 /* Which of them are integers. */
-void mesh_windows_mark(size_t seeing, size_t nodes, bool *marks);
+void screen_bounds_mark(size_t seeing, size_t nodes, bool *marks);
 
 #endif
