@@ -149,7 +149,7 @@ const char *cmd_form_choice(size_t number)
 
 const char *cmd_visible_choice(size_t number)
 {
-    return number < VISIBLE_WAYS ? visible_name((enum visible)number) : NULL;
+    return number < CSG_METHODS ? visible_name((enum visible)number) : NULL;
 }
 
 const char *cmd_order_choice(size_t number)

@@ -1,12 +1,12 @@
 #include "rt/trace/visible.h"
 
-static const char *const ways[VISIBLE_WAYS] = {
+static const char *const csg_methods[CSG_METHODS] = {
     [VISIBLE_DEFAULT] = "default",
     [VISIBLE_STEPPING] = "stepping",
     [VISIBLE_EVERY] = "every",
 };
 
-const char *visible_name(enum visible way)
+const char *visible_name(enum visible method)
 {
-    return ways[way];
+    return csg_methods[method];
 }

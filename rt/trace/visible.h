@@ -9,8 +9,8 @@ enum visible {
     VISIBLE_DEFAULT,
     VISIBLE_STEPPING, /* one after another, until one is seen */
     VISIBLE_EVERY,
-    VISIBLE_WAYS
+    CSG_METHODS
 };
-const char *visible_name(enum visible way);
+const char *visible_name(enum visible method);
 
 #endif

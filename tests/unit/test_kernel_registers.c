@@ -380,7 +380,7 @@ TEST(random_solids)
         solids.gridded = below(2);
         traced.historical = below(3) == 0;
         traced.no_bounds = below(4) == 0;
-        traced.visible = (enum visible)below(VISIBLE_WAYS);
+        traced.visible = (enum visible)below(CSG_METHODS);
         write_scene(text, sizeof text);
         SCOPED(scene) *scene = read_text(text);
         trace_modes(scene, queues[below(3)], text);
