@@ -35,7 +35,7 @@ asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm
 c205_c = $(call c_of,asm/command)
 # Not the call of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
-rt_c = $(call c_of,$(addprefix rt/,host farm scene scene/language shapes layout \
+rt_c = $(call c_of,$(addprefix rt/,host jobs scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
@@ -59,8 +59,8 @@ asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h 
 	base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
 	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
-	layout/layout.h layout/bounding.h farm/farm.h farm/checkpoint_file.h farm/ranks.h \
-	farm/words.h picture/picture.h trace/band.h \
+	layout/layout.h layout/bounding.h jobs/job_set.h jobs/checkpoint_file.h jobs/ranks.h \
+	jobs/serialized_result.h picture/picture.h trace/band.h \
 	trace/observer.h trace/trace.h trace/order.h trace/vector_use.h trace/visible.h) \
 	$(addprefix base/,accounts.h arena.h json.h table.h)
 unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
@@ -247,7 +247,7 @@ $(BUILD)/rt/scene/font.o: override C_FLAGS += \
 mpi:
 	@sh .ci/need $(mpi_packages)
 	@$(MAKE) --no-print-directory $(ranks)
-$(ranks): rt/farm/mpi/ranks_mpi.c rt/farm/ranks.h rt/farm/words.h
+$(ranks): rt/jobs/mpi/ranks_mpi.c rt/jobs/ranks.h rt/jobs/serialized_result.h
 	@mkdir -p $(@D)
 	mpicc $(filter-out -MMD -MP,$(C_FLAGS)) -fPIC -shared -o $@ $<
 

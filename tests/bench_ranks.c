@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 
 static double now(clockid_t clock)
 {
@@ -39,8 +39,8 @@ static size_t count_taken(struct load *load, size_t more)
 }
 
 /* Rank 0's own thread keeps out of it, with the last unit of all. */
-static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
-                     c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit,
+                     struct serialized_result *words, c205_error *error)
 {
     struct load *load = context;
     struct ranks_pause pause = { 0 };
@@ -49,11 +49,11 @@ static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *
     while (load->ranks->rank == 0 && count_taken(load, 0) + 1 < load->units)
         ranks_wait(&pause);
     for (size_t i = 0; i < load->words; i++)
-        words_put(words, unit + i);
+        result_put(words, unit + i);
     return true;
 }
 
-static bool take_unit(void *context, size_t unit, struct unit_words *words,
+static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
     struct load *load = context;
@@ -66,11 +66,13 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
 int main(int argc, char **argv)
 {
     struct ranks ranks = { .adapter = NULL };
-    struct farm farm = { .ranks = &ranks };
+    struct job_set job_set = { .ranks = &ranks };
     struct load load = { .ranks = &ranks, .lock = PTHREAD_MUTEX_INITIALIZER };
-    struct farm_work work = {
-        .farm = &farm, .jobs = 1, .run = run_unit, .take = take_unit, .context = &load
-    };
+    struct job_set_work work = { .job_set = &job_set,
+                                 .jobs = 1,
+                                 .run = run_unit,
+                                 .take = take_unit,
+                                 .context = &load };
     c205_error error = { "usage: mpirun -n RANKS bench_ranks UNITS WORDS" };
     double began, worked;
     bool good;
@@ -84,7 +86,7 @@ int main(int argc, char **argv)
     load.words = strtoull(argv[2], NULL, 10);
     began = now(CLOCK_MONOTONIC);
     worked = now(CLOCK_PROCESS_CPUTIME_ID);
-    good = farm_run(&work, &error);
+    good = job_set_run(&work, &error);
     if (ranks.rank == 0 && good)
         printf("%.3e %.3e\n", (now(CLOCK_MONOTONIC) - began) / (double)work.count,
                (now(CLOCK_PROCESS_CPUTIME_ID) - worked) / (double)work.count);

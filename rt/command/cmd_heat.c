@@ -15,7 +15,7 @@
 /* Whether all that packets come to is here, not elsewhere. */
 static bool collects(const struct rt205_arguments *arguments)
 {
-    return farm_collects(&arguments->units.farm);
+    return job_set_collects(&arguments->units.job_set);
 }
 
 /* ---- What is asked ---------------------------------------------------------- */
@@ -55,7 +55,7 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
         .emissivity_count = wishes->emissivities.count,
         .temperatures = wishes->temperatures.items,
         .temperature_count = wishes->temperatures.count,
-        .farm = trace->farm,
+        .job_set = trace->job_set,
         .model = trace->model,
         .progress = trace->progress,
         .context = trace->context,
@@ -89,7 +89,7 @@ static bool find_stage(const void *found, enum trace_mode mode,
     request.mode = mode;
     request.drawn = heat->drawn;
     request.tolerance = 0;
-    request.farm = NULL;
+    request.job_set = NULL;
     good = heat_begin(heat->scene, &request, &other, error) && heat_find(&other, error);
     if (good) {
         *same = heat_is_same(heat, &other);
@@ -230,7 +230,7 @@ static bool draw(const struct rt205_arguments *arguments, const struct heat *hea
 
     if (!arguments->output)
         return true;
-    look.trace.farm = NULL;
+    look.trace.job_set = NULL;
     if (!heat_draw(heat, &look, &drawn, error))
         return false;
     output_printf(results, "\npicture %s: %s from %g to %g%s; %llu clocks\n",
@@ -261,7 +261,7 @@ static bool print_all(const struct rt205_arguments *arguments, const struct heat
         || (arguments->strict && !check_strictly(heat, error))
         || !draw(arguments, heat, results, error))
         return false;
-    farm_end(arguments->trace.farm, true);
+    job_set_close(arguments->trace.job_set, true);
     return true;
 }
 
@@ -301,7 +301,7 @@ static int run(const struct rt205_arguments *arguments,
 static const char *contradiction(const struct rt205_arguments *arguments)
 {
     const struct cmd_units *units = &arguments->units;
-    bool apart = units->ranks > 0 || units->farm.parts > 0;
+    bool apart = units->ranks > 0 || units->job_set.parts > 0;
 
     if (arguments->heat.hits && (apart || units->resume.count > 0))
         return "--hits is one run: it has no units for --ranks, --part or "
@@ -321,7 +321,7 @@ static const char *contradiction(const struct rt205_arguments *arguments)
     if (arguments->output && arguments->heat.shown == SHOWN_FACTOR
         && !arguments->heat.from)
         return "factors are shown from a surface: --from NAME";
-    if (arguments->heat.tolerance > 0 && units->farm.parts > 0)
+    if (arguments->heat.tolerance > 0 && units->job_set.parts > 0)
         return "--part does not go with --tolerance: what comes next hangs "
                "on all of them";
     return NULL;
@@ -336,7 +336,7 @@ static int run_command_line(void *given)
     if (why)
         return cmd_usage(arguments->command, "%s", why);
     code = cmd_check_picture(arguments);
-    return code == CMD_DONE ? cmd_with_farm(arguments, run) : code;
+    return code == CMD_DONE ? cmd_with_jobs(arguments, run) : code;
 }
 
 static const char *points_choice(size_t number)

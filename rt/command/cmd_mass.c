@@ -35,7 +35,7 @@ static struct mass_request request_of(const struct rt205_arguments *arguments)
         .seed = wishes->seed,
         .tolerance = wishes->tolerance,
         .limit = wishes->limit,
-        .farm = trace->farm,
+        .job_set = trace->job_set,
         .model = trace->model,
         .progress = trace->progress,
         .context = trace->context,
@@ -62,7 +62,7 @@ static bool find_stage(const void *found, enum trace_mode mode,
     request.mode = mode;
     request.rays = request.repeats << mass->rays_log;
     request.tolerance = 0;
-    request.farm = NULL;
+    request.job_set = NULL;
     good = mass_begin(mass->scene, &request, &other, &reports, error)
            && mass_find(&other, error);
     if (good) {
@@ -162,7 +162,7 @@ static bool print_all(const struct rt205_arguments *arguments, const struct mass
 {
     struct stages stages;
 
-    if (!farm_collects(&arguments->units.farm)) {
+    if (!job_set_collects(&arguments->units.job_set)) {
         cmd_print_share(arguments, mass->sums.units);
         return true;
     }
@@ -173,7 +173,7 @@ static bool print_all(const struct rt205_arguments *arguments, const struct mass
         return error_set(error, "no memory");
     if (!check_precision(mass, error))
         return false;
-    farm_end(arguments->trace.farm, true);
+    job_set_close(arguments->trace.job_set, true);
     return true;
 }
 
@@ -225,12 +225,12 @@ static int run(const struct rt205_arguments *arguments,
 static void take_share(struct rt205_arguments *arguments)
 {
     struct command_texts *parts = &arguments->mass.parts;
-    struct farm share = { .parts = 0 };
+    struct job_set share = { .parts = 0 };
     size_t kept = 0;
 
     for (size_t i = 0; i < parts->count; i++)
         if (cmd_is_part(parts->items[i], &share))
-            arguments->units.farm = share;
+            arguments->units.job_set = share;
         else
             parts->items[kept++] = parts->items[i];
     parts->items[kept] = NULL;
@@ -243,16 +243,16 @@ static int run_command_line(void *given)
 
     take_share(arguments);
     if (arguments->mass.stages
-        && (arguments->units.ranks > 0 || arguments->units.farm.parts > 0))
+        && (arguments->units.ranks > 0 || arguments->units.job_set.parts > 0))
         return cmd_usage(arguments->command,
                          "--stages compares what this process finds: not "
                          "with --ranks or a share");
-    if (arguments->units.farm.parts > 0 && arguments->mass.tolerance > 0)
+    if (arguments->units.job_set.parts > 0 && arguments->mass.tolerance > 0)
         return cmd_usage(arguments->command,
                          "--part does not go with --tolerance: what comes "
                          "next hangs on all of them");
     arguments->trace.width = arguments->trace.height = 1;
-    return cmd_with_farm(arguments, run);
+    return cmd_with_jobs(arguments, run);
 }
 
 static const char *points_choice(size_t number)

@@ -246,9 +246,9 @@ static void print_kept(const struct rt205_arguments *arguments,
 {
     const char *path = arguments->units.resume.items[0];
 
-    if (arguments->units.farm.kept > 0)
+    if (arguments->units.job_set.kept > 0)
         cmd_print_line(stderr, "%s: the frame goes on from %s: %zu of %zu band%s",
-                       arguments->command, path, arguments->units.farm.kept,
+                       arguments->command, path, arguments->units.job_set.kept,
                        trace_bands(trace), plural(trace_bands(trace)));
     else
         cmd_print_line(stderr, "%s: the frame begins: %s has no band yet",
@@ -316,7 +316,7 @@ static int trace_and_write(const struct rt205_arguments *arguments, struct trace
 
     if (!trace_run(trace, &error))
         return end_early(arguments, trace, &error);
-    if (!farm_collects(&arguments->units.farm))
+    if (!job_set_collects(&arguments->units.job_set))
         return cmd_print_share(arguments, trace_bands(trace));
     if (!arguments->output || write_picture(arguments, trace, &error)) {
         trace_forget(trace);
@@ -388,7 +388,7 @@ static int check_files(const struct rt205_arguments *arguments)
         return cmd_usage(arguments->command, "--half does not go with --no-picture");
     if (arguments->no_picture)
         return CMD_DONE;
-    if (!arguments->output && arguments->units.farm.parts > 0)
+    if (!arguments->output && arguments->units.job_set.parts > 0)
         return CMD_DONE;
     if (!arguments->output)
         return cmd_usage(arguments->command,
@@ -443,7 +443,7 @@ static int run_command_line(void *given)
     code = check_files(arguments);
     if (code == CMD_DONE)
         code = check_profile(arguments);
-    return code == CMD_DONE ? cmd_with_farm(arguments, render_scene) : code;
+    return code == CMD_DONE ? cmd_with_jobs(arguments, render_scene) : code;
 }
 
 static const struct command_option options[] = {

@@ -11,7 +11,7 @@
 #include "base/progress.h"
 #include "base/command_output.h"
 #include "base/visible.h"
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/mass/units.h"
 #include "rt/roots/roots.h"
 #include "rt/scene/language/scene_read.h"
@@ -55,7 +55,7 @@ struct cmd_heat {
 struct cmd_units {
     struct command_texts resume; /* files; none: nothing is kept */
     size_t ranks;                /* processes to begin; 0: this one alone */
-    struct farm farm;
+    struct job_set job_set;
     struct ranks joined;
 };
 
@@ -140,7 +140,7 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
               "further files take theirs, too" }
 #define CMD_PART(what) \
     { .name = "part", .value = "K/N", .kind = COMMAND_CUSTOM, \
-      .offset = CMD_PLACE(units.farm), .take = cmd_take_part, \
+      .offset = CMD_PLACE(units.job_set), .take = cmd_take_part, \
       .wants = "two numbers, the first not above the second: 1/4", \
       .help = "the K-th of N shares of the " what " alone, kept by --resume" }
 #define CMD_RANKS \
@@ -209,13 +209,13 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work);
 
 /* The same for a command with units of work, which other ranks may do: these tell and write
  * nothing. */
-int cmd_with_farm(struct rt205_arguments *arguments, cmd_work *work);
+int cmd_with_jobs(struct rt205_arguments *arguments, cmd_work *work);
 /* What a share of so many units comes to: CMD_DONE. */
 int cmd_print_share(const struct rt205_arguments *arguments, size_t units);
 enum { MAX_RANKS = 4096 };
-bool cmd_take_part(char *text, void *farm);
+bool cmd_take_part(char *text, void *job_set);
 /* "1/4".  False: it is no share. */
-bool cmd_is_part(const char *text, struct farm *farm);
+bool cmd_is_part(const char *text, struct job_set *job_set);
 
 /* X,Y */
 bool cmd_take_pixel(char *text, void *pixel);

@@ -172,7 +172,7 @@ static bool conclude(const struct packet_programs *programs,
     return good;
 }
 
-/* ---- Packets, done by a farm ------------------------------------------------ */
+/* ---- Packets, done by a job set ------------------------------------------------ */
 
 /* The source of a thread's last packet, which its next one often needs as well. */
 struct emitting {
@@ -215,8 +215,8 @@ static bool begin_source(const struct rows_work *work, struct emitting *emitting
     return emitting->source;
 }
 
-static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
-                     c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit,
+                     struct serialized_result *words, c205_error *error)
 {
     const struct rows_work *work = context;
     const struct factors_options *options = &work->programs->options;
@@ -262,7 +262,7 @@ static bool begin_coming(const struct rows_work *work, struct coming *coming)
 }
 
 /* With the last of its packets a row is found, and they go. */
-static bool take_unit(void *context, size_t unit, struct unit_words *words,
+static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
     const struct rows_work *work = context;
@@ -290,7 +290,8 @@ static size_t unit_count(const struct rows_work *work)
 /* ---- All rows ---------------------------------------------------------------- */
 
 /* All that packets depend on, but for the scene. */
-static bool keep(const struct rows_work *work, struct farm *farm, c205_error *error)
+static bool keep(const struct rows_work *work, struct job_set *job_set,
+                 c205_error *error)
 {
     const struct packet_programs *programs = work->programs;
     const struct factors_options *options = &programs->options;
@@ -307,15 +308,15 @@ static bool keep(const struct rows_work *work, struct farm *farm, c205_error *er
         hash_sizes(HASH_START, work->emitters, work->emitter_count),
     };
 
-    return ray_query_keep(programs->rays, farm, "heat by rays", choices,
+    return ray_query_keep(programs->rays, job_set, "heat by rays", choices,
                           sizeof choices / sizeof *choices, error);
 }
 
-static bool run_farm(struct rows_work *work, c205_error *error)
+static bool run_job_set(struct rows_work *work, c205_error *error)
 {
     const struct factors_options *options = &work->programs->options;
-    const struct farm_work packets = {
-        .farm = options->farm,
+    const struct job_set_work packets = {
+        .job_set = options->job_set,
         .count = unit_count(work),
         .jobs = options->jobs,
         .first = (uint64_t)options->points << 32,
@@ -326,7 +327,7 @@ static bool run_farm(struct rows_work *work, c205_error *error)
         .progress_context = options->context,
     };
 
-    return keep(work, packets.farm, error) && farm_run(&packets, error);
+    return keep(work, packets.job_set, error) && job_set_run(&packets, error);
 }
 
 static bool begin(struct rows_work *work)
@@ -365,7 +366,7 @@ bool factors_find(const struct factors *factors, const size_t *emitters, size_t 
 
     for (size_t i = 0; i < count; i++)
         rows[i] = (struct factor_row){ .receivers = 0 };
-    good = begin(&work) ? run_farm(&work, error) : error_set(error, "no memory");
+    good = begin(&work) ? run_job_set(&work, error) : error_set(error, "no memory");
     end(&work);
     for (size_t i = 0; !good && i < count; i++)
         factor_row_free(&rows[i]);

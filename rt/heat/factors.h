@@ -4,7 +4,7 @@
  * A packet is one repeat of an emitter, or a piece of it: its points, which of these are seen, and what
  * receives the rays that go out from them.  All of that, and the counts and sums of weights
  * by receiver, are the machine's: packet by packet, in machines of its own, by a
- * farm.  They do not depend on the form,
+ * job set.  They do not depend on the form,
  * the queue, the jobs or the ranks; of the few sums the host finds means and errors.
  * Source: docs/heat.md.
  */
@@ -12,7 +12,7 @@
 #define RT_FACTORS_H
 
 #include "base/accounts.h"
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/heat/emission.h"
 #include "rt/heat/estimate.h"
 #include "rt/heat/step.h"
@@ -29,8 +29,8 @@ struct factors_options {
     size_t repeats; /* 2 or more: their spread gives the errors */
     bool lattice;   /* .. under independent shifts; else random */
     uint64_t seed;
-    size_t jobs;       /* packets at a time; 0: one */
-    struct farm *farm; /* as in farm_work */
+    size_t jobs;             /* packets at a time; 0: one */
+    struct job_set *job_set; /* as in job_set_work */
     /* Asked now and then, with packets; false: stop.  NULL: nobody wants to know. */
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
@@ -62,8 +62,8 @@ struct factors *factors_new(const struct scene *scene,
 void factors_free(struct factors *factors);
 
 /* Those from so many primitives, numbers of the scene's from 0 on, on their outward sides:
- * rows, which the caller frees.  Where the farm does not collect packets
- * (farm_collects), the rows stay empty.  False: one has no emission, a trap, no memory, a
+ * rows, which the caller frees.  Where the job set does not collect packets
+ * (job_set_collects), the rows stay empty.  False: one has no emission, a trap, no memory, a
  * file of another run; the rows are empty then. */
 bool factors_find(const struct factors *factors, const size_t *emitters, size_t count,
                   struct factor_row *rows, c205_error *error);

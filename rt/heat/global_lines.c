@@ -336,29 +336,30 @@ static void end_packet(struct global_packet *packet)
     accounts_free(&packet->accounts);
 }
 
-/* ---- As units of work, done by a farm --------------------------------------- */
+/* ---- As units of work, done by a job set --------------------------------------- */
 
 /* Most surfaces do not see most others: what they have is their numbers, and how many
  * that are. */
-static void put_counts(const struct global_packet *packet, struct unit_words *words)
+static void put_counts(const struct global_packet *packet,
+                       struct serialized_result *words)
 {
     size_t cells = cells_of(packet->work), some = 0;
 
     for (size_t i = 0; i < cells; i++)
         some += c205_to_integer(packet->counts[i]) != 0;
-    words_put(words, some);
+    result_put(words, some);
     for (size_t i = 0; i < cells; i++) {
         int64_t count = c205_to_integer(packet->counts[i]);
 
         if (count != 0) {
-            words_put(words, i);
-            words_put(words, (uint64_t)count);
+            result_put(words, i);
+            result_put(words, (uint64_t)count);
         }
     }
 }
 
-static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
-                     c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit,
+                     struct serialized_result *words, c205_error *error)
 {
     struct global_packet packet = { .work = context, .unit = unit, .error = error };
     bool good = begin_packet(&packet) ? run_packet(&packet)
@@ -366,8 +367,8 @@ static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *
 
     (void)job;
     if (good) {
-        words_put_accounts(words, &packet.accounts);
-        words_put_all(words, packet.clocks, HEAT_STEPS);
+        result_put_accounts(words, &packet.accounts);
+        result_put_all(words, packet.clocks, HEAT_STEPS);
         put_counts(&packet, words);
     }
     end_packet(&packet);
@@ -386,47 +387,49 @@ static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
 }
 
 /* Whether the next words are what put_counts puts. */
-static bool are_counts(const struct global_work *work, const struct unit_words *words)
+static bool are_counts(const struct global_work *work,
+                       const struct serialized_result *words)
 {
-    struct unit_words look = *words;
-    uint64_t some = words_take(&look), last = 0;
+    struct serialized_result look = *words;
+    uint64_t some = result_take(&look), last = 0;
     bool good = some <= cells_of(work);
 
     for (uint64_t i = 0; good && i < some; i++) {
-        uint64_t cell = words_take(&look);
+        uint64_t cell = result_take(&look);
 
         good = cell < cells_of(work) && (i == 0 || cell > last);
         last = cell;
-        words_take(&look);
+        result_take(&look);
     }
     return good && !look.failed;
 }
 
 /* All of it, or nothing. */
-static bool take_unit(void *context, size_t unit, struct unit_words *words,
+static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
     const struct global_work *work = context;
     struct accounts accounts = { .model = work->options->model };
     uint64_t clocks[HEAT_STEPS] = { 0 };
-    bool good = words_take_accounts(words, &accounts);
+    bool good = result_take_accounts(words, &accounts);
 
-    words_take_all(words, clocks, HEAT_STEPS);
+    result_take_all(words, clocks, HEAT_STEPS);
     good = good && are_counts(work, words)
            && accounts_add_all(&work->found->accounts, &accounts);
     for (int i = 0; good && i < HEAT_STEPS; i++)
         work->found->clocks[i] += clocks[i];
-    for (uint64_t i = good ? words_take(words) : 0; i > 0; i--) {
-        uint64_t cell = words_take(words);
+    for (uint64_t i = good ? result_take(words) : 0; i > 0; i--) {
+        uint64_t cell = result_take(words);
 
-        add_gaps(work, unit, cell, words_take(words));
+        add_gaps(work, unit, cell, result_take(words));
     }
     accounts_free(&accounts);
     return good || error_set(error, "a packet has no words");
 }
 
 /* All that packets depend on, but for the scene. */
-static bool keep(const struct global_work *work, struct farm *farm, c205_error *error)
+static bool keep(const struct global_work *work, struct job_set *job_set,
+                 c205_error *error)
 {
     const struct global_lines_options *options = work->options;
     const uint64_t choices[] = {
@@ -441,15 +444,15 @@ static bool keep(const struct global_work *work, struct farm *farm, c205_error *
                    options->surface_of ? work->scene->primitive_count : 0),
     };
 
-    return ray_query_keep(work->lines, farm, "heat by lines", choices,
+    return ray_query_keep(work->lines, job_set, "heat by lines", choices,
                           sizeof choices / sizeof *choices, error);
 }
 
 static bool run(struct global_work *work, c205_error *error)
 {
     const struct global_lines_options *options = work->options;
-    const struct farm_work packets = {
-        .farm = options->farm,
+    const struct job_set_work packets = {
+        .job_set = options->job_set,
         .count = unit_count(work),
         .jobs = options->jobs,
         .first = (uint64_t)options->lines_log << 32,
@@ -461,7 +464,7 @@ static bool run(struct global_work *work, c205_error *error)
     };
 
     work->found->units = packets.count;
-    return keep(work, packets.farm, error) && farm_run(&packets, error);
+    return keep(work, packets.job_set, error) && job_set_run(&packets, error);
 }
 
 bool global_lines_find(const struct scene *scene,

@@ -17,7 +17,7 @@
 #define RT_GLOBAL_LINES_H
 
 #include "base/accounts.h"
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/heat/estimate.h"
 #include "rt/heat/step.h"
 #include "rt/trace/trace.h"
@@ -31,8 +31,8 @@ struct global_lines_options {
     size_t repeats;   /* 2 or more: their spread gives the errors */
     bool lattice;     /* or random */
     uint64_t seed;
-    size_t jobs;       /* packets at a time; 0: one */
-    struct farm *farm; /* as in farm_work */
+    size_t jobs;             /* packets at a time; 0: one */
+    struct job_set *job_set; /* as in job_set_work */
     /* Asked now and then, with packets; false: stop.  NULL: nobody wants to know. */
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
@@ -53,7 +53,7 @@ struct global_lines {
     uint64_t clocks[HEAT_STEPS]; /* .. of them */
 };
 
-/* Where the farm does not collect packets (farm_collects) nothing is counted.  False:
+/* Where the job set does not collect packets (job_set_collects) nothing is counted.  False:
  * options that cannot be, a scene without surfaces, or with one that has no end; a
  * trap, no memory, a file of another run. */
 bool global_lines_find(const struct scene *scene,

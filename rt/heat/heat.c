@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/heat/smooth.h"
 #include "rt/heat/source.h"
 #include "rt/scene/given_values.h"
@@ -20,7 +20,7 @@ struct heat_work {
 
 static bool collects(const struct heat *heat)
 {
-    return !heat->request->farm || farm_collects(heat->request->farm);
+    return !heat->request->job_set || job_set_collects(heat->request->job_set);
 }
 
 static bool add_accounts(const struct heat_work *work, const struct accounts *accounts,
@@ -55,7 +55,7 @@ static bool find_rows(struct heat_work *work)
         .lattice = request->lattice,
         .seed = request->seed,
         .jobs = request->jobs,
-        .farm = request->farm,
+        .job_set = request->job_set,
         .progress = request->progress,
         .context = request->context,
         .receiver_of = heat->surfaces.surface_of,
@@ -139,7 +139,7 @@ static bool find_by_lines(struct heat_work *work)
         .lattice = request->lattice,
         .seed = request->seed,
         .jobs = request->jobs,
-        .farm = request->farm,
+        .job_set = request->job_set,
         .progress = request->progress,
         .context = request->context,
         .surface_of = heat->surfaces.surface_of,
@@ -237,7 +237,7 @@ static bool find_factors(struct heat_work *work)
             || !(request->by_lines ? find_by_lines(work) : find_by_rays(work)))
             return false;
         next = find_next(work->heat);
-        if (request->farm && !farm_agree(request->farm, &next))
+        if (request->job_set && !job_set_agree(request->job_set, &next))
             return error_set(work->error, "there is no more work");
     } while (next > 0);
     return true;

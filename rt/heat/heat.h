@@ -25,7 +25,7 @@ struct heat_request {
     bool exchange;
     const char *const *emissivities, *const *temperatures; /* NAME=VALUE */
     size_t emissivity_count, temperature_count;
-    struct farm *farm; /* as in farm_work */
+    struct job_set *job_set; /* as in job_set_work */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
@@ -50,7 +50,7 @@ struct heat {
  * that cannot be; no memory.  Free it in either case. */
 bool heat_begin(const struct scene *scene, const struct heat_request *request,
                 struct heat *heat, c205_error *error);
-/* Where the farm does not collect packets nothing but their number is found.  False: a trap,
+/* Where the job set does not collect packets nothing but their number is found.  False: a trap,
  * no memory, a file of another run, whatever factors.h, global_lines.h and thermal.h
  * refuse. */
 bool heat_find(struct heat *heat, c205_error *error);

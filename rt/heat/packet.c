@@ -77,22 +77,22 @@ void packet_free(struct packet *packet)
     *packet = (struct packet){ .width = 0 };
 }
 
-void packet_put(const struct packet *packet, struct unit_words *words)
+void packet_put(const struct packet *packet, struct serialized_result *words)
 {
-    words_put(words, packet->made);
-    words_put(words, packet->stay);
-    words_put_all(words, packet->sums, packet->width);
-    words_put_all(words, packet->clocks, HEAT_STEPS);
-    words_put_accounts(words, &packet->accounts);
+    result_put(words, packet->made);
+    result_put(words, packet->stay);
+    result_put_all(words, packet->sums, packet->width);
+    result_put_all(words, packet->clocks, HEAT_STEPS);
+    result_put_accounts(words, &packet->accounts);
 }
 
-bool packet_take(struct packet *packet, struct unit_words *words)
+bool packet_take(struct packet *packet, struct serialized_result *words)
 {
-    packet->made = words_take(words);
-    packet->stay = words_take(words);
-    words_take_all(words, packet->sums, packet->width);
-    words_take_all(words, packet->clocks, HEAT_STEPS);
-    if (!words->failed && words_take_accounts(words, &packet->accounts))
+    packet->made = result_take(words);
+    packet->stay = result_take(words);
+    result_take_all(words, packet->sums, packet->width);
+    result_take_all(words, packet->clocks, HEAT_STEPS);
+    if (!words->failed && result_take_accounts(words, &packet->accounts))
         return true;
     accounts_free(&packet->accounts);
     return false;

@@ -9,7 +9,7 @@
 #ifndef RT_PACKET_H
 #define RT_PACKET_H
 
-#include "rt/farm/words.h"
+#include "rt/jobs/serialized_result.h"
 #include "rt/heat/factors.h"
 #include "rt/heat/source.h"
 
@@ -54,8 +54,8 @@ bool packet_run(const struct packet_programs *programs,
                 struct packet *packet, c205_error *error);
 
 /* As a unit of work comes to it. */
-void packet_put(const struct packet *packet, struct unit_words *words);
+void packet_put(const struct packet *packet, struct serialized_result *words);
 /* False: these are no such words; the packet is as good as new. */
-bool packet_take(struct packet *packet, struct unit_words *words);
+bool packet_take(struct packet *packet, struct serialized_result *words);
 
 #endif

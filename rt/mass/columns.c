@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/layout/bounds.h"
 #include "rt/mass/overlaps.h"
 #include "rt/trace/form.h"
@@ -378,8 +378,8 @@ static bool do_packet(const struct columns_work *work, size_t unit, c205_error *
 }
 
 /* What a packet comes to, as words. */
-static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
-                     c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit,
+                     struct serialized_result *words, c205_error *error)
 {
     const struct columns_work *work = context;
     size_t width = width_of(work->sums);
@@ -387,27 +387,28 @@ static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *
     (void)job;
     if (!do_packet(work, unit, error))
         return false;
-    words_put_all(words, work->words + unit * width, width);
-    words_put_all(words, work->clocks[unit], COLUMNS_STAGES);
-    words_put(words, work->crossings[unit]);
+    result_put_all(words, work->words + unit * width, width);
+    result_put_all(words, work->clocks[unit], COLUMNS_STAGES);
+    result_put(words, work->crossings[unit]);
     return true;
 }
 
-static bool take_unit(void *context, size_t unit, struct unit_words *words,
+static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
     const struct columns_work *work = context;
     size_t width = width_of(work->sums);
 
-    words_take_all(words, work->words + unit * width, width);
-    words_take_all(words, work->clocks[unit], COLUMNS_STAGES);
-    work->crossings[unit] = words_take(words);
+    result_take_all(words, work->words + unit * width, width);
+    result_take_all(words, work->clocks[unit], COLUMNS_STAGES);
+    work->crossings[unit] = result_take(words);
     return !words->failed || error_set(error, "a packet has no words");
 }
 
 /* All that packets depend on.  Of a run with several sums the first decide, for the others
  * follow from them. */
-static bool keep(const struct columns_work *work, struct farm *farm, c205_error *error)
+static bool keep(const struct columns_work *work, struct job_set *job_set,
+                 c205_error *error)
 {
     const struct columns_options *options = work->options;
     const uint64_t choices[] = {
@@ -422,15 +423,15 @@ static bool keep(const struct columns_work *work, struct farm *farm, c205_error 
         hash_sizes(HASH_START, options->part_of, work->scene->object_count),
     };
 
-    return ray_query_keep(work->lines[0], farm, "mass", choices,
+    return ray_query_keep(work->lines[0], job_set, "mass", choices,
                           sizeof choices / sizeof *choices, error);
 }
 
 static bool do_packets(struct columns_work *work, c205_error *error)
 {
     const struct columns_options *options = work->options;
-    const struct farm_work packets = {
-        .farm = options->farm,
+    const struct job_set_work packets = {
+        .job_set = options->job_set,
         .count = unit_count(work),
         .jobs = options->jobs,
         .first = (uint64_t)options->rays_log << 32,
@@ -442,12 +443,12 @@ static bool do_packets(struct columns_work *work, c205_error *error)
     };
 
     work->sums->units = packets.count;
-    return keep(work, packets.farm, error) && farm_run(&packets, error);
+    return keep(work, packets.job_set, error) && job_set_run(&packets, error);
 }
 
 static bool collects(const struct columns_work *work)
 {
-    return !work->options->farm || farm_collects(work->options->farm);
+    return !work->options->job_set || job_set_collects(work->options->job_set);
 }
 
 /* ---- All packets --------------------------------------------------------- */

@@ -66,7 +66,7 @@ struct columns_options {
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
-    struct farm *farm; /* that does the packets; NULL: threads, and nothing is
+    struct job_set *job_set; /* that does the packets; NULL: threads, and nothing is
                           kept */
 };
 
@@ -83,7 +83,7 @@ struct columns_sums {
     uint64_t crossings;
 };
 
-/* Where the farm does not collect what packets come to, there are no words. */
+/* Where the job set does not collect what packets come to, there are no words. */
 /* False: options that cannot be; a scene without bodies, with one that has no end, or with
  * an open surface, which the error names; a trap; progress said to stop. */
 bool columns_sum(const struct scene *scene, const struct columns_options *options,

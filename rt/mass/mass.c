@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"
 #include "rt/scene/vector.h"
@@ -109,7 +109,7 @@ static bool sum_columns(struct mass *mass, c205_error *error)
         .model = request->model,
         .progress = request->progress,
         .context = request->context,
-        .farm = request->farm,
+        .job_set = request->job_set,
     };
 
     return columns_sum(&mass->bodies, &options, &mass->sums, error);
@@ -169,7 +169,7 @@ static bool find_next(struct mass *mass, uint64_t *next, c205_error *error)
     size_t last = log_of_rays(request->limit, request->repeats);
 
     *next = 0;
-    if (request->farm && !farm_collects(request->farm))
+    if (request->job_set && !job_set_collects(request->job_set))
         return true;
     if (!find_figures(mass, error))
         return false;
@@ -188,7 +188,7 @@ bool mass_find(struct mass *mass, c205_error *error)
         mass->rays_log = (size_t)next;
         if (!sum_columns(mass, error) || !find_next(mass, &next, error))
             return false;
-        if (request->farm && !farm_agree(request->farm, &next))
+        if (request->job_set && !job_set_agree(request->job_set, &next))
             return error_set(error, "there is no more work");
     } while (next > 0);
     return true;

@@ -29,8 +29,8 @@ struct mass_request {
     uint64_t seed;
     /* With four times the rays until no error is larger (mass_worst); 0: once. */
     double tolerance;
-    size_t limit;      /* rays at most, if there is a tolerance */
-    struct farm *farm; /* as in farm_work */
+    size_t limit;            /* rays at most, if there is a tolerance */
+    struct job_set *job_set; /* as in job_set_work */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
@@ -64,7 +64,7 @@ struct mass {
  * cannot be read, which the reports tell of; no memory.  Free it in either case. */
 bool mass_begin(const struct scene *scene, const struct mass_request *request,
                 struct mass *mass, struct diagnostics *reports, c205_error *error);
-/* Where the farm does not collect packets nothing but their number is found.  False: what
+/* Where the job set does not collect packets nothing but their number is found.  False: what
  * columns_sum refuses. */
 bool mass_find(struct mass *mass, c205_error *error);
 void mass_free(struct mass *mass);

@@ -2,15 +2,16 @@
 
 #include <stdlib.h>
 
-void band_put(const struct band *band, size_t width, struct unit_words *words)
+void band_put(const struct band *band, size_t width, struct serialized_result *words)
 {
     for (int kind = 0; kind < RAY_KINDS; kind++)
-        words_put(words, band->rays[kind]);
-    words_put_accounts(words, &band->accounts);
-    words_put_all(words, band->words, FRAME_CHANNELS * band->rows * width);
+        result_put(words, band->rays[kind]);
+    result_put_accounts(words, &band->accounts);
+    result_put_all(words, band->words, FRAME_CHANNELS * band->rows * width);
 }
 
-static bool take_samples(struct band *band, size_t width, struct unit_words *words)
+static bool take_samples(struct band *band, size_t width,
+                         struct serialized_result *words)
 {
     size_t count = FRAME_CHANNELS * band->rows * width;
 
@@ -18,15 +19,15 @@ static bool take_samples(struct band *band, size_t width, struct unit_words *wor
         return false;
     band->words = malloc(count * sizeof *band->words);
     if (band->words)
-        words_take_all(words, band->words, count);
+        result_take_all(words, band->words, count);
     return band->words;
 }
 
-bool band_take(struct band *band, size_t width, struct unit_words *words)
+bool band_take(struct band *band, size_t width, struct serialized_result *words)
 {
     for (int kind = 0; kind < RAY_KINDS; kind++)
-        band->rays[kind] = words_take(words);
+        band->rays[kind] = result_take(words);
     band->rows_done = band->rows;
-    return words_take_accounts(words, &band->accounts)
+    return result_take_accounts(words, &band->accounts)
            && take_samples(band, width, words);
 }

@@ -2,13 +2,13 @@
 #ifndef RT_BAND_WORDS_H
 #define RT_BAND_WORDS_H
 
-#include "rt/farm/words.h"
+#include "rt/jobs/serialized_result.h"
 #include "rt/trace/band.h"
 
 /* All but its place; width: of the frame, pixels. */
-void band_put(const struct band *band, size_t width, struct unit_words *words);
+void band_put(const struct band *band, size_t width, struct serialized_result *words);
 /* What a band of so many rows came to, which the caller frees.  False: the words are no
  * such band, or no memory. */
-bool band_take(struct band *band, size_t width, struct unit_words *words);
+bool band_take(struct band *band, size_t width, struct serialized_result *words);
 
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/layout/program.h"
 #include "rt/layout/trees.h"
 #include "rt/shapes/mesh.h"
@@ -399,17 +399,19 @@ bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
 
 /* ---- Units of work along lines --------------------------------------------- */
 
-bool ray_query_keep(const struct ray_query *lines, struct farm *farm, const char *kind,
-                    const uint64_t *choices, size_t count, c205_error *error)
+bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
+                    const char *kind, const uint64_t *choices, size_t count,
+                    c205_error *error)
 {
     const struct scene_ray line = { { 0 }, { 1, 0, 0 } };
     c205 *machine;
     bool good;
 
-    if (!farm || farm->path_count == 0 || farm->file)
+    if (!job_set || job_set->path_count == 0 || job_set->file)
         return true;
     machine = ray_query_machine(lines, &line, 1, error);
-    good = machine && farm_keep(farm, farm_key(kind, machine, choices, count), error);
+    good = machine
+           && job_set_open(job_set, job_set_key(kind, machine, choices, count), error);
     c205_free(machine);
     return good;
 }

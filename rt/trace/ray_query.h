@@ -81,11 +81,12 @@ const struct object *ray_query_program(const struct ray_query *lines);
 c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *list,
                         size_t count, c205_error *error);
 
-/* Open the files of a farm (rt/farm/farm.h) for a run along such lines, of that kind and with
+/* Open the files of a job set (rt/jobs/job_set.h) for a run along such lines, of that kind and with
  * these choices besides, unless they are open or there is none (NULL).  False: one is of
  * another run. */
-struct farm;
-bool ray_query_keep(const struct ray_query *lines, struct farm *farm, const char *kind,
-                    const uint64_t *choices, size_t count, c205_error *error);
+struct job_set;
+bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
+                    const char *kind, const uint64_t *choices, size_t count,
+                    c205_error *error);
 
 #endif

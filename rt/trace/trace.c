@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/host/framebuffer.h"
 #include "rt/host/threads.h"
 #include "rt/trace/band_words.h"
@@ -31,7 +31,7 @@ struct trace {
     size_t rows_of_parts; /* done, of bands that were stopped */
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
-    struct farm alone, *farm; /* alone: if there is no other one */
+    struct job_set alone, *job_set; /* alone: if there is no other one */
 
     /* While it runs, all of the above that changes is under the lock. */
     struct lock *lock, *watching;
@@ -209,7 +209,7 @@ struct trace *trace_new(const struct scene *scene, const struct trace_options *o
     trace->lock = lock_new();
     trace->watching = lock_new();
     trace->options = *options;
-    trace->farm = options->farm ? options->farm : &trace->alone;
+    trace->job_set = options->job_set ? options->job_set : &trace->alone;
     trace->options.samples = samples_across(options, scene);
     trace->accounts.model = options->model;
     trace->gamma = scene->assumed_gamma > 0
@@ -242,7 +242,7 @@ void trace_free(struct trace *trace)
 {
     if (!trace)
         return;
-    farm_end(trace->farm, false);
+    job_set_close(trace->job_set, false);
     lock_free(trace->lock);
     lock_free(trace->watching);
     accounts_free(&trace->accounts);
@@ -295,7 +295,7 @@ static bool add_band(struct trace *trace, const struct band *band)
 }
 
 /* A band that is done, here or elsewhere. */
-static bool take_band(void *context, size_t number, struct unit_words *words,
+static bool take_band(void *context, size_t number, struct serialized_result *words,
                       c205_error *error)
 {
     struct trace *trace = context;
@@ -317,15 +317,15 @@ bool trace_keep(struct trace *trace, c205_error *error)
     c205 *machine = trace_machine(trace, 0, error);
     const uint64_t size[] = { trace->options.width, trace->options.height,
                               trace->band_rows };
-    uint64_t key = machine ? farm_key("frame", machine, size, 3) : 0;
+    uint64_t key = machine ? job_set_key("frame", machine, size, 3) : 0;
 
     c205_free(machine);
-    return machine && farm_keep(trace->farm, key, error);
+    return machine && job_set_open(trace->job_set, key, error);
 }
 
 void trace_forget(struct trace *trace)
 {
-    farm_end(trace->farm, true);
+    job_set_close(trace->job_set, true);
 }
 
 /* ---- Jobs ---------------------------------------------------------------- */
@@ -371,7 +371,7 @@ static bool end_stopped(struct trace *trace, const struct band *band, c205_error
 }
 
 static bool run_band(void *context, size_t number, size_t unit,
-                     struct unit_words *words, c205_error *error)
+                     struct serialized_result *words, c205_error *error)
 {
     struct trace *trace = context;
     struct job *job = &trace->jobs[number];
@@ -429,19 +429,19 @@ static void end_jobs(struct trace *trace)
 bool trace_run(struct trace *trace, c205_error *error)
 {
     const struct trace_options *options = &trace->options;
-    const struct farm_work work = { .farm = trace->farm,
-                                    .count = trace->band_count,
-                                    .jobs = options->jobs,
-                                    .run = run_band,
-                                    .take = take_band,
-                                    .go_on = options->progress ? watch : NULL,
-                                    .context = trace };
+    const struct job_set_work work = { .job_set = trace->job_set,
+                                       .count = trace->band_count,
+                                       .jobs = options->jobs,
+                                       .run = run_band,
+                                       .take = take_band,
+                                       .go_on = options->progress ? watch : NULL,
+                                       .context = trace };
     bool good;
 
     if (!begin_jobs(trace))
         return error_set(error, "no memory");
     trace->work.progress = options->progress ? report_progress : NULL;
-    good = farm_run(&work, error);
+    good = job_set_run(&work, error);
     end_jobs(trace);
     if (good && options->progress)
         options->progress(options->context, options->width * options->height,

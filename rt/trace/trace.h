@@ -48,7 +48,7 @@ enum { TRACE_BLOCK = 32, MAX_TRACE_COLUMNS = 65534 };
 enum { MAX_TRACE_SAMPLES = 16 };
 #define MAX_TRACE_PIXELS ((size_t)1 << 26)
 
-struct farm;
+struct job_set;
 struct trace;
 
 struct trace_options {
@@ -83,7 +83,8 @@ struct trace_options {
     void (*look)(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done);
     void *context;
-    struct farm *farm; /* that does the bands (rt/farm/farm.h), and outlives the
+    struct job_set
+        *job_set; /* that does the bands (rt/jobs/job_set.h), and outlives the
                           trace; NULL: threads, and nothing is kept */
 };
 
@@ -94,7 +95,7 @@ struct trace *trace_new(const struct scene *scene, const struct trace_options *o
                         c205_error *error);
 void trace_free(struct trace *trace);
 
-/* Keep the bands in the files of the farm as they are finished, and take from them those
+/* Keep the bands in the files of the job set as they are finished, and take from them those
  * that they have, of this very frame; before the run. */
 bool trace_keep(struct trace *trace, c205_error *error);
 /* The frame is safe elsewhere: remove the file that keeps it. */

@@ -6,7 +6,7 @@
 #include "tests/oracle/plain_adaptive.h"
 #include "tests/unit/traced_frame.h"
 
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 
 #include <unistd.h>
 
@@ -329,18 +329,18 @@ static bool wait_on(void *context, size_t done, size_t all)
 }
 
 static struct trace *begin_kept(const struct scene *scene, double threshold,
-                                struct patience *patience, struct farm *farm)
+                                struct patience *patience, struct job_set *job_set)
 {
     struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = 65,
                                             .height = 3 * TRACE_BLOCK, .samples = 3,
                                             .threshold = threshold, .band = 1,
                                             .progress = patience ? wait_on : NULL,
-                                            .farm = farm, .context = patience);
+                                            .job_set = job_set, .context = patience);
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
     REQUIRE(trace);
     assert_int_equal(trace_bands(trace), 3);
-    if (farm && !trace_keep(trace, &error)) {
+    if (job_set && !trace_keep(trace, &error)) {
         assert_non_null(strstr(error.message, "another run"));
         trace_free(trace);
         return NULL;
@@ -353,7 +353,7 @@ TEST(kept)
 {
     char path[] = "/tmp/test_adaptive.XXXXXX";
     const char *const paths[] = { path };
-    struct farm farm = { .paths = paths, .path_count = 1 };
+    struct job_set job_set = { .paths = paths, .path_count = 1 };
     SCOPED(scene) *scene = read_text(shades);
     struct patience patience = { 0, SIZE_MAX };
     SCOPED(trace) *whole = begin_kept(scene, .02, &patience, NULL);
@@ -361,14 +361,14 @@ TEST(kept)
     close(mkstemp(path));
     assert_true(trace_run(whole, &error));
     patience = (struct patience){ 0, patience.asked * 3 / 4 };
-    struct trace *trace = begin_kept(scene, .02, &patience, &farm);
+    struct trace *trace = begin_kept(scene, .02, &patience, &job_set);
     assert_false(trace_run(trace, &error));
     assert_true(trace_bands_done(trace) > 0);
     assert_int_equal(trace_rows_done(trace), TRACE_BLOCK * trace_bands_done(trace));
     trace_free(trace);
-    assert_null(begin_kept(scene, .03, NULL, &farm));
-    trace = begin_kept(scene, .02, NULL, &farm);
-    assert_true(farm.kept > 0);
+    assert_null(begin_kept(scene, .03, NULL, &job_set));
+    trace = begin_kept(scene, .02, NULL, &job_set);
+    assert_true(job_set.kept > 0);
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_checksum(trace), trace_checksum(whole));
     assert_int_equal(trace_accounts(trace)->clocks, trace_accounts(whole)->clocks);

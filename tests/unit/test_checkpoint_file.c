@@ -1,7 +1,7 @@
 /* test_checkpoint_file.c - units that are kept in files are compared with those that were
  * written, after cuts, flipped bits and merges.  A harmed unit that is taken, or a good
  * one that is lost, fails here. */
-#include "rt/farm/checkpoint_file.h"
+#include "rt/jobs/checkpoint_file.h"
 #include "tests/unit/unit.h"
 
 #include <signal.h>
@@ -34,33 +34,33 @@ FIXTURE(tear_down)
 /* ---- Units --------------------------------------------------------------- */
 
 /* Of each number another one; some have no words. */
-static struct unit_words words_of(uint64_t number)
+static struct serialized_result words_of(uint64_t number)
 {
-    struct unit_words words = { .items = NULL };
+    struct serialized_result words = { .items = NULL };
     uint64_t one = number + 1;
     size_t count = number % 5 * 7;
     for (size_t i = 0; i < count; i++)
-        words_put(&words, xorshift(&one));
+        result_put(&words, xorshift(&one));
     return words;
 }
 
 static void add(struct checkpoint_file *file, uint64_t number)
 {
-    struct unit_words words = words_of(number);
+    struct serialized_result words = words_of(number);
     c205_error error = { "" };
     REQUIRE(checkpoint_add(file, number, &words, &error));
-    words_free(&words);
+    result_free(&words);
 }
 
 static void assert_unit(struct checkpoint_file *file, uint64_t number)
 {
-    struct unit_words expected = words_of(number), found = { .items = NULL };
+    struct serialized_result expected = words_of(number), found = { .items = NULL };
     assert_true(checkpoint_read(file, number, &found));
     assert_int_equal(found.count, expected.count);
     for (size_t i = 0; i < found.count; i++)
         assert_int_equal(found.items[i], expected.items[i]);
-    words_free(&expected);
-    words_free(&found);
+    result_free(&expected);
+    result_free(&found);
 }
 
 static struct checkpoint_file *open_file(size_t i)

@@ -26,7 +26,7 @@ static const char text[] = "sphere { 0, 1 } sphere { <2.2, 0, 0>, .8 }"
 struct run {
     bool lines;
     size_t jobs, seed;
-    struct farm *farm;
+    struct job_set *job_set;
     size_t stop;     /* after so many packets; 0: never */
     size_t told;     /* the most that were told to be done */
     uint64_t clocks; /* of all that was done */
@@ -61,8 +61,9 @@ static bool run_rays(struct run *run, const struct scene *scene)
     struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
                                               .points = 64, .repeats = REPEATS,
                                               .lattice = true, .seed = run->seed,
-                                              .jobs = run->jobs, .farm = run->farm,
-                                              .progress = tell, .context = run);
+                                              .jobs = run->jobs,
+                                              .job_set = run->job_set, .progress = tell,
+                                              .context = run);
     SCOPED(factors) *factors = factors_new(scene, &options, &run->error);
     struct factor_row rows[PRIMITIVES];
     bool good = factors && factors_find(factors, all, PRIMITIVES, rows, &run->error);
@@ -86,7 +87,8 @@ static bool run_lines(struct run *run, const struct scene *scene)
     struct global_lines_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
                                                    .lines_log = 6, .repeats = UNITS,
                                                    .lattice = true, .seed = run->seed,
-                                                   .jobs = run->jobs, .farm = run->farm,
+                                                   .jobs = run->jobs,
+                                                   .job_set = run->job_set,
                                                    .progress = tell, .context = run);
     struct global_lines found;
     if (!global_lines_find(scene, &options, &found, &run->error))
@@ -107,17 +109,17 @@ static bool do_run(struct run *run)
 {
     SCOPED(scene) *scene = read_scene(text);
     bool good = run->lines ? run_lines(run, scene) : run_rays(run, scene);
-    if (run->farm)
-        farm_end(run->farm, false);
+    if (run->job_set)
+        job_set_close(run->job_set, false);
     return good;
 }
 
-static struct run begin(bool lines, struct farm *farm)
+static struct run begin(bool lines, struct job_set *job_set)
 {
     return (struct run){ .lines = lines,
                          .jobs = 1 + (size_t)(xorshift(&seed) % 3),
                          .seed = 7,
-                         .farm = farm };
+                         .job_set = job_set };
 }
 
 static void assert_same(const struct run *run, const struct run *other)
@@ -138,8 +140,8 @@ static struct run find_alone(bool lines)
 
 static void check_stopped(bool lines, const struct run *alone)
 {
-    struct farm first = { .paths = paths, .path_count = 1 };
-    struct farm second = first;
+    struct job_set first = { .paths = paths, .path_count = 1 };
+    struct job_set second = first;
     struct run stopped = begin(lines, &first), next = begin(lines, &second);
     stopped.stop = 1 + (size_t)(xorshift(&seed) % (UNITS - 1));
     assert_false(do_run(&stopped));
@@ -165,12 +167,12 @@ TEST(shares)
 {
     for (int lines = 0; lines < 2; lines++) {
         struct run alone = find_alone(lines);
-        struct farm all = { .paths = paths, .path_count = SHARES };
+        struct job_set all = { .paths = paths, .path_count = SHARES };
         for (size_t i = 0; i < SHARES; i++) {
-            struct farm farm = {
+            struct job_set job_set = {
                 .part = i + 1, .parts = SHARES, .paths = &paths[i], .path_count = 1
             };
-            struct run share = begin(lines, &farm);
+            struct run share = begin(lines, &job_set);
             assert_true(do_run(&share));
             assert_int_equal(share.told, (size_t)UNITS / SHARES);
         }
@@ -188,8 +190,8 @@ TEST(shares)
 TEST(others)
 {
     for (int lines = 0; lines < 2; lines++) {
-        struct farm first = { .paths = paths, .path_count = 1 };
-        struct farm second = first, third = first;
+        struct job_set first = { .paths = paths, .path_count = 1 };
+        struct job_set second = first, third = first;
         struct run run = begin(lines, &first), seeded = begin(lines, &second),
                    other = begin(!lines, &third);
         assert_true(do_run(&run));

@@ -4,7 +4,7 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 #include "rt/trace/band_words.h"
 
 #include <unistd.h>
@@ -142,20 +142,21 @@ TEST_CALL(stopped_with_mirrors, check_stops(mirrors, false))
 
 /* A unit as a run would have kept it, but with samples that are nowhere in the
  * frame, and of other rows perhaps. */
-static void plant(struct trace *trace, struct farm *farm, uint64_t unit, size_t rows)
+static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
+                  size_t rows)
 {
     c205_error error = { "" };
     SCOPED_VALUE(band) band = { .rows = rows };
     size_t count = FRAME_CHANNELS * rows * WIDTH;
-    struct unit_words words = { .items = NULL };
+    struct serialized_result words = { .items = NULL };
     assert_true(trace_keep(trace, &error));
     band.words = malloc(count * sizeof *band.words);
     assert_non_null(band.words);
     for (size_t i = 0; i < count; i++)
         band.words[i] = c205_from_integer(205);
     band_put(&band, WIDTH, &words);
-    assert_true(checkpoint_add(farm->file, unit, &words, &error));
-    words_free(&words);
+    assert_true(checkpoint_add(job_set->file, unit, &words, &error));
+    result_free(&words);
 }
 
 /* A file with such a unit alone: it is taken, or the frame becomes the same as
@@ -164,12 +165,12 @@ static void check_planted(const struct scene *scene, const struct trace *whole,
                           uint64_t unit, size_t rows, bool taken)
 {
     const char *const paths[] = { path };
-    struct farm farm = { .paths = paths, .path_count = 1 };
+    struct job_set job_set = { .paths = paths, .path_count = 1 };
     struct trace_options options = how(TRACE_VECTOR);
     c205_error error = { "" };
-    options.farm = &farm;
+    options.job_set = &job_set;
     SCOPED(trace) *trace = begin(scene, &options);
-    plant(trace, &farm, unit, rows);
+    plant(trace, &job_set, unit, rows);
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_rows_done(trace), TALL);
     assert_int_equal(trace_checksum(trace) == trace_checksum(whole), !taken);
@@ -197,19 +198,19 @@ static bool are_kept_for(const char *one, const char *other, enum trace_mode mod
     const char *const texts[] = { one, other };
     bool kept = true;
     for (size_t i = 0; i < 2; i++) {
-        struct farm farm = { .paths = paths, .path_count = 1 };
+        struct job_set job_set = { .paths = paths, .path_count = 1 };
         struct trace_options options = how(mode);
         SCOPED(scene) *scene = read_text(texts[i]);
         c205_error error = { "" };
-        options.farm = &farm;
+        options.job_set = &job_set;
         SCOPED(trace) *trace = begin(scene, &options);
         if (i == 0)
-            plant(trace, &farm, 1, ROWS);
+            plant(trace, &job_set, 1, ROWS);
         else
             kept = trace_keep(trace, &error);
         if (!kept && !strstr(error.message, "another scene"))
             fail_msg("%s", error.message);
-        farm_end(&farm, false);
+        job_set_close(&job_set, false);
     }
     remove(path);
     return kept;

@@ -8,7 +8,7 @@
 #ifndef RT_FARM_CHECKPOINT_FILE_H
 #define RT_FARM_CHECKPOINT_FILE_H
 
-#include "rt/farm/words.h"
+#include "rt/jobs/serialized_result.h"
 
 struct checkpoint_file;
 
@@ -25,10 +25,10 @@ size_t checkpoint_count(const struct checkpoint_file *file);
 bool checkpoint_has(const struct checkpoint_file *file, uint64_t number);
 /* False: it has none of that number, it cannot be read, no memory. */
 bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
-                     struct unit_words *words);
+                     struct serialized_result *words);
 /* One that it has already is not added again. */
 bool checkpoint_add(struct checkpoint_file *file, uint64_t number,
-                    const struct unit_words *words, c205_error *error);
+                    const struct serialized_result *words, c205_error *error);
 /* remove_it: nobody needs it any more. */
 void checkpoint_close(struct checkpoint_file *file, bool remove_it);
 

@@ -8,7 +8,7 @@
 #ifndef RT_FARM_RANKS_H
 #define RT_FARM_RANKS_H
 
-#include "rt/farm/words.h"
+#include "rt/jobs/serialized_result.h"
 #include "vm/c205.h"
 
 /* What the adapter offers, by the name RANKS_SYMBOL. */
@@ -50,9 +50,10 @@ enum rank_message {
     RANK_LEAVES
 };
 void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
-                uint64_t word, const struct unit_words *more);
+                uint64_t word, const struct serialized_result *more);
 /* False: none has come.  message->at is behind the first word. */
-bool ranks_receive(const struct ranks *ranks, size_t *from, struct unit_words *message);
+bool ranks_receive(const struct ranks *ranks, size_t *from,
+                   struct serialized_result *message);
 /* What rank 0 says next, to one of the others. */
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word);
 /* Tell rank 0 why a unit is not done. */

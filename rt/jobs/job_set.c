@@ -1,4 +1,4 @@
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -10,39 +10,39 @@
 
 /* ---- Files and keys ------------------------------------------------------ */
 
-static bool is_first(const struct farm *farm)
+static bool is_first(const struct job_set *job_set)
 {
-    return !farm->ranks || farm->ranks->rank == 0;
+    return !job_set->ranks || job_set->ranks->rank == 0;
 }
 
-bool farm_collects(const struct farm *farm)
+bool job_set_collects(const struct job_set *job_set)
 {
-    return is_first(farm) && farm->parts == 0;
+    return is_first(job_set) && job_set->parts == 0;
 }
 
-bool farm_keep(struct farm *farm, uint64_t key, c205_error *error)
+bool job_set_open(struct job_set *job_set, uint64_t key, c205_error *error)
 {
-    if (farm->path_count == 0 || farm->file || !is_first(farm))
+    if (job_set->path_count == 0 || job_set->file || !is_first(job_set))
         return true;
     if (key == 0)
         return error_set(error, "no memory");
-    farm->file = checkpoint_open(farm->paths[0], key, error);
-    for (size_t i = 1; farm->file && i < farm->path_count; i++)
-        if (!checkpoint_merge(farm->file, farm->paths[i], error))
-            farm_end(farm, false);
-    farm->kept = farm->file ? checkpoint_count(farm->file) : 0;
-    return farm->file;
+    job_set->file = checkpoint_open(job_set->paths[0], key, error);
+    for (size_t i = 1; job_set->file && i < job_set->path_count; i++)
+        if (!checkpoint_merge(job_set->file, job_set->paths[i], error))
+            job_set_close(job_set, false);
+    job_set->kept = job_set->file ? checkpoint_count(job_set->file) : 0;
+    return job_set->file;
 }
 
-void farm_end(struct farm *farm, bool remove_it)
+void job_set_close(struct job_set *job_set, bool remove_it)
 {
-    checkpoint_close(farm->file, remove_it);
-    farm->file = NULL;
+    checkpoint_close(job_set->file, remove_it);
+    job_set->file = NULL;
 }
 
-bool farm_agree(struct farm *farm, uint64_t *word)
+bool job_set_agree(struct job_set *job_set, uint64_t *word)
 {
-    return !farm->ranks || ranks_agree(farm->ranks, word);
+    return !job_set->ranks || ranks_agree(job_set->ranks, word);
 }
 
 static bool add_to_key(void *context, const void *bytes, size_t count)
@@ -53,8 +53,8 @@ static bool add_to_key(void *context, const void *bytes, size_t count)
     return true;
 }
 
-uint64_t farm_key(const char *kind, const c205 *machine, const uint64_t *options,
-                  size_t count)
+uint64_t job_set_key(const char *kind, const c205 *machine, const uint64_t *options,
+                     size_t count)
 {
     uint64_t key = HASH_START;
     c205_error error;
@@ -68,7 +68,7 @@ uint64_t farm_key(const char *kind, const c205 *machine, const uint64_t *options
 /* ---- Units --------------------------------------------------------------- */
 
 struct pool {
-    const struct farm_work *work;
+    const struct job_set_work *work;
     struct lock *lock; /* of all below */
     bool *begun;
     size_t next;   /* all before it are begun */
@@ -85,16 +85,16 @@ struct hand {
     struct thread *thread; /* NULL: the caller's */
 };
 
-static bool is_mine(const struct farm *farm, size_t unit)
+static bool is_mine(const struct job_set *job_set, size_t unit)
 {
-    return farm->parts == 0 || unit % farm->parts == farm->part - 1;
+    return job_set->parts == 0 || unit % job_set->parts == job_set->part - 1;
 }
 
 /* With lock held, as in all that follow.  What comes before a unit that failed is
  * done, so the error is the same whoever is the faster. */
 static bool take_next(struct pool *pool, size_t *unit)
 {
-    const struct farm_work *work = pool->work;
+    const struct job_set_work *work = pool->work;
 
     while (pool->next < work->count && pool->begun[pool->next])
         pool->next++;
@@ -119,7 +119,7 @@ static void stop(struct pool *pool, const c205_error *why)
     pool->stopped = true;
 }
 
-static bool may_go_on(const struct farm_work *work, size_t done, c205_error *why)
+static bool may_go_on(const struct job_set_work *work, size_t done, c205_error *why)
 {
     if (work->progress && !work->progress(work->progress_context, done, work->count))
         return error_set(why, "stopped after %zu of %zu packet%s", done, work->count,
@@ -136,15 +136,16 @@ static void ask(struct pool *pool)
         stop(pool, &why);
 }
 
-static void take_unit(struct pool *pool, size_t unit, struct unit_words *words)
+static void take_unit(struct pool *pool, size_t unit, struct serialized_result *words)
 {
-    const struct farm_work *work = pool->work;
+    const struct job_set_work *work = pool->work;
     c205_error why = { "no memory" };
 
     if (words->failed
-        || (farm_collects(work->farm) && !work->take(work->context, unit, words, &why))
-        || (work->farm->file
-            && !checkpoint_add(work->farm->file, work->first + unit, words, &why))) {
+        || (job_set_collects(work->job_set)
+            && !work->take(work->context, unit, words, &why))
+        || (work->job_set->file
+            && !checkpoint_add(work->job_set->file, work->first + unit, words, &why))) {
         stop(pool, &why);
         return;
     }
@@ -153,31 +154,32 @@ static void take_unit(struct pool *pool, size_t unit, struct unit_words *words)
 }
 
 /* Whether the file has it, and it is what it should be. */
-static bool has_unit(const struct farm_work *work, size_t unit,
-                     struct unit_words *words)
+static bool has_unit(const struct job_set_work *work, size_t unit,
+                     struct serialized_result *words)
 {
-    const struct farm *farm = work->farm;
+    const struct job_set *job_set = work->job_set;
     c205_error why;
 
-    return farm->file && checkpoint_read(farm->file, work->first + unit, words)
-           && (!farm_collects(farm) || work->take(work->context, unit, words, &why));
+    return job_set->file && checkpoint_read(job_set->file, work->first + unit, words)
+           && (!job_set_collects(job_set)
+               || work->take(work->context, unit, words, &why));
 }
 
 /* Those of other shares, and those that the file has, are not done. */
 static void take_kept(struct pool *pool)
 {
-    const struct farm_work *work = pool->work;
-    struct unit_words words = { .items = NULL };
+    const struct job_set_work *work = pool->work;
+    struct serialized_result words = { .items = NULL };
 
     for (size_t unit = 0; unit < work->count && !pool->stopped; unit++) {
-        pool->begun[unit] = !is_mine(work->farm, unit);
+        pool->begun[unit] = !is_mine(work->job_set, unit);
         if (has_unit(work, unit, &words)) {
             pool->begun[unit] = true;
             pool->done++;
             ask(pool);
         }
     }
-    words_free(&words);
+    result_free(&words);
 }
 
 /* ---- Threads ------------------------------------------------------------- */
@@ -185,8 +187,8 @@ static void take_kept(struct pool *pool)
 static void do_unit(struct hand *hand, size_t unit)
 {
     struct pool *pool = hand->pool;
-    const struct farm_work *work = pool->work;
-    struct unit_words words = { .items = NULL };
+    const struct job_set_work *work = pool->work;
+    struct serialized_result words = { .items = NULL };
     c205_error why = { "no memory" };
     bool good = work->run(work->context, hand->number, unit, &words, &why);
 
@@ -196,7 +198,7 @@ static void do_unit(struct hand *hand, size_t unit)
     else
         fail_unit(pool, unit, &why);
     lock_give_back(pool->lock);
-    words_free(&words);
+    result_free(&words);
 }
 
 static void do_units(void *context)
@@ -259,14 +261,14 @@ static void give_unit(struct service *service, size_t to)
 
 /* A rank that fails before it has a unit stops all. */
 static void receive_failure(struct service *service, size_t from, uint64_t unit,
-                            struct unit_words *letters)
+                            struct serialized_result *letters)
 {
     size_t count = letters->count - letters->at, i = 0;
     char text[sizeof((c205_error *)0)->message];
     c205_error why;
 
     for (; i < count && i + 1 < sizeof text; i++)
-        text[i] = (char)words_take(letters);
+        text[i] = (char)result_take(letters);
     text[i] = '\0';
     if (unit < service->pool->work->count) {
         error_set(&why, "%s", text);
@@ -280,18 +282,19 @@ static void receive_failure(struct service *service, size_t from, uint64_t unit,
 
 /* A unit without its first two words. */
 static void receive_unit(struct service *service, uint64_t unit,
-                         struct unit_words *message)
+                         struct serialized_result *message)
 {
-    struct unit_words words = { .items = NULL };
+    struct serialized_result words = { .items = NULL };
 
-    words_put_all(&words, message->items + message->at, message->count - message->at);
+    result_put_all(&words, message->items + message->at, message->count - message->at);
     take_unit(service->pool, (size_t)unit, &words);
-    words_free(&words);
+    result_free(&words);
 }
 
-static void answer(struct service *service, size_t from, struct unit_words *message)
+static void answer(struct service *service, size_t from,
+                   struct serialized_result *message)
 {
-    uint64_t what = words_take(message), unit = words_take(message);
+    uint64_t what = result_take(message), unit = result_take(message);
 
     if (what == RANK_FAILS) {
         receive_failure(service, from, unit, message);
@@ -306,7 +309,7 @@ static void answer(struct service *service, size_t from, struct unit_words *mess
 static void serve(struct service *service)
 {
     struct pool *pool = service->pool;
-    struct unit_words message = { .items = NULL };
+    struct serialized_result message = { .items = NULL };
     struct ranks_pause pause = { 0 };
     bool busy = true;
     size_t from;
@@ -326,7 +329,7 @@ static void serve(struct service *service)
         else if (busy)
             ranks_wait(&pause);
     }
-    words_free(&message);
+    result_free(&message);
 }
 
 static void serve_ranks(struct pool *pool, struct ranks *ranks)
@@ -344,23 +347,24 @@ static void serve_ranks(struct pool *pool, struct ranks *ranks)
     free(open);
 }
 
-static bool do_for_other(const struct farm_work *work, size_t unit, c205_error *error)
+static bool do_for_other(const struct job_set_work *work, size_t unit,
+                         c205_error *error)
 {
-    struct unit_words words = { .items = NULL };
+    struct serialized_result words = { .items = NULL };
     bool good = work->run(work->context, 0, unit, &words, error) && !words.failed;
 
     if (good)
-        ranks_send(work->farm->ranks, 0, RANK_DONE, unit, &words);
+        ranks_send(work->job_set->ranks, 0, RANK_DONE, unit, &words);
     else
-        ranks_fail(work->farm->ranks, unit, error->message);
-    words_free(&words);
+        ranks_fail(work->job_set->ranks, unit, error->message);
+    result_free(&words);
     return good;
 }
 
 /* What a rank other than 0 does. */
-static bool work_for_first(const struct farm_work *work, c205_error *error)
+static bool work_for_first(const struct job_set_work *work, c205_error *error)
 {
-    struct ranks *ranks = work->farm->ranks;
+    struct ranks *ranks = work->job_set->ranks;
     size_t open = AHEAD;
     uint64_t unit;
 
@@ -384,7 +388,7 @@ static bool work_for_first(const struct farm_work *work, c205_error *error)
 /* Where there are other ranks this thread serves them; else it is the first job. */
 static void do_all(struct pool *pool, struct hand *hands, size_t count)
 {
-    struct ranks *ranks = pool->work->farm->ranks;
+    struct ranks *ranks = pool->work->job_set->ranks;
     size_t first = ranks ? 0 : 1, begun;
 
     pool->active = count;
@@ -402,7 +406,7 @@ static void do_all(struct pool *pool, struct hand *hands, size_t count)
 
 static bool run_all(struct pool *pool, c205_error *error)
 {
-    const struct farm_work *work = pool->work;
+    const struct job_set_work *work = pool->work;
     size_t most = work->jobs < work->count ? work->jobs : work->count;
     size_t count = most > 1 ? most : 1;
     struct hand *hands = calloc(count, sizeof *hands);
@@ -425,16 +429,16 @@ static bool run_all(struct pool *pool, c205_error *error)
     return !pool->stopped && pool->failed == work->count;
 }
 
-bool farm_run(const struct farm_work *work, c205_error *error)
+bool job_set_run(const struct job_set_work *work, c205_error *error)
 {
-    struct farm alone = { .parts = 0 };
-    struct farm_work mine = *work;
+    struct job_set alone = { .parts = 0 };
+    struct job_set_work mine = *work;
     struct pool pool = { .work = &mine, .failed = work->count };
     bool good;
 
-    if (!mine.farm)
-        mine.farm = &alone;
-    if (!is_first(mine.farm))
+    if (!mine.job_set)
+        mine.job_set = &alone;
+    if (!is_first(mine.job_set))
         return work_for_first(&mine, error);
     good = run_all(&pool, error);
     free(pool.begun);

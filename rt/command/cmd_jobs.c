@@ -1,4 +1,4 @@
-/* cmd_farm.c - commands whose units of work other processes may do. */
+/* cmd_jobs.c - commands whose units of work other processes may do. */
 #include "rt/command/rt205_command.h"
 
 #include <errno.h>
@@ -10,32 +10,33 @@
 
 /* ---- Shares -------------------------------------------------------------- */
 
-bool cmd_is_part(const char *text, struct farm *farm)
+bool cmd_is_part(const char *text, struct job_set *job_set)
 {
     char *end;
 
-    farm->part = strtoul(text, &end, 10);
+    job_set->part = strtoul(text, &end, 10);
     if (end == text || *end != '/' || *text == '-')
         return false;
     text = end + 1;
-    farm->parts = strtoul(text, &end, 10);
-    return end != text && *end == '\0' && *text != '-' && farm->part > 0
-           && farm->part <= farm->parts;
+    job_set->parts = strtoul(text, &end, 10);
+    return end != text && *end == '\0' && *text != '-' && job_set->part > 0
+           && job_set->part <= job_set->parts;
 }
 
-bool cmd_take_part(char *text, void *farm)
+bool cmd_take_part(char *text, void *job_set)
 {
-    return cmd_is_part(text, farm);
+    return cmd_is_part(text, job_set);
 }
 
 int cmd_print_share(const struct rt205_arguments *arguments, size_t units)
 {
-    const struct farm *farm = &arguments->units.farm;
+    const struct job_set *job_set = &arguments->units.job_set;
 
-    if (farm->file)
+    if (job_set->file)
         cmd_print_line(stderr, "%s: part %zu of %zu is done: %s has %zu of %zu unit%s",
-                       arguments->command, farm->part, farm->parts, farm->paths[0],
-                       checkpoint_count(farm->file), units, plural(units));
+                       arguments->command, job_set->part, job_set->parts,
+                       job_set->paths[0], checkpoint_count(job_set->file), units,
+                       plural(units));
     return CMD_DONE;
 }
 
@@ -43,7 +44,7 @@ static int check_share(const struct rt205_arguments *arguments)
 {
     const char *why = NULL;
 
-    if (arguments->units.farm.parts == 0)
+    if (arguments->units.job_set.parts == 0)
         return CMD_DONE;
     if (arguments->units.resume.count == 0)
         why = "--part keeps its units in a file: name it with --resume";
@@ -97,7 +98,7 @@ static int work_in_ranks(struct rt205_arguments *arguments, cmd_work *work)
                          "go with ranks");
     if (!ranks_join(ranks, &error))
         return cmd_failed(arguments->command, "%s", error.message);
-    arguments->units.farm.ranks = ranks;
+    arguments->units.job_set.ranks = ranks;
     arguments->trace.jobs = 1;
     if (ranks->rank > 0)
         be_silent(arguments);
@@ -106,22 +107,22 @@ static int work_in_ranks(struct rt205_arguments *arguments, cmd_work *work)
     return ranks->rank > 0 ? CMD_DONE : code;
 }
 
-int cmd_with_farm(struct rt205_arguments *arguments, cmd_work *work)
+int cmd_with_jobs(struct rt205_arguments *arguments, cmd_work *work)
 {
     struct cmd_units *units = &arguments->units;
     int code = check_share(arguments);
 
     if (code != CMD_DONE)
         return code;
-    units->farm.paths = units->resume.items;
-    units->farm.path_count = units->resume.count;
-    arguments->trace.farm = &units->farm;
+    units->job_set.paths = units->resume.items;
+    units->job_set.path_count = units->resume.count;
+    arguments->trace.job_set = &units->job_set;
     if (ranks_are_many())
         code = work_in_ranks(arguments, work);
     else if (units->ranks > 1)
         code = begin_ranks(arguments);
     else
         code = cmd_with_machine(arguments, work);
-    farm_end(&units->farm, false);
+    job_set_close(&units->job_set, false);
     return code;
 }

@@ -1,4 +1,4 @@
-#include "rt/farm/ranks.h"
+#include "rt/jobs/ranks.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +48,7 @@ bool ranks_join(struct ranks *ranks, c205_error *error)
 /* ---- Messages ------------------------------------------------------------ */
 
 void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
-                uint64_t word, const struct unit_words *more)
+                uint64_t word, const struct serialized_result *more)
 {
     size_t count = more ? more->count : 0;
     uint64_t *words = malloc((count + 2) * sizeof *words);
@@ -63,13 +63,14 @@ void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
     free(words);
 }
 
-bool ranks_receive(const struct ranks *ranks, size_t *from, struct unit_words *message)
+bool ranks_receive(const struct ranks *ranks, size_t *from,
+                   struct serialized_result *message)
 {
     size_t count;
 
     if (!ranks->adapter->ready(from, &count))
         return false;
-    if (!words_resize(message, count))
+    if (!result_resize(message, count))
         abort();
     ranks->adapter->receive(*from, message->items, count);
     return true;
@@ -88,16 +89,16 @@ void ranks_wait(struct ranks_pause *pause)
 
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)
 {
-    struct unit_words message = { .items = NULL };
+    struct serialized_result message = { .items = NULL };
     struct ranks_pause pause = { 0 };
     enum rank_message what;
     size_t from;
 
     while (!ranks_receive(ranks, &from, &message))
         ranks_wait(&pause);
-    what = (enum rank_message)words_take(&message);
-    *word = words_take(&message);
-    words_free(&message);
+    what = (enum rank_message)result_take(&message);
+    *word = result_take(&message);
+    result_free(&message);
     ranks->released |= what == RANK_FREE;
     return what;
 }
@@ -115,7 +116,7 @@ bool ranks_agree(struct ranks *ranks, uint64_t *word)
 
 static void release(const struct ranks *ranks)
 {
-    struct unit_words message = { .items = NULL };
+    struct serialized_result message = { .items = NULL };
     struct ranks_pause pause = { 0 };
     size_t left = ranks->count - 1, from;
 
@@ -123,20 +124,20 @@ static void release(const struct ranks *ranks)
         ranks_send(ranks, to, RANK_FREE, 0, NULL);
     while (left > 0)
         if (ranks_receive(ranks, &from, &message))
-            left -= words_take(&message) == RANK_LEAVES;
+            left -= result_take(&message) == RANK_LEAVES;
         else
             ranks_wait(&pause);
-    words_free(&message);
+    result_free(&message);
 }
 
 void ranks_fail(const struct ranks *ranks, uint64_t unit, const char *failure)
 {
-    struct unit_words letters = { .items = NULL };
+    struct serialized_result letters = { .items = NULL };
 
     for (const char *at = failure; *at; at++)
-        words_put(&letters, (unsigned char)*at);
+        result_put(&letters, (unsigned char)*at);
     ranks_send(ranks, 0, RANK_FAILS, unit, &letters);
-    words_free(&letters);
+    result_free(&letters);
 }
 
 void ranks_leave(struct ranks *ranks, const char *failure)

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/farm/ranks.h"
+#include "rt/jobs/ranks.h"
 
 static bool mpi_begin(size_t *rank, size_t *count)
 {

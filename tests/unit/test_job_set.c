@@ -1,7 +1,7 @@
-/* test_farm.c - units of work in threads, in shares and in processes that are killed, over
+/* test_job_set.c - units of work in threads, in shares and in processes that are killed, over
  * random counts, errors and kills: each unit is run and taken once. A unit that is lost,
  * or is done twice, fails. */
-#include "rt/farm/farm.h"
+#include "rt/jobs/job_set.h"
 
 #include <signal.h>
 #include <time.h>
@@ -38,7 +38,7 @@ static uint64_t worth(size_t unit)
     return xorshift(&one);
 }
 
-static bool run(void *context, size_t job, size_t unit, struct unit_words *words,
+static bool run(void *context, size_t job, size_t unit, struct serialized_result *words,
                 c205_error *error)
 {
     struct bench *bench = context;
@@ -51,32 +51,32 @@ static bool run(void *context, size_t job, size_t unit, struct unit_words *words
     }
     if (unit >= bench->bad && unit % 3 == bench->bad % 3)
         return error_set(error, "bad %zu", unit);
-    words_put(words, worth(unit));
+    result_put(words, worth(unit));
     return true;
 }
 
-static bool take(void *context, size_t unit, struct unit_words *words,
+static bool take(void *context, size_t unit, struct serialized_result *words,
                  c205_error *error)
 {
     struct bench *bench = context;
-    uint64_t word = words_take(words);
+    uint64_t word = result_take(words);
     assert_true(word == worth(unit));
     bench->taken[unit]++;
     bench->sum += word * (unit + 1);
     return !words->failed || error_set(error, "no word");
 }
 
-static bool do_farm(struct farm *farm, struct bench *bench, size_t jobs,
-                    c205_error *error)
+static bool do_job_set(struct job_set *job_set, struct bench *bench, size_t jobs,
+                       c205_error *error)
 {
-    const struct farm_work work = { .farm = farm,
-                                    .count = bench->count,
-                                    .jobs = jobs,
-                                    .first = 7,
-                                    .run = run,
-                                    .take = take,
-                                    .context = bench };
-    return farm_keep(farm, KEY, error) && farm_run(&work, error);
+    const struct job_set_work work = { .job_set = job_set,
+                                       .count = bench->count,
+                                       .jobs = jobs,
+                                       .first = 7,
+                                       .run = run,
+                                       .take = take,
+                                       .context = bench };
+    return job_set_open(job_set, KEY, error) && job_set_run(&work, error);
 }
 
 static void assert_all_taken(const struct bench *bench)
@@ -96,9 +96,9 @@ TEST(threads)
 {
     for (int i = 0; i < TRIES; i++) {
         struct bench bench = new_bench(between(0, MAX));
-        struct farm farm = { .parts = 0 };
+        struct job_set job_set = { .parts = 0 };
         c205_error error = { "" };
-        assert_true(do_farm(&farm, &bench, between(0, 5), &error));
+        assert_true(do_job_set(&job_set, &bench, between(0, 5), &error));
         assert_all_taken(&bench);
         for (size_t unit = 0; unit < bench.count; unit++)
             assert_int_equal(bench.run[unit], 1);
@@ -110,12 +110,12 @@ TEST(bad)
 {
     for (int i = 0; i < TRIES; i++) {
         struct bench bench = new_bench(between(1, MAX));
-        struct farm farm = { .parts = 0 };
+        struct job_set job_set = { .parts = 0 };
         c205_error error = { "" };
         char text[24];
         bench.bad = between(0, bench.count - 1);
         snprintf(text, sizeof text, "bad %zu", bench.bad);
-        assert_false(do_farm(&farm, &bench, between(1, 5), &error));
+        assert_false(do_job_set(&job_set, &bench, between(1, 5), &error));
         assert_string_equal(error.message, text);
         for (size_t unit = 0; unit < bench.bad; unit++)
             assert_int_equal(bench.taken[unit], 1);
@@ -129,24 +129,24 @@ TEST(shares)
     for (int i = 0; i < TRIES; i++) {
         struct bench bench = new_bench(between(0, MAX));
         size_t parts = between(1, SHARES), first = between(0, parts - 1);
-        struct farm all = { .paths = paths, .path_count = parts };
+        struct job_set all = { .paths = paths, .path_count = parts };
         c205_error error = { "" };
         for (size_t k = 0; k < parts; k++) {
             size_t part = (first + k) % parts;
-            struct farm farm = {
+            struct job_set job_set = {
                 .part = part + 1, .parts = parts, .paths = &paths[part], .path_count = 1
             };
 
-            assert_false(farm_collects(&farm));
-            assert_true(do_farm(&farm, &bench, between(1, 3), &error));
-            farm_end(&farm, false);
+            assert_false(job_set_collects(&job_set));
+            assert_true(do_job_set(&job_set, &bench, between(1, 3), &error));
+            job_set_close(&job_set, false);
         }
-        assert_true(do_farm(&all, &bench, 2, &error));
+        assert_true(do_job_set(&all, &bench, 2, &error));
         assert_int_equal(all.kept, bench.count);
         assert_all_taken(&bench);
         for (size_t unit = 0; unit < bench.count; unit++)
             assert_int_equal(bench.run[unit], 1);
-        farm_end(&all, true);
+        job_set_close(&all, true);
         for (size_t k = 1; k < parts; k++)
             remove(paths[k]);
     }
@@ -162,9 +162,9 @@ static void kill_one(void)
 
     assert_true(child >= 0);
     if (child == 0) {
-        struct farm farm = { .paths = paths, .path_count = 1 };
+        struct job_set job_set = { .paths = paths, .path_count = 1 };
         c205_error error;
-        do_farm(&farm, &bench, 2, &error);
+        do_job_set(&job_set, &bench, 2, &error);
         _exit(1);
     }
     assert_int_equal(waitpid(child, &status, 0), child);
@@ -174,19 +174,19 @@ static void kill_one(void)
 TEST(killed)
 {
     struct bench whole = new_bench(MAX);
-    struct farm alone = { .parts = 0 };
+    struct job_set alone = { .parts = 0 };
     c205_error error = { "" };
     size_t kept = 0;
-    assert_true(do_farm(&alone, &whole, 1, &error));
+    assert_true(do_job_set(&alone, &whole, 1, &error));
     for (int i = 0; i < KILLS; i++) {
         struct bench bench = new_bench(MAX);
-        struct farm farm = { .paths = paths, .path_count = 1 };
+        struct job_set job_set = { .paths = paths, .path_count = 1 };
         kill_one();
-        assert_true(do_farm(&farm, &bench, 2, &error));
+        assert_true(do_job_set(&job_set, &bench, 2, &error));
         assert_all_taken(&bench);
         assert_int_equal(bench.sum, whole.sum);
-        kept += farm.kept;
-        farm_end(&farm, true);
+        kept += job_set.kept;
+        job_set_close(&job_set, true);
     }
     assert_true(kept > 0 && kept < KILLS * MAX);
 }
@@ -195,7 +195,7 @@ FIXTURE(set_up)
 {
     bool good = true;
     for (size_t i = 0; i < SHARES; i++) {
-        strcpy(path[i], "/tmp/test_farm.XXXXXX");
+        strcpy(path[i], "/tmp/test_job_set.XXXXXX");
         int file = mkstemp(path[i]);
         good = good && file >= 0 && close(file) == 0 && remove(path[i]) == 0;
     }

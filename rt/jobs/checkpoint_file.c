@@ -1,4 +1,4 @@
-#include "rt/farm/checkpoint_file.h"
+#include "rt/jobs/checkpoint_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -59,25 +59,26 @@ static bool read_word(FILE *stream, uint64_t *word)
 /* ---- A unit -------------------------------------------------------------- */
 
 /* The next one, whole and unharmed. */
-static bool read_unit(FILE *stream, uint64_t *number, struct unit_words *words)
+static bool read_unit(FILE *stream, uint64_t *number, struct serialized_result *words)
 {
     uint64_t head[2], sum, word = 0;
 
-    words_clear(words);
+    result_clear(words);
     if (!read_word(stream, &head[0]) || !read_word(stream, &head[1])
         || !read_word(stream, &sum) || sum != hash_words(HASH_START, head, 2))
         return false;
     for (uint64_t i = 0; i < head[1] && !words->failed; i++) {
         if (!read_word(stream, &word))
             return false;
-        words_put(words, word);
+        result_put(words, word);
     }
     *number = head[0];
     return !words->failed && read_word(stream, &word)
            && word == hash_words(sum, words->items, words->count);
 }
 
-static bool write_unit(FILE *stream, uint64_t number, const struct unit_words *words)
+static bool write_unit(FILE *stream, uint64_t number,
+                       const struct serialized_result *words)
 {
     const uint64_t head[2] = { number, words->count };
     uint64_t sum = hash_words(HASH_START, head, 2);
@@ -144,7 +145,7 @@ static bool note_unit(struct checkpoint_file *file, uint64_t number, long at)
 /* What follows the last whole one is dropped. */
 static bool find_units(struct checkpoint_file *file)
 {
-    struct unit_words words = { NULL, 0, 0, 0, false };
+    struct serialized_result words = { NULL, 0, 0, 0, false };
     uint64_t number;
     bool memory = true;
 
@@ -153,7 +154,7 @@ static bool find_units(struct checkpoint_file *file)
         memory = note_unit(file, number, file->end);
         file->end = ftell(file->stream);
     }
-    words_free(&words);
+    result_free(&words);
     return memory && file->end >= 0;
 }
 
@@ -164,7 +165,7 @@ static bool drop_tail(struct checkpoint_file *file)
 }
 
 bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
-                     struct unit_words *words)
+                     struct serialized_result *words)
 {
     uint64_t found;
 
@@ -175,7 +176,7 @@ bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
 }
 
 bool checkpoint_add(struct checkpoint_file *file, uint64_t number,
-                    const struct unit_words *words, c205_error *error)
+                    const struct serialized_result *words, c205_error *error)
 {
     if (checkpoint_has(file, number))
         return true;
@@ -315,13 +316,13 @@ void checkpoint_close(struct checkpoint_file *file, bool remove_it)
 
 static bool add_units(struct checkpoint_file *file, FILE *stream, c205_error *error)
 {
-    struct unit_words words = { NULL, 0, 0, 0, false };
+    struct serialized_result words = { NULL, 0, 0, 0, false };
     uint64_t number;
     bool good = true;
 
     while (good && read_unit(stream, &number, &words))
         good = checkpoint_add(file, number, &words, error);
-    words_free(&words);
+    result_free(&words);
     return good;
 }
 
