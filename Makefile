@@ -35,7 +35,7 @@ asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm
 c205_c = $(call c_of,asm/command)
 # Not the call of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
-rt_c = $(call c_of,$(addprefix rt/,host jobs scene scene/language shapes layout \
+rt_c = $(call c_of,$(addprefix rt/,platform jobs scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
@@ -632,9 +632,9 @@ check-web:
 	@$(MAKE) --no-print-directory web $(programs)
 	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
 
-# rt205 for the page: web/tracer/host/ has what its machine does otherwise, in the
+# rt205 for the page: web/tracer/platform/ has what its machine does otherwise, in the
 # place of the files of rt of that name.
-web_tracer_own = $(wildcard web/tracer/host/*.c)
+web_tracer_own = $(wildcard web/tracer/platform/*.c)
 web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
 	$(rt205_c)) $(web_tracer_own) asm/command/repl.c asm/command/line_editor.c
 web-tracer:

@@ -7,7 +7,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
-find vm base asm web/engine web/tracer/host rt tests -name '*.[ch]' ! -path '*/kernels/*' | sort |
+find vm base asm web/engine web/tracer/platform rt tests -name '*.[ch]' ! -path '*/kernels/*' | sort |
     xargs awk '
     function complain(text) {
         print FILENAME ":" FNR ": " text

@@ -4,7 +4,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 
-find vm base asm web/engine web/tracer/host rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
+find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
     xargs grep -H '^#include "' |
     awk -v rooms=tests/rooms.txt '
     function room_of(path) {
@@ -54,6 +54,6 @@ find vm base asm web/engine web/tracer/host rt -name '*.[ch]' -o -name '*.cc' -o
         printf "%d passed, %d failed\n", passed, failed
         exit failed > 0
     }' || exit 1
-others=$(find vm base asm web/engine web/tracer/host rt \( -name '*.cc' -o -name '*.js' -o -name '*.py' \) |
+others=$(find vm base asm web/engine web/tracer/platform rt \( -name '*.cc' -o -name '*.js' -o -name '*.py' \) |
     grep -vx -e rt/picture/picture_oiio.cc -e rt/study/fit/ceres_fit.cc)
 [ -z "$others" ] || { echo "not C, and no adapter: $others"; exit 1; }

@@ -56,7 +56,7 @@ faults() { # FILE ..
     }' tests/words.txt "$@"
 }
 
-find vm base asm rt web/engine web/tracer/host tests README.md docs \
+find vm base asm rt web/engine web/tracer/platform tests README.md docs \
     \( -name '*.[ch]' -o -name '*.md' \) ! -name isa.md >"$work/files"
 # The names have no blanks.
 # shellcheck disable=SC2046

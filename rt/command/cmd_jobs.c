@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "rt/host/processes.h"
+#include "rt/platform/processes.h"
 #include "base/plural.h"
 
 /* ---- Shares -------------------------------------------------------------- */

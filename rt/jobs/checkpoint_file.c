@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "rt/host/processes.h"
+#include "rt/platform/processes.h"
 
 /* A file is a list of 64-bit words, the highest byte first: the magic word and the key;
  * then for each unit its number, how many words it has, a checksum of these two, the

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/plural.h"
-#include "rt/host/threads.h"
+#include "rt/platform/threads.h"
 
 /* ---- Files and keys ------------------------------------------------------ */
 

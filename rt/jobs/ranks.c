@@ -5,7 +5,7 @@
 #include <time.h>
 
 #include "base/error.h"
-#include "rt/host/dynamic_library.h"
+#include "rt/platform/dynamic_library.h"
 
 bool ranks_are_many(void)
 {

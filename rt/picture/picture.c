@@ -4,8 +4,8 @@
 
 #include "base/file.h"
 #include "base/atomic_file.h"
-#include "rt/host/dynamic_library.h"
-#include "rt/host/threads.h"
+#include "rt/platform/dynamic_library.h"
+#include "rt/platform/threads.h"
 
 #include <errno.h>
 #include <math.h>

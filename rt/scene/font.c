@@ -19,7 +19,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-#include "rt/host/dynamic_library.h"
+#include "rt/platform/dynamic_library.h"
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "rt/host/threads.h"
+#include "rt/platform/threads.h"
 
 /* Progress of all is told in so many steps. */
 enum { STEPS = 1000000 };

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/host/threads.h"
+#include "rt/platform/threads.h"
 #include "rt/layout/program.h"
 
 static const struct {

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "rt/jobs/job_set.h"
-#include "rt/host/framebuffer.h"
-#include "rt/host/threads.h"
+#include "rt/platform/framebuffer.h"
+#include "rt/platform/threads.h"
 #include "rt/trace/band_words.h"
 #include "rt/trace/form.h"
 #include "base/error.h"

@@ -12,7 +12,7 @@
  * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
  * even that.  Exit code 1: some failed.
  */
-#include "rt/host/threads.h"
+#include "rt/platform/threads.h"
 #include "rt/layout/bumps.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"

@@ -2,7 +2,7 @@
  * kept in memory, are written, left and compared.  A word that is lost, that is not zero
  * at first, or pages that stay in memory fail here.
  */
-#include "rt/host/framebuffer.h"
+#include "rt/platform/framebuffer.h"
 #include "tests/unit/unit.h"
 
 #include <unistd.h>

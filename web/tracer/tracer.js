@@ -46,7 +46,7 @@ function run(module, args, files, on) {
   return { code: 0, files: system.written() };
 }
 
-// What web/tracer/host/watch.c asks of the page.
+// What web/tracer/platform/watch.c asks of the page.
 function watching(system, on) {
   let shown = performance.now();
   return {

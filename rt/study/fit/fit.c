@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "rt/host/threads.h"
+#include "rt/platform/threads.h"
 #include "rt/study/fit/ceres_fit.h"
 
 /* A difference that tells a derivative, in prior widths. */

@@ -1,7 +1,7 @@
 /* processes.c - in the page there are no other processes: none can be begun, and
  * a file is always this one's alone.
  */
-#include "rt/host/processes.h"
+#include "rt/platform/processes.h"
 
 #include <errno.h>
 

@@ -1,4 +1,4 @@
-#include "rt/host/framebuffer.h"
+#include "rt/platform/framebuffer.h"
 
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "web/tracer/host/png.h"
+#include "web/tracer/platform/png.h"
 
 #include <stdarg.h>
 #include <stdint.h>

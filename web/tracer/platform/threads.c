@@ -1,5 +1,5 @@
 /* threads.c - the page has one thread, and nobody to lock out. */
-#include "rt/host/threads.h"
+#include "rt/platform/threads.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-#include "rt/host/threads.h"
+#include "rt/platform/threads.h"
 
 #include <pthread.h>
 #include <stdlib.h>

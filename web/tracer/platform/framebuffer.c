@@ -1,5 +1,5 @@
 /* framebuffer.c - in the page a frame of any size is in memory. */
-#include "rt/host/framebuffer.h"
+#include "rt/platform/framebuffer.h"
 
 #include <stdlib.h>
 

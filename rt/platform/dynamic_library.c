@@ -1,4 +1,4 @@
-#include "rt/host/dynamic_library.h"
+#include "rt/platform/dynamic_library.h"
 
 #include <dlfcn.h>
 #include <stdio.h>

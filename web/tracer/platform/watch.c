@@ -6,7 +6,7 @@
 #include "base/json.h"
 #include "base/sink.h"
 #include "rt/command/rt205_command.h"
-#include "web/tracer/host/png.h"
+#include "web/tracer/platform/png.h"
 
 /* What web/tracer/tracer.js gives. */
 #define OF_PAGE(name) __attribute__((import_module("rt205"), import_name(#name)))

@@ -1,4 +1,4 @@
-#include "rt/host/processes.h"
+#include "rt/platform/processes.h"
 
 #include <errno.h>
 #include <fcntl.h>

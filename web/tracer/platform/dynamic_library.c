@@ -1,12 +1,12 @@
 /* dynamic_library.c - the page opens no libraries: what writes its pictures is linked to
  * it, and nothing else is there.
  */
-#include "rt/host/dynamic_library.h"
+#include "rt/platform/dynamic_library.h"
 
 #include <string.h>
 
 #include "base/error.h"
-#include "web/tracer/host/png.h"
+#include "web/tracer/platform/png.h"
 
 bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 {
