@@ -8,7 +8,7 @@
 #include "rt/jobs/job_set.h"
 #include "rt/heat/smooth.h"
 #include "rt/heat/source.h"
-#include "rt/scene/given_values.h"
+#include "rt/scene/named_values.h"
 
 /* What there is besides while it is found. */
 struct heat_work {
@@ -245,24 +245,24 @@ static bool find_factors(struct heat_work *work)
 
 /* ---- What is given --------------------------------------------------------- */
 
-static bool take_given(const struct heat *heat, struct given_values *given,
+static bool take_given(const struct heat *heat, struct named_values *given,
                        const char *const *texts, size_t count, const char *besides,
                        c205_error *error)
 {
     bool good = true;
 
     for (size_t i = 0; good && i < count; i++)
-        good = given_add(given, texts[i], error);
-    return good && given_check(given, &heat->parts, besides, error)
-           && given_add_scene(given, heat->scene, error);
+        good = named_add(given, texts[i], error);
+    return good && named_check(given, &heat->parts, besides, error)
+           && named_add_scene(given, heat->scene, error);
 }
 
 bool heat_begin(const struct scene *scene, const struct heat_request *request,
                 struct heat *heat, c205_error *error)
 {
     *heat = (struct heat){ .request = request, .scene = scene };
-    given_begin(&heat->emissivities, &emissivity_kind);
-    given_begin(&heat->temperatures, &temperature_kind);
+    named_begin(&heat->emissivities, &emissivity_kind);
+    named_begin(&heat->temperatures, &temperature_kind);
     if (scene->primitive_count == 0)
         return error_set(error, "the scene has no surfaces");
     heat->refusals = source_refusals(scene);
@@ -336,8 +336,8 @@ void heat_free(struct heat *heat)
     thermal_free(&heat->thermal);
     surfaces_free(&heat->surfaces);
     named_parts_free(&heat->parts);
-    given_free(&heat->emissivities);
-    given_free(&heat->temperatures);
+    named_free(&heat->emissivities);
+    named_free(&heat->temperatures);
     free(heat->refusals);
     accounts_free(&heat->accounts);
     *heat = (struct heat){ .request = NULL };

@@ -36,7 +36,7 @@ struct heat {
     const struct scene *scene;
     struct named_parts parts;
     const char **refusals; /* of each primitive, as in source.h */
-    struct given_values emissivities, temperatures;
+    struct named_values emissivities, temperatures;
     struct surfaces surfaces;
     struct thermal thermal;      /* if the exchange is asked */
     struct accounts accounts;    /* of all machines that found it */

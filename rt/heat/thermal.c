@@ -35,7 +35,7 @@ const char thermal_environment[] = "environment";
 struct thermal_work {
     const struct surfaces *surfaces;
     const struct named_parts *parts;
-    const struct given_values *emissivities, *temperatures;
+    const struct named_values *emissivities, *temperatures;
     struct thermal *thermal;
     c205_error *error;
 };
@@ -51,8 +51,8 @@ static void take_values(const struct thermal_work *work, size_t i)
     struct thermal *thermal = work->thermal;
     const struct surface *surface = surface_of(work, i);
     const struct named_part *part = &work->parts->list[surface->part];
-    double emissivity = given_of_part(work->emissivities, part);
-    double temperature = given_of_part(work->temperatures, part);
+    double emissivity = named_of_part(work->emissivities, part);
+    double temperature = named_of_part(work->temperatures, part);
 
     thermal->emissivity[i] = isnan(emissivity) ? 1 : emissivity;
     thermal->temperature[i] = temperature;
@@ -116,10 +116,10 @@ static bool check_parts(const struct thermal_work *work)
         const struct named_part *first = &work->parts->list[surface->part];
         const struct named_part *part = &work->parts->list[surfaces->part_of[i]];
 
-        if (!alike(given_of_part(work->temperatures, part),
-                   given_of_part(work->temperatures, first))
-            || !alike(given_of_part(work->emissivities, part),
-                      given_of_part(work->emissivities, first)))
+        if (!alike(named_of_part(work->temperatures, part),
+                   named_of_part(work->temperatures, first))
+            || !alike(named_of_part(work->emissivities, part),
+                      named_of_part(work->emissivities, first)))
             return error_set(work->error,
                              "surface %s is of parts with other temperatures "
                              "or emissivities, %s and %s",
@@ -130,7 +130,7 @@ static bool check_parts(const struct thermal_work *work)
 
 static void find_outside(const struct thermal_work *work)
 {
-    double outside = given_of_name(work->temperatures, thermal_environment);
+    double outside = named_of_name(work->temperatures, thermal_environment);
 
     work->thermal->outside = outside > 0 ? outside : 0;
 }
@@ -224,8 +224,8 @@ void thermal_free(struct thermal *thermal)
 }
 
 bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
-                  const struct given_values *emissivities,
-                  const struct given_values *temperatures, enum trace_mode mode,
+                  const struct named_values *emissivities,
+                  const struct named_values *temperatures, enum trace_mode mode,
                   const c205_model *model, struct thermal *thermal, c205_error *error)
 {
     const struct thermal_work work = { .surfaces = surfaces,

@@ -4,7 +4,7 @@
 
 #include "rt/heat/exchange.h"
 #include "rt/heat/surfaces.h"
-#include "rt/scene/given_values.h"
+#include "rt/scene/named_values.h"
 
 /* Temperatures in kelvins, or the word adiabatic. */
 extern const struct value_kind emissivity_kind, temperature_kind;
@@ -23,8 +23,8 @@ struct thermal {
 /* False: a surface without temperature, or of parts that have several; one that receives
  * alone; an exchange without solution; a trap, no memory.  The error names what it is about. */
 bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
-                  const struct given_values *emissivities,
-                  const struct given_values *temperatures, enum trace_mode mode,
+                  const struct named_values *emissivities,
+                  const struct named_values *temperatures, enum trace_mode mode,
                   const c205_model *model, struct thermal *thermal, c205_error *error);
 void thermal_free(struct thermal *thermal);
 

@@ -13,7 +13,7 @@ const struct value_kind density_kind = {
     .name = "density", .ending = "_Density", .range = "above 0", .allows = is_density
 };
 
-bool densities_find(const struct given_values *given, const struct named_parts *parts,
+bool densities_find(const struct named_values *given, const struct named_parts *parts,
                     double *densities, c205_error *error)
 {
     const char *separator = ": ";
@@ -23,7 +23,7 @@ bool densities_find(const struct given_values *given, const struct named_parts *
     for (size_t i = 0; i < parts->count; i++) {
         const struct named_part *part = &parts->list[i];
 
-        densities[i] = given_of_part(given, part);
+        densities[i] = named_of_part(given, part);
         if (!isnan(densities[i]) || part->left_out)
             continue;
         good = false;

@@ -11,33 +11,33 @@
 
 /* ---- Densities and rows -------------------------------------------------- */
 
-static bool take_densities(const struct mass *mass, struct given_values *densities,
+static bool take_densities(const struct mass *mass, struct named_values *densities,
                            struct diagnostics *reports, c205_error *error)
 {
     const struct mass_request *request = mass->request;
     bool good = true;
 
     for (size_t i = 0; good && i < request->density_count; i++)
-        good = given_add(densities, request->densities[i], error);
-    good = good && given_check(densities, &mass->parts, NULL, error);
+        good = named_add(densities, request->densities[i], error);
+    good = good && named_check(densities, &mass->parts, NULL, error);
     if (good && request->density_file
-        && !given_read(densities, request->density_file, reports))
+        && !named_read(densities, request->density_file, reports))
         return error_set(error, "the file of densities is not used");
-    return good && given_add_scene(densities, mass->scene, error);
+    return good && named_add_scene(densities, mass->scene, error);
 }
 
 /* Of each part. */
 static bool weigh_parts(struct mass *mass, struct diagnostics *reports,
                         c205_error *error)
 {
-    struct given_values densities;
+    struct named_values densities;
     bool good;
 
-    given_begin(&densities, &density_kind);
+    named_begin(&densities, &density_kind);
     mass->weights = calloc(mass->parts.count + 1, sizeof *mass->weights);
     good = mass->weights && take_densities(mass, &densities, reports, error)
            && densities_find(&densities, &mass->parts, mass->weights, error);
-    given_free(&densities);
+    named_free(&densities);
     return good;
 }
 

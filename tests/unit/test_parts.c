@@ -117,62 +117,62 @@ TEST(choice)
 TEST(densities)
 {
     SCOPED(scene) *scene = read_scene(assembly);
-    struct given_values densities = { .kind = &density_kind, .others = NAN };
+    struct named_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED_VALUE(named_parts) parts;
     c205_error error;
     double found[5];
     assert_true(named_parts_find(scene, &parts));
-    assert_true(given_add(&densities, "Steel=7.8", &error));
-    assert_true(given_add(&densities, "Plate=2", &error));
-    assert_true(given_check(&densities, &parts, NULL, &error));
-    assert_true(given_add_scene(&densities, scene, &error));
+    assert_true(named_add(&densities, "Steel=7.8", &error));
+    assert_true(named_add(&densities, "Plate=2", &error));
+    assert_true(named_check(&densities, &parts, NULL, &error));
+    assert_true(named_add_scene(&densities, scene, &error));
     assert_false(densities_find(&densities, &parts, found, &error));
     assert_string_equal(error.message,
                         "no density is known of: line 10, line 11 (of several "
                         "materials); --density NAME=VALUE, or --density default=1");
-    assert_true(given_add(&densities, "default=3", &error));
+    assert_true(named_add(&densities, "default=3", &error));
     assert_true(densities_find(&densities, &parts, found, &error));
     assert_close(found[0], 2, 0);
     assert_close(found[1], 8.96, 0);
     assert_close(found[2], 7.8, 0);
     assert_close(found[3], 3, 0);
     assert_close(found[4], 3, 0);
-    assert_true(given_add(&densities, "Brass=8", &error));
-    assert_false(given_check(&densities, &parts, NULL, &error));
+    assert_true(named_add(&densities, "Brass=8", &error));
+    assert_false(named_check(&densities, &parts, NULL, &error));
     assert_string_equal(error.message,
                         "no part and no material is called 'Brass'; parts: Plate, Pin, "
                         "line 10, line 11, line 12; materials: Steel, Copper");
-    given_free(&densities);
+    named_free(&densities);
 }
 
 TEST(wrong_densities)
 {
     static const char *const wrong[] = { "",     "=1",    "a",    "a=",  "a=0",
                                          "a=-1", "a=inf", "a=1x", "a=x", "a=nan" };
-    struct given_values densities = { .kind = &density_kind, .others = NAN };
+    struct named_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED(scene) *scene = read_scene("#declare Lead_Density = 0;\n");
     c205_error error;
     for (size_t i = 0; i < COUNT(wrong); i++)
-        assert_false(given_add(&densities, wrong[i], &error));
-    assert_false(given_add_scene(&densities, scene, &error));
+        assert_false(named_add(&densities, wrong[i], &error));
+    assert_false(named_add_scene(&densities, scene, &error));
     assert_string_equal(error.message, "Lead_Density is not above 0");
     assert_int_equal(densities.count, 0);
-    given_free(&densities);
+    named_free(&densities);
 }
 
-static bool read_file(const char *text, struct given_values *densities,
+static bool read_file(const char *text, struct named_values *densities,
                       struct diagnostics *reports)
 {
     static const char path[] = "densities_test.txt";
     write_bytes(path, text, strlen(text));
-    bool good = given_read(densities, path, reports);
+    bool good = named_read(densities, path, reports);
     remove(path);
     return good;
 }
 
 TEST(file)
 {
-    struct given_values densities = { .kind = &density_kind, .others = NAN };
+    struct named_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED_VALUE(diagnostics) reports = { 0 };
     assert_true(read_file("# a table\n\n1 7.85 Carbon Steel\r\n"
                           "2\t8.96\t\"Copper\" # soft\n3 .5 Pine",
@@ -188,8 +188,8 @@ TEST(file)
     assert_string_equal(reports.items[1].message, "the density is not above 0");
     assert_string_equal(reports.items[2].message,
                         "a line is a number, a density and a name");
-    assert_false(given_read(&densities, "no/such/file", &reports));
-    given_free(&densities);
+    assert_false(named_read(&densities, "no/such/file", &reports));
+    named_free(&densities);
 }
 
 /* ---- Units --------------------------------------------------------------- */

@@ -65,28 +65,28 @@ static void end(struct study *study)
 
 /* Texts NAME=VALUE, with a blank between; the scene's come last. */
 static void give(const struct study *study, const struct value_kind *kind,
-                 const char *texts, struct given_values *given)
+                 const char *texts, struct named_values *given)
 {
     char copy[200];
     c205_error error = { "" };
-    given_begin(given, kind);
+    named_begin(given, kind);
     snprintf(copy, sizeof copy, "%s", texts);
     for (char *text = strtok(copy, " "); text; text = strtok(NULL, " "))
-        REQUIRE(given_add(given, text, &error));
-    assert_true(given_add_scene(given, study->scene, &error));
+        REQUIRE(named_add(given, text, &error));
+    assert_true(named_add_scene(given, study->scene, &error));
 }
 
 static bool exchange(const struct study *study, const char *temperatures,
                      const char *emissivities, struct thermal *thermal,
                      c205_error *error)
 {
-    struct given_values temperature, emissivity;
+    struct named_values temperature, emissivity;
     give(study, &temperature_kind, temperatures, &temperature);
     give(study, &emissivity_kind, emissivities, &emissivity);
     bool good = thermal_find(&study->surfaces, &study->parts, &emissivity, &temperature,
                              TRACE_VECTOR, prior_model, thermal, error);
-    given_free(&temperature);
-    given_free(&emissivity);
+    named_free(&temperature);
+    named_free(&emissivity);
     return good;
 }
 
@@ -236,19 +236,19 @@ TEST(refused)
 TEST(wrong_values)
 {
     static const char *const wrong[] = { "a=-1", "a=nan", "a=x", "=3", "a" };
-    struct given_values given;
+    struct named_values given;
     c205_error error;
-    given_begin(&given, &temperature_kind);
+    named_begin(&given, &temperature_kind);
     for (size_t i = 0; i < COUNT(wrong); i++)
-        assert_false(given_add(&given, wrong[i], &error));
-    assert_true(given_add(&given, "a=adiabatic", &error));
-    given_free(&given);
-    given_begin(&given, &emissivity_kind);
-    assert_false(given_add(&given, "a=1.5", &error));
+        assert_false(named_add(&given, wrong[i], &error));
+    assert_true(named_add(&given, "a=adiabatic", &error));
+    named_free(&given);
+    named_begin(&given, &emissivity_kind);
+    assert_false(named_add(&given, "a=1.5", &error));
     assert_string_equal(error.message, "an emissivity is NAME=VALUE with a "
                                        "value 0 to 1, not 'a=1.5'");
-    assert_false(given_add(&given, "a=adiabatic", &error));
-    given_free(&given);
+    assert_false(named_add(&given, "a=adiabatic", &error));
+    named_free(&given);
 }
 
 GROUP(set_up_model, tear_down_model);

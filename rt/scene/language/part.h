@@ -3,7 +3,7 @@
  *   part { "NAME" density F emissivity F temperature F }
  *
  * in an object: that part of it is called so from there on, by masses and by heat, and these
- * are its values, as if they were floats NAME_Density and so on (rt/scene/given_values.h).
+ * are its values, as if they were floats NAME_Density and so on (rt/scene/named_values.h).
  * POV-Ray has no such word: `#ifdef (part)` tells who reads.
  */
 #ifndef RT_SCENE_PART_H

@@ -1,4 +1,4 @@
-/* given_values.h - numbers that are given to a scene's parts and materials by name: densities,
+/* named_values.h - numbers that are given to a scene's parts and materials by name: densities,
  * emissivities, temperatures.
  *
  * A part has the value that is given to its own name, else that of its material, else the
@@ -22,39 +22,39 @@ struct value_kind {
     double word_value;
 };
 
-struct given_value {
+struct named_value {
     const char *name;
     double value;
 };
 
-struct given_values {
+struct named_values {
     const struct value_kind *kind;
     size_t count;
-    struct given_value *list; /* the first of a name counts */
+    struct named_value *list; /* the first of a name counts */
     double others;            /* of what has no other; NaN: none */
     struct arena kept;
 };
 
-void given_begin(struct given_values *given, const struct value_kind *kind);
+void named_begin(struct named_values *given, const struct value_kind *kind);
 /* NAME=VALUE, where the name `default` is all others.  False: it is no such text,
  * or a value out of range; or no memory; the error says which. */
-bool given_add(struct given_values *given, const char *text, c205_error *error);
+bool named_add(struct named_values *given, const char *text, c205_error *error);
 /* A file of lines: a number, which means nothing, a value, a name; what is behind # is
  * passed over.  False: the reports say what is wrong with it. */
-bool given_read(struct given_values *given, const char *path,
+bool named_read(struct named_values *given, const char *path,
                 struct diagnostics *reports);
 /* Those of the scene's floats. */
-bool given_add_scene(struct given_values *given, const struct scene *scene,
+bool named_add_scene(struct named_values *given, const struct scene *scene,
                      c205_error *error);
-void given_free(struct given_values *given);
+void named_free(struct named_values *given);
 
 /* False: one of the names so far is not that of a part or a material, nor this one (NULL: there
  * is no other); the error lists those that there are. */
-bool given_check(const struct given_values *given, const struct named_parts *parts,
+bool named_check(const struct named_values *given, const struct named_parts *parts,
                  const char *besides, c205_error *error);
 /* NaN: the part has none. */
-double given_of_part(const struct given_values *given, const struct named_part *part);
+double named_of_part(const struct named_values *given, const struct named_part *part);
 /* .. nobody has that name. */
-double given_of_name(const struct given_values *given, const char *name);
+double named_of_name(const struct named_values *given, const char *name);
 
 #endif

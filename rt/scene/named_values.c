@@ -1,4 +1,4 @@
-#include "rt/scene/given_values.h"
+#include "rt/scene/named_values.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,22 +11,22 @@
 
 /* ---- Options ------------------------------------------------------------- */
 
-void given_begin(struct given_values *given, const struct value_kind *kind)
+void named_begin(struct named_values *given, const struct value_kind *kind)
 {
-    *given = (struct given_values){ .kind = kind, .others = NAN };
+    *given = (struct named_values){ .kind = kind, .others = NAN };
 }
 
-static bool keep(struct given_values *given, const char *name, size_t length,
+static bool keep(struct named_values *given, const char *name, size_t length,
                  double value)
 {
-    struct given_value *list = array_grow(given->list, given->count, sizeof *list);
+    struct named_value *list = array_grow(given->list, given->count, sizeof *list);
     char *kept = arena_text(&given->kept, name, length);
 
     if (list)
         given->list = list;
     if (!list || !kept)
         return false;
-    list[given->count++] = (struct given_value){ kept, value };
+    list[given->count++] = (struct named_value){ kept, value };
     return true;
 }
 
@@ -42,7 +42,7 @@ static bool is_value(const struct value_kind *kind, const char *text, double *va
     return kind->word && strcmp(text, kind->word) == 0;
 }
 
-bool given_add(struct given_values *given, const char *text, c205_error *error)
+bool named_add(struct named_values *given, const char *text, c205_error *error)
 {
     const char *sign = strchr(text, '=');
     double value;
@@ -62,7 +62,7 @@ bool given_add(struct given_values *given, const char *text, c205_error *error)
            || error_set(error, "no memory");
 }
 
-bool given_add_scene(struct given_values *given, const struct scene *scene,
+bool named_add_scene(struct named_values *given, const struct scene *scene,
                      c205_error *error)
 {
     const char *ending = given->kind->ending;
@@ -83,7 +83,7 @@ bool given_add_scene(struct given_values *given, const struct scene *scene,
     return true;
 }
 
-void given_free(struct given_values *given)
+void named_free(struct named_values *given)
 {
     free(given->list);
     arena_free(&given->kept);
@@ -110,7 +110,7 @@ static bool skip_number(char **text, double *value)
 }
 
 /* False: it is wrong, and the message says what; of an empty one nothing is. */
-static bool take_line(struct given_values *given, char *line, c205_error *error)
+static bool take_line(struct named_values *given, char *line, c205_error *error)
 {
     char *remark = strchr(line, '#');
     double number, value;
@@ -133,7 +133,7 @@ static bool take_line(struct given_values *given, char *line, c205_error *error)
     return keep(given, line, strlen(line), value) || error_set(error, "no memory");
 }
 
-bool given_read(struct given_values *given, const char *path,
+bool named_read(struct named_values *given, const char *path,
                 struct diagnostics *reports)
 {
     enum { LARGEST = 1 << 24 };
@@ -169,7 +169,7 @@ bool given_read(struct given_values *given, const char *path,
 
 /* ---- Which has which ----------------------------------------------------- */
 
-bool given_check(const struct given_values *given, const struct named_parts *parts,
+bool named_check(const struct named_values *given, const struct named_parts *parts,
                  const char *besides, c205_error *error)
 {
     for (size_t i = 0; i < given->count; i++) {
@@ -183,7 +183,7 @@ bool given_check(const struct given_values *given, const struct named_parts *par
     return true;
 }
 
-double given_of_name(const struct given_values *given, const char *name)
+double named_of_name(const struct named_values *given, const char *name)
 {
     for (size_t i = 0; name && i < given->count; i++)
         if (strcmp(given->list[i].name, name) == 0)
@@ -191,11 +191,11 @@ double given_of_name(const struct given_values *given, const char *name)
     return NAN;
 }
 
-double given_of_part(const struct given_values *given, const struct named_part *part)
+double named_of_part(const struct named_values *given, const struct named_part *part)
 {
-    double value = given_of_name(given, part->name);
+    double value = named_of_name(given, part->name);
 
     if (isnan(value) && !part->mixed)
-        value = given_of_name(given, part->material);
+        value = named_of_name(given, part->material);
     return isnan(value) ? given->others : value;
 }
