@@ -85,11 +85,11 @@ static const struct keyword bounded_by_word[] = {
 };
 
 static const struct grammar of_clip = { "an object to clip by",
-                                        { solids, other_shapes, bounded_by_word },
+                                        { solids, unsupported_shapes, bounded_by_word },
                                         NULL };
-static const struct grammar of_bound = { "an object as a bound",
-                                         { solids, other_shapes, clipped_by_word },
-                                         NULL };
+static const struct grammar of_bound = {
+    "an object as a bound", { solids, unsupported_shapes, clipped_by_word }, NULL
+};
 
 /* ---- clipped_by ---------------------------------------------------------- */
 

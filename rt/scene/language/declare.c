@@ -203,7 +203,7 @@ static const struct keyword declared_looks[] = {
 };
 
 static const struct grammar declared_grammar = {
-    "a value", { declared_words, declared_looks, other_shapes }, NULL
+    "a value", { declared_words, declared_looks, unsupported_shapes }, NULL
 };
 
 static bool copy_array(struct reader *reader, struct scene_value *value,
@@ -224,7 +224,7 @@ static bool copy_named(struct reader *reader, struct scene_value *value)
     const struct scene_value *from = reader_value(reader);
     bool done = true;
 
-    notes_use(&reader->notebook, from->notes);
+    notes_use(&reader->warnings, from->notes);
     if (from->kind == VALUE_OBJECT) {
         value->kind = VALUE_OBJECT;
         done = shape_copy(reader, &value->is.object, &from->is.object);
@@ -273,9 +273,9 @@ static bool read_noted(struct reader *reader, struct scene_value *value)
     struct note_page page;
     bool done;
 
-    notes_begin(&reader->notebook, &page);
+    notes_begin(&reader->warnings, &page);
     done = read_statement(reader, value);
-    value->notes = notes_end(&reader->notebook);
+    value->notes = notes_end(&reader->warnings);
     return done;
 }
 

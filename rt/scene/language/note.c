@@ -38,16 +38,17 @@ static size_t offset_of(const struct note_place *place)
     return place->source->library ? 0 : place->at;
 }
 
-static struct note **bucket_of(struct notebook *book, const struct note_place *place,
-                               const char *words)
+static struct note **bucket_of(struct deduplicated_warnings *book,
+                               const struct note_place *place, const char *words)
 {
     uint64_t key = hash_bytes(HASH_START, (const unsigned char *)words, strlen(words));
 
     return &book->buckets[(key + offset_of(place)) % NOTE_BUCKETS];
 }
 
-static struct note *new_note(struct notebook *book, const struct note_place *place,
-                             const char *words, const char *calls)
+static struct note *new_note(struct deduplicated_warnings *book,
+                             const struct note_place *place, const char *words,
+                             const char *calls)
 {
     struct note *note = NULL;
 
@@ -68,8 +69,9 @@ static struct note *new_note(struct notebook *book, const struct note_place *pla
 
 /* The one of that place and those words, made if there is none; NULL: there
  * are too many, or there is no memory. */
-static struct note *note_of(struct notebook *book, const struct note_place *place,
-                            const char *words, const char *calls)
+static struct note *note_of(struct deduplicated_warnings *book,
+                            const struct note_place *place, const char *words,
+                            const char *calls)
 {
     struct note **bucket = bucket_of(book, place, words);
     struct note *note = *bucket;
@@ -90,7 +92,8 @@ static struct note *note_of(struct notebook *book, const struct note_place *plac
 
 /* ---- What is told ------------------------------------------------------- */
 
-static struct note_cause *cause_of(struct notebook *book, const struct note *note)
+static struct note_cause *cause_of(struct deduplicated_warnings *book,
+                                   const struct note *note)
 {
     struct note_cause *cause = book->causes;
 
@@ -111,7 +114,7 @@ static struct note_cause *cause_of(struct notebook *book, const struct note *not
     return book->last_cause = cause;
 }
 
-static void add_report(struct notebook *book, struct note *note)
+static void add_report(struct deduplicated_warnings *book, struct note *note)
 {
     struct note_cause *cause = note->reported ? NULL : cause_of(book, note);
 
@@ -133,7 +136,7 @@ static void report(const struct note_cause *cause, enum severity severity,
     diagnostics_add(reports, severity, &first->place.position, message);
 }
 
-void notebook_report(const struct notebook *book, enum severity severity,
+void warnings_report(const struct deduplicated_warnings *book, enum severity severity,
                      struct diagnostics *reports)
 {
     const struct note_cause *cause = book->causes;
@@ -150,7 +153,7 @@ void notebook_report(const struct notebook *book, enum severity severity,
 }
 
 /* Each of them once, however often it is used: those that wait are marked. */
-static void report_all(struct notebook *book, struct notes *notes)
+static void report_all(struct deduplicated_warnings *book, struct notes *notes)
 {
     struct notes *waiting = NULL;
 
@@ -171,7 +174,8 @@ static void report_all(struct notebook *book, struct notes *notes)
 
 /* ---- Of a value, or of the scene ---------------------------------------- */
 
-static void write_down(struct notebook *book, struct note *note, struct notes *used)
+static void write_down(struct deduplicated_warnings *book, struct note *note,
+                       struct notes *used)
 {
     struct notes *notes = arena_take(&book->arena, sizeof *notes);
 
@@ -182,7 +186,7 @@ static void write_down(struct notebook *book, struct note *note, struct notes *u
 }
 
 /* A page has each once; within a loop that is soon all. */
-static bool is_new(const struct notebook *book, size_t *page)
+static bool is_new(const struct deduplicated_warnings *book, size_t *page)
 {
     bool fresh = *page != book->page->serial;
 
@@ -190,8 +194,8 @@ static bool is_new(const struct notebook *book, size_t *page)
     return fresh;
 }
 
-void note_add(struct notebook *book, const struct note_place *place, const char *words,
-              const char *calls)
+void note_add(struct deduplicated_warnings *book, const struct note_place *place,
+              const char *words, const char *calls)
 {
     struct note *note = note_of(book, place, words, calls);
 
@@ -203,7 +207,7 @@ void note_add(struct notebook *book, const struct note_place *place, const char 
         write_down(book, note, NULL);
 }
 
-void note_report(struct notebook *book, const struct note_place *place,
+void note_report(struct deduplicated_warnings *book, const struct note_place *place,
                  const char *words, const char *calls)
 {
     struct note *note = note_of(book, place, words, calls);
@@ -212,13 +216,13 @@ void note_report(struct notebook *book, const struct note_place *place,
         add_report(book, note);
 }
 
-void notes_begin(struct notebook *book, struct note_page *page)
+void notes_begin(struct deduplicated_warnings *book, struct note_page *page)
 {
     *page = (struct note_page){ .outer = book->page, .serial = ++book->pages };
     book->page = page;
 }
 
-struct notes *notes_end(struct notebook *book)
+struct notes *notes_end(struct deduplicated_warnings *book)
 {
     struct notes *notes = book->page->notes;
 
@@ -226,7 +230,7 @@ struct notes *notes_end(struct notebook *book)
     return notes;
 }
 
-struct note_page *notes_suspend(struct notebook *book)
+struct note_page *notes_suspend(struct deduplicated_warnings *book)
 {
     struct note_page *page = book->page;
 
@@ -234,12 +238,12 @@ struct note_page *notes_suspend(struct notebook *book)
     return page;
 }
 
-void notes_resume(struct notebook *book, struct note_page *page)
+void notes_resume(struct deduplicated_warnings *book, struct note_page *page)
 {
     book->page = page;
 }
 
-void notes_use(struct notebook *book, struct notes *notes)
+void notes_use(struct deduplicated_warnings *book, struct notes *notes)
 {
     if (!notes)
         return;
@@ -251,12 +255,12 @@ void notes_use(struct notebook *book, struct notes *notes)
         write_down(book, NULL, notes);
 }
 
-bool notebook_failed(const struct notebook *book)
+bool warnings_failed(const struct deduplicated_warnings *book)
 {
     return book->arena.failed;
 }
 
-void notebook_free(struct notebook *book)
+void warnings_free(struct deduplicated_warnings *book)
 {
     arena_free(&book->arena);
 }

@@ -20,7 +20,7 @@
 #define MAX_REPORTS 200
 enum { MAX_NOTES = 100000, NOTE_BUCKETS = 4096 };
 
-/* Those of a value; they last as long as the notebook. */
+/* Those of a value; they last as long as the deduplicated warnings. */
 struct notes;
 
 /* Where one is. */
@@ -38,7 +38,7 @@ struct note_page {
 };
 
 /* Zero it to begin. */
-struct notebook {
+struct deduplicated_warnings {
     struct arena arena;
     struct note *buckets[NOTE_BUCKETS];
     size_t count;
@@ -51,26 +51,26 @@ struct notebook {
 };
 
 /* `calls` says which macros lead to the place, and may be empty. */
-void note_add(struct notebook *book, const struct note_place *place, const char *words,
-              const char *calls);
+void note_add(struct deduplicated_warnings *book, const struct note_place *place,
+              const char *words, const char *calls);
 /* The same, told in any case. */
-void note_report(struct notebook *book, const struct note_place *place,
+void note_report(struct deduplicated_warnings *book, const struct note_place *place,
                  const char *words, const char *calls);
 
 /* What is added in between is that of a value: NULL if nothing is. */
-void notes_begin(struct notebook *book, struct note_page *page);
-struct notes *notes_end(struct notebook *book);
+void notes_begin(struct deduplicated_warnings *book, struct note_page *page);
+struct notes *notes_end(struct deduplicated_warnings *book);
 /* What is added in between is the scene's, whatever is being read. */
-struct note_page *notes_suspend(struct notebook *book);
-void notes_resume(struct notebook *book, struct note_page *page);
+struct note_page *notes_suspend(struct deduplicated_warnings *book);
+void notes_resume(struct deduplicated_warnings *book, struct note_page *page);
 /* A value with these notes becomes part of what is being read. */
-void notes_use(struct notebook *book, struct notes *notes);
+void notes_use(struct deduplicated_warnings *book, struct notes *notes);
 
 /* All that is told, as reports or as errors. */
-void notebook_report(const struct notebook *book, enum severity severity,
+void warnings_report(const struct deduplicated_warnings *book, enum severity severity,
                      struct diagnostics *reports);
 /* Notes are lost for want of memory. */
-bool notebook_failed(const struct notebook *book);
-void notebook_free(struct notebook *book);
+bool warnings_failed(const struct deduplicated_warnings *book);
+void warnings_free(struct deduplicated_warnings *book);
 
 #endif

@@ -1,7 +1,7 @@
 /* other_shapes.c - shapes of the language that are not supported. */
 #include "rt/scene/language/statement.h"
 
-const struct keyword other_shapes[] = {
+const struct keyword unsupported_shapes[] = {
     { "isosurface", item_unsupported, 0 },
     { "julia_fractal", item_unsupported, 0 },
     { "lemon", item_unsupported, 0 },

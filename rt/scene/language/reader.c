@@ -84,7 +84,7 @@ static void note(struct reader *reader, const struct scene_token *at, bool in_an
         return;
     vsnprintf(words, sizeof words, format, arguments);
     add_calls(reader, at, calls, sizeof calls);
-    (in_any_case ? note_report : note_add)(&reader->notebook, &place, words, calls);
+    (in_any_case ? note_report : note_add)(&reader->warnings, &place, words, calls);
 }
 
 void reader_report(struct reader *reader, const struct scene_token *at,
@@ -239,7 +239,7 @@ const struct scene_value *reader_use(struct reader *reader, enum scene_value_kin
     const struct scene_value *value = reader_value_of(reader, kind);
 
     if (value)
-        notes_use(&reader->notebook, value->notes);
+        notes_use(&reader->warnings, value->notes);
     return value;
 }
 

@@ -98,7 +98,7 @@ struct reader {
 
     const struct scene_options *options;
     struct diagnostics *reports;
-    struct notebook notebook;
+    struct deduplicated_warnings warnings;
     struct arena arena; /* of formulas */
     struct {
         const struct scene_source *source;

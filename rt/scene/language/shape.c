@@ -357,7 +357,7 @@ static const struct keyword children[] = {
 /* The children come first: a transform moves those before it. */
 static const struct grammar solid_grammar = {
     "an object or a word that changes the solid",
-    { children, other_shapes },
+    { children, unsupported_shapes },
     &modifier_grammar
 };
 

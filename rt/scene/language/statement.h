@@ -136,7 +136,7 @@ void object_fill(struct reader *reader, struct scene_object *object, double ior)
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);
 /* Shapes of POV-Ray that are not supported. */
-extern const struct keyword other_shapes[];
+extern const struct keyword unsupported_shapes[];
 
 item_reader spline_read; /* its subject: a value */
 /* The next token is the name of a spline without a parameter after it. */

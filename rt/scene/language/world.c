@@ -248,7 +248,7 @@ static const struct keyword left_out[] = {
 };
 
 const struct grammar file_grammar = { "a statement",
-                                      { statements, left_out, other_shapes },
+                                      { statements, left_out, unsupported_shapes },
                                       NULL };
 
 static bool take_primitives(struct reader *reader)
@@ -417,9 +417,9 @@ static bool report_notes(struct reader *reader)
 {
     bool strict = reader->options && reader->options->strict;
 
-    if (notebook_failed(&reader->notebook))
+    if (warnings_failed(&reader->warnings))
         return reader_no_memory(reader);
-    notebook_report(&reader->notebook, strict ? SEVERITY_ERROR : SEVERITY_REPORT,
+    warnings_report(&reader->warnings, strict ? SEVERITY_ERROR : SEVERITY_REPORT,
                     reader->reports);
     return true;
 }
@@ -440,7 +440,7 @@ static struct scene *read_source(struct reader *reader,
         scene_free(scene);
         scene = NULL;
     }
-    notebook_free(&reader->notebook);
+    warnings_free(&reader->warnings);
     arena_free(&reader->arena);
     scene_object_free(&reader->world);
     symbols_free(&reader->symbols);
