@@ -1,74 +1,74 @@
 /* machine_fixture.c - programs made instruction by instruction, and run. */
 #include "machine_fixture.h"
 
-void add_half(struct little *little, c205_word half)
+void add_half(struct small_machine *fixture, c205_word half)
 {
-    c205_word *word = &little->code[little->halves / 2];
-    assert_true(little->halves < 2 * CODE_WORDS);
-    *word |= little->halves % 2 ? half : half << 32;
-    little->halves++;
+    c205_word *word = &fixture->code[fixture->halves / 2];
+    assert_true(fixture->halves < 2 * CODE_WORDS);
+    *word |= fixture->halves % 2 ? half : half << 32;
+    fixture->halves++;
 }
 
-uint64_t add(struct little *little, const char *mnemonic, c205_fields fields)
+uint64_t add(struct small_machine *fixture, const char *mnemonic, c205_fields fields)
 {
     const c205_insn *insn = c205_insn_named(mnemonic, strlen(mnemonic));
-    uint64_t address = CODE + little->halves * HALF_WORD;
+    uint64_t address = CODE + fixture->halves * HALF_WORD;
     assert_non_null(insn);
     c205_word word = c205_encode(insn, &fields);
-    add_half(little, word >> 32);
+    add_half(fixture, word >> 32);
     if (c205_format_halves(insn->format) == 2)
-        add_half(little, word & UINT32_MAX);
+        add_half(fixture, word & UINT32_MAX);
     return address;
 }
 
-void begin(struct little *little)
+void begin(struct small_machine *fixture)
 {
-    memset(little->code, 0, sizeof little->code);
-    little->halves = 0;
+    memset(fixture->code, 0, sizeof fixture->code);
+    fixture->halves = 0;
 }
 
-struct little make_little(void)
+struct small_machine make_small_machine(void)
 {
-    struct little little;
+    struct small_machine fixture;
     c205_error error = { "" };
-    begin(&little);
-    little.model = c205_model_find("cyber205-2pipe-prior", &error);
-    assert_non_null(little.model);
-    little.machine = c205_new(little.model, &error);
-    if (!little.machine)
+    begin(&fixture);
+    fixture.model = c205_model_find("cyber205-2pipe-prior", &error);
+    assert_non_null(fixture.model);
+    fixture.machine = c205_new(fixture.model, &error);
+    if (!fixture.machine)
         fail_msg("%s", error.message);
-    return little;
+    return fixture;
 }
 
-void free_little(struct little *little)
+void free_small_machine(struct small_machine *fixture)
 {
-    c205_free(little->machine);
-    c205_model_free(little->model);
+    c205_free(fixture->machine);
+    c205_model_free(fixture->model);
 }
 
-void load(struct little *little, size_t data_words)
+void load(struct small_machine *fixture, size_t data_words)
 {
-    c205_segment segments[] = { { CODE, CODE_WORDS, little->code },
+    c205_segment segments[] = { { CODE, CODE_WORDS, fixture->code },
                                 { DATA, data_words, NULL } };
     c205_program program = { CODE, 2, segments, 0, NULL, false };
     c205_error error = { "" };
-    if (!c205_load(little->machine, &program, &error))
+    if (!c205_load(fixture->machine, &program, &error))
         fail_msg("%s", error.message);
 }
 
-c205_stop run(struct little *little)
+c205_stop run(struct small_machine *fixture)
 {
-    return c205_run(little->machine, 1000000000);
+    return c205_run(fixture->machine, 1000000000);
 }
 
-void set(struct little *little, unsigned number, c205_word word)
+void set(struct small_machine *fixture, unsigned number, c205_word word)
 {
-    c205_set_register(little->machine, number, word);
+    c205_set_register(fixture->machine, number, word);
 }
 
-c205_word get(const struct little *little, unsigned number)
+c205_word get(const struct small_machine *fixture, unsigned number)
 {
-    return c205_register(little->machine, number);
+    return c205_register(fixture->machine, number);
 }
 
 c205_word descriptor(uint64_t address, size_t length)
@@ -76,14 +76,14 @@ c205_word descriptor(uint64_t address, size_t length)
     return (c205_word)length << 48 | address;
 }
 
-c205_word word_at(const struct little *little, uint64_t address)
+c205_word word_at(const struct small_machine *fixture, uint64_t address)
 {
     c205_word word = 0;
-    assert_true(c205_read(little->machine, address, &word, 1));
+    assert_true(c205_read(fixture->machine, address, &word, 1));
     return word;
 }
 
-void put_at(struct little *little, uint64_t address, c205_word word)
+void put_at(struct small_machine *fixture, uint64_t address, c205_word word)
 {
-    assert_true(c205_write(little->machine, address, &word, 1));
+    assert_true(c205_write(fixture->machine, address, &word, 1));
 }

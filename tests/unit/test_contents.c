@@ -15,13 +15,13 @@ struct labelled {
     uint64_t count;
 };
 
-struct drawn_text {
+struct random_text {
     struct labelled label[LABELS];
     size_t length;
     char text[TEXT];
 };
 
-static void put(struct drawn_text *drawn, const char *format, ...)
+static void put(struct random_text *drawn, const char *format, ...)
 {
     va_list arguments;
 
@@ -33,7 +33,7 @@ static void put(struct drawn_text *drawn, const char *format, ...)
 }
 
 /* A line that puts so much, counted as its kind is. */
-static uint64_t put_data(struct drawn_text *drawn, enum asm_contents contents)
+static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
 {
     uint64_t n = below(&state, 4) + 1;
 
@@ -59,7 +59,7 @@ static uint64_t put_data(struct drawn_text *drawn, enum asm_contents contents)
 }
 
 /* Vectors have a label of their own. */
-static void put_vector(struct drawn_text *drawn, size_t i)
+static void put_vector(struct random_text *drawn, size_t i)
 {
     static const struct {
         const char *name;
@@ -78,7 +78,7 @@ static void put_vector(struct drawn_text *drawn, size_t i)
                                                     : ", 7");
 }
 
-static void put_labelled(struct drawn_text *drawn, size_t i)
+static void put_labelled(struct random_text *drawn, size_t i)
 {
     static const enum asm_contents kinds[] = { ASM_WORDS, ASM_HALF_WORDS, ASM_BYTES,
                                                ASM_CODE };
@@ -94,7 +94,7 @@ static void put_labelled(struct drawn_text *drawn, size_t i)
         put(drawn, "        .text   \"abc\"\n");
 }
 
-static void check(const struct drawn_text *drawn)
+static void check(const struct random_text *drawn)
 {
     struct object *object = good(drawn->text);
 
@@ -116,7 +116,7 @@ static void check(const struct drawn_text *drawn)
 
 TEST(labels)
 {
-    static struct drawn_text drawn;
+    static struct random_text drawn;
 
     for (int try = 0; try < TRIES; try++) {
         drawn.length = 0;

@@ -6,7 +6,7 @@
 #include "asm/object.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/dap_session.h"
-#include "tests/unit/drawn_walk.h"
+#include "tests/unit/random_walk.h"
 #include "tests/unit/plain_run.h"
 
 /* ---- Random motions --------------------------------------------------------------------- */

@@ -7,7 +7,7 @@
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
-#include "tests/unit/drawn_program.h"
+#include "tests/unit/random_debug_program.h"
 
 enum { PROGRAMS = 5, LINES = 40, LINE = 80, ROUNDS = 16 };
 /* ---- Programs -------------------------------------------------------------- */

@@ -3,7 +3,7 @@
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
-#include "tests/unit/drawn_walk.h"
+#include "tests/unit/random_walk.h"
 #include "tests/unit/engine_client.h"
 
 /* Some 200,000 steps, calls among them. */

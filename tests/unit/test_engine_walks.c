@@ -5,7 +5,7 @@
 #include "asm/print.h"
 #include "base/accounts.h"
 #include "tests/unit/draw.h"
-#include "tests/unit/drawn_walk.h"
+#include "tests/unit/random_walk.h"
 #include "tests/unit/plain_run.h"
 #include "tests/unit/engine_client.h"
 

@@ -21,8 +21,8 @@ static void find(const struct scene *scene, const struct heat_request *request,
     REQUIRE(heat_begin(scene, request, heat, &error) && heat_find(heat, &error));
 }
 
-static size_t drawn_of(const char *text, const struct heat_request *request,
-                       bool precise)
+static size_t random_of(const char *text, const struct heat_request *request,
+                        bool precise)
 {
     SCOPED(scene) *scene = read_scene(text);
     SCOPED_VALUE(heat) heat;
@@ -35,19 +35,19 @@ static size_t drawn_of(const char *text, const struct heat_request *request,
 TEST(rounds)
 {
     struct heat_request request = usual();
-    assert_int_equal(drawn_of(balls, &request, true), 16);
+    assert_int_equal(random_of(balls, &request, true), 16);
     request.tolerance = 1e-9;
     request.limit = 100;
-    assert_int_equal(drawn_of(balls, &request, false), 100);
+    assert_int_equal(random_of(balls, &request, false), 100);
     request.limit = 4;
-    assert_int_equal(drawn_of(balls, &request, false), 16);
+    assert_int_equal(random_of(balls, &request, false), 16);
     request.by_lines = true;
     request.limit = 1000;
-    assert_int_equal(drawn_of(balls, &request, false), 512);
+    assert_int_equal(random_of(balls, &request, false), 512);
     request.limit = 1024;
-    assert_int_equal(drawn_of(balls, &request, false), 1024);
+    assert_int_equal(random_of(balls, &request, false), 1024);
     request.tolerance = .5;
-    assert_int_equal(drawn_of(balls, &request, true), 16);
+    assert_int_equal(random_of(balls, &request, true), 16);
 }
 
 /* All rays of a ball by itself go to the environment, in all repeats; that does not make few
@@ -57,7 +57,7 @@ TEST(no_spread)
     struct heat_request request = usual();
     request.tolerance = .01;
     request.limit = 1000;
-    assert_int_equal(drawn_of("sphere { 0, 1 }", &request, true), 64);
+    assert_int_equal(random_of("sphere { 0, 1 }", &request, true), 64);
 }
 
 /* A number that is a little off is another one. */

@@ -140,7 +140,7 @@ static void grey(const void *context, double share, double color[3])
 }
 
 /* Pixels of text that a title adds to a scale. */
-static size_t drawn_by(const char *title, double least, double most, size_t width)
+static size_t random_by(const char *title, double least, double most, size_t width)
 {
     const struct color_scale scale = {
         .title = title, .least = least, .most = most, .color = grey
@@ -161,18 +161,18 @@ TEST(scale)
 {
     static const char used[] = "0123456789-+.,/^Wacefhilmnoprstuw";
     char letter[2] = "";
-    size_t none = drawn_by("", -1, 1, 320), twice = drawn_by("", -1, 1, 640);
+    size_t none = random_by("", -1, 1, 320), twice = random_by("", -1, 1, 640);
     for (size_t i = 0; used[i]; i++) {
         letter[0] = used[i];
-        assert_true(drawn_by(letter, -1, 1, 320) > none);
+        assert_true(random_by(letter, -1, 1, 320) > none);
     }
     assert_int_equal(twice, 4 * none);
-    assert_int_equal(drawn_by("", 2, 3, 320), drawn_by("", 0, 3, 320));
-    assert_int_equal(drawn_by("", -3, -2, 320), drawn_by("", -3, 0, 320));
+    assert_int_equal(random_by("", 2, 3, 320), random_by("", 0, 3, 320));
+    assert_int_equal(random_by("", -3, -2, 320), random_by("", -3, 0, 320));
     for (size_t width = 1; width < 400; width += 7)
-        drawn_by("flow, W/m^2", -1.23457e-10, 9.87654e+20, width);
-    drawn_by("flow, W/m^2", 0, 0, 320);
-    drawn_by("flow, W/m^2", -2, -1, 320);
+        random_by("flow, W/m^2", -1.23457e-10, 9.87654e+20, width);
+    random_by("flow, W/m^2", 0, 0, 320);
+    random_by("flow, W/m^2", -2, -1, 320);
 }
 
 TEST(refused)

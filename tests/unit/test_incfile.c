@@ -11,33 +11,33 @@ enum { TRIES = 300, ROWS = 12, COLUMNS = 5, TEXT = 8000 };
 static uint64_t state = RANDOM_SEED;
 static const char path[] = "test_incfile.tmp";
 
-struct drawn_table {
+struct random_table {
     size_t rows, columns;
     bool integers, commas;
     c205_word words[ROWS][COLUMNS];
     char text[TEXT];
 };
 
-static void add(struct drawn_table *table, const char *text)
+static void add(struct random_table *table, const char *text)
 {
     strcat(table->text, text);
 }
 
-static void add_blanks(struct drawn_table *table)
+static void add_blanks(struct random_table *table)
 {
     static const char *const blanks[] = { "", "", " ", "\t", "  " };
 
     add(table, blanks[below(&state, 5)]);
 }
 
-static void add_separator(struct drawn_table *table)
+static void add_separator(struct random_table *table)
 {
     add_blanks(table);
     add(table, table->commas ? "," : " ");
     add_blanks(table);
 }
 
-static void draw_number(struct drawn_table *table, c205_word *word)
+static void draw_number(struct random_table *table, c205_word *word)
 {
     char text[60];
     const char *end;
@@ -56,7 +56,7 @@ static void draw_number(struct drawn_table *table, c205_word *word)
     add(table, text);
 }
 
-static void end_line(struct drawn_table *table)
+static void end_line(struct random_table *table)
 {
     static const char *const ends[] = { "\n",   "\n",     "\r\n",      " # 1, 2\n",
                                         "\n\n", "\n  \n", "\n# a, b\n" };
@@ -65,7 +65,7 @@ static void end_line(struct drawn_table *table)
     add(table, ends[below(&state, 7)]);
 }
 
-static void draw_table(struct drawn_table *table, bool headed)
+static void draw_table(struct random_table *table, bool headed)
 {
     table->rows = below(&state, ROWS + 1);
     table->columns = below(&state, COLUMNS) + 1;
@@ -121,7 +121,7 @@ static struct object *include_file(const char *wishes, struct diagnostics *error
     return assemble_text("test.s", program, NULL, errors);
 }
 
-static void check_words(const struct drawn_table *table, const char *wishes,
+static void check_words(const struct random_table *table, const char *wishes,
                         size_t column)
 {
     struct diagnostics errors = { 0 };
@@ -148,7 +148,7 @@ static void check_words(const struct drawn_table *table, const char *wishes,
 
 TEST(tables)
 {
-    static struct drawn_table table;
+    static struct random_table table;
 
     for (int i = 0; i < TRIES; i++) {
         bool headed = one_in(&state, 2);

@@ -237,198 +237,198 @@ TEST(overwritten_instruction)
 /* ---- What is seen in the middle ------------------------------------------ */
 
 /* c = a + a of 100 elements; then the sum. */
-static void load_sum(struct little *little)
+static void load_sum(struct small_machine *fixture)
 {
-    begin(little);
-    add(little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
-    add(little, "SUMV", F(.a = 2, .c = 4));
-    add(little, "EXIT", F(.r = 0));
-    load(little, 300);
-    set(little, 1, descriptor(DATA, 100));
-    set(little, 2, descriptor(DATA + 200 * 64, 100));
+    begin(fixture);
+    add(fixture, "ADDNV", F(.a = 1, .b = 1, .c = 2));
+    add(fixture, "SUMV", F(.a = 2, .c = 4));
+    add(fixture, "EXIT", F(.r = 0));
+    load(fixture, 300);
+    set(fixture, 1, descriptor(DATA, 100));
+    set(fixture, 2, descriptor(DATA + 200 * 64, 100));
     for (size_t i = 0; i < 100; i++)
-        put_at(little, DATA + i * 64, C205_ONE);
+        put_at(fixture, DATA + i * 64, C205_ONE);
 }
 
-static void assert_doubled(const struct little *little, size_t count)
+static void assert_doubled(const struct small_machine *fixture, size_t count)
 {
     for (size_t i = 0; i < 100; i++)
-        assert_int_equal(word_at(little, DATA + (200 + i) * 64),
+        assert_int_equal(word_at(fixture, DATA + (200 + i) * 64),
                          i < count ? c205_from_double(2) : 0);
 }
 
-static uint64_t charged(const struct little *little, c205_cause cause)
+static uint64_t charged(const struct small_machine *fixture, c205_cause cause)
 {
-    return c205_account_at(little->machine, 0)->clocks[cause];
+    return c205_account_at(fixture->machine, 0)->clocks[cause];
 }
 
 TEST(in_the_middle)
 {
-    struct little little = make_little();
-    load_sum(&little);
-    c205_stop stop = c205_run(little.machine, 51 + 20);
+    struct small_machine fixture = make_small_machine();
+    load_sum(&fixture);
+    c205_stop stop = c205_run(fixture.machine, 51 + 20);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
     assert_int_equal(stop.pc, CODE);
     assert_string_equal(stop.insn->mnemonic, "ADDNV");
-    assert_int_equal(c205_clock(little.machine), 71);
-    assert_int_equal(charged(&little, C205_VECTOR_STARTUP), 51);
-    assert_int_equal(charged(&little, C205_VECTOR_STREAM), 20);
-    assert_int_equal(c205_account_at(little.machine, 0)->instructions, 0);
-    assert_doubled(&little, 40);
+    assert_int_equal(c205_clock(fixture.machine), 71);
+    assert_int_equal(charged(&fixture, C205_VECTOR_STARTUP), 51);
+    assert_int_equal(charged(&fixture, C205_VECTOR_STREAM), 20);
+    assert_int_equal(c205_account_at(fixture.machine, 0)->instructions, 0);
+    assert_doubled(&fixture, 40);
     /* at a clock that has come already nothing happens */
-    stop = c205_run(little.machine, 60);
+    stop = c205_run(fixture.machine, 60);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
-    assert_int_equal(c205_clock(little.machine), 71);
-    assert_doubled(&little, 40);
-    stop = c205_run(little.machine, 51 + 30);
-    assert_doubled(&little, 60);
+    assert_int_equal(c205_clock(fixture.machine), 71);
+    assert_doubled(&fixture, 40);
+    stop = c205_run(fixture.machine, 51 + 30);
+    assert_doubled(&fixture, 60);
     /* one step does what is left of it */
-    assert_true(c205_step(little.machine, &stop));
-    assert_doubled(&little, 100);
-    assert_int_equal(c205_pc(little.machine), CODE + 64);
-    free_little(&little);
+    assert_true(c205_step(fixture.machine, &stop));
+    assert_doubled(&fixture, 100);
+    assert_int_equal(c205_pc(fixture.machine), CODE + 64);
+    free_small_machine(&fixture);
 }
 
 /* A sum that is not complete is in no register. */
 TEST(result_at_the_end)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     c205_stop stop;
-    load_sum(&little);
-    assert_true(c205_step(little.machine, &stop));
-    uint64_t limit = c205_clock(little.machine) + 1;
-    while (c205_run(little.machine, limit).pc == CODE + 64
-           && !little.machine->resume.first)
+    load_sum(&fixture);
+    assert_true(c205_step(fixture.machine, &stop));
+    uint64_t limit = c205_clock(fixture.machine) + 1;
+    while (c205_run(fixture.machine, limit).pc == CODE + 64
+           && !fixture.machine->resume.first)
         limit++;
-    assert_int_equal(c205_pc(little.machine), CODE + 64);
-    assert_int_equal(get(&little, 4), 0);
-    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
-    assert_int_equal(get(&little, 4), c205_from_double(200));
-    free_little(&little);
+    assert_int_equal(c205_pc(fixture.machine), CODE + 64);
+    assert_int_equal(get(&fixture, 4), 0);
+    assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
+    assert_int_equal(get(&fixture, 4), c205_from_double(200));
+    free_small_machine(&fixture);
 }
 
 /* Quotients of one by two, and one, as a linked pair: by the clock 113 + k that
  * many elements at 1.625. */
 TEST(in_the_middle_of_a_pair)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     c205_word one_and_half = c205_from_double(1.5);
-    begin(&little);
-    add(&little, "LINKV", F(.f = 0));
-    add(&little, "DIVSV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
-    add(&little, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 2, .b = 4, .c = 2));
-    load(&little, 300);
-    set(&little, 1, descriptor(DATA, 100));
-    set(&little, 2, descriptor(DATA + 200 * 64, 100));
-    set(&little, 3, c205_from_double(2));
-    set(&little, 4, C205_ONE);
+    begin(&fixture);
+    add(&fixture, "LINKV", F(.f = 0));
+    add(&fixture, "DIVSV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
+    add(&fixture, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 2, .b = 4, .c = 2));
+    load(&fixture, 300);
+    set(&fixture, 1, descriptor(DATA, 100));
+    set(&fixture, 2, descriptor(DATA + 200 * 64, 100));
+    set(&fixture, 3, c205_from_double(2));
+    set(&fixture, 4, C205_ONE);
     for (size_t i = 0; i < 100; i++)
-        put_at(&little, DATA + i * 64, C205_ONE);
-    c205_stop stop = c205_run(little.machine, 113 + 26);
+        put_at(&fixture, DATA + i * 64, C205_ONE);
+    c205_stop stop = c205_run(fixture.machine, 113 + 26);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
     assert_int_equal(stop.pc, CODE);
-    assert_int_equal(charged(&little, C205_VECTOR_STARTUP), 113);
-    assert_int_equal(charged(&little, C205_VECTOR_STREAM), 26);
+    assert_int_equal(charged(&fixture, C205_VECTOR_STARTUP), 113);
+    assert_int_equal(charged(&fixture, C205_VECTOR_STREAM), 26);
     for (size_t i = 0; i < 100; i++)
-        assert_int_equal(word_at(&little, DATA + (200 + i) * 64),
+        assert_int_equal(word_at(&fixture, DATA + (200 + i) * 64),
                          i < 16 ? one_and_half : 0);
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 /* What waits for one before does not count until it is done. */
 TEST(in_the_middle_of_a_recurrence)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     uint64_t fault = 1030;
     c205_stop stop;
-    begin(&little);
-    add(&little, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
-    add(&little, "EXIT", F(.r = 0));
-    load(&little, 300);
-    set(&little, 1, descriptor(DATA, 100));
-    set(&little, 2, descriptor(DATA + 64, 100));
-    set(&little, 3, C205_ONE);
-    c205_run(little.machine, 51 + 20);
-    assert_int_equal(c205_clock(little.machine), 51 + 20);
-    assert_int_equal(word_at(&little, DATA + 40 * 64), c205_from_double(40));
-    assert_int_equal(word_at(&little, DATA + 41 * 64), 0);
-    stop = run(&little);
+    begin(&fixture);
+    add(&fixture, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
+    add(&fixture, "EXIT", F(.r = 0));
+    load(&fixture, 300);
+    set(&fixture, 1, descriptor(DATA, 100));
+    set(&fixture, 2, descriptor(DATA + 64, 100));
+    set(&fixture, 3, C205_ONE);
+    c205_run(fixture.machine, 51 + 20);
+    assert_int_equal(c205_clock(fixture.machine), 51 + 20);
+    assert_int_equal(word_at(&fixture, DATA + 40 * 64), c205_from_double(40));
+    assert_int_equal(word_at(&fixture, DATA + 41 * 64), 0);
+    stop = run(&fixture);
     assert_int_equal(stop.trap, C205_TRAP_NONE);
-    assert_int_equal(word_at(&little, DATA + 100 * 64), c205_from_double(100));
-    assert_int_equal(c205_clock(little.machine), 51 + fault + 50 + 99 * 51);
-    free_little(&little);
+    assert_int_equal(word_at(&fixture, DATA + 100 * 64), c205_from_double(100));
+    assert_int_equal(c205_clock(fixture.machine), 51 + fault + 50 + 99 * 51);
+    free_small_machine(&fixture);
 }
 
-static uint64_t whole_time(struct little *little)
+static uint64_t whole_time(struct small_machine *fixture)
 {
-    load_sum(little);
-    assert_int_equal(run(little).trap, C205_TRAP_NONE);
-    return c205_clock(little->machine);
+    load_sum(fixture);
+    assert_int_equal(run(fixture).trap, C205_TRAP_NONE);
+    return c205_clock(fixture->machine);
 }
 
 /* Setting the program counter gives the instruction up, but not its time. */
 TEST(given_up)
 {
-    struct little little = make_little();
-    uint64_t whole = whole_time(&little);
-    load_sum(&little);
-    c205_run(little.machine, 71);
-    c205_set_pc(little.machine, CODE);
-    assert_int_equal(c205_clock(little.machine), 71);
-    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
-    assert_doubled(&little, 100);
-    assert_int_equal(c205_clock(little.machine), 71 + whole);
-    free_little(&little);
+    struct small_machine fixture = make_small_machine();
+    uint64_t whole = whole_time(&fixture);
+    load_sum(&fixture);
+    c205_run(fixture.machine, 71);
+    c205_set_pc(fixture.machine, CODE);
+    assert_int_equal(c205_clock(fixture.machine), 71);
+    assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
+    assert_doubled(&fixture, 100);
+    assert_int_equal(c205_clock(fixture.machine), 71 + whole);
+    free_small_machine(&fixture);
 }
 
 /* Resetting the clock does not. */
 TEST(reset_clock)
 {
-    struct little little = make_little();
-    uint64_t whole = whole_time(&little);
-    load_sum(&little);
-    c205_run(little.machine, 71);
-    c205_reset_clock(little.machine);
-    put_at(&little, DATA, C205_MACHINE_ZERO); /* has been read */
-    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
-    assert_doubled(&little, 100);
-    assert_int_equal(c205_clock(little.machine), whole);
-    free_little(&little);
+    struct small_machine fixture = make_small_machine();
+    uint64_t whole = whole_time(&fixture);
+    load_sum(&fixture);
+    c205_run(fixture.machine, 71);
+    c205_reset_clock(fixture.machine);
+    put_at(&fixture, DATA, C205_MACHINE_ZERO); /* has been read */
+    assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
+    assert_doubled(&fixture, 100);
+    assert_int_equal(c205_clock(fixture.machine), whole);
+    free_small_machine(&fixture);
 }
 
 /* What is left on the job interval timer stays then, as it is shown in the
  * middle; also on a machine that was restored there. */
 TEST(reset_timer)
 {
-    struct little little = make_little();
-    begin(&little);
-    add(&little, "WJTIME", F(.r = 3));
-    add(&little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
-    add(&little, "RJTIME", F(.t = 4));
-    add(&little, "EXIT", F(.r = 0));
-    load(&little, 300);
-    set(&little, 1, descriptor(DATA, 100));
-    set(&little, 2, descriptor(DATA + 200 * 64, 100));
-    set(&little, 3, 1000);
-    c205_run(little.machine, 71);
-    assert_true(little.machine->resume.first > 0);
-    little.machine = replace(little.machine);
-    c205_reset_clock(little.machine);
-    assert_int_equal(run(&little).trap, C205_TRAP_NONE);
-    assert_int_equal(get(&little, 4), 1000 - 71 - 1);
-    free_little(&little);
+    struct small_machine fixture = make_small_machine();
+    begin(&fixture);
+    add(&fixture, "WJTIME", F(.r = 3));
+    add(&fixture, "ADDNV", F(.a = 1, .b = 1, .c = 2));
+    add(&fixture, "RJTIME", F(.t = 4));
+    add(&fixture, "EXIT", F(.r = 0));
+    load(&fixture, 300);
+    set(&fixture, 1, descriptor(DATA, 100));
+    set(&fixture, 2, descriptor(DATA + 200 * 64, 100));
+    set(&fixture, 3, 1000);
+    c205_run(fixture.machine, 71);
+    assert_true(fixture.machine->resume.first > 0);
+    fixture.machine = replace(fixture.machine);
+    c205_reset_clock(fixture.machine);
+    assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
+    assert_int_equal(get(&fixture, 4), 1000 - 71 - 1);
+    free_small_machine(&fixture);
 }
 
 /* The limit comes before what is no instruction, too. */
 TEST(limit_before_undefined)
 {
-    struct little little = make_little();
-    load(&little, 1);
-    c205_stop stop = c205_run(little.machine, 0);
+    struct small_machine fixture = make_small_machine();
+    load(&fixture, 1);
+    c205_stop stop = c205_run(fixture.machine, 0);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
     assert_null(stop.insn);
-    assert_int_equal(run(&little).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
-    free_little(&little);
+    assert_int_equal(run(&fixture).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
+    free_small_machine(&fixture);
 }
 
 /* ---- Pages --------------------------------------------------------------- */
@@ -446,27 +446,27 @@ static void map_next_page(c205 *machine)
 }
 
 /* A vector on both sides of the end of a page, with more in flight. */
-static void load_crossing(struct little *little)
+static void load_crossing(struct small_machine *fixture)
 {
-    begin(little);
-    add(little, "LOD", F(.r = 4, .t = 5));
-    add(little, "DIVS", F(.r = 6, .s = 6, .t = 7));
-    add(little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
-    add(little, "LOD", F(.r = 8, .t = 9));
-    add(little, "ADDN", F(.r = 9, .s = 7, .t = 10));
-    add(little, "EXIT", F(.r = 0));
-    load(little, 300);
-    set(little, 1, descriptor(NEXT_PAGE - 40 * 64, 100));
-    set(little, 2, descriptor(DATA, 100));
-    set(little, 4, DATA);
-    set(little, 6, C205_ONE);
-    set(little, 8, NEXT_PAGE);
+    begin(fixture);
+    add(fixture, "LOD", F(.r = 4, .t = 5));
+    add(fixture, "DIVS", F(.r = 6, .s = 6, .t = 7));
+    add(fixture, "ADDNV", F(.a = 1, .b = 1, .c = 2));
+    add(fixture, "LOD", F(.r = 8, .t = 9));
+    add(fixture, "ADDN", F(.r = 9, .s = 7, .t = 10));
+    add(fixture, "EXIT", F(.r = 0));
+    load(fixture, 300);
+    set(fixture, 1, descriptor(NEXT_PAGE - 40 * 64, 100));
+    set(fixture, 2, descriptor(DATA, 100));
+    set(fixture, 4, DATA);
+    set(fixture, 6, C205_ONE);
+    set(fixture, 8, NEXT_PAGE);
 }
 
 /* The page is missing, comes, and the end is as if it had been there. */
 TEST(missing_page)
 {
-    struct little with = make_little(), without = make_little();
+    struct small_machine with = make_small_machine(), without = make_small_machine();
     load_crossing(&with);
     load_crossing(&without);
     map_next_page(with.machine);
@@ -481,13 +481,13 @@ TEST(missing_page)
     assert_int_equal(run(&without).trap, C205_TRAP_NONE);
     assert_int_equal(run(&with).trap, C205_TRAP_NONE);
     assert_same(with.machine, without.machine);
-    free_little(&with);
-    free_little(&without);
+    free_small_machine(&with);
+    free_small_machine(&without);
 }
 
 TEST(missing_page_of_a_scalar)
 {
-    struct little with = make_little(), without = make_little();
+    struct small_machine with = make_small_machine(), without = make_small_machine();
     load_crossing(&with);
     load_crossing(&without);
     map_next_page(with.machine);
@@ -498,20 +498,20 @@ TEST(missing_page_of_a_scalar)
     assert_int_equal(run(&without).trap, C205_TRAP_NONE);
     assert_int_equal(run(&with).trap, C205_TRAP_NONE);
     assert_same(with.machine, without.machine);
-    free_little(&with);
-    free_little(&without);
+    free_small_machine(&with);
+    free_small_machine(&without);
 }
 
-static void set_access(struct little *little, c205_access access)
+static void set_access(struct small_machine *fixture, c205_access access)
 {
     c205_error error;
-    assert_true(c205_map(little->machine, DATA, 300, access, &error));
+    assert_true(c205_map(fixture->machine, DATA, 300, access, &error));
 }
 
 /* What traps when it is to continue stays where it was. */
 TEST(trap_in_the_middle)
 {
-    struct little broken = make_little(), whole = make_little();
+    struct small_machine broken = make_small_machine(), whole = make_small_machine();
     load_sum(&broken);
     load_sum(&whole);
     c205_run(broken.machine, 71);
@@ -525,26 +525,26 @@ TEST(trap_in_the_middle)
     assert_int_equal(run(&broken).trap, C205_TRAP_NONE);
     assert_int_equal(run(&whole).trap, C205_TRAP_NONE);
     assert_same(broken.machine, whole.machine);
-    free_little(&broken);
-    free_little(&whole);
+    free_small_machine(&broken);
+    free_small_machine(&whole);
 }
 
 /* A table whose indices are overwritten traps before anything is done. */
 TEST(bad_index_behind_the_limit)
 {
-    struct little little = make_little();
-    add(&little, "VXTOV", F(.a = 1, .b = 2, .c = 3));
-    load(&little, 300);
-    set(&little, 1, descriptor(DATA, 40));
-    set(&little, 2, DATA);
-    set(&little, 3, descriptor(DATA + 64, 40));
-    put_at(&little, DATA, 50);
-    put_at(&little, DATA + 50 * 64, 51);
-    put_at(&little, DATA + 51 * 64, UINT64_C(1) << 40);
-    c205_stop stop = c205_run(little.machine, 69 + 2);
+    struct small_machine fixture = make_small_machine();
+    add(&fixture, "VXTOV", F(.a = 1, .b = 2, .c = 3));
+    load(&fixture, 300);
+    set(&fixture, 1, descriptor(DATA, 40));
+    set(&fixture, 2, DATA);
+    set(&fixture, 3, descriptor(DATA + 64, 40));
+    put_at(&fixture, DATA, 50);
+    put_at(&fixture, DATA + 50 * 64, 51);
+    put_at(&fixture, DATA + 51 * 64, UINT64_C(1) << 40);
+    c205_stop stop = c205_run(fixture.machine, 69 + 2);
     assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
-    assert_int_equal(word_at(&little, DATA + 64), 0);
-    free_little(&little);
+    assert_int_equal(word_at(&fixture, DATA + 64), 0);
+    free_small_machine(&fixture);
 }
 
 /* ---- The models ---------------------------------------------------------- */

@@ -8,7 +8,7 @@
 #include "base/json_read.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/asm_helper.h"
-#include "tests/unit/drawn_words.h"
+#include "tests/unit/random_words.h"
 
 static size_t tries = 150;
 
@@ -23,11 +23,11 @@ struct plain_trial {
     c205_stop stop;
 };
 
-static void put_inputs(const struct drawn_lesson *drawn, const struct drawn_test *test,
-                       struct plain_trial *plain)
+static void put_inputs(const struct random_lesson *drawn,
+                       const struct random_test *test, struct plain_trial *plain)
 {
     const struct asm_symbol *x = object_symbol(plain->object, "x");
-    unsigned width = drawn_width(drawn);
+    unsigned width = random_width(drawn);
 
     for (size_t i = 0; i < test->n; i++) {
         uint64_t at = (uint64_t)x->value + i * width;
@@ -39,8 +39,8 @@ static void put_inputs(const struct drawn_lesson *drawn, const struct drawn_test
     }
 }
 
-static void run_plainly(const struct drawn_lesson *drawn, const struct drawn_test *test,
-                        struct plain_trial *plain)
+static void run_plainly(const struct random_lesson *drawn,
+                        const struct random_test *test, struct plain_trial *plain)
 {
     struct asm_define defines[] = { { "n", (int64_t)test->n }, { NULL, 0 } };
     struct asm_options options = { .defines = defines };
@@ -73,7 +73,7 @@ static void plain_free(struct plain_trial *plain)
 /* ---- Goals ----------------------------------------------------------------- */
 
 /* So that so many clocks get this medal, often at the last clock. */
-static void draw_goals(struct drawn_test *test, uint64_t clocks, enum medal medal)
+static void draw_goals(struct random_test *test, uint64_t clocks, enum medal medal)
 {
     uint64_t below_it = clocks - 1, above_it = clocks;
 
@@ -90,7 +90,7 @@ static void draw_goals(struct drawn_test *test, uint64_t clocks, enum medal meda
 
 /* ---- What was said --------------------------------------------------------- */
 
-static void check_begins(const struct drawn_lesson *drawn,
+static void check_begins(const struct random_lesson *drawn,
                          const struct lesson_trial *trial, size_t sentence,
                          const char *wanted)
 {
@@ -101,14 +101,14 @@ static void check_begins(const struct drawn_lesson *drawn,
                  drawn->answer);
 }
 
-static void check_wrong(const struct drawn_lesson *drawn,
+static void check_wrong(const struct random_lesson *drawn,
                         const struct lesson_trial *trial)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-    const char *likeness = drawn_likeness(drawn);
+    const char *likeness = random_likeness(drawn);
 
-    drawn_say_wrong(drawn, drawn_count_wrong(drawn), &sink);
+    random_say_wrong(drawn, random_count_wrong(drawn), &sink);
     sink_put(&sink, likeness ? likeness : "");
     assert_false(trial->right);
     assert_int_equal(trial->report.count, 1);
@@ -118,7 +118,7 @@ static void check_wrong(const struct drawn_lesson *drawn,
     text_buffer_free(&text);
 }
 
-static void check_trap(const struct drawn_lesson *drawn,
+static void check_trap(const struct random_lesson *drawn,
                        const struct lesson_trial *trial,
                        const struct plain_trial *plain)
 {
@@ -128,12 +128,12 @@ static void check_trap(const struct drawn_lesson *drawn,
     snprintf(wanted, sizeof wanted,
              "It was stopped by a trap:\nmy.s:%zu:9: error: trap "
              "unmapped-address",
-             drawn_fault_line(drawn));
+             random_fault_line(drawn));
     check_begins(drawn, trial, 0, wanted);
     assert_int_equal(trial->clocks, c205_clock(plain->machine));
 }
 
-static void check_loop(const struct drawn_lesson *drawn,
+static void check_loop(const struct random_lesson *drawn,
                        const struct lesson_trial *trial)
 {
     char wanted[200];
@@ -143,7 +143,7 @@ static void check_loop(const struct drawn_lesson *drawn,
              "It had not ended after %" PRIu64
              " clocks: is this an endless loop?  It was in line %zu then: "
              "here:   BIM     here ; fault",
-             trial->clocks, drawn_fault_line(drawn));
+             trial->clocks, random_fault_line(drawn));
     check_begins(drawn, trial, 0, wanted);
 }
 
@@ -158,7 +158,7 @@ static uint64_t clocks_of(const struct profile_row *row)
     return sum;
 }
 
-static void check_cause(const struct drawn_lesson *drawn,
+static void check_cause(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain)
 {
@@ -205,7 +205,7 @@ static void check_loop_told(const struct lesson_trial *trial,
 }
 
 /* The hottest ones in turn, of equals the first; three, while they take a tenth or more. */
-static void check_lines(const struct drawn_lesson *drawn,
+static void check_lines(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain)
 {
@@ -245,7 +245,7 @@ static void check_lines(const struct drawn_lesson *drawn,
     }
 }
 
-static void check_slow(const struct drawn_lesson *drawn,
+static void check_slow(const struct random_lesson *drawn,
                        const struct lesson_trial *trial,
                        const struct plain_trial *plain)
 {
@@ -260,7 +260,7 @@ static void check_slow(const struct drawn_lesson *drawn,
     check_lines(drawn, trial, plain);
 }
 
-static void check_right(const struct drawn_lesson *drawn,
+static void check_right(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain, enum medal medal)
 {
@@ -370,7 +370,7 @@ static void check_whole(const struct lesson_verdict *verdict)
     check_json(verdict);
 }
 
-static void check_trial(const struct drawn_lesson *drawn, size_t index,
+static void check_trial(const struct random_lesson *drawn, size_t index,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain, enum medal medal)
 {
@@ -380,13 +380,13 @@ static void check_trial(const struct drawn_lesson *drawn, size_t index,
         check_trap(drawn, trial, plain);
     else if (faulty && drawn->fault == FAULT_LOOP)
         check_loop(drawn, trial);
-    else if (faulty && drawn_count_wrong(drawn) > 0)
+    else if (faulty && random_count_wrong(drawn) > 0)
         check_wrong(drawn, trial);
     else
         check_right(drawn, trial, plain, medal);
 }
 
-static void check_drawn(struct drawn_lesson *drawn)
+static void check_drawn(struct random_lesson *drawn)
 {
     struct plain_trial plain[DRAWN_TESTS];
     enum medal medals[DRAWN_TESTS];
@@ -398,7 +398,7 @@ static void check_drawn(struct drawn_lesson *drawn)
         medals[i] = (enum medal)below(MEDALS);
         draw_goals(&drawn->tests[i], c205_clock(plain[i].machine), medals[i]);
     }
-    drawn_open(drawn, &lesson);
+    random_open(drawn, &lesson);
     grade_well(&verdict, &lesson, drawn->answer);
     for (size_t i = 0; i < drawn->count; i++) {
         const struct lesson_trial *trial = trial_of(&verdict, drawn->tests[i].n);
@@ -418,7 +418,7 @@ TEST(drawn)
     size_t seen[DRAWN_FAULTS] = { 0 };
 
     for (size_t i = 0; i < tries; i++) {
-        struct drawn_lesson drawn = { 0 };
+        struct random_lesson drawn = { 0 };
 
         draw_lesson(&drawn, &random_state);
         check_drawn(&drawn);
@@ -432,7 +432,7 @@ TEST(drawn)
 TEST(ways)
 {
     for (size_t i = 0; i < tries; i++) {
-        struct drawn_lesson drawn = { 0 };
+        struct random_lesson drawn = { 0 };
 
         do
             draw_lesson(&drawn, &random_state);
@@ -456,7 +456,7 @@ static char *with(const char *answer, const char *old, const char *new)
     return text;
 }
 
-static void check_said(const struct drawn_lesson *drawn, const char *old,
+static void check_said(const struct random_lesson *drawn, const char *old,
                        const char *new, bool of_all, const char *wanted)
 {
     struct lesson lesson;
@@ -464,7 +464,7 @@ static void check_said(const struct drawn_lesson *drawn, const char *old,
     char *answer = with(drawn->answer, old, new);
     const struct lesson_report *report;
 
-    drawn_open(drawn, &lesson);
+    random_open(drawn, &lesson);
     grade_well(&verdict, &lesson, answer);
     report = of_all ? &verdict.report : &trial_of(&verdict, drawn->tests[0].n)->report;
     assert_int_equal(verdict.graded, !of_all);
@@ -479,7 +479,7 @@ static void check_said(const struct drawn_lesson *drawn, const char *old,
     free(answer);
 }
 
-static void draw_right_words(struct drawn_lesson *drawn)
+static void draw_right_words(struct random_lesson *drawn)
 {
     do
         draw_lesson(drawn, &random_state);
@@ -491,7 +491,7 @@ static void draw_right_words(struct drawn_lesson *drawn)
 
 TEST(said_of_all)
 {
-    struct drawn_lesson drawn = { 0 };
+    struct random_lesson drawn = { 0 };
     char wanted[200];
 
     for (size_t i = 0; i < 10; i++) {

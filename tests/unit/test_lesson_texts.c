@@ -3,7 +3,7 @@
 #include "asm/lesson/lesson_internal.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
-#include "tests/unit/drawn_lesson.h"
+#include "tests/unit/random_lesson.h"
 
 static size_t tries = 5000;
 

@@ -18,55 +18,55 @@ static void expect_end(c205_stop stop)
 /* Registers are saved before others are loaded, and register 0 keeps its value. */
 TEST(swap)
 {
-    struct little little = make_little();
-    add(&little, "SWAP", F(.r = 1, .s = 10, .t = 2));
-    add(&little, "SWAP", F(.r = 1, .s = 0, .t = 0));
-    add(&little, "EXIT", F(.r = 0));
-    load(&little, 100);
+    struct small_machine fixture = make_small_machine();
+    add(&fixture, "SWAP", F(.r = 1, .s = 10, .t = 2));
+    add(&fixture, "SWAP", F(.r = 1, .s = 0, .t = 0));
+    add(&fixture, "EXIT", F(.r = 0));
+    load(&fixture, 100);
     for (unsigned i = 0; i < 4; i++) {
-        set(&little, 10 + i, 100 + i);
-        put_at(&little, DATA + i * 64, 200 + i);
+        set(&fixture, 10 + i, 100 + i);
+        put_at(&fixture, DATA + i * 64, 200 + i);
     }
-    set(&little, 1, descriptor(DATA, 3));
-    set(&little, 2, descriptor(DATA + 2 * 64, 4)); /* overlaps: saved first */
-    expect_end(run(&little));
-    assert_int_equal(get(&little, 10), 200);
-    assert_int_equal(get(&little, 11), 201);
-    assert_int_equal(get(&little, 12), 100);
-    assert_int_equal(get(&little, 13), 103);
-    assert_int_equal(word_at(&little, DATA + 5 * 64), 103);
+    set(&fixture, 1, descriptor(DATA, 3));
+    set(&fixture, 2, descriptor(DATA + 2 * 64, 4)); /* overlaps: saved first */
+    expect_end(run(&fixture));
+    assert_int_equal(get(&fixture, 10), 200);
+    assert_int_equal(get(&fixture, 11), 201);
+    assert_int_equal(get(&fixture, 12), 100);
+    assert_int_equal(get(&fixture, 13), 103);
+    assert_int_equal(word_at(&fixture, DATA + 5 * 64), 103);
     /* the second loads registers 0, 1, 2; 0 keeps its value */
-    assert_int_equal(get(&little, 0), 0);
-    assert_int_equal(get(&little, 1), 201);
-    assert_int_equal(get(&little, 2), 100);
-    free_little(&little);
+    assert_int_equal(get(&fixture, 0), 0);
+    assert_int_equal(get(&fixture, 1), 201);
+    assert_int_equal(get(&fixture, 2), 100);
+    free_small_machine(&fixture);
 }
 
 /* ---- Traps -------------------------------------------------------------- */
 
-static c205_stop run_one(struct little *little, const char *mnemonic,
+static c205_stop run_one(struct small_machine *fixture, const char *mnemonic,
                          c205_fields fields)
 {
-    begin(little);
-    add(little, "RTOR", F(.r = 0, .t = 0)); /* off the word boundary */
-    add(little, mnemonic, fields);
-    add(little, "EXIT", F(.r = 0));
-    load(little, 100);
-    set(little, 1, descriptor(DATA, 4));
-    set(little, 2, descriptor(DATA + 1, 4));
-    set(little, 3, descriptor(0x800000, 4)); /* not mapped */
-    set(little, 4, 0xFFFFFFFFFFFF);          /* -1 */
-    return run(little);
+    begin(fixture);
+    add(fixture, "RTOR", F(.r = 0, .t = 0)); /* off the word boundary */
+    add(fixture, mnemonic, fields);
+    add(fixture, "EXIT", F(.r = 0));
+    load(fixture, 100);
+    set(fixture, 1, descriptor(DATA, 4));
+    set(fixture, 2, descriptor(DATA + 1, 4));
+    set(fixture, 3, descriptor(0x800000, 4)); /* not mapped */
+    set(fixture, 4, 0xFFFFFFFFFFFF);          /* -1 */
+    return run(fixture);
 }
 
-static void expect_trap(struct little *little, const char *name, uint64_t address,
-                        const char *mnemonic, c205_fields fields)
+static void expect_trap(struct small_machine *fixture, const char *name,
+                        uint64_t address, const char *mnemonic, c205_fields fields)
 {
-    c205_stop stop = run_one(little, mnemonic, fields);
+    c205_stop stop = run_one(fixture, mnemonic, fields);
     assert_string_equal(c205_trap_name(stop.trap), name);
     assert_int_equal(stop.address, address);
     assert_int_equal(stop.pc, CODE + HALF_WORD);
-    assert_int_equal(c205_pc(little->machine), CODE + HALF_WORD);
+    assert_int_equal(c205_pc(fixture->machine), CODE + HALF_WORD);
 }
 
 TEST(undefined)
@@ -91,23 +91,23 @@ TEST(undefined)
                   { "XORB", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
                   { "SUMV", { .a = 1, .c = 255 } },
                   { "IBXEQ", { .g = 1, .a = 1 } } };
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     for (size_t i = 0; i < COUNT(wrong); i++) {
-        expect_trap(&little, "undefined-instruction", 0, wrong[i].mnemonic,
+        expect_trap(&fixture, "undefined-instruction", 0, wrong[i].mnemonic,
                     wrong[i].fields);
     }
-    begin(&little);
-    add_half(&little, 0xFF000000);
-    load(&little, 1);
-    c205_stop stop = run(&little);
+    begin(&fixture);
+    add_half(&fixture, 0xFF000000);
+    load(&fixture, 1);
+    c205_stop stop = run(&fixture);
     assert_int_equal(stop.trap, C205_TRAP_UNDEFINED_INSTRUCTION);
     assert_null(stop.insn);
     c205_error text;
-    c205_describe_stop(little.machine, &stop, &text);
+    c205_describe_stop(fixture.machine, &stop, &text);
     assert_string_equal(text.message,
                         "trap undefined-instruction at 400000: FF000000: no "
                         "instruction has this code");
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 /* As programs that ran had it: ADDNV with G = 05 adds magnitudes.  -2 and 2, to
@@ -116,42 +116,42 @@ TEST(sign_bits)
 {
     static const double sums[][2] = { { -5, -1 }, { 1, 5 }, { -1, -5 }, { 5, 1 },
                                       { -1, -1 }, { 5, 5 }, { -5, -5 }, { 1, 1 } };
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     for (uint32_t g = 0; g < 8; g++) {
-        begin(&little);
-        add_half(&little, 0x82000001 | (c205_word)g << 16);
-        add_half(&little, 0x00020003);
-        add(&little, "EXIT", F(.r = 0));
-        load(&little, 300);
-        set(&little, 1, descriptor(DATA, 2));
-        set(&little, 2, descriptor(DATA + 128, 2));
-        set(&little, 3, descriptor(DATA + 256, 2));
+        begin(&fixture);
+        add_half(&fixture, 0x82000001 | (c205_word)g << 16);
+        add_half(&fixture, 0x00020003);
+        add(&fixture, "EXIT", F(.r = 0));
+        load(&fixture, 300);
+        set(&fixture, 1, descriptor(DATA, 2));
+        set(&fixture, 2, descriptor(DATA + 128, 2));
+        set(&fixture, 3, descriptor(DATA + 256, 2));
         for (uint64_t i = 0; i < 2; i++) {
-            put_at(&little, DATA + i * 64, c205_from_double(i == 0 ? -2 : 2));
-            put_at(&little, DATA + (2 + i) * 64, c205_from_double(-3));
+            put_at(&fixture, DATA + i * 64, c205_from_double(i == 0 ? -2 : 2));
+            put_at(&fixture, DATA + (2 + i) * 64, c205_from_double(-3));
         }
-        expect_end(run(&little));
+        expect_end(run(&fixture));
         for (uint64_t i = 0; i < 2; i++)
-            assert_int_equal(word_at(&little, DATA + (4 + i) * 64),
+            assert_int_equal(word_at(&fixture, DATA + (4 + i) * 64),
                              c205_from_double(sums[g][i]));
     }
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 TEST(fields_that_are_not_there)
 {
-    struct little little = make_little();
-    add(&little, "VTOV", F(.a = 1, .c = 1));
-    little.code[0] |= 1 << 16; /* field B */
-    load(&little, 1);
-    assert_int_equal(run(&little).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
-    free_little(&little);
+    struct small_machine fixture = make_small_machine();
+    add(&fixture, "VTOV", F(.a = 1, .c = 1));
+    fixture.code[0] |= 1 << 16; /* field B */
+    load(&fixture, 1);
+    assert_int_equal(run(&fixture).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
+    free_small_machine(&fixture);
 }
 
 TEST(operand_traps)
 {
     uint64_t odd = DATA + 1, out = 0x800000;
-    struct little l = make_little();
+    struct small_machine l = make_small_machine();
     const char *bad = "bad-descriptor", *misaligned = "misaligned-operand";
     const char *unmapped = "unmapped-address";
     expect_trap(&l, unmapped, out, "LOD", F(.r = 3, .t = 5));
@@ -172,125 +172,125 @@ TEST(operand_traps)
     expect_trap(&l, "bad-request", 0, "EXIT", F(.immediate = 8));
     expect_trap(&l, unmapped, out, "EXIT", F(.r = 3, .immediate = 6));
     expect_trap(&l, "bad-link", 0, "LINKV", F(.f = 0));
-    free_little(&l);
+    free_small_machine(&l);
 }
 
 /* Address 0 is told like any other. */
 TEST(address_0_is_told)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     c205_error text;
-    add(&little, "LOD", F(.r = 0, .t = 5));
-    load(&little, 1);
-    c205_stop stop = run(&little);
-    c205_describe_stop(little.machine, &stop, &text);
+    add(&fixture, "LOD", F(.r = 0, .t = 5));
+    load(&fixture, 1);
+    c205_stop stop = run(&fixture);
+    c205_describe_stop(fixture.machine, &stop, &text);
     assert_string_equal(text.message,
                         "trap unmapped-address at 400000: LOD: address 0: "
                         "no memory is mapped there");
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 TEST(protected)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     c205_error error;
-    add(&little, "STO", F(.r = 1, .t = 1));
-    load(&little, 1);
-    set(&little, 1, DATA);
-    assert_true(c205_map(little.machine, DATA, 1, C205_READ_ONLY, &error));
-    c205_stop stop = run(&little);
+    add(&fixture, "STO", F(.r = 1, .t = 1));
+    load(&fixture, 1);
+    set(&fixture, 1, DATA);
+    assert_true(c205_map(fixture.machine, DATA, 1, C205_READ_ONLY, &error));
+    c205_stop stop = run(&fixture);
     assert_string_equal(c205_trap_name(stop.trap), "protected-address");
-    c205_describe_stop(little.machine, &stop, &error);
+    c205_describe_stop(fixture.machine, &stop, &error);
     assert_string_equal(error.message,
                         "trap protected-address at 400000: STO: address 10000000: "
                         "this memory may only be read");
-    assert_int_equal(word_at(&little, DATA), 0);
-    free_little(&little);
+    assert_int_equal(word_at(&fixture, DATA), 0);
+    free_small_machine(&fixture);
 }
 
 TEST(fetch)
 {
-    struct little little = make_little();
-    load(&little, 1);
-    c205_set_pc(little.machine, CODE + 16);
-    assert_int_equal(run(&little).trap, C205_TRAP_MISALIGNED_OPERAND);
-    c205_set_pc(little.machine, 0x800000);
-    c205_stop stop = run(&little);
+    struct small_machine fixture = make_small_machine();
+    load(&fixture, 1);
+    c205_set_pc(fixture.machine, CODE + 16);
+    assert_int_equal(run(&fixture).trap, C205_TRAP_MISALIGNED_OPERAND);
+    c205_set_pc(fixture.machine, 0x800000);
+    c205_stop stop = run(&fixture);
     assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(stop.address, 0x800000);
     /* the second half lies beyond the last page */
-    put_at(&little, 0x800000 - 64, 0xBE000000);
-    c205_set_pc(little.machine, 0x800000 - 32);
-    stop = run(&little);
+    put_at(&fixture, 0x800000 - 64, 0xBE000000);
+    c205_set_pc(fixture.machine, 0x800000 - 32);
+    stop = run(&fixture);
     assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(stop.address, 0x800000);
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 TEST(clock_limit)
 {
-    struct little little = make_little();
-    add(&little, "BIM", F(.r = 0, .immediate = (int64_t)CODE));
-    load(&little, 1);
-    c205_stop stop = c205_run(little.machine, 1000);
+    struct small_machine fixture = make_small_machine();
+    add(&fixture, "BIM", F(.r = 0, .immediate = (int64_t)CODE));
+    load(&fixture, 1);
+    c205_stop stop = c205_run(fixture.machine, 1000);
     assert_string_equal(c205_trap_name(stop.trap), "clock-limit");
-    assert_in_range(c205_clock(little.machine), 1000, 1100);
-    c205_reset_clock(little.machine);
-    assert_int_equal(c205_clock(little.machine), 0);
-    free_little(&little);
+    assert_in_range(c205_clock(fixture.machine), 1000, 1100);
+    c205_reset_clock(fixture.machine);
+    assert_int_equal(c205_clock(fixture.machine), 0);
+    free_small_machine(&fixture);
 }
 
 /* Room for all that might be kept is asked for first; that there was none is
  * no fault of a later instruction. */
 TEST(compress_leaves_no_fault)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     uint64_t end = DATA + C205_PAGE_WORDS * UINT64_C(64);
-    add(&little, "CPSV", F(.a = 1, .z = 2, .c = 3));
-    add(&little, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
-    load(&little, 100);
-    set(&little, 1, descriptor(DATA, 2));
-    set(&little, 2, descriptor(DATA, 2)); /* zeros: none is kept */
-    set(&little, 3, end - 64);
-    c205_stop stop = run(&little);
+    add(&fixture, "CPSV", F(.a = 1, .z = 2, .c = 3));
+    add(&fixture, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
+    load(&fixture, 100);
+    set(&fixture, 1, descriptor(DATA, 2));
+    set(&fixture, 2, descriptor(DATA, 2)); /* zeros: none is kept */
+    set(&fixture, 3, end - 64);
+    c205_stop stop = run(&fixture);
     assert_int_equal(stop.trap, C205_TRAP_BAD_DESCRIPTOR);
     assert_int_equal(stop.address, 0);
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 /* ---- Regions, events ---------------------------------------------------- */
 
 TEST(regions)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     c205_region regions[] = { { "late", CODE + 64, CODE + 96 },
                               { "early", CODE, CODE + 32 },
                               { "late", CODE + 128, CODE + 160 } };
-    c205_segment segment = { CODE, CODE_WORDS, little.code };
+    c205_segment segment = { CODE, CODE_WORDS, fixture.code };
     c205_program program = { CODE, 1, &segment, 3, regions, false };
     c205_error error = { "" };
     for (unsigned i = 0; i < 5; i++)
-        add(&little, "RTOR", F(.r = 0, .t = 0));
-    add(&little, "EXIT", F(.r = 0));
-    assert_true(c205_load(little.machine, &program, &error));
-    expect_end(run(&little));
-    assert_int_equal(c205_account_count(little.machine), 3);
-    const c205_account *late = c205_account_at(little.machine, 1);
+        add(&fixture, "RTOR", F(.r = 0, .t = 0));
+    add(&fixture, "EXIT", F(.r = 0));
+    assert_true(c205_load(fixture.machine, &program, &error));
+    expect_end(run(&fixture));
+    assert_int_equal(c205_account_count(fixture.machine), 3);
+    const c205_account *late = c205_account_at(fixture.machine, 1);
     assert_string_equal(late->name, "late");
     assert_int_equal(late->instructions, 2);
     assert_int_equal(late->entries, 2);
     regions[1].end = CODE + 65;
-    assert_false(c205_load(little.machine, &program, &error));
+    assert_false(c205_load(fixture.machine, &program, &error));
     assert_string_equal(error.message, "the region late overlaps another, at 400040");
     regions[1].end = CODE - 32;
-    assert_false(c205_load(little.machine, &program, &error));
+    assert_false(c205_load(fixture.machine, &program, &error));
     assert_string_equal(error.message,
                         "the region early ends before it begins, at 400000");
     program.region_count = 0;
     segment.address = CODE + 32;
-    assert_false(c205_load(little.machine, &program, &error));
+    assert_false(c205_load(fixture.machine, &program, &error));
     assert_string_equal(error.message, "a segment at 400020 does not begin at a word");
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 struct heard {
@@ -316,53 +316,53 @@ static void listen(void *context, const c205 *machine, const c205_event *event)
 
 TEST(events)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     struct heard heard = { { 0 }, 0, 0, 0, false };
-    add(&little, "ES", F(.r = 1, .immediate = 7));
-    add(&little, "EXIT", F(.r = 1, .immediate = 2));
-    add(&little, "BIM", F(.r = 0, .immediate = (int64_t)CODE + 128));
-    add(&little, "EXIT", F(.r = 0));
-    load(&little, 1);
-    assert_true(c205_listen(little.machine, listen, &heard));
-    expect_end(run(&little));
+    add(&fixture, "ES", F(.r = 1, .immediate = 7));
+    add(&fixture, "EXIT", F(.r = 1, .immediate = 2));
+    add(&fixture, "BIM", F(.r = 0, .immediate = (int64_t)CODE + 128));
+    add(&fixture, "EXIT", F(.r = 0));
+    load(&fixture, 1);
+    assert_true(c205_listen(fixture.machine, listen, &heard));
+    expect_end(run(&fixture));
     assert_int_equal(heard.count[C205_EVENT_INSTRUCTION], 3);
     assert_int_equal(heard.count[C205_EVENT_REQUEST], 1);
     assert_int_equal(heard.count[C205_EVENT_STOP], 1);
-    assert_int_equal(heard.clocks, c205_clock(little.machine));
+    assert_int_equal(heard.clocks, c205_clock(fixture.machine));
     assert_int_equal(heard.request, 2);
     assert_int_equal(heard.r, 7);
     assert_true(heard.taken);
-    c205_set_pc(little.machine, 0);
-    run(&little);
+    c205_set_pc(fixture.machine, 0);
+    run(&fixture);
     assert_int_equal(heard.count[C205_EVENT_TRAP], 1);
     for (unsigned i = 1; i < C205_LISTENERS; i++)
-        assert_true(c205_listen(little.machine, listen, &heard));
-    assert_false(c205_listen(little.machine, listen, &heard));
-    free_little(&little);
+        assert_true(c205_listen(fixture.machine, listen, &heard));
+    assert_false(c205_listen(fixture.machine, listen, &heard));
+    free_small_machine(&fixture);
 }
 
 TEST(step)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     c205_stop stop;
-    add(&little, "ES", F(.r = 1, .immediate = 7));
-    add(&little, "EXIT", F(.r = 1));
-    load(&little, 1);
-    assert_true(c205_step(little.machine, &stop));
-    assert_int_equal(c205_pc(little.machine), CODE + 32);
-    assert_false(c205_step(little.machine, &stop));
+    add(&fixture, "ES", F(.r = 1, .immediate = 7));
+    add(&fixture, "EXIT", F(.r = 1));
+    load(&fixture, 1);
+    assert_true(c205_step(fixture.machine, &stop));
+    assert_int_equal(c205_pc(fixture.machine), CODE + 32);
+    assert_false(c205_step(fixture.machine, &stop));
     assert_int_equal(stop.status, 7);
-    free_little(&little);
+    free_small_machine(&fixture);
 }
 
 TEST(host_copies)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     c205_word words[2] = { 1, 2 };
-    load(&little, 2);
-    assert_true(c205_write(little.machine, DATA, words, 2));
-    assert_false(c205_write(little.machine, DATA + 32, words, 2));
-    assert_false(c205_read(little.machine, 0x800000 - 64, words, 2));
+    load(&fixture, 2);
+    assert_true(c205_write(fixture.machine, DATA, words, 2));
+    assert_false(c205_write(fixture.machine, DATA + 32, words, 2));
+    assert_false(c205_read(fixture.machine, 0x800000 - 64, words, 2));
     assert_int_equal(words[0], 1);
-    free_little(&little);
+    free_small_machine(&fixture);
 }

@@ -227,11 +227,11 @@ TEST(rounding_comes_back)
     static struct pair pair;
     uint64_t seed = RANDOM_SEED;
     size_t done = 0;
-    volatile double one = 1, little = 0x1p-60;
+    volatile double one = 1, fixture = 0x1p-60;
 
     for (int turn = 0; turn < 200; turn++) {
         make_pair(&pair, &seed);
         check_pair(&pair, &seed, &done);
-        assert_true(one - little == one);
+        assert_true(one - fixture == one);
     }
 }

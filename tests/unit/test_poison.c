@@ -206,28 +206,28 @@ static void fill(struct image *before, const struct vector_case *one, uint64_t *
     before->reg[0] = 0;
 }
 
-static void take(struct little *little, struct image *image)
+static void take(struct small_machine *fixture, struct image *image)
 {
-    assert_true(c205_read(little->machine, DATA, image->memory, MEMORY_WORDS));
+    assert_true(c205_read(fixture->machine, DATA, image->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
-        image->reg[i] = get(little, i);
-    image->flags = c205_data_flags(little->machine);
-    image->clock = c205_clock(little->machine);
+        image->reg[i] = get(fixture, i);
+    image->flags = c205_data_flags(fixture->machine);
+    image->clock = c205_clock(fixture->machine);
 }
 
-static void run_image(struct little *little, const char *name,
+static void run_image(struct small_machine *fixture, const char *name,
                       const struct image *before, struct image *after)
 {
     c205_stop stop;
 
-    load(little, MEMORY_WORDS);
-    assert_true(c205_write(little->machine, DATA, before->memory, MEMORY_WORDS));
+    load(fixture, MEMORY_WORDS);
+    assert_true(c205_write(fixture->machine, DATA, before->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
-        set(little, i, before->reg[i]);
-    stop = run(little);
+        set(fixture, i, before->reg[i]);
+    stop = run(fixture);
     if (stop.trap != C205_TRAP_NONE)
         fail_msg("%s: trap %s", name, c205_trap_name(stop.trap));
-    take(little, after);
+    take(fixture, after);
 }
 
 /* ---- Comparing --------------------------------------------------------- */
@@ -266,12 +266,12 @@ static void check_results(const char *name, const struct image *one,
                  (unsigned long long)one->clock, (unsigned long long)other->clock);
 }
 
-static void run_twice(struct little *little, struct vector_case *one, uint64_t *random,
-                      struct image *before, struct image *after)
+static void run_twice(struct small_machine *fixture, struct vector_case *one,
+                      uint64_t *random, struct image *before, struct image *after)
 {
     for (int i = 0; i < TWICE; i++) {
         fill(&before[i], one, random);
-        run_image(little, one->row->mnemonic, &before[i], &after[i]);
+        run_image(fixture, one->row->mnemonic, &before[i], &after[i]);
     }
 }
 
@@ -298,14 +298,15 @@ static void check_images(struct vector_case *one, const struct image *before,
 static struct vector_case one, other;
 static struct image before[TWICE], after[TWICE];
 
-static void try_row(struct little *little, const c205_insn *row, uint64_t *random)
+static void try_row(struct small_machine *fixture, const c205_insn *row,
+                    uint64_t *random)
 {
     draw_case(&one, row, random, draw_size(random));
     mark_sources(&one);
-    begin(little);
-    add(little, row->mnemonic, one.fields);
-    add(little, "EXIT", (c205_fields){ .r = 0 });
-    run_twice(little, &one, random, before, after);
+    begin(fixture);
+    add(fixture, row->mnemonic, one.fields);
+    add(fixture, "EXIT", (c205_fields){ .r = 0 });
+    run_twice(fixture, &one, random, before, after);
     mark_registers(&one);
     if (!one.scalar[ROLE_C])
         mark_result(&one, &after[0]);
@@ -314,14 +315,14 @@ static void try_row(struct little *little, const c205_insn *row, uint64_t *rando
 
 TEST(rows)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     uint64_t random = 1205;
     for (size_t i = 0; i < c205_insn_count; i++)
         if (c205_unit_is_vector(c205_insns[i].unit)
             && c205_insns[i].format != C205_FORMAT_NONE)
             for (size_t k = 0; k < cases; k++)
-                try_row(&little, &c205_insns[i], &random);
-    free_little(&little);
+                try_row(&fixture, &c205_insns[i], &random);
+    free_small_machine(&fixture);
 }
 
 /* ---- Linked pairs ------------------------------------------------------ */
@@ -390,27 +391,27 @@ static void draw_pair(uint64_t *random)
            UINT64_MAX);
 }
 
-static void try_pair(struct little *little, uint64_t *random)
+static void try_pair(struct small_machine *fixture, uint64_t *random)
 {
     draw_pair(random);
     mark_sources(&one);
-    begin(little);
-    add(little, "LINKV", (c205_fields){ .f = 0 });
-    add(little, other.row->mnemonic, other.fields);
-    add(little, one.row->mnemonic, one.fields);
-    add(little, "EXIT", (c205_fields){ .r = 0 });
-    run_twice(little, &one, random, before, after);
+    begin(fixture);
+    add(fixture, "LINKV", (c205_fields){ .f = 0 });
+    add(fixture, other.row->mnemonic, other.fields);
+    add(fixture, one.row->mnemonic, one.fields);
+    add(fixture, "EXIT", (c205_fields){ .r = 0 });
+    run_twice(fixture, &one, random, before, after);
     mark_result(&one, &after[0]);
     check_images(&one, before, after);
 }
 
 TEST(pairs)
 {
-    struct little little = make_little();
+    struct small_machine fixture = make_small_machine();
     uint64_t random = 2205;
     for (size_t k = 0; k < 4 * cases; k++)
-        try_pair(&little, &random);
-    free_little(&little);
+        try_pair(&fixture, &random);
+    free_small_machine(&fixture);
 }
 
 ARGUMENTS(argc, argv)

@@ -8,7 +8,7 @@
 #include "base/accounts.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/asm_helper.h"
-#include "tests/unit/drawn_program.h"
+#include "tests/unit/random_debug_program.h"
 #include "tests/unit/prior_model.h"
 
 /* ---- Sweeps ---------------------------------------------------------------- */

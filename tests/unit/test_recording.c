@@ -136,15 +136,15 @@ static void compare_pages(const char *path, const c205_setting *settings, size_t
 TEST(pages)
 {
     static const c205_setting small[] = { { "page.words", 512 } };
-    static const c205_setting little[] = { { "page.words", 2048 },
-                                           { "memory.real_words", 9000 },
-                                           { "translation.registers", 2 } };
+    static const c205_setting fixture[] = { { "page.words", 2048 },
+                                            { "memory.real_words", 9000 },
+                                            { "translation.registers", 2 } };
     static const char *const paths[] = { "rt/study/fit/programs/linpack.s",
                                          "rt/study/fit/programs/gather.s",
                                          "rt/study/fit/programs/photons.s" };
     for (size_t i = 0; i < COUNT(paths); i++) {
         compare_pages(paths[i], small, 1);
-        compare_pages(paths[i], little, 3);
+        compare_pages(paths[i], fixture, 3);
     }
 }
 

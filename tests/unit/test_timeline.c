@@ -3,7 +3,7 @@
 #include "asm/timeline/lanes.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
-#include "tests/unit/drawn_program.h"
+#include "tests/unit/random_debug_program.h"
 #include "tests/unit/kanata_log.h"
 #include "tests/unit/prior_model.h"
 

@@ -19,18 +19,18 @@ enum { MODELS = 3, USUAL_CASES = 20, MAX_BANKS = 64 };
 static const char *const model_names[MODELS] = { "cyber205-1pipe-prior",
                                                  "cyber205-2pipe-prior",
                                                  "cyber205-4pipe-prior" };
-static struct little little[MODELS];
+static struct small_machine fixture[MODELS];
 static size_t cases = USUAL_CASES;
 
 FIXTURE(make_machines)
 {
     c205_error error = { "" };
     for (int i = 0; i < MODELS; i++) {
-        begin(&little[i]);
-        little[i].model = c205_model_find(model_names[i], &error);
-        assert_non_null(little[i].model);
-        little[i].machine = c205_new(little[i].model, &error);
-        assert_non_null(little[i].machine);
+        begin(&fixture[i]);
+        fixture[i].model = c205_model_find(model_names[i], &error);
+        assert_non_null(fixture[i].model);
+        fixture[i].machine = c205_new(fixture[i].model, &error);
+        assert_non_null(fixture[i].machine);
     }
     return 0;
 }
@@ -38,7 +38,7 @@ FIXTURE(make_machines)
 FIXTURE(free_machines)
 {
     for (int i = 0; i < MODELS; i++)
-        free_little(&little[i]);
+        free_small_machine(&fixture[i]);
     return 0;
 }
 
@@ -49,7 +49,7 @@ static bool is_vector(const c205_insn *row)
 
 /* ---- Measured ---------------------------------------------------------- */
 
-static void place_case(struct little *on, const struct vector_case *one)
+static void place_case(struct small_machine *on, const struct vector_case *one)
 {
     assert_true(c205_write(on->machine, DATA, one->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
@@ -57,7 +57,7 @@ static void place_case(struct little *on, const struct vector_case *one)
 }
 
 /* The second time its pages are in place. */
-static uint64_t measured(struct little *on, const struct vector_case *one)
+static uint64_t measured(struct small_machine *on, const struct vector_case *one)
 {
     load(on, MEMORY_WORDS);
     for (int time = 0; time < 2; time++) {
@@ -70,7 +70,8 @@ static uint64_t measured(struct little *on, const struct vector_case *one)
     return c205_clock(on->machine);
 }
 
-static void begin_with(struct little *on, const struct vector_case *one, unsigned times)
+static void begin_with(struct small_machine *on, const struct vector_case *one,
+                       unsigned times)
 {
     begin(on);
     while (times-- > 0)
@@ -230,7 +231,7 @@ TEST(closed_formula)
     uint64_t random = 3205;
     for (size_t i = 0; i < c205_insn_count; i++)
         for (size_t k = 0; is_vector(&c205_insns[i]) && k < cases; k++) {
-            struct little *on = &little[k % MODELS];
+            struct small_machine *on = &fixture[k % MODELS];
             const char *timing = c205_timing_name(c205_insns[i].timing);
             uint64_t clocks, startup;
             draw_case(&one, &c205_insns[i], &random, draw_size(&random));
@@ -283,11 +284,11 @@ static void try_lengths(struct vector_case *one, unsigned times)
     uint64_t before[MODELS] = { 0 }, now[MODELS];
 
     for (int i = 0; i < MODELS; i++)
-        begin_with(&little[i], one, times);
+        begin_with(&fixture[i], one, times);
     for (size_t length = 0; length <= LENGTH; length += 1 + length / 20) {
         set_lengths(one, length);
         for (int i = 0; i < MODELS; i++) {
-            now[i] = measured(&little[i], one);
+            now[i] = measured(&fixture[i], one);
             if (now[i] < before[i])
                 fail_msg("%s of %zu is cheaper", one->row->mnemonic, length);
         }
@@ -313,9 +314,9 @@ static bool same_states(void)
 {
     for (int i = 1; i < MODELS; i++)
         for (unsigned r = 0; r < C205_REGISTERS; r++)
-            if (get(&little[i], r) != get(&little[0], r))
+            if (get(&fixture[i], r) != get(&fixture[0], r))
                 return false;
-    return c205_pc(little[0].machine) == c205_pc(little[1].machine);
+    return c205_pc(fixture[0].machine) == c205_pc(fixture[1].machine);
 }
 
 /* False: one of them has ended, or done something else: those that look at
@@ -326,8 +327,8 @@ static bool step_all(void)
     c205_stop stop;
 
     for (int i = 0; i < MODELS; i++) {
-        goes_on = c205_step(little[i].machine, &stop) && goes_on;
-        assert_sum(little[i].machine);
+        goes_on = c205_step(fixture[i].machine, &stop) && goes_on;
+        assert_sum(fixture[i].machine);
     }
     return goes_on && same_states();
 }
@@ -339,10 +340,10 @@ static void try_program(uint64_t seed)
     c205_error error = { "" };
 
     for (int i = 0; i < MODELS; i++)
-        assert_true(random_load(little[i].machine, &program, &error));
+        assert_true(random_load(fixture[i].machine, &program, &error));
     for (int step = 0; step < STEPS && step_all(); step++)
-        if (c205_clock(little[0].machine) < c205_clock(little[1].machine)
-            || c205_clock(little[1].machine) < c205_clock(little[2].machine))
+        if (c205_clock(fixture[0].machine) < c205_clock(fixture[1].machine)
+            || c205_clock(fixture[1].machine) < c205_clock(fixture[2].machine))
             fail_msg("seed %llu is slower with more pipes", (unsigned long long)seed);
 }
 
@@ -401,7 +402,7 @@ static const struct {
 static uint64_t clocks_of(const char *text)
 {
     struct object *object = good(text);
-    c205 *machine = little[1].machine;
+    c205 *machine = fixture[1].machine;
     c205_error error = { "" };
     uint64_t clocks;
 

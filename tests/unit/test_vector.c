@@ -65,7 +65,7 @@ static const struct pool {
 enum { POOLS = COUNT(pools), SINGLES = 4, PAIRS = 5 };
 
 struct bench {
-    struct little little;
+    struct small_machine fixture;
     struct reference reference;
     uint64_t random;
     c205_word memory[BORDERS][BEFORE + AFTER]; /* as it is to be */
@@ -296,7 +296,7 @@ static void map(struct bench *bench, uint64_t page, c205_access access)
     c205_error error = { "" };
 
     plain_map(&bench->reference.memory, DATA + page * PAGE, C205_PAGE_WORDS, access);
-    if (!c205_map(bench->little.machine, DATA + page * PAGE, C205_PAGE_WORDS, access,
+    if (!c205_map(bench->fixture.machine, DATA + page * PAGE, C205_PAGE_WORDS, access,
                   &error))
         fail_msg("%s", error.message);
 }
@@ -309,7 +309,7 @@ static void fill(struct bench *bench, size_t border, enum contents contents)
         words[i] = draw_word(bench, contents);
         plain_store(&bench->reference.memory, begin_of(border) + i * WORD, words[i]);
     }
-    assert_true(c205_write(bench->little.machine, begin_of(border), words,
+    assert_true(c205_write(bench->fixture.machine, begin_of(border), words,
                            borders[border].words));
 }
 
@@ -318,8 +318,8 @@ static struct bench *make_bench(void)
     struct bench *bench = calloc(1, sizeof *bench);
 
     assert_non_null(bench);
-    bench->little = make_little();
-    load(&bench->little, 1);
+    bench->fixture = make_small_machine();
+    load(&bench->fixture, 1);
     reference_begin(&bench->reference);
     plain_map(&bench->reference.memory, CODE, CODE_WORDS, C205_READ_WRITE);
     map(bench, 0, C205_READ_WRITE);
@@ -333,7 +333,7 @@ static struct bench *make_bench(void)
 
 static void free_bench(struct bench *bench)
 {
-    free_little(&bench->little);
+    free_small_machine(&bench->fixture);
     reference_end(&bench->reference);
     free(bench);
 }
@@ -369,7 +369,7 @@ static void follow_changes(struct bench *bench)
         c205_word *to_be = place(bench, address);
         if (to_be)
             *to_be = word;
-        else if (word_at(&bench->little, address) != word)
+        else if (word_at(&bench->fixture, address) != word)
             fail_case(bench, "memory far away");
     }
 }
@@ -381,7 +381,7 @@ static void compare_memory(struct bench *bench)
     follow_changes(bench);
     for (size_t i = 0; i < BORDERS; i++) {
         size_t count = borders[i].words;
-        assert_true(c205_read(bench->little.machine, begin_of(i), words, count));
+        assert_true(c205_read(bench->fixture.machine, begin_of(i), words, count));
         if (memcmp(words, bench->memory[i], count * sizeof *words) != 0)
             fail_case(bench, "memory");
     }
@@ -392,9 +392,9 @@ static void compare_registers(const struct bench *bench)
     const struct reference_state *state = &bench->reference.now;
 
     for (unsigned r = 1; r < C205_REGISTERS; r++)
-        if (get(&bench->little, r) != state->registers[r])
+        if (get(&bench->fixture, r) != state->registers[r])
             fail_case(bench, "registers");
-    if (c205_data_flags(bench->little.machine) != state->flags)
+    if (c205_data_flags(bench->fixture.machine) != state->flags)
         fail_case(bench, "data flags");
 }
 
@@ -414,7 +414,7 @@ static bool step_both(struct bench *bench)
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };
     bool done = reference_step(&bench->reference);
-    bool traps = !c205_step(bench->little.machine, &stop);
+    bool traps = !c205_step(bench->fixture.machine, &stop);
 
     assert_false(bench->reference.lost);
     if (traps && !has_fault(bench, &stop))
@@ -433,8 +433,8 @@ static bool step_both(struct bench *bench)
 /* The flags first, so that a case shows which it raises. */
 static void begin_case(struct bench *bench)
 {
-    begin(&bench->little);
-    add(&bench->little, "LSDFR", (c205_fields){ .t = FLAGS });
+    begin(&bench->fixture);
+    add(&bench->fixture, "LSDFR", (c205_fields){ .t = FLAGS });
 }
 
 static void add_insn(struct bench *bench, const c205_insn *row,
@@ -442,18 +442,18 @@ static void add_insn(struct bench *bench, const c205_insn *row,
 {
     bench->row = row;
     bench->fields = *fields;
-    add(&bench->little, row->mnemonic, *fields);
+    add(&bench->fixture, row->mnemonic, *fields);
 }
 
 static void load_code(struct bench *bench)
 {
-    const c205_word *code = bench->little.code;
+    const c205_word *code = bench->fixture.code;
 
-    for (size_t i = 0; i <= bench->little.halves / 2; i++)
+    for (size_t i = 0; i <= bench->fixture.halves / 2; i++)
         plain_store(&bench->reference.memory, CODE + i * WORD, code[i]);
-    assert_true(c205_write(bench->little.machine, CODE, code, CODE_WORDS));
+    assert_true(c205_write(bench->fixture.machine, CODE, code, CODE_WORDS));
     bench->reference.now.pc = CODE;
-    c205_set_pc(bench->little.machine, CODE);
+    c205_set_pc(bench->fixture.machine, CODE);
 }
 
 static enum contents contents_for(const struct bench *bench)
@@ -469,7 +469,7 @@ static bool run_case(struct bench *bench)
     load_code(bench);
     fill(bench, 0, contents_for(bench));
     for (unsigned r = 1; r < C205_REGISTERS; r++)
-        set(&bench->little, r, bench->reference.now.registers[r]);
+        set(&bench->fixture, r, bench->reference.now.registers[r]);
     assert_false(step_both(bench));
     return step_both(bench);
 }
@@ -566,7 +566,7 @@ static bool one_pair(struct bench *bench)
     while ((f[0].g ^ f[1].g) & C205_G_HALF);
     link_pair(bench, rows, f);
     begin_case(bench);
-    add(&bench->little, "LINKV", (c205_fields){ .r = 0 });
+    add(&bench->fixture, "LINKV", (c205_fields){ .r = 0 });
     for (size_t i = 0; i < 2; i++)
         add_insn(bench, rows[i], f + i);
     draw_registers(bench, draw_longest(bench));

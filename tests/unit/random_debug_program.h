@@ -1,4 +1,4 @@
-/* drawn_program.h - program random texts that end: a start, vectors, a loop. */
+/* random_debug_program.h - program random texts that end: a start, vectors, a loop. */
 #ifndef TESTS_DRAWN_PROGRAM_H
 #define TESTS_DRAWN_PROGRAM_H
 

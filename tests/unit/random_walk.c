@@ -1,5 +1,5 @@
-/* drawn_walk.c - see drawn_walk.h. */
-#include "tests/unit/drawn_walk.h"
+/* random_walk.c - see random_walk.h. */
+#include "tests/unit/random_walk.h"
 
 #include "tests/random.h"
 

@@ -1,9 +1,9 @@
-#include "tests/unit/drawn_words.h"
+#include "tests/unit/random_words.h"
 
 #include <math.h>
 #include <string.h>
 
-static void say_value(const struct drawn_lesson *drawn, c205_word element,
+static void say_value(const struct random_lesson *drawn, c205_word element,
                       const struct sink *sink)
 {
     char text[C205_TEXT_SIZE];
@@ -17,7 +17,7 @@ static void say_value(const struct drawn_lesson *drawn, c205_word element,
     sink_put(sink, text);
 }
 
-static void say_element(const struct drawn_lesson *drawn, c205_word found,
+static void say_element(const struct random_lesson *drawn, c205_word found,
                         c205_word wanted, const struct sink *sink)
 {
     sink_put(sink, " is ");
@@ -27,9 +27,9 @@ static void say_element(const struct drawn_lesson *drawn, c205_word found,
 }
 
 /* What the answer leaves at an element. */
-static c205_word found_at(const struct drawn_lesson *drawn, size_t i)
+static c205_word found_at(const struct random_lesson *drawn, size_t i)
 {
-    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+    const struct random_test *test = &drawn->tests[drawn->faulty];
 
     switch (drawn->fault) {
     case FAULT_NOTHING: return 0;
@@ -45,17 +45,18 @@ static c205_word found_at(const struct drawn_lesson *drawn, size_t i)
     }
 }
 
-static bool is_near(const struct drawn_lesson *drawn, c205_word found, c205_word wanted)
+static bool is_near(const struct random_lesson *drawn, c205_word found,
+                    c205_word wanted)
 {
     return found == wanted
            || (drawn->tests[drawn->faulty].tolerant
-               && fabs(drawn_number(drawn, found) - drawn_number(drawn, wanted))
+               && fabs(random_number(drawn, found) - random_number(drawn, wanted))
                       <= c205_to_double(c205_from_double(1e-3)));
 }
 
-size_t drawn_count_wrong(const struct drawn_lesson *drawn)
+size_t random_count_wrong(const struct random_lesson *drawn)
 {
-    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+    const struct random_test *test = &drawn->tests[drawn->faulty];
     size_t wrong = 0;
 
     for (size_t i = 0; i < test->n; i++)
@@ -63,10 +64,10 @@ size_t drawn_count_wrong(const struct drawn_lesson *drawn)
     return wrong;
 }
 
-void drawn_say_wrong(const struct drawn_lesson *drawn, size_t wrong,
-                     const struct sink *sink)
+void random_say_wrong(const struct random_lesson *drawn, size_t wrong,
+                      const struct sink *sink)
 {
-    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+    const struct random_test *test = &drawn->tests[drawn->faulty];
     size_t told = 0;
 
     if (test->n == 1) {
@@ -94,7 +95,7 @@ void drawn_say_wrong(const struct drawn_lesson *drawn, size_t wrong,
     sink_put(sink, " (counted from 0).");
 }
 
-const char *drawn_likeness(const struct drawn_lesson *drawn)
+const char *random_likeness(const struct random_lesson *drawn)
 {
     static const char *const sentences[DRAWN_FAULTS] = {
         [FAULT_ELEMENT] = "",
@@ -113,7 +114,7 @@ const char *drawn_likeness(const struct drawn_lesson *drawn)
     return drawn->kind == DRAWN_BITS ? NULL : sentences[drawn->fault];
 }
 
-size_t drawn_fault_line(const struct drawn_lesson *drawn)
+size_t random_fault_line(const struct random_lesson *drawn)
 {
     const char *at = drawn->answer, *fault = strstr(at, "; fault");
     size_t line = 1;

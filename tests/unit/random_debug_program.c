@@ -1,4 +1,4 @@
-#include "tests/unit/drawn_program.h"
+#include "tests/unit/random_debug_program.h"
 
 #include <string.h>
 

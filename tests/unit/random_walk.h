@@ -1,4 +1,4 @@
-/* drawn_walk.h - random programs for a debugger to walk through: loops with vectors, calls
+/* random_walk.h - random programs for a debugger to walk through: loops with vectors, calls
  * and what is stored and printed among them.
  */
 #ifndef TESTS_DRAWN_WALK_H

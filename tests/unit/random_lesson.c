@@ -1,4 +1,4 @@
-#include "tests/unit/drawn_lesson.h"
+#include "tests/unit/random_lesson.h"
 
 #include <inttypes.h>
 
@@ -15,21 +15,21 @@ static const struct {
     { 1, ".bitvector", "NANDB   [xs], [xs], [ys]", "NANDB   [one], [one], [one]" },
 };
 
-double drawn_number(const struct drawn_lesson *drawn, c205_word element)
+double random_number(const struct random_lesson *drawn, c205_word element)
 {
     return drawn->kind == DRAWN_WORDS    ? c205_to_double(element)
            : drawn->kind == DRAWN_HALVES ? c205_half_to_double(element)
                                          : (double)(element >> 63);
 }
 
-unsigned drawn_width(const struct drawn_lesson *drawn)
+unsigned random_width(const struct random_lesson *drawn)
 {
     return kinds[drawn->kind].width;
 }
 
 /* ---- Tests ----------------------------------------------------------------- */
 
-static c205_word element_of(const struct drawn_lesson *drawn, double number)
+static c205_word element_of(const struct random_lesson *drawn, double number)
 {
     return drawn->kind == DRAWN_WORDS    ? c205_from_double(number)
            : drawn->kind == DRAWN_HALVES ? c205_half_from_double(number)
@@ -37,7 +37,7 @@ static c205_word element_of(const struct drawn_lesson *drawn, double number)
 }
 
 /* No two numbers are the same, or the same but for their sign; none is zero. */
-static void draw_elements(const struct drawn_lesson *drawn, struct drawn_test *test,
+static void draw_elements(const struct random_lesson *drawn, struct random_test *test,
                           uint64_t *state)
 {
     for (size_t i = 0; i < test->n; i++) {
@@ -53,13 +53,13 @@ static void draw_elements(const struct drawn_lesson *drawn, struct drawn_test *t
     }
 }
 
-static void draw_test(const struct drawn_lesson *drawn, size_t index,
-                      struct drawn_test *test, uint64_t *state)
+static void draw_test(const struct random_lesson *drawn, size_t index,
+                      struct random_test *test, uint64_t *state)
 {
     static const char *const models[] = { "cyber205-1pipe", "cyber205-2pipe",
                                           "cyber205-4pipe", C205_DEFAULT_MODEL };
 
-    *test = (struct drawn_test){
+    *test = (struct random_test){
         .n = (size_t)(DRAWN_TESTS
                           * xorshift_between(state, 0, DRAWN_LONGEST / DRAWN_TESTS - 1)
                       + (int64_t)index + 1),
@@ -73,7 +73,7 @@ static void draw_test(const struct drawn_lesson *drawn, size_t index,
 
 /* ---- The answer ------------------------------------------------------------ */
 
-static bool fits(const struct drawn_lesson *drawn)
+static bool fits(const struct random_lesson *drawn)
 {
     size_t n = drawn->tests[drawn->faulty].n;
 
@@ -87,11 +87,11 @@ static bool fits(const struct drawn_lesson *drawn)
     }
 }
 
-static void draw_found(struct drawn_lesson *drawn, uint64_t *state)
+static void draw_found(struct random_lesson *drawn, uint64_t *state)
 {
-    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+    const struct random_test *test = &drawn->tests[drawn->faulty];
     c205_word wanted = test->wanted[drawn->element];
-    double number = drawn_number(drawn, wanted);
+    double number = random_number(drawn, wanted);
 
     if (drawn->kind == DRAWN_BITS)
         drawn->found = ~wanted & C205_MACHINE_ZERO;
@@ -103,7 +103,7 @@ static void draw_found(struct drawn_lesson *drawn, uint64_t *state)
 }
 
 /* Half of the number of an element, as digits of its word. */
-static void put_value(const struct drawn_lesson *drawn, const struct sink *sink)
+static void put_value(const struct random_lesson *drawn, const struct sink *sink)
 {
     if (drawn->kind == DRAWN_WORDS)
         sink_print(sink, "v:      .word   X'%016" PRIX64 "'\n",
@@ -113,7 +113,7 @@ static void put_value(const struct drawn_lesson *drawn, const struct sink *sink)
                    (drawn->found - (UINT64_C(1) << 56)) >> 32);
 }
 
-static void put_work(const struct drawn_lesson *drawn, const struct sink *sink)
+static void put_work(const struct random_lesson *drawn, const struct sink *sink)
 {
     if (drawn->way == WAY_VECTOR)
         sink_print(sink, "        %s\n", kinds[drawn->kind].work);
@@ -134,7 +134,7 @@ static void put_work(const struct drawn_lesson *drawn, const struct sink *sink)
                    drawn->idle);
 }
 
-static void put_fault(const struct drawn_lesson *drawn, const struct sink *sink)
+static void put_fault(const struct random_lesson *drawn, const struct sink *sink)
 {
     unsigned width = kinds[drawn->kind].width;
     const char *half = width == 32 ? ",H" : "";
@@ -170,7 +170,7 @@ static void put_fault(const struct drawn_lesson *drawn, const struct sink *sink)
         sink_put(sink, "here:   BIM     here ; fault\n");
 }
 
-static void write_answer(struct drawn_lesson *drawn)
+static void write_answer(struct random_lesson *drawn)
 {
     const char *directive = kinds[drawn->kind].directive;
     struct text_buffer text = { 0 };
@@ -195,20 +195,20 @@ static void write_answer(struct drawn_lesson *drawn)
     text_buffer_free(&text);
 }
 
-void draw_lesson(struct drawn_lesson *drawn, uint64_t *state)
+void draw_lesson(struct random_lesson *drawn, uint64_t *state)
 {
-    drawn->kind = (enum drawn_kind)(xorshift(state) % DRAWN_KINDS);
+    drawn->kind = (enum random_kind)(xorshift(state) % DRAWN_KINDS);
     drawn->count = 1 + xorshift(state) % DRAWN_TESTS;
     for (size_t i = 0; i < drawn->count; i++)
         draw_test(drawn, i, &drawn->tests[i], state);
     do {
-        drawn->fault = (enum drawn_fault)(xorshift(state) % DRAWN_FAULTS);
+        drawn->fault = (enum random_fault)(xorshift(state) % DRAWN_FAULTS);
         drawn->faulty = xorshift(state) % drawn->count;
     } while (!fits(drawn));
     drawn->element = xorshift(state) % drawn->tests[drawn->faulty].n;
     drawn->repeated = drawn->fault == FAULT_NONE ? xorshift(state) % 20 : 0;
     drawn->way = drawn->fault == FAULT_NONE && drawn->kind == DRAWN_WORDS
-                     ? (enum drawn_way)(xorshift(state) % DRAWN_WAYS)
+                     ? (enum random_way)(xorshift(state) % DRAWN_WAYS)
                      : WAY_VECTOR;
     drawn->idle = xorshift(state) % 20;
     draw_found(drawn, state);
@@ -217,7 +217,7 @@ void draw_lesson(struct drawn_lesson *drawn, uint64_t *state)
 
 /* ---- The folder ------------------------------------------------------------ */
 
-static void put_elements(const struct drawn_lesson *drawn, const char *label,
+static void put_elements(const struct random_lesson *drawn, const char *label,
                          const c205_word *elements, size_t n, const struct sink *sink)
 {
     if (drawn->kind == DRAWN_BITS)
@@ -234,7 +234,7 @@ static void put_elements(const struct drawn_lesson *drawn, const char *label,
     sink_put(sink, drawn->kind == DRAWN_BITS ? "\"\n" : "");
 }
 
-static void put_test(const struct drawn_lesson *drawn, const struct drawn_test *test,
+static void put_test(const struct random_lesson *drawn, const struct random_test *test,
                      const struct sink *sink)
 {
     sink_print(sink, "; test: so many as %zu\n; expect-model: %s\n", test->n,
@@ -261,7 +261,7 @@ static void take(struct lesson *lesson, const char *file, const char *text)
         fail_msg("%s\n%s", error.message, text);
 }
 
-void drawn_open(const struct drawn_lesson *drawn, struct lesson *lesson)
+void random_open(const struct random_lesson *drawn, struct lesson *lesson)
 {
     c205_error error;
 
