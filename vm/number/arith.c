@@ -1,4 +1,4 @@
-/* arith.c - the exact rule for words of 64 bits. */
+/* arith.c - instantiates the exact rule of rule.h for words of 64 bits. */
 #include "vm/number/arith.h"
 
 #define RULE_FORMAT whole_words

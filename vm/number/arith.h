@@ -1,16 +1,17 @@
 /* arith.h - scalar arithmetic: the exact rule of the machine.
  *
- * Every result is defined here to the last bit, for every pair of words;
- * lanes.h does the same over whole spans and must agree.  All results are
- * cut, never rounded.  Source: machine notes, section 2 (R); where they are
- * silent the comment at the function says what this project fixed.
+ * These functions define every result to the last bit, for every pair of words. lanes.h
+ * computes the same results over whole spans and must agree bit for bit. All results
+ * are cut, not rounded, except that of arith_contract_rounded. Source: machine notes,
+ * section 2 (R). Where they are silent, the comment at the function states the rule
+ * that this project fixed.
  *
- * The rule is written once, in rule.h, for words of any format: arith_NAME is
- * that for words of 64 bits, half_NAME that for half words of 32, which stand
- * at the left of a c205_word.
+ * rule.h holds the rule once, for words of any format. arith_NAME applies it to words
+ * of 64 bits. half_NAME applies it to half words of 32 bits, which occupy the left half
+ * of a c205_word.
  *
- * Each function ORs into *flags the bits of the data flag register that the
- * operation sets.
+ * Each function ORs into *flags the bits of the data flag register that the operation
+ * sets.
  */
 #ifndef C205_ARITH_H
 #define C205_ARITH_H
@@ -28,11 +29,11 @@ typedef c205_word arith_binary(c205_word a, c205_word b, uint64_t *flags);
 typedef c205_word arith_unary(c205_word a, uint64_t *flags);
 typedef bool arith_relation(c205_word a, c205_word b);
 
-/* arith_NAME is of words, half_NAME of half words. */
+/* arith_NAME takes words, half_NAME takes half words. */
 #define BINARY(name, ...) arith_binary arith_##name, half_##name;
 #define UNARY(name, ...) arith_unary arith_##name, half_##name;
 #define RELATION(name) arith_relation arith_##name, half_##name;
-/* To the other size. */
+/* A conversion returns a word of the other size. */
 #define CONVERSION(name, ...) arith_unary arith_##name;
 #include "vm/arith.def"
 

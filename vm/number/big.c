@@ -1,4 +1,4 @@
-/* big.c - see big.h. */
+/* big.c - arithmetic on big natural numbers, one 32-bit limb at a time. */
 #include "vm/number/big.h"
 
 #include <assert.h>
@@ -18,7 +18,7 @@ static uint32_t power_of_5(int32_t power)
     return value;
 }
 
-/* Leave out leading zeros. */
+/* Removes leading zero limbs. */
 static void trim(big *number)
 {
     while (number->count > 0 && number->limb[number->count - 1] == 0)
@@ -90,7 +90,8 @@ static uint32_t divide(big *number, uint32_t divisor)
     return (uint32_t)remainder;
 }
 
-/* The floor of a floor is that of the whole quotient. */
+/* Dividing in steps is exact: the floor of a floor equals the floor of the whole
+ * quotient. */
 bool big_divide_power_of_5(big *number, int32_t power)
 {
     bool lost = false;

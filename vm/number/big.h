@@ -1,5 +1,5 @@
-/* big.h - natural numbers of a bounded but great length, for exact decimal
- * conversion: the small operations that it needs, in place.
+/* big.h - natural numbers of up to 76,800 bits, with the in-place operations that exact
+ * decimal conversion needs.
  */
 #ifndef C205_BIG_H
 #define C205_BIG_H
@@ -10,7 +10,7 @@
 
 enum { BIG_LIMBS = 2400 }; /* 76,800 bits */
 
-/* The sum of limb[i] x 2^(32 i) for i < count; the last limb is not 0. */
+/* The value is the sum of limb[i] x 2^(32 i) for i < count. The last limb is not 0. */
 typedef struct big {
     size_t count;
     uint32_t limb[BIG_LIMBS];
@@ -18,7 +18,7 @@ typedef struct big {
 
 void big_set(big *number, uint64_t value);
 int32_t big_bit_length(const big *number);
-/* Its low 64 bits. */
+/* Returns the low 64 bits. */
 uint64_t big_low(const big *number);
 
 /* number := number x factor + addend */
@@ -26,7 +26,7 @@ void big_multiply(big *number, uint32_t factor, uint32_t addend);
 void big_multiply_power_of_5(big *number, int32_t power);
 void big_shift_left(big *number, int32_t places);
 
-/* Floor; true if something was lost. */
+/* Both divide and round down. They return true if the remainder was not 0. */
 bool big_divide_power_of_5(big *number, int32_t power);
 bool big_shift_right(big *number, int32_t places);
 

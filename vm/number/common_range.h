@@ -1,22 +1,23 @@
-/* common_range.h - the words that arithmetic mostly meets: normalised numbers whose
- * exponents are far from the ends of the range, in -2000 .. 1FFF hex.
+/* common_range.h - the test for common words: normalised numbers whose exponents are
+ * far from the ends of the range, in -2000 .. 1FFF hex.
  *
- * The two first bits of such a word's coefficient differ, the three first ones of
- * its exponent do not.  Sums, products and quotients of two are in the range.
+ * The first two bits of a common word's coefficient differ, and the first three bits of
+ * its exponent are equal. Sums, products and quotients of two common words are in the
+ * range. Most arithmetic is on common words, so fast paths test for them.
  */
 #ifndef C205_COMMON_RANGE_H
 #define C205_COMMON_RANGE_H
 
 #include "vm/number/word.h"
 
-/* Where a bit differs from the one to its right. */
+/* Returns w with a bit set wherever the bit of w differs from its right neighbour. */
 static inline uint64_t common_edges(c205_word w)
 {
     return w ^ w << 1;
 }
 
-/* Whether all words are usual, of edges that all of them have and that any of
- * them has. */
+/* Returns true if all words of a set are common. all is the AND of their edges, any is
+ * the OR. */
 static inline bool common_by_edges(uint64_t all, uint64_t any)
 {
     return (all & UINT64_C(0x800000000000)) && any >> 62 == 0;

@@ -1,4 +1,4 @@
-/* decimal.c - words from and to decimal text, all exactly. */
+/* decimal.c - converts words from and to decimal text exactly. */
 #include "vm/number/word.h"
 
 #include "vm/number/big.h"
@@ -6,23 +6,22 @@
 #include <math.h>
 #include <stdio.h>
 
-/* ---- From decimal text ---------------------------------------------------
+/* ---- From decimal text -----------------------------------------------------
  *
- * Every word is a multiple of 2^-28672, below 2^28718: it has no more than
- * 20,100 digits, and its first is within 8,700 places of the point.  So
- * whatever follows the first 20,100 digits of a text cannot reach the next
- * word: it is enough to know whether it is zero.
+ * Every word is a multiple of 2^-28672 and below 2^28718. A word therefore has at most
+ * 20,100 decimal digits, and its first digit is within 8,700 places of the point.
+ * Digits of a text after its first 20,100 cannot reach the next word, so only the fact
+ * whether they are all zero is recorded.
  */
 enum {
     DIGITS_MAX = 20100,
     PLACES_MAX = 8700,
-    EXPONENT_LIMIT = 100000000 /* more is as good as this */
+    EXPONENT_LIMIT = 100000000 /* larger exponents have the same effect */
 };
 
 typedef struct decimal {
-    bool negative, inexact; /* inexact: digits other than 0 left out */
-    size_t length;          /* digits in number, from the first that is not
-                               0 */
+    bool negative, inexact; /* inexact: nonzero digits were dropped */
+    size_t length;          /* digits in number, from the first nonzero one */
     int64_t exponent;       /* value = number x 10^exponent */
     big number;
 } decimal;
@@ -44,7 +43,8 @@ static void take_digit(decimal *d, uint32_t digit, bool after_point)
     d->exponent -= after_point;
 }
 
-/* Digits with a point among them or not; NULL: there are none. */
+/* Reads digits with an optional point among them. Returns the end, or NULL if there is
+ * no digit. */
 static const char *take_digits(decimal *d, const char *text)
 {
     bool after_point = false, any = false;
@@ -61,7 +61,7 @@ static const char *take_digits(decimal *d, const char *text)
     }
 }
 
-/* "e-12"; what does not read so is left alone. */
+/* Reads an exponent such as "e-12". Returns text unchanged if there is none. */
 static const char *take_exponent(decimal *d, const char *text)
 {
     const char *p = text + 1;
@@ -81,7 +81,8 @@ static const char *take_exponent(decimal *d, const char *text)
     return p;
 }
 
-/* number x 10^power as floor(number' x 2^*exponent), of 64 bits or more. */
+/* Replaces number so that floor(number' x 2^*exponent) is number x 10^power; number'
+ * keeps at least 64 bits. Returns true if digits were lost. */
 static bool scale(big *number, int32_t power, int32_t *exponent)
 {
     bool inexact = false;
@@ -90,7 +91,7 @@ static bool scale(big *number, int32_t power, int32_t *exponent)
     if (power >= 0) {
         big_multiply_power_of_5(number, power);
     } else {
-        /* 5^p < 2^(7p/3), and so the quotient keeps over 64 bits */
+        /* 5^p < 2^(7p/3), so the quotient keeps more than 64 bits. */
         int32_t room = 64 + -power / 3 * 7 + 7 - big_bit_length(number);
         int32_t places = room > 0 ? room : 0;
         big_shift_left(number, places);
@@ -143,15 +144,16 @@ c205_word c205_half_from_text(const char *text, const char **end)
     return from_text(half_words, text, end);
 }
 
-/* ---- To decimal text -----------------------------------------------------
+/* ---- To decimal text -------------------------------------------------------
  *
- * All reals from c x 2^e up to, but not including, (c + 1) x 2^e read back as
- * the normalised word (e, c).  Their magnitudes are counted in units of a
- * small power of ten, then of ever greater ones, as long as a whole number
- * of units lies among them; of those the one nearest to the word is taken.
+ * All reals from c x 2^e up to, but not including, (c + 1) x 2^e read back as the
+ * normalised word (e, c). The shortest text is the one with the largest power of ten as
+ * its unit. The search counts the magnitudes of the interval in units of a small power
+ * of ten, and multiplies the unit by ten as long as a whole number of units lies in the
+ * interval. Of the last such numbers it takes the one nearest to the word.
  */
 
-/* floor(c x 2^exponent / 10^power), and whether something was lost. */
+/* Returns floor(c x 2^exponent / 10^power). Sets *lost if the remainder is not 0. */
 static uint64_t whole_units(int64_t c, int32_t exponent, int32_t power, bool *lost)
 {
     int32_t twos = exponent - power;
@@ -170,7 +172,7 @@ static uint64_t whole_units(int64_t c, int32_t exponent, int32_t power, bool *lo
     return big_low(&number);
 }
 
-/* The floor, or the ceiling. */
+/* Returns the ceiling of c x 2^exponent / 10^power, or else its floor. */
 static uint64_t count_units(int64_t c, int32_t exponent, int32_t power, bool ceiling)
 {
     bool lost;
@@ -184,16 +186,17 @@ typedef struct digits {
     int32_t power; /* of ten */
 } digits;
 
-/* A power of ten not above normalised words of an exponent, nor below a tenth of them by much:
- * log10(2) is 0.30103. */
+/* Returns p with 10^p at most the normalised words of the exponent and not far below a
+ * tenth of them. log10(2) is 0.30103. */
 static int32_t power_below(word_format f, int32_t exponent)
 {
     return (int32_t)floor((exponent + f.digits - 1) * 0.30103);
 }
 
-/* A number of units lies among them if the least not below the one end lies
- * below the other; of magnitudes of negative words, if the greatest not
- * above the one lies above the other. */
+/* Returns the shortest decimal number in the interval of the word. A whole number of
+ * units lies in the interval if the smallest one that is not below the near end is
+ * below the far end. For negative words the magnitudes decrease: the largest one that
+ * is not above the near end must be above the far end. */
 static digits shortest(word_format f, int64_t c, int32_t exponent)
 {
     bool negative = c < 0;
@@ -214,13 +217,13 @@ static digits shortest(word_format f, int64_t c, int32_t exponent)
     return d;
 }
 
-/* Plainly, when the point is near to the digits; or with an exponent. */
+/* Writes plain notation if the point is near the digits, otherwise an exponent. */
 static void write_decimal(char *text, bool negative, digits d)
 {
     enum { LEAST = -4, GREATEST = 16 };
     char number[24];
     int length = snprintf(number, sizeof number, "%llu", (unsigned long long)d.number);
-    int places = length + d.power; /* before the point */
+    int places = length + d.power; /* digits before the point */
     const char *sign = negative ? "-" : "";
     const char *point = length > 1 ? "." : "";
 
@@ -262,9 +265,10 @@ void c205_half_to_text(c205_word half, char text[C205_TEXT_SIZE])
     to_text(half_words, half, text);
 }
 
-/* ---- To so many digits --------------------------------------------------- */
+/* ---- To a given number of digits ---------------------------------------- */
 
-/* To the nearest unit; of two the even one. */
+/* Returns the number of units of 10^power, rounded to the nearest; ties go to the even
+ * one. */
 static uint64_t nearest_units(int64_t c, int32_t exponent, int32_t power)
 {
     bool lost;
@@ -283,7 +287,7 @@ static uint64_t power_of_10(unsigned power)
     return value;
 }
 
-/* The units of the last of so many places, a point among them. */
+/* Writes units x 10^-places with a point. */
 static void write_fixed(char *text, bool negative, uint64_t units, unsigned places)
 {
     char number[24];
@@ -295,7 +299,7 @@ static void write_fixed(char *text, bool negative, uint64_t units, unsigned plac
              number + length - places);
 }
 
-/* False: these would be too many digits. */
+/* Returns false if the result would have more than C205_DIGITS digits. */
 static bool try_fixed(char *text, bool negative, uint64_t c, int32_t exponent,
                       unsigned places)
 {
@@ -318,7 +322,7 @@ static void write_scientific(char *text, bool negative, uint64_t c, int32_t expo
     int32_t power = power_below(whole_words, exponent) + 1 - (int32_t)count;
     uint64_t units = nearest_units((int64_t)c, exponent, power);
 
-    while (units >= power_of_10(count)) /* 9.99 has become 10.0 */
+    while (units >= power_of_10(count)) /* Rounding turned 9.99 into 10.0. */
         units = nearest_units((int64_t)c, exponent, ++power);
     write_fixed(text, negative, units, count - 1);
     size_t length = strlen(text);

@@ -1,9 +1,11 @@
-/* fast_path.h - arithmetic on one usual pair of words, or on one word (common_range.h).
+/* fast_path.h - fast scalar arithmetic on one common pair of words, or one common word
+ * (common_range.h).
  *
- * In scalar code each result waits for the one before, and what hardly ever
- * happens costs nothing as long as a branch leads around it: so, other than on
- * lanes (lane_parts.h), whatever is not usual is left to the exact rule at
- * once.  The results are those of arith.h, bit for bit, for every word.
+ * In scalar code each result waits for the one before, and a branch that is almost
+ * never taken costs nothing. The functions here therefore test for the common case
+ * first, and pass every other case to the exact rule at once. Code on lanes
+ * (lane_parts.h) does the opposite and has no branches. The results are those of
+ * arith.h, bit for bit, for every word.
  */
 #ifndef C205_FAST_PATH_H
 #define C205_FAST_PATH_H
@@ -18,7 +20,7 @@ static inline c205_word fast_word(int64_t e, int64_t c)
     return (c205_word)e << 48 | ((c205_word)c & WORD_COEFFICIENT_MASK);
 }
 
-/* c x 2^e, floored to the 47 digits of a word; c has 47 to 49. */
+/* Returns c x 2^e, rounded down to the 47 digits of a word. c has 47 to 49 digits. */
 static inline c205_word fast_fitted(int64_t e, int64_t c)
 {
     int64_t places = (c ^ c >> 63) >> WORD_DIGITS;
@@ -28,9 +30,10 @@ static inline c205_word fast_fitted(int64_t e, int64_t c)
 
 /* ---- Add, subtract ------------------------------------------------------- */
 
-/* With a bit below the coefficients: nothing is lost at distances of 0 and 1,
- * and beyond them the sum moves by one place at most.  Up to a distance of 46
- * the register of two words holds all of the smaller operand. */
+/* The sum is computed with one guard bit below the coefficients. No bit is lost at
+ * distances of 0 and 1; at larger distances the sum moves by at most one place. Up to a
+ * distance of 46 the double-length register holds all of the smaller operand. Returns
+ * false if the exact rule must compute the sum. */
 static inline bool fast_sum(c205_word a, int64_t ca, c205_word b, int64_t cb,
                             c205_word *c)
 {
@@ -66,7 +69,8 @@ static inline c205_word fast_add_normalised(c205_word a, c205_word b, uint64_t *
     return arith_add_normalised(a, b, flags);
 }
 
-/* Machine zero less something is how a number is negated. */
+/* The subtraction of a word from machine zero negates the word, so it has a fast path
+ * too. */
 static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
                                                  uint64_t *flags)
 {
@@ -82,7 +86,7 @@ static inline c205_word fast_subtract_normalised(c205_word a, c205_word b,
 
 /* ---- Multiply, divide, square root --------------------------------------- */
 
-/* The product has 93 digits or 94, or is 2^94. */
+/* The product has 93 or 94 digits, or is 2^94. */
 static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
                                                   uint64_t *flags)
 {
@@ -97,8 +101,9 @@ static inline c205_word fast_multiply_significant(c205_word a, c205_word b,
     return fast_fitted(e + WORD_DIGITS - 1, product);
 }
 
-/* The double quotient, below 2^49, is by less than one from the true one, and
- * so is its whole part; the remainder, known modulo 2^64, tells. */
+/* The quotient in double arithmetic is below 2^49 and differs from the true one by less
+ * than 1, so its integer part is off by at most 1. The remainder modulo 2^64 gives the
+ * correction. */
 static inline c205_word fast_divide_significant(c205_word a, c205_word b,
                                                 uint64_t *flags)
 {
@@ -112,14 +117,15 @@ static inline c205_word fast_divide_significant(c205_word a, c205_word b,
     int64_t left = (int64_t)(((uint64_t)dividend << WORD_DIGITS)
                              - (uint64_t)q * (uint64_t)divisor);
     q += (left >= divisor) - (left < 0);
-    /* -2^46 has no 47 digits. */
+    /* The negative of 2^46 is not normalised, so the exact rule handles this
+     * quotient. */
     if (q == INT64_C(1) << 46)
         return arith_divide_significant(a, b, flags);
     return fast_fitted(e, (ca ^ cb) < 0 ? -q : q);
 }
 
-/* The double root, below 2^47, is at most one too large; the remainder, known
- * modulo 2^64, tells. */
+/* The root in double arithmetic is below 2^47 and at most one too large. The sign of
+ * the remainder modulo 2^64 gives the correction. */
 static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 {
     int64_t c = word_coefficient(a), e = (int64_t)a >> 48;
@@ -134,14 +140,15 @@ static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 
 /* ---- Compare ------------------------------------------------------------- */
 
-/* Ordered as the values are, as long as both have one sign: of negative
- * numbers that of the larger exponent is the smaller. */
+/* Returns an integer that orders words of one sign as their values. Of two negative
+ * numbers, the one with the larger exponent is the smaller. */
 static inline int64_t fast_rank(c205_word w, int64_t sign)
 {
     return (int64_t)(w ^ ((uint64_t)sign & ~WORD_COEFFICIENT_MASK));
 }
 
-/* Of a usual number, and another one or, as is most often, machine zero. */
+/* Sets ranks that compare as the values do. Returns false unless a is common and b is
+ * common or machine zero, the most frequent special operand. */
 static inline bool fast_ranks(c205_word a, c205_word b, int64_t *rank_a,
                               int64_t *rank_b)
 {

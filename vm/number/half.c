@@ -1,4 +1,5 @@
-/* half.c - the exact rule for half words, and the way between the sizes. */
+/* half.c - instantiates the exact rule for half words, and converts between the sizes.
+ */
 #include "vm/number/arith.h"
 
 #define RULE_FORMAT half_words
@@ -7,10 +8,10 @@
 
 /* ---- Conversion between the sizes --------------------------------------- */
 
-/* Digits that a word has more than a half word. */
+/* digits that a word has more than a half word */
 enum { MORE_DIGITS = 24 };
 
-/* From a sum of the coefficient and what rounds it. */
+/* Contracts a after adding rounding to its coefficient. */
 static c205_word contracted(c205_word a, int64_t rounding, uint64_t *flags)
 {
     int64_t c = (word_coefficient(a) + rounding) >> MORE_DIGITS;

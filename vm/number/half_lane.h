@@ -1,7 +1,7 @@
 /* half_lane.h - the arithmetic of half words on one lane; see lane_parts.h.
  *
- * Exact results of half words fit 64 bits: each function is right for all
- * numbers and machine zeros, also where they are not normalised.
+ * The exact results of half words fit 64 bits, so each function is right for all
+ * numbers and machine zeros, normalised or not.
  */
 #ifndef C205_HALF_LANE_H
 #define C205_HALF_LANE_H
@@ -10,13 +10,13 @@
 #define LANE_GUARD 23
 #include "vm/number/lane_parts.h"
 
-/* As it counts in arithmetic. */
+/* Returns the coefficient that arithmetic uses: 0 for a machine zero. */
 static inline int64_t value(c205_word w)
 {
     return is_zero(w) ? 0 : coefficient(w);
 }
 
-/* The low part of t x 2^e. */
+/* Returns the low DIGITS bits of t with exponent e. */
 static inline lane lower(int64_t e, int64_t t)
 {
     return number(e, t & ((INT64_C(1) << DIGITS) - 1));
@@ -24,7 +24,7 @@ static inline lane lower(int64_t e, int64_t t)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-/* A sum of more than 47 bits loses the last one. */
+/* A sum of more than 47 bits loses its last bit. */
 static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = larger(a, b);
@@ -47,8 +47,8 @@ static inline lane lane_subtract_lower(c205_word a, c205_word b)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-/* Significant bits of the less significant of two coefficients, but at least
- * one. */
+/* Returns the number of significant bits of the less significant coefficient, at least
+ * 1. */
 static inline int64_t least_significance(int64_t ca, int64_t cb)
 {
     int64_t ma = ca ^ ca >> 63, mb = cb ^ cb >> 63;
@@ -83,15 +83,15 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
 
 /* ---- Divide, square root ------------------------------------------------ */
 
-/* The floor of a positive number that is not an integer. */
+/* Returns the floor of a positive number that is not an integer. */
 static inline int64_t below(double d)
 {
     return (int64_t)to_nearest(d + 0.5) - 1;
 }
 
-/* trunc(ca x 2^23 / cb).  With half a unit more, the dividend is no multiple
- * of the divisor, and the quotient differs from all integers by the half of
- * 1 / cb or more, which is more than a double errs. */
+/* Returns trunc(ca x 2^23 / cb). With half a unit added, the dividend is not a multiple
+ * of the divisor. The quotient then differs from every integer by at least half of 1 /
+ * cb, which exceeds the error of a double. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     double dividend = to_double(magnitude(ca) << DIGITS) + 0.5;
@@ -105,7 +105,7 @@ static inline int64_t quotient_exponent(c205_word a, c205_word b)
     return exponent(a) - exponent(b) - DIGITS;
 }
 
-/* The divisor 0, as number or machine zero, is at fault. */
+/* A divisor of 0, as a number or a machine zero, is a divide fault. */
 static inline lane special_quotient(c205_word a, c205_word b, lane result)
 {
     uint64_t without_digits = magnitude(coefficient(b)) - 1;
@@ -114,7 +114,7 @@ static inline lane special_quotient(c205_word a, c205_word b, lane result)
                   zero_if(is_zero(a), result));
 }
 
-/* Shortened where it is too long. */
+/* A quotient of more than DIGITS bits is shortened to DIGITS bits. */
 static inline lane lane_divide_upper(c205_word a, c205_word b)
 {
     int64_t q = quotient(coefficient(a), coefficient(b));
@@ -134,14 +134,15 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
     return special_quotient(a, b, zero_if(q == 0, significant(e, q, bits)));
 }
 
-/* floor(sqrt(n)), n < 2^46: with half a unit more, the root differs from all
- * integers by 2^-25 or more. */
+/* Returns floor(sqrt(n)) for n < 2^46. With half a unit added to n, the root differs
+ * from every integer by at least 2^-25. */
 static inline int64_t root(uint64_t n)
 {
     return below(sqrt(to_double(n) + 0.5));
 }
 
-/* The root of the normalised operand, shifted back. */
+/* The root of the normalised operand is shifted back by the places of the
+ * normalisation. */
 static inline lane lane_square_root(c205_word a)
 {
     int64_t c = value(a);
@@ -158,7 +159,7 @@ static inline lane lane_square_root(c205_word a)
 
 enum { MORE_DIGITS = 24 };
 
-/* From a sum of the coefficient and what rounds it. */
+/* Contracts a after adding rounding to its coefficient. */
 static inline lane contracted(c205_word a, int64_t rounding)
 {
     int64_t e = word_exponent(a) + MORE_DIGITS;
@@ -177,7 +178,7 @@ static inline lane lane_contract_rounded(c205_word a)
     return contracted(a, INT64_C(1) << (MORE_DIGITS - 1));
 }
 
-/* As many bits as the exponent is longer, the digits move to the right. */
+/* The exponent of a word is 8 bits longer, so the digits move 8 places to the right. */
 static inline lane lane_extend(c205_word a)
 {
     c205_word digits = (a & ~EXPONENT_MASK) >> 8;

@@ -1,5 +1,5 @@
-/* halves.c - the arithmetic of half words over spans, and the way between
- * the sizes; see lanes.h for what they promise.
+/* halves.c - the arithmetic of half words over spans, and the conversion between the
+ * sizes; lanes.h states the contract.
  */
 #include "vm/number/spans.h"
 
@@ -13,7 +13,7 @@
 #define UNARY_FAST(name) \
     UNARY_SPAN(halves_##name, lane_##name, half_##name) \
     UNARY_VERSIONS(halves_##name, halves_##name##_span)
-/* In spans.c. */
+/* spans.c has these. */
 #define BINARY_WRITTEN(name)
 #define UNARY_WRITTEN(name)
 

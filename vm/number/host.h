@@ -1,15 +1,14 @@
-/* host.h - one function for many hosts: loops that a compiler vectorises are
- * compiled for what each of their vector units can do, and every call takes the
- * best that this one has.
+/* host.h - one function for many hosts: vectorised loops are compiled once for each
+ * vector unit, and every call uses the best version that the host supports.
  */
 #ifndef C205_HOST_H
 #define C205_HOST_H
 
 #include <stdbool.h>
 
-/* Lanes pay where a vector unit shifts each one by its own count; HOST_LANES:
- * that of what the files are compiled for.  Where there is none, words are
- * done one by one. */
+/* The vector units of hosts. Lanes pay off only where a vector unit shifts each lane by
+ * its own count. HOST_LANES is the vector unit that the files are compiled for.
+ * HOST_WORDS has none: words are processed one by one. */
 enum host_vectors { HOST_WORDS, HOST_LANES, HOST_AVX2, HOST_AVX512 };
 
 #if defined(__x86_64__) && defined(__GNUC__)
@@ -20,7 +19,7 @@ enum host_vectors { HOST_WORDS, HOST_LANES, HOST_AVX2, HOST_AVX512 };
 
 static inline enum host_vectors host_vectors(void)
 {
-#if defined(HOST_VECTORS) /* for tests: that of another host */
+#if defined(HOST_VECTORS) /* for tests: the vector unit of another host */
     return HOST_VECTORS;
 #elif defined(HOST_VERSIONS)
     if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd")
@@ -36,8 +35,8 @@ static inline enum host_vectors host_vectors(void)
 #endif
 }
 
-/* A function of the host's choice: NAME_span, compiled for each vector unit, or
- * where there is none NAME_plain, which may be the same. */
+/* VERSIONS(NAME, ..) defines a function that calls NAME_span, compiled for each vector
+ * unit, or PLAIN on a host that has none. PLAIN may be NAME_span too. */
 #ifdef HOST_VERSIONS
 #define LANEWISE static inline __attribute__((always_inline))
 #define VERSION(attribute, version, of, parameters, arguments) \
@@ -73,7 +72,8 @@ static inline enum host_vectors host_vectors(void)
 
 /* ---- Rounding of doubles --------------------------------------------------- */
 
-/* A way of rounding; that of what is loaded and stored after it was set. */
+/* A rounding mode of the host; it applies to everything between its loads and
+ * stores. */
 typedef unsigned host_rounding;
 
 #ifdef HOST_VERSIONS
@@ -82,8 +82,8 @@ static inline void host_round_as(host_rounding way)
     __asm__ volatile("ldmxcsr %0" : : "m"(way) : "memory");
 }
 
-/* False: doubles are not rounded down, as in an emulator that knows one way
- * alone. */
+/* Rounds doubles down from now on and sets *before to the previous mode. Returns false
+ * if the host cannot, as in an emulator that supports one mode only. */
 static inline bool host_round_down(host_rounding *before)
 {
     host_rounding ways = 3U << 13, down = 1U << 13, untrapped = 0x3FU << 7;

@@ -1,5 +1,4 @@
-/* lane.h - the arithmetic of words of 64 bits on one lane; see lane_parts.h.
- */
+/* lane.h - the arithmetic of words of 64 bits on one lane; see lane_parts.h. */
 #ifndef C205_LANE_H
 #define C205_LANE_H
 
@@ -10,7 +9,7 @@
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-/* floor(ca x cb / 2^(48 - keep)), by halves of 24 bits. */
+/* Returns floor(ca x cb / 2^(48 - keep)), computed from halves of 24 bits. */
 static inline int64_t product(c205_word a, c205_word b, int keep)
 {
     int64_t a1 = (int64_t)(a << 16) >> 40, a0 = a & 0xFFFFFF;
@@ -27,14 +26,14 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
     return special_product(a, b, fitted(e, product(a, b, 1)));
 }
 
-/* In the first bit: 1, one of two coefficients is not normalised. */
+/* First bit 1: at least one of the two coefficients is not normalised. */
 static inline uint64_t either_unnormalised(c205_word a, c205_word b)
 {
     return ~((a ^ a << 1) & (b ^ b << 1)) << (63 - WORD_DIGITS);
 }
 
-/* In the first bit: 1, the exponent is 2000 (hex) or more, or less than -2000.
- * Sums of two of the others are in the range. */
+/* First bit 1: the exponent is 2000 hex or more (is_large), or less than -2000 hex
+ * (is_small). Sums of two other exponents are in the range. */
 static inline uint64_t is_large(c205_word w)
 {
     return ~w & (w + UINT64_C(0x6000000000000000));
@@ -61,9 +60,9 @@ static inline lane lane_multiply_significant(c205_word a, c205_word b)
 
 /* ---- Divide, square root ------------------------------------------------ */
 
-/* The double quotient, below 2^49, lies within 1/8 of the true one, so that
- * the nearest integer is the floor or one more; the remainder, known modulo
- * 2^64, tells. */
+/* The quotient in double arithmetic is below 2^49 and within 1/8 of the true one. The
+ * nearest integer is therefore the floor or the floor plus 1, and the sign of the
+ * remainder modulo 2^64 decides which. */
 static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     uint64_t dividend = magnitude(ca), divisor = magnitude(cb);
@@ -85,8 +84,8 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
                   zero_if(is_zero(a), result));
 }
 
-/* floor(sqrt(c x 2^k)) = floor(2^23 sqrt(c x 2^(k - 46))), corrected as a
- * quotient is; the radicand is c x 2^(k - 46). */
+/* Returns floor(sqrt(c x 2^k)) = floor(2^23 sqrt(c x 2^(k - 46))), corrected like a
+ * quotient. The radicand is c x 2^(k - 46). */
 static inline int64_t root(uint64_t radicand)
 {
     uint64_t nearest = to_nearest(sqrt(to_double(radicand)) * (1 << 23));
@@ -108,12 +107,13 @@ static inline lane lane_square_root(c205_word a)
                    odd_if(unnormalised(a) | negative | indefinite(a), result));
 }
 
-/* ---- Usual words ---------------------------------------------------------
+/* ---- Common words ----------------------------------------------------------
  *
- * Of them alone (common_range.h) nothing needs to be asked: so are their results.
+ * If both operands are common (common_range.h), no special case can occur and the
+ * result is in the range. These functions test nothing.
  */
 
-/* The exponents are added where they stand. */
+/* The exponents are added in place, without extracting them. */
 static inline c205_word common_multiply_significant(c205_word a, c205_word b)
 {
     int64_t p = product(a, b, 2);

@@ -1,8 +1,8 @@
-/* lane_kinds.h - the kinds of words and their order without branches, for
- * loops that a compiler vectorises; for words of every format.
+/* lane_kinds.h - tests and order of words without branches, for loops that a compiler
+ * vectorises; for words of every format.
  *
- * Words are compared as integers with a sign: first come the machine zeros,
- * then the numbers by their exponents, last the indefinite.
+ * Compared as signed integers, the machine zeros come first, then the numbers by
+ * exponent, then the indefinite words.
  */
 #ifndef C205_LANE_KINDS_H
 #define C205_LANE_KINDS_H
@@ -16,7 +16,8 @@ static inline bool is_zero(c205_word w)
     return (int64_t)w < (int64_t)LEAST_NUMBER;
 }
 
-/* The operand of the larger exponent is one of those not smaller. */
+/* The word that is larger as an integer has an exponent at least as large as the
+ * other's. */
 static inline c205_word larger(c205_word a, c205_word b)
 {
     return (int64_t)a < (int64_t)b ? b : a;
@@ -27,20 +28,22 @@ static inline c205_word smaller(c205_word a, c205_word b)
     return (int64_t)a < (int64_t)b ? a : b;
 }
 
-/* ---- In the first bit: 1, it is -------------------------------------------
+/* ---- Tests whose result is the first bit -----------------------------------
  *
- * Made of arithmetic and not of comparisons, which a compiler would mix with
- * those of the result.
+ * The first bit of the result is 1 if the test holds. The tests consist of arithmetic
+ * and not of comparisons, because a compiler would merge the comparisons with those of
+ * the result.
  */
 
-/* 8 in the first four bits: the words of sign 1 that fall below 9 and
- * borrow. */
+/* A machine zero has 8 in its first four bits: its sign bit is 1, and subtracting 9
+ * there borrows. */
 static inline uint64_t zero(c205_word w)
 {
     return w & (w - LEAST_NUMBER);
 }
 
-/* 7 there: the words of sign 0 that carry into it. */
+/* An indefinite word has 7 in its first four bits: its sign bit is 0, and adding 1
+ * there carries into it. */
 static inline uint64_t indefinite(c205_word w)
 {
     return ~w & (w + UINT64_C(0x1000000000000000));

@@ -1,15 +1,15 @@
-/* lane_parts.h - what lane.h and half_lane.h have in common: words of a
- * format on one lane, without branches, for loops that a compiler vectorises.
+/* lane_parts.h - the shared part of lane.h and half_lane.h: arithmetic on one lane, for
+ * words of a given format, without branches, so that a compiler vectorises the loops.
  *
  * A file that includes this defines before
  *
  *   LANE_FORMAT   a constant word_format
- *   LANE_GUARD    bits that sums keep below the coefficient of the larger
- *                 operand; with the digits no more than 49
+ *   LANE_GUARD    guard bits that sums keep below the coefficient of the larger
+ *                operand; digits plus guard bits are at most 49
  *
- * Each function is right for the usual operands and results (normalised
- * numbers and machine zeros, within the range), and tells when it is not.
- * They keep to what vector units have for 64-bit integers.
+ * Each function is right for the usual operands and results (normalised numbers and
+ * machine zeros, within the range), and otherwise marks its result as odd. All
+ * operations exist in vector units for 64-bit integers.
  */
 #ifndef C205_LANE_PARTS_H
 #define C205_LANE_PARTS_H
@@ -22,7 +22,8 @@
 #define EXPONENT_PLACE (64 - LANE_FORMAT.exponent_bits)
 #define EXPONENT_MASK (UINT64_MAX << EXPONENT_PLACE)
 
-/* A result, unless the first bit of odd is 1. */
+/* A result. It is invalid if the first bit of odd is 1; the exact rule must then
+ * compute it. */
 typedef struct lane {
     c205_word word;
     uint64_t odd;
@@ -42,7 +43,8 @@ static inline int64_t coefficient(c205_word w)
     return format_coefficient(LANE_FORMAT, w);
 }
 
-/* c x 2^LANE_GUARD, also of machine zeros; as it counts in arithmetic */
+/* Returns c x 2^LANE_GUARD. guarded() also returns the digits of machine zeros;
+ * guarded_value() returns 0 for them, as arithmetic does. */
 static inline int64_t guarded(c205_word w)
 {
     int64_t digits = (int64_t)(w << LANE_FORMAT.exponent_bits);
@@ -60,8 +62,7 @@ static inline uint64_t magnitude(int64_t c)
     return (uint64_t)(c < 0 ? -c : c);
 }
 
-/* As kinds of words, in the first bit: a coefficient that is not normalised,
- * whatever the exponent. */
+/* First bit 1: the coefficient is not normalised, whatever the exponent. */
 static inline uint64_t unnormalised(c205_word w)
 {
     uint64_t digits = w << LANE_FORMAT.exponent_bits;
@@ -95,8 +96,8 @@ static inline uint64_t bits_of_double(double d)
     return bits;
 }
 
-/* Between natural numbers below 2^51 and doubles, to the nearest number: as
- * the last bits of 2^52 + n. */
+/* These convert between natural numbers below 2^51 and doubles, rounding to the nearest
+ * number. The number occupies the last bits of the double 2^52 + n. */
 static inline double to_double(uint64_t n)
 {
     return double_of_bits(two_to_52 | n) - double_of_bits(two_to_52);
@@ -109,10 +110,10 @@ static inline uint64_t to_nearest(double d)
 
 enum { LENGTH = 51 };
 
-/* The places by which t, |t| < 2^51, can be shifted left until it has LENGTH
- * significant bits: its length is the exponent of the natural number t, or
- * its complement, with a half added for 0, here subtracted while still in its
- * place. */
+/* Returns the places by which t, |t| < 2^51, can be shifted left until it has LENGTH
+ * significant bits. The bit length of t is the exponent of the double of t, or of its
+ * complement if t is negative. Half a unit is added so that 0 also has an exponent. The
+ * subtraction is done while the exponent is still in its place. */
 static inline uint64_t room(int64_t t)
 {
     enum { BIAS = 1023 };
@@ -124,7 +125,7 @@ static inline uint64_t room(int64_t t)
 
 /* ---- Results ------------------------------------------------------------ */
 
-/* As a number of exponent 0. */
+/* Returns a number with exponent 0. */
 static inline c205_word integer(int64_t c)
 {
     return (c205_word)c << format_padding(LANE_FORMAT)
@@ -139,7 +140,7 @@ static inline lane number(int64_t e, int64_t c)
     return result;
 }
 
-/* A machine zero is as good a result as any. */
+/* A machine zero is a valid result, so its odd is 0. */
 static inline lane zero_if(bool it_is, lane otherwise)
 {
     const lane result = { it_is ? C205_MACHINE_ZERO : otherwise.word,
@@ -154,7 +155,7 @@ static inline lane odd_if(uint64_t odd, lane result)
     return result;
 }
 
-/* The number t x 2^e, |t| < 2^51, floored to some significant bits, at most
+/* Returns t x 2^e, |t| < 2^51, rounded down to bits significant bits, at most
  * DIGITS. */
 static inline lane significant(int64_t e, int64_t t, int64_t bits)
 {
@@ -165,20 +166,21 @@ static inline lane significant(int64_t e, int64_t t, int64_t bits)
     return number(e + excess - (int64_t)places, top >> excess);
 }
 
-/* The same to a normalised word; zero is machine zero. */
+/* Returns t x 2^e as a normalised word, or machine zero if t is 0. */
 static inline lane normalised(int64_t e, int64_t t)
 {
     return zero_if(t == 0, significant(e, t, DIGITS));
 }
 
-/* The bits of t beyond so many digits, as a number: 0, where it fits. */
+/* Returns the bits of t above the given number of digits; 0 if t fits. */
 static inline uint64_t excess(int64_t t, int digits)
 {
     return (uint64_t)(t ^ t >> 63) >> digits;
 }
 
-/* t x 2^e, |t| <= 2^(DIGITS + 1), to the right by as many places as it must.
- * The first bits are not looked at: it may be shifted as a natural number. */
+/* Returns t x 2^e, |t| <= 2^(DIGITS + 1), shifted right by as many places as needed.
+ * The first bits of the coefficient are discarded, so a shift of a natural number
+ * suffices. */
 static inline lane fitted(int64_t e, int64_t t)
 {
     uint64_t places = excess(t, DIGITS);
@@ -186,7 +188,8 @@ static inline lane fitted(int64_t e, int64_t t)
     return number(e + (int64_t)places, (int64_t)((uint64_t)t >> places));
 }
 
-/* What comes of special factors: machine zeros are the smallest words. */
+/* An indefinite factor makes the result odd, and a machine zero makes it zero. Machine
+ * zeros are the smallest words. */
 static inline lane special_product(c205_word a, c205_word b, lane result)
 {
     return odd_if(indefinite(larger(a, b)), zero_if(is_zero(smaller(a, b)), result));
@@ -194,9 +197,9 @@ static inline lane special_product(c205_word a, c205_word b, lane result)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-/* The distance of the exponents of the larger and the smaller, in the place of an
- * exponent, limit at most; what stands below is no part of it.  As long as
- * it is there, a compiler does not take it for a shorter word. */
+/* Returns the distance between the exponents of l and s in the place of an exponent, at
+ * most limit. The bits below that place are noise. They prevent a compiler from using a
+ * shorter integer. */
 static inline uint64_t apart(c205_word l, c205_word s, int64_t limit)
 {
     uint64_t distance = l - (s & EXPONENT_MASK);
@@ -210,11 +213,10 @@ static inline int64_t shifted(int64_t c, uint64_t distance)
     return c >> (distance >> EXPONENT_PLACE);
 }
 
-/* The sum, floored to LANE_GUARD bits below the larger operand's coefficient.
- * That is all a normalised result can see if the larger operand is
- * normalised: at distances of 0 and 1 nothing is lost, and beyond them the
- * sum moves by one place at most.  If the guard holds all digits, it is all
- * there is. */
+/* Returns the sum, rounded down to LANE_GUARD bits below the larger operand's
+ * coefficient. A normalised result depends on no further bits if the larger operand is
+ * normalised: at distances of 0 and 1 nothing is lost, and at larger ones the sum moves
+ * by at most one place. If the guard holds all digits, the sum is exact. */
 static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s, int64_t value_s)
 {
     return value_l + shifted(value_s, apart(l, s, 63));
@@ -227,8 +229,8 @@ static inline int64_t sum(c205_word a, c205_word b)
     return sum_of(l, guarded_value(l), s, guarded_value(s));
 }
 
-/* The difference likewise.  A subtrahend is cut at the end of the register,
- * DIGITS down, before its sign changes. */
+/* Returns the difference, rounded down like a sum. A subtrahend is cut at the end of
+ * the register, DIGITS places down, before its sign changes. */
 static inline int64_t difference_of(c205_word l, int64_t value_l, c205_word s,
                                     int64_t value_s, bool is_subtrahend)
 {
@@ -248,7 +250,7 @@ static inline int64_t difference(c205_word a, c205_word b)
                          (int64_t)b <= (int64_t)a);
 }
 
-/* The exponent of an indefinite is out of range. */
+/* The exponent of an indefinite word is out of range, which makes the result odd. */
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
     c205_word l = larger(a, b);
@@ -256,15 +258,15 @@ static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
     return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
 }
 
-/* In the first bit: 1, the exponent lies in the outer half of what a word has
- * room for; of machine zeros, too.  Sums of the others are in the range. */
+/* First bit 1: the exponent is in the outer half of its field. This includes machine
+ * zeros. Sums of all other exponents are in the range. */
 static inline uint64_t is_extreme(c205_word w)
 {
     return w + UINT64_C(0x4000000000000000);
 }
 
-/* t with the exponent of l, normalised.  An exponent that is changed where it
- * stands, whatever the digits below it, takes fewer steps. */
+/* Returns t with the exponent of l, normalised. Changing the exponent in place,
+ * whatever the digits below it, takes fewer steps than extracting it. */
 static inline c205_word with_sum(c205_word l, int64_t t)
 {
     uint64_t places = room(t) & 63;
@@ -326,7 +328,7 @@ static inline lane lane_average_difference(c205_word a, c205_word b)
 
 /* ---- Parts of a number, sign -------------------------------------------- */
 
-/* A negative exponent is in a word as its distance from 0 does. */
+/* apart(0, a) is the magnitude of a negative exponent. */
 static inline int64_t without_fraction(int64_t c, c205_word a)
 {
     return shifted(c, apart(0, a, 63));
@@ -361,7 +363,8 @@ static inline lane lane_truncate(c205_word a)
     return integer_part(a, c < 0 ? -part : part);
 }
 
-/* Two coefficients change the exponent when their sign changes. */
+/* Two coefficients change the exponent when their sign changes: the minimum, and the
+ * one that is its half with the sign reversed. */
 static inline lane lane_negate(c205_word a)
 {
     int64_t c = coefficient(a), e = exponent(a);
@@ -375,8 +378,7 @@ static inline lane lane_negate(c205_word a)
                                                                         : -c)));
 }
 
-/* A machine zero stays as it is, if its digits are those of no negative
- * number. */
+/* A machine zero is unchanged unless its digits are those of a negative number. */
 static inline lane lane_absolute(c205_word a)
 {
     int64_t c = coefficient(a);

@@ -1,13 +1,12 @@
-/* lanes.c - the arithmetic of words over spans; see lanes.h for what they
- * promise.
- */
+/* lanes.c - the arithmetic of words over spans; lanes.h states the contract. */
 #include "vm/number/spans.h"
 
 #include "vm/number/round_down.h"
 #include "vm/number/lane.h"
 #include "vm/number/fast_path.h"
 
-/* What has a quick rule also looks for blocks of one kind. */
+/* Operations with a fast path first try to process a block whose words are all of one
+ * kind. The BLOCK_ macros name the function that tries. */
 FLOORED_BLOCK(round_down_add_block, round_down_add)
 FLOORED_BLOCK(round_down_subtract_block, round_down_subtract)
 FLOORED_BLOCK(round_down_multiply_block, round_down_multiply)
@@ -26,7 +25,8 @@ USUAL_BLOCK(common_block_divide_significant, common_divide_significant)
 #define BLOCK_REGISTERS(name) NEVER_USUAL
 #define BLOCK_VECTORS(name) NEVER_USUAL
 
-/* Where the host has no vectors, it goes by that rule.  kind: BINARY, UNARY. */
+/* On a host without vector units, an operation with a fast path runs it word by word.
+ * kind is BINARY or UNARY. */
 #define VERSIONS_QUICK(kind, name) \
     static kind##_WORDS(lanes_##name##_words, fast_##name) \
         kind##_VERSIONS(lanes_##name, lanes_##name##_words)
@@ -42,7 +42,7 @@ USUAL_BLOCK(common_block_divide_significant, common_divide_significant)
 #define UNARY_FAST(name, registers) \
     UNARY_SPAN(lanes_##name, lane_##name, arith_##name) \
     VERSIONS_##registers(UNARY, name)
-/* In spans.c. */
+/* spans.c has these. */
 #define BINARY_WRITTEN(name, registers)
 #define UNARY_WRITTEN(name, registers)
 

@@ -1,4 +1,4 @@
-/* pairs.c - two operations in one pass; see pairs.h for what they promise. */
+/* pairs.c - two arithmetic operations in one pass; pairs.h states the contract. */
 #include "vm/number/pairs.h"
 
 #include "vm/number/round_down.h"
@@ -6,7 +6,7 @@
 
 /* ---- Blocks -------------------------------------------------------------- */
 
-/* Which operand of the first operation is one word. */
+/* The operand of the first operation that is one word for all lanes. */
 enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
 
 #define PAIR_BLOCK(name, first, second) \
@@ -38,7 +38,8 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
      size_t n, uint64_t *flags)
 #define PAIR_ARGUMENTS (done, c, a, b, d, n, flags)
 
-/* What is not moderate mostly is so from the beginning; two constants are rare. */
+/* A quick test of the first words: a span with words outside the moderate range mostly
+ * has one at its start. Two constant operands are rare and not supported. */
 static inline bool may_be_done(pair_operand a, pair_operand b, const c205_word *d,
                                size_t n)
 {
@@ -70,7 +71,8 @@ static inline bool pair_meets(const c205_word *c, pair_operand operand, size_t n
             copy_block(c, space, n); \
     }
 
-/* handed: by the first operation; other: the second's own operand. */
+/* handed is the result of the first operation. other is the second operation's own
+ * operand. */
 #define PAIR(name, first, second) \
     PAIR_BLOCK(name, first, second) \
     PAIR_SPAN(name) \
@@ -83,7 +85,7 @@ PAIR(subtract_product, round_down_multiply, round_down_subtract(other, handed))
 PAIR(add_multiply, round_down_add, round_down_multiply(handed, other))
 PAIR(subtract_multiply, round_down_subtract, round_down_multiply(handed, other))
 
-/* ---- Which of them ------------------------------------------------------- */
+/* ---- Choice of the function --------------------------------------------- */
 
 lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second, bool hands_a,
                           bool hands_b)

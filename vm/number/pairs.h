@@ -1,16 +1,16 @@
-/* pairs.h - two operations in one pass over spans, as linked instructions do
- * them: the second takes what the first hands over.
+/* pairs.h - two operations in one pass over spans, as linked instructions execute them:
+ * the second operation takes the result of the first.
  *
- * The result and the flags are those of one after the other (lanes.h), bit for
- * bit, where there is a result: a pair is done for moderate words alone
- * (round_down.h), and only on some hosts.
+ * The result and the flags equal those of one operation after the other (lanes.h), bit
+ * for bit. A pair runs only for moderate words (round_down.h) and only on some hosts;
+ * otherwise the caller runs the two operations separately.
  */
 #ifndef C205_PAIRS_H
 #define C205_PAIRS_H
 
 #include "vm/number/lanes.h"
 
-/* A span's operand: word i, or the first for all. */
+/* An operand of a span: word i for lane i, or the first word for all lanes. */
 typedef struct pair_operand {
     const c205_word *words;
     bool is_constant;
@@ -18,15 +18,16 @@ typedef struct pair_operand {
 
 enum { PAIR_LENGTH = 512 }; /* at most */
 
-/* From a and b by the first operation, with d by the second; n <= PAIR_LENGTH
- * words.  Where c overlaps an operand it begins there or below.  Not *done: it is
- * to be done otherwise; of c, where it overlaps no operand, anything may be
- * stored. */
+/* Computes c from a and b by the first operation, then with d by the second, for n <=
+ * PAIR_LENGTH words. If c overlaps an operand, it must begin at the same address or
+ * below. Sets *done. If it is false, the caller must use two operations; c is then
+ * undefined unless it overlaps an operand, in which case it is unchanged. */
 typedef void lanes_pair(bool *done, c205_word *c, pair_operand a, pair_operand b,
                         const c205_word *d, size_t n, uint64_t *flags);
 
-/* hands_a, hands_b: what the first gives is the second's first operand, its
- * second one.  NULL: there is none for these. */
+/* Returns the function for two operations. hands_a and hands_b say whether the first
+ * result is the first or the second operand of the second operation. NULL: there is no
+ * function for this pair. */
 lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second, bool hands_a,
                           bool hands_b);
 

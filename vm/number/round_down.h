@@ -1,13 +1,13 @@
-/* round_down.h - sums, differences and products of moderate words by the host's
- * doubles, where it can round them down; for loops that a compiler vectorises.
+/* round_down.h - sums, differences and products of moderate words in the host's
+ * doubles, on hosts that can round them down; for loops that a compiler vectorises.
  *
- * A word is moderate if it is normalised and its exponent lies in -100 .. FF
- * hex.  A double holds it exactly, and the sum, difference or product of two
- * is in the range of doubles.  It has 53 digits, a word 47: what is rounded down
- * to the one and then to the other is rounded down, which is what the machine does
- * (docs/arithmetic.md).  One thing it does otherwise: what of a subtrahend lies
- * below the register is cut off before its sign changes, so that a positive one that
- * is cut off whole, 94 places down, takes nothing away.
+ * A word is moderate if it is normalised and its exponent lies in -100 .. FF hex. A
+ * double holds it exactly, and the sum, difference or product of two is in the range of
+ * doubles. A double has 53 digits, a word 47. Rounding down to 53 digits and then to 47
+ * equals rounding down once, which is the machine's rule (docs/arithmetic.md). The
+ * machine differs in one point: it cuts off the part of a subtrahend that lies below
+ * the register before the sign changes. A positive subtrahend that is cut off entirely,
+ * 94 places down, therefore subtracts nothing.
  */
 #ifndef C205_ROUND_DOWN_H
 #define C205_ROUND_DOWN_H
@@ -17,13 +17,13 @@
 #include "vm/number/lane_kinds.h"
 #include "vm/number/common_range.h"
 
-/* Digits of a double behind the first one, and what its exponent is stored
- * above; those of a word's coefficient likewise. */
+/* The digits of a double after the first one, and the bias of its stored exponent. The
+ * FLOORED_ constants are the same for a word. */
 enum {
     DOUBLE_DIGITS = 52,
     DOUBLE_BIAS = 1023,
     FLOORED_DIGITS = WORD_DIGITS - 1,
-    FLOORED_PLACE = 48 /* of a word's exponent */
+    FLOORED_PLACE = 48 /* bits to the right of a word's exponent */
 };
 
 static inline uint64_t double_exponent(int e)
@@ -49,8 +49,8 @@ static inline uint64_t round_down_bits(double d)
 
 /* ---- Moderate words ------------------------------------------------------ */
 
-/* Of common_edges() that all words have and that any has: the first eight bits of the
- * exponent are the same. */
+/* Returns true if all words of a set are moderate: also the first eight bits of their
+ * exponents are equal. all and any are as in common_by_edges(). */
 static inline bool moderate_by_edges(uint64_t all, uint64_t any)
 {
     return common_by_edges(all, any) && any >> 57 == 0;
@@ -68,9 +68,9 @@ static inline bool moderate_pair(c205_word a, c205_word b)
     return moderate_by_edges(x & y, x | y);
 }
 
-/* The value, exactly: the last digits of a large number with this exponent,
- * less that number, which has 2^47 more than 2^52 so that a negative
- * coefficient leaves it its length. */
+/* Returns the exact value. The coefficient goes into the last digits of a large number
+ * with this exponent, and the large number is subtracted again. The large number has
+ * 2^47 more than 2^52, so that a negative coefficient does not shorten it. */
 static inline double moderate_value(c205_word w)
 {
     uint64_t exponent = w >> FLOORED_PLACE << DOUBLE_DIGITS;
@@ -81,11 +81,11 @@ static inline double moderate_value(c205_word w)
            - round_down_double(large);
 }
 
-/* A double to a normalised word, rounded down; not of zero.  -2^46 is no
- * normalised coefficient, -2^47 is one: a negative number counts as one place
- * shorter where the digits behind its first one are 0.  The floor of what has the
- * exponent of a coefficient is in the last digits of its sum with a large
- * number. */
+/* Returns a nonzero double as a normalised word, rounded down. A normalised coefficient
+ * may be -2^47 but not -2^46. A negative number therefore counts as one place shorter
+ * if all digits after its first one are 0. A value scaled to the exponent of a
+ * coefficient is added to a large number, and the last digits of the sum are its
+ * floor. */
 static inline c205_word round_down_word(double value)
 {
     uint64_t bits = round_down_bits(value);
@@ -99,7 +99,7 @@ static inline c205_word round_down_word(double value)
     return format_with_coefficient(whole_words, exponent, round_down_bits(c));
 }
 
-/* A double to 47 digits, rounded down. */
+/* Returns the double, rounded down to 47 digits. */
 static inline double round_down_value(double value)
 {
     enum { BEYOND = (1 << (DOUBLE_DIGITS - FLOORED_DIGITS)) - 1 };
@@ -111,7 +111,8 @@ static inline double round_down_value(double value)
 
 /* ---- Operations ---------------------------------------------------------- */
 
-/* A result, to be rounded down once more; unless it is odd. */
+/* A result that must still be rounded down to a word. If is_odd is set, the exact rule
+ * must compute it. */
 typedef struct floored {
     double value;
     bool is_odd;
@@ -124,8 +125,8 @@ static inline floored round_down_add(double x, double y)
     return sum;
 }
 
-/* Not right are all with a positive subtrahend of less than a double's last digit,
- * some of which are cut off whole. */
+/* The result is odd for every positive subtrahend below the last digit of x, because
+ * the machine cuts off some of these entirely. */
 static inline floored round_down_subtract(double x, double y)
 {
     const floored difference = { x - y, (x + y == x) & (y > 0) };
@@ -142,13 +143,13 @@ static inline floored round_down_multiply(double x, double y)
 
 /* ---- Blocks -------------------------------------------------------------- */
 
-/* The way of rounding is changed for a block, which must pay. */
+/* Changing the rounding mode costs time; a shorter block does not gain from it. */
 enum { FLOORED_LEAST = 32 };
 
-/* What is known of a block only when it is done. */
+/* Facts about a block that are known only after the whole block is computed. */
 typedef struct round_down_block {
     uint64_t all, any; /* edges */
-    /* Counts, which clang 14 vectorises; masks gathered by | it does not. */
+    /* Counts, because clang 14 vectorises them but not masks combined by |. */
     uint64_t odd, zeros;
 } round_down_block;
 
@@ -176,7 +177,7 @@ static inline c205_word result_word(double value)
     return value == 0 ? C205_MACHINE_ZERO : word;
 }
 
-/* False: it is to be done otherwise. */
+/* Returns false if the block must be computed in another way. */
 static inline bool round_down_end(const round_down_block *block, uint64_t *flags)
 {
     if (!moderate_by_edges(block->all, block->any) || block->odd)
@@ -186,7 +187,7 @@ static inline bool round_down_end(const round_down_block *block, uint64_t *flags
     return true;
 }
 
-/* A block of n words, or false: it is to be done otherwise. */
+/* Computes a block of n words. Returns false if it must be computed in another way. */
 #define FLOORED_BLOCK(name, operation) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \

@@ -1,14 +1,14 @@
-/* rule.h - the exact rule, one word at a time, for words of any format; see
- * docs/arithmetic.md.
+/* rule.h - the exact rule of arithmetic, one word at a time, for words of any format;
+ * see docs/arithmetic.md.
  *
  * A file that includes this defines before
  *
  *   RULE_FORMAT   a constant word_format
- *   RULE(name)    what the functions of arith.h are called in this format
+ *   RULE(name)    the names of the functions of arith.h in this format
  *
- * and should hold little else, for it gets the names below.  With d for the
- * digits of the format (47 for words of 64 bits), numbers of two coefficients
- * have 2d + 1 bits (95), d of them in the lower half.
+ * Such a file should hold little else, because it also gets the static names below. Let
+ * d be the digits of the format (47 for words of 64 bits). The product of two
+ * coefficients has 2d + 1 bits (95), d of them in the lower half.
  */
 
 #include <math.h>
@@ -17,7 +17,7 @@
 #define MIN_COEFFICIENT format_coefficient_min(RULE_FORMAT)
 #define MAX_COEFFICIENT (-(MIN_COEFFICIENT + 1))
 
-/* A double-length number, (hi x 2^d + lo) x 2^exponent with lo in [0, 2^d):
+/* A double-length number, (hi x 2^d + lo) x 2^exponent with lo in [0, 2^d). It holds
  * every exact result before it is cut to a word. */
 typedef struct wide {
     int64_t hi, lo;
@@ -36,7 +36,7 @@ static int64_t coefficient_of(c205_word w)
     return format_coefficient(RULE_FORMAT, w);
 }
 
-/* As it counts in arithmetic: that of machine zero is 0. */
+/* Returns the coefficient that arithmetic uses: 0 for a machine zero. */
 static int64_t value_of(c205_word w)
 {
     return format_value_coefficient(RULE_FORMAT, w);
@@ -66,7 +66,7 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
     return C205_INDEFINITE;
 }
 
-/* The range rule: it looks at the exponent only. */
+/* The range rule depends on the exponent only. */
 static c205_word ranged(int64_t exponent, int64_t coefficient, uint64_t *flags)
 {
     if (exponent > format_exponent_max(RULE_FORMAT))
@@ -103,7 +103,7 @@ static int32_t wide_significant_bits(wide w)
     return word_significant_bits(word_shift_left(w.hi, DIGITS) + w.lo);
 }
 
-/* floor(w / 2^places), which must fit; places of either sign. */
+/* Returns floor(w / 2^places), which must fit 64 bits. places may be negative. */
 static int64_t wide_floor(wide w, int32_t places)
 {
     int32_t up = DIGITS - places;
@@ -115,13 +115,14 @@ static int64_t wide_floor(wide w, int32_t places)
     return word_shift_left(word_shift_left(w.hi, DIGITS) + w.lo, -places);
 }
 
-/* Cut to a word by a shift right, or brought to it by a shift left. */
+/* Returns a word: w shifted right, which drops low bits, or left if places is
+ * negative. */
 static c205_word wide_cut(wide w, int32_t places, uint64_t *flags)
 {
     return ranged(w.exponent + places, wide_floor(w, places), flags);
 }
 
-/* The same, to a given number of significant bits; zero is machine zero. */
+/* Returns w with the given number of significant bits; machine zero if w is zero. */
 static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
 {
     if (wide_is_zero(w))
@@ -129,7 +130,8 @@ static c205_word wide_significant(wide w, int32_t bits, uint64_t *flags)
     return wide_cut(w, wide_significant_bits(w) - bits, flags);
 }
 
-/* Its high part, or if that has no room in a word, half of it. */
+/* Returns the high part of w, or half of it with a larger exponent if it does not
+ * fit. */
 static c205_word wide_upper(wide w, uint64_t *flags)
 {
     bool fits = word_significant_bits(w.hi) <= DIGITS;
@@ -144,8 +146,8 @@ static c205_word wide_lower(wide w, uint64_t *flags)
 
 /* ---- Add, subtract ----------------------------------------------------- */
 
-/* c x 2^d shifted right in the register of 2d + 1 bits; what leaves it is
- * lost. */
+/* Returns c x 2^d shifted right in the register of 2d + 1 bits. Bits that leave the
+ * register are lost. */
 static wide aligned(int64_t c, int32_t places)
 {
     wide w = { c >> 63, 0, 0 };
@@ -161,8 +163,8 @@ static wide aligned(int64_t c, int32_t places)
     return w;
 }
 
-/* The sum in the register.  A machine zero counts as a coefficient of 0; its
- * exponent is below all others, so that it is never the one aligned to. */
+/* Returns the sum in the register. A machine zero counts as a coefficient of 0. Its
+ * exponent is below all others, so the other operand is never aligned to it. */
 static wide sum(c205_word a, c205_word b, bool subtract)
 {
     int32_t distance = exponent_of(a) - exponent_of(b);
@@ -184,7 +186,7 @@ static wide sum(c205_word a, c205_word b, bool subtract)
     return w;
 }
 
-/* A sum of more than 2d + 1 bits loses the last one. */
+/* A sum of more than 2d + 1 bits loses its last bit. */
 static wide fitted(wide w)
 {
     if (word_significant_bits(w.hi) > DIGITS) {
@@ -275,8 +277,8 @@ c205_word RULE(average_difference)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Multiply ---------------------------------------------------------- */
 
-/* By halves of h = (d + 1) / 2 bits, the high ones signed: with ca = a1 x 2^h
- * + a0 and cb likewise the product is a1 b1 x 2^(d + 1) + (a1 b0 + a0 b1) x
+/* The product is computed from halves of h = (d + 1) / 2 bits, the high ones signed.
+ * With ca = a1 x 2^h + a0 and cb likewise, it is a1 b1 x 2^(d + 1) + (a1 b0 + a0 b1) x
  * 2^h + a0 b0. */
 static wide product(c205_word a, c205_word b)
 {
@@ -294,7 +296,7 @@ static wide product(c205_word a, c205_word b)
     return w;
 }
 
-/* True: a special operand decides, and the result is in *special. */
+/* Returns true and sets *special if a special operand decides the result. */
 static bool special_product(c205_word a, c205_word b, c205_word *special,
                             uint64_t *flags)
 {
@@ -307,7 +309,7 @@ static bool special_product(c205_word a, c205_word b, c205_word *special,
     return true;
 }
 
-/* Significant bits of the less significant operand, but at least one. */
+/* Returns the significant bits of the less significant operand, at least 1. */
 static int32_t least_significance(c205_word a, c205_word b)
 {
     int32_t sa = word_significant_bits(coefficient_of(a));
@@ -346,8 +348,9 @@ c205_word RULE(multiply_significant)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Divide ------------------------------------------------------------ */
 
-/* trunc(ca x 2^d / cb) by long division: a digit of d + 1 bits, then the d
- * below it, as many at a time as the remainder leaves room for. */
+/* Returns trunc(ca x 2^d / cb) by long division. The first digit has d + 1 bits. The d
+ * bits below it follow in groups of up to 16, the room that the remainder leaves in 64
+ * bits. */
 static wide quotient(c205_word a, c205_word b)
 {
     int64_t ca = coefficient_of(a), cb = coefficient_of(b);
@@ -366,7 +369,8 @@ static wide quotient(c205_word a, c205_word b)
     return (ca < 0) != (cb < 0) ? wide_negate(w) : w;
 }
 
-/* As for a product; a divisor of no value is a fault, whatever it divides. */
+/* Returns true and sets *special if a special operand decides the result. A divisor
+ * with value 0 is a divide fault for every dividend that is not indefinite. */
 static bool special_quotient(c205_word a, c205_word b, c205_word *special,
                              uint64_t *flags)
 {
@@ -403,9 +407,9 @@ c205_word RULE(divide_significant)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Square root ------------------------------------------------------- */
 
-/* floor(sqrt(c x 2^k)) of a normalised c, the radicand below 2^2d.  The
- * root of the double is at most one too large; the remainder, known modulo
- * 2^64, tells. */
+/* Returns floor(sqrt(c x 2^k)) of a normalised c; the radicand is below 2^2d. The root
+ * in double arithmetic is at most one too large. The sign of the remainder modulo 2^64
+ * gives the correction. */
 static int64_t root(int64_t c, int32_t k)
 {
     uint64_t estimate = (uint64_t)sqrt(ldexp((double)c, k));
@@ -432,7 +436,7 @@ c205_word RULE(square_root)(c205_word a, uint64_t *flags)
 
 /* ---- Parts of a number, sign ------------------------------------------- */
 
-/* A word that is its own result. */
+/* Returns a unchanged and sets the flags of its class. */
 static c205_word kept(c205_word a, uint64_t *flags)
 {
     if (word_is_machine_zero(a))
@@ -465,8 +469,8 @@ c205_word RULE(truncate)(c205_word a, uint64_t *flags)
     return coefficient_of(a) < 0 ? RULE(ceiling)(a, flags) : RULE(floor)(a, flags);
 }
 
-/* A normalised number stays normalised: 2^d does not fit, and -2^(d - 1) is
- * not normalised. */
+/* A normalised number stays normalised. The negatives of two coefficients need another
+ * exponent: 2^d does not fit, and -2^(d - 1) is not normalised. */
 c205_word RULE(negate)(c205_word a, uint64_t *flags)
 {
     int32_t exponent = exponent_of(a);
@@ -502,14 +506,14 @@ c205_word RULE(pack)(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Adjust ------------------------------------------------------------ */
 
-/* How many places a coefficient can be shifted left; 0 has no end of them but
- * counts as if it had no significant bits. */
+/* Returns the places by which a coefficient can be shifted left without overflow. 0
+ * could be shifted without end but counts as having no significant bits. */
 static int32_t room(int64_t c)
 {
     return DIGITS - word_significant_bits(c);
 }
 
-/* With another exponent, the coefficient shifted to suit. */
+/* Returns a with the given exponent and its coefficient shifted to match. */
 static c205_word with_exponent(c205_word a, int64_t exponent, uint64_t *flags)
 {
     int64_t c = coefficient_of(a), left = exponent_of(a) - exponent;

@@ -1,5 +1,5 @@
-/* spans.c - the spans that are written alike for words and half words: bits,
- * comparisons, reductions, copies.
+/* spans.c - the span operations with the same code for words and half words: bitwise
+ * operations, comparisons, reductions, copies.
  */
 #include "vm/number/spans.h"
 
@@ -64,13 +64,14 @@ EXPONENT(halves_exponent, half_words)
 
 /* ---- Comparisons -------------------------------------------------------- */
 
-/* A machine zero as a zero that is ordered as numbers are. */
+/* Returns a machine zero as the number 0 with the least exponent, and other words
+ * unchanged. */
 static inline c205_word zero_as_number(c205_word w)
 {
     return larger(w, LEAST_NUMBER);
 }
 
-/* In the first bit: 1, it is. */
+/* First bit 1: the number is not normalised. */
 static inline uint64_t unnormalised(word_format f, c205_word number)
 {
     uint64_t digits = number << f.exponent_bits;
@@ -78,8 +79,8 @@ static inline uint64_t unnormalised(word_format f, c205_word number)
     return number == LEAST_NUMBER ? 0 : ~(digits ^ digits << 1);
 }
 
-/* Of one sign, normalised numbers are ordered as integers are, negative ones
- * with their exponents complemented. */
+/* Returns a word that is ordered as an integer. Normalised numbers of one sign have the
+ * order of integers after the exponents of negative ones are complemented. */
 static inline c205_word order(word_format f, c205_word w)
 {
     c205_word exponent = ~format_coefficient_mask(f);
@@ -88,7 +89,7 @@ static inline c205_word order(word_format f, c205_word w)
     return w ^ (exponent & (c205_word)sign);
 }
 
-/* In the first bit: 1, it is. */
+/* First bit 1: x < y as signed integers. */
 static inline uint64_t less_integer(uint64_t x, uint64_t y)
 {
     uint64_t difference = x - y;
@@ -110,7 +111,7 @@ static inline int64_t coefficient_bits(word_format f, c205_word w)
     return (int64_t)(w << f.exponent_bits);
 }
 
-/* None are those of 0, and of a zero as a number. */
+/* Returns 0 for a number with exponent 0 and for a zero that zero_as_number() made. */
 static inline uint64_t exponent_bits(word_format f, c205_word w)
 {
     return w == LEAST_NUMBER ? 0 : w & ~format_coefficient_mask(f);
@@ -122,7 +123,7 @@ static inline uint64_t exponent_bits(word_format f, c205_word w)
 #define LESS(f, x, y) less_number(f, x, y)
 #define NOT_LESS(f, x, y) ~LESS(f, x, y)
 
-/* The places of a word's bits. */
+/* A mask for each bit of a word, from the left. */
 #define PLACES(i) \
     FIRST >> (i), FIRST >> (i + 1), FIRST >> (i + 2), FIRST >> (i + 3), \
         FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6), FIRST >> (i + 7)
@@ -130,14 +131,14 @@ static inline uint64_t exponent_bits(word_format f, c205_word w)
 static const uint64_t places[BITS] = { PLACES(0),  PLACES(8),  PLACES(16), PLACES(24),
                                        PLACES(32), PLACES(40), PLACES(48), PLACES(56) };
 
-/* The first bit to all places. */
+/* Copies the first bit to all bits. */
 static inline uint64_t copied(uint64_t bit)
 {
     return (uint64_t)((int64_t)bit >> 63);
 }
 
-/* The bits of a block by a relation of ranks, which holds for no indefinite;
- * or where it does not hold. */
+/* Computes the bits of a block by comparing ranks. The relation is false for an
+ * indefinite word. inverse is 1 for the negated relation. */
 #define BY_RANK(format, relation, inverse) \
     for (size_t j = 0; j < length; j++) { \
         c205_word x = a[i + j], y = b[i + j]; \
@@ -147,8 +148,9 @@ static inline uint64_t copied(uint64_t bit)
         word |= (holds ^ inverse) << (BITS - 1 - j); \
     }
 
-/* .. or by coefficients, of words with the exponent 0, as indices are, and of
- * zeros; which others are not is seen in `exponents`. */
+/* Computes the bits of a block by comparing coefficients. This is valid for zeros and
+ * for words with exponent 0, such as indices. `exponents` is nonzero if the block has
+ * other words. */
 #define BY_COEFFICIENT(format, relation, inverse) \
     for (size_t j = 0; j < length; j++) { \
         c205_word x = zero_as_number(a[i + j]); \
@@ -163,8 +165,8 @@ static inline uint64_t copied(uint64_t bit)
     (uint64_t *restrict bits, const c205_word *restrict a, \
      const c205_word *restrict b, size_t n)
 
-/* Block by block; a block with a word that is neither a normalised number nor
- * a machine zero is done again, by coefficients or else by rank. */
+/* A block with a word that is neither a normalised number nor a machine zero is
+ * computed again, by coefficients if possible and otherwise by rank. */
 #define COMPARE_SPAN(name, format, is, relation, inverse) \
     LANEWISE void name##_span COMPARE_PARAMETERS \
     { \

@@ -1,5 +1,5 @@
-/* spans.h - how a loop over a span of words is walked; for the files that hold
- * the functions of lanes.h.
+/* spans.h - the loops over spans of words, for the files that define the functions of
+ * lanes.h.
  */
 #ifndef C205_SPANS_H
 #define C205_SPANS_H
@@ -18,7 +18,7 @@
 #define UNARY_VERSIONS(name, plain) \
     VERSIONS(name, plain, UNARY_PARAMETERS, (c, a, n, flags))
 
-/* Word by word. */
+/* These process one word at a time. */
 #define BINARY_WORDS(name, of_words) \
     void name BINARY_PARAMETERS \
     { \
@@ -37,8 +37,8 @@ static inline size_t lesser(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Where the first bit of odd is 1, by the exact rule; the others are right,
- * and raise the flag of their zeros. */
+/* Recomputes by the exact rule each word whose first bit of odd is 1. The other words
+ * are valid; a machine zero among them sets its flag. */
 static inline void binary_again(arith_binary *exact, c205_word *c, const c205_word *a,
                                 const c205_word *b, const uint64_t *odd, size_t n,
                                 uint64_t *flags)
@@ -60,13 +60,14 @@ static inline void unary_again(arith_unary *exact, c205_word *c, const c205_word
             *flags |= FLAG_MACHINE_ZERO;
 }
 
-/* A span of lanes (lane_parts.h), block by block; in a block with a lane that
- * was not right, that one is done again by the exact rule.
+/* A span of lanes (lane_parts.h) is processed block by block. In a block with an odd
+ * lane, the exact rule computes that lane again.
  *
- * A result that lies upon an operand is made elsewhere, so that a block is
- * read before it is stored.  What a vector unit takes at once are so many
- * LANES, and all loops take whole ones: the last ones of a block overlap those
- * before, and fewer than that are done with others behind them. */
+ * If the result overlaps an operand, a block goes to a temporary array first, so that
+ * the operands are read before the result is stored. LANES is the number of words that
+ * one vector operation takes. All loops run over whole groups of LANES: the last group
+ * of a block overlaps the one before it, and a block shorter than LANES is padded.
+ */
 enum { BLOCK = 256, LANES = 8 };
 
 static inline bool spans_meet(const c205_word *one, const c205_word *other, size_t n)
@@ -81,7 +82,7 @@ static inline void copy_block(c205_word *to, const c205_word *from, size_t n)
     memcpy(to, from, n * sizeof *to);
 }
 
-/* n words, 1 to LANES of them, and the first again behind them. */
+/* Copies n words, 1 <= n <= LANES, and pads with copies of the first. */
 static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n)
 {
     for (size_t i = 0; i < LANES; i++)
@@ -90,7 +91,8 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
         lanes[i] = words[i];
 }
 
-/* The body for each place j of whole lanes, and again for the last LANES of n. */
+/* Runs the body for each index j in whole groups of LANES, then for the last LANES of
+ * n. */
 #define EACH_LANE(body) \
     for (size_t i = 0, end = n & ~(size_t)(LANES - 1);;) { \
         for (size_t j = i; j < end; j++) { \
@@ -165,9 +167,9 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
 
 /* ---- Blocks of one kind ----------------------------------------------------
  *
- * In most blocks all words are usual (common_range.h), or those of one operand are
- * machine zeros: whoever looks first takes fewer steps.  common_block is true if
- * that did it.
+ * In most blocks all words are common (common_range.h), or all words of one operand are
+ * machine zeros. Testing for these cases first takes fewer steps. A common_block
+ * function returns true if it computed the block.
  */
 
 #define NEVER_USUAL(to, a, b, n, flags) false
@@ -181,7 +183,8 @@ LANEWISE bool common_lanes(const c205_word *a, const c205_word *b, size_t n)
     return common_by_edges(all, any);
 }
 
-/* What is not usual is so from the beginning, most often. */
+/* The first words are tested first: a block with a word that is not common mostly has
+ * one at its start. */
 LANEWISE bool common_pairs(const c205_word *a, const c205_word *b, size_t n)
 {
     enum { FIRST_ONES = 2 * LANES };
@@ -201,8 +204,8 @@ LANEWISE bool zero_lanes(const c205_word *a, size_t n)
     return is_zero(most);
 }
 
-/* What comes of machine zeros beside usual words, or beside machine zeros:
- * zeros, or the other words; or neither. */
+/* The result of machine zeros combined with common words or other machine zeros: zeros,
+ * the other words, or neither. */
 enum zeros_give { GIVE_ZEROS, GIVE_OTHERS, GIVE_NEITHER };
 
 LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
@@ -222,7 +225,8 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
     return true;
 }
 
-/* What zeros give as the first operands, and as the second. */
+/* first and second state the result if the zeros are the first or the second
+ * operand. */
 #define ZEROS_BLOCK(name, first, second) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
@@ -239,7 +243,7 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
         return true; \
     }
 
-/* In one way, or else in another. */
+/* Tries one function, then the other. */
 #define EITHER_BLOCK(name, one, other) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \

@@ -1,4 +1,4 @@
-/* word.c - words from and to doubles and integers, all exactly. */
+/* word.c - converts words from and to doubles, integers and hexadecimal, exactly. */
 #include "vm/number/word.h"
 
 #include <math.h>

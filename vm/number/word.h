@@ -1,14 +1,13 @@
-/* word.h - a word as a number: its parts, its classes.
+/* word.h - a word as a number: its parts and classes.
  *
- * See c205.h for the format of 64 bits.  A number of another format stands
- * at the left of a c205_word, zeros behind it:
+ * See c205.h for the format of 64 bits. A number of another format is at the left of a
+ * c205_word, followed by zeros:
  *
  *   | exponent | coefficient, sign and digits | zeros |
  *
- * so that in every format the first four bits tell a machine zero (8) and an
- * indefinite (7).  The parts are taken by shifts alone, so these functions
- * may be in loops that a compiler vectorises; the format should be one of
- * the constants, for which they fold.
+ * In every format, the first four bits identify a machine zero (8) and an indefinite
+ * (7). All functions use shifts only, so loops with them vectorise. The format argument
+ * should be one of the constants, so that the compiler folds it.
  */
 #ifndef C205_WORD_H
 #define C205_WORD_H
@@ -19,14 +18,13 @@
 
 typedef struct word_format {
     int32_t exponent_bits; /* 4 or more */
-    int32_t digits;        /* bits of a coefficient without its sign; odd, 47 at
-                       the most */
+    int32_t digits;        /* bits of a coefficient without its sign; odd, at most 47 */
 } word_format;
 
 static const word_format whole_words = { 16, 47 }; /* 64 bits */
 static const word_format half_words = { 8, 23 };   /* 32 bits */
 
-/* Those of 64 bits, as constants. */
+/* the same for 64 bits, as constants */
 enum {
     WORD_EXPONENT_MAX = 28671,  /* 6FFF */
     WORD_EXPONENT_MIN = -28672, /* 9000 */
@@ -43,7 +41,7 @@ static inline int32_t format_width(word_format f)
     return f.exponent_bits + f.digits + 1;
 }
 
-/* The zeros behind a word. */
+/* Returns the number of zero bits after a word. */
 static inline int32_t format_padding(word_format f)
 {
     return 64 - format_width(f);
@@ -59,8 +57,8 @@ static inline c205_word format_coefficient_mask(word_format f)
     return UINT64_MAX >> f.exponent_bits & format_mask(f);
 }
 
-/* All exponents but the first and last sixteenths, which are the special
- * ones: 9000 .. 6FFF, 90 .. 6F. */
+/* The first and the last sixteenth of the exponents mark special words. The others are
+ * valid: 9000 .. 6FFF for words, 90 .. 6F for half words. */
 static inline int32_t format_exponent_max(word_format f)
 {
     return (7 << (f.exponent_bits - 4)) - 1;
@@ -88,7 +86,7 @@ static inline int64_t format_coefficient(word_format f, c205_word w)
     return (int64_t)(w << f.exponent_bits) >> (63 - f.digits);
 }
 
-/* The exponent of the one word, the coefficient of the other. */
+/* Returns the exponent of high with the coefficient of low. */
 static inline c205_word format_with_coefficient(word_format f, c205_word high,
                                                 c205_word low)
 {
@@ -121,7 +119,7 @@ static inline c205_word word_make(int32_t exponent, int64_t coefficient)
     return format_make(whole_words, exponent, coefficient);
 }
 
-/* ---- Classes, of every format ------------------------------------------- */
+/* ---- Classes, for every format ------------------------------------------ */
 
 static inline bool word_is_machine_zero(c205_word w)
 {
@@ -133,8 +131,8 @@ static inline bool word_is_indefinite(c205_word w)
     return w >> 60 == 7;
 }
 
-/* The coefficient's first bit differs from its second, and the exponent is a
- * usable one. */
+/* A word is normalised if the first two bits of its coefficient differ and its exponent
+ * is valid. */
 static inline bool format_is_normalised(word_format f, c205_word w)
 {
     return ((w ^ w << 1) >> (63 - f.exponent_bits) & 1) != 0 && !word_is_machine_zero(w)
@@ -148,10 +146,10 @@ static inline bool word_is_normalised(c205_word w)
 
 /* ---- Coefficients ------------------------------------------------------- */
 
-/* The number of bits of x < 2^51 without leading zeros.  2x + 1 is put below
- * the leading bit of a double of 2^52 and that bit subtracted: what is left
- * has its length as its exponent.  Plain integers and one subtraction, so
- * that loops with it vectorise everywhere. */
+/* Returns the number of bits of x < 2^51 without leading zeros. The bits of 2x + 1 are
+ * placed below the leading bit of the double 2^52, and 2^52 is subtracted. The exponent
+ * of the difference is the length. This takes integer operations and one subtraction,
+ * so loops with it vectorise on every host. */
 static inline int32_t word_bit_length(uint64_t x)
 {
     uint64_t bits = UINT64_C(0x4330000000000000) | x << 1 | 1;
@@ -163,19 +161,20 @@ static inline int32_t word_bit_length(uint64_t x)
     return (int32_t)(bits >> 52) - 1023;
 }
 
-/* Significant bits of -2^51 <= c < 2^51: the least n with -2^n <= c < 2^n. */
+/* Returns the significant bits of -2^51 <= c < 2^51: the least n with -2^n <= c <
+ * 2^n. */
 static inline int32_t word_significant_bits(int64_t c)
 {
     return word_bit_length((uint64_t)(c ^ c >> 63));
 }
 
-/* c x 2^places, where that is a number of 64 bits. */
+/* Returns c x 2^places, which must fit 64 bits. */
 static inline int64_t word_shift_left(int64_t c, int32_t places)
 {
     return (int64_t)((uint64_t)c << places);
 }
 
-/* The coefficient as it counts in arithmetic: that of machine zero is 0. */
+/* Returns the coefficient that arithmetic uses: 0 for a machine zero. */
 static inline int64_t format_value_coefficient(word_format f, c205_word w)
 {
     return word_is_machine_zero(w) ? 0 : format_coefficient(f, w);
@@ -186,9 +185,10 @@ static inline int64_t word_value_coefficient(c205_word w)
     return format_value_coefficient(whole_words, w);
 }
 
-/* Integers that are ordered as the values of the words, indefinite left out:
- * every zero is 0, a positive value its normalised exponent, counted from 1,
- * before its coefficient, a negative one the same of its complement. */
+/* Returns an integer that orders words as their values; indefinite words have no rank.
+ * The rank of every zero is 0. The rank of a positive value is its normalised exponent,
+ * counted from 1, followed by its coefficient. The rank of a negative value is the
+ * complement of the same bits of its complement. */
 static inline int64_t format_rank(word_format f, c205_word w)
 {
     int64_t c = format_value_coefficient(f, w);
@@ -201,22 +201,22 @@ static inline int64_t format_rank(word_format f, c205_word w)
     return c == 0 ? 0 : (exponent << f.digits | digits) ^ sign;
 }
 
-/* The magnitude (digits + a fraction, if inexact) x 2^exponent with digits
- * in [2^(d - 1), 2^d), d the digits of the format, and a sign, floored to a
- * normalised word (word.c). */
+/* Returns (digits + a fraction if inexact) x 2^exponent with the given sign, rounded
+ * down to a normalised word. digits must be in [2^(d - 1), 2^d) for the d digits of the
+ * format. Out of range: indefinite or machine zero. */
 c205_word word_cut(word_format f, bool negative, int64_t digits, bool inexact,
                    int32_t exponent);
 
 /* ---- Words as bits ------------------------------------------------------ */
 
-/* The low bits of the first as exponent, the coefficient of the second. */
+/* Returns the low bits of a as the exponent and the coefficient of b. */
 static inline c205_word format_pack(word_format f, c205_word a, c205_word b)
 {
     return a << (f.digits + 1) | (b & format_coefficient_mask(f));
 }
 
-/* Left circular by a count modulo the width; right, the first bit copied in,
- * by a negative one. */
+/* A count >= 0 shifts left circularly, modulo the width. A negative count shifts right
+ * and copies the first bit in. */
 static inline c205_word format_shift(word_format f, c205_word a, int64_t count)
 {
     int32_t width = format_width(f);
