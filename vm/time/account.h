@@ -1,7 +1,7 @@
-/* account.h - where the clocks went: by region of the program, by cause.
+/* account.h - accounts of clocks by region of the program and by cause.
  *
- * Region 0 is all code outside named regions.  The clocks of all regions and
- * causes sum to the time that has passed; clock.c asserts it.
+ * Region 0 is all code outside named regions. The clocks of all regions and causes sum
+ * to the elapsed time; clock.c asserts this.
  */
 #ifndef C205_ACCOUNT_H
 #define C205_ACCOUNT_H
@@ -11,18 +11,18 @@
 struct clock_accounts {
     size_t count;
     c205_account *account;
-    c205_account *kept; /* room for a copy */
-    char *names;        /* one after the other, each ending with '\0' */
+    c205_account *kept; /* space for a copy */
+    char *names;        /* consecutive strings, each ending with '\0' */
 };
 
-/* Accounts for these regions, all zero, in place of the former ones.  False:
- * the host has no memory left, and nothing has changed. */
+/* Opens zeroed accounts for these regions and closes the previous ones. False: the host
+ * is out of memory, and nothing has changed. */
 bool accounts_open(struct clock_accounts *accounts, const char *const *names,
                    size_t count);
 void accounts_close(struct clock_accounts *accounts);
 void accounts_clear(struct clock_accounts *accounts);
 
-/* Copy all that is in them, and put it back. */
+/* accounts_keep copies the accounts, and accounts_put_back restores the copy. */
 void accounts_keep(struct clock_accounts *accounts);
 void accounts_put_back(struct clock_accounts *accounts);
 

@@ -1,4 +1,10 @@
-/* banks.c - conflicts of a list of accesses to interleaved memory banks. */
+/* banks.c - computes the conflicts of a list of accesses to interleaved memory banks.
+ *
+ * If a bank is busy for at most LATEST + 1 accesses, an access can wait only for the
+ * last LATEST accesses before it, so no table of banks is needed and the loops
+ * vectorise. Otherwise a table holds the time at which each bank is free. The conflicts
+ * of a list are cached, because records are gathered with one list from several tables.
+ */
 #include "vm/time/banks.h"
 
 #include "vm/memory.h"
@@ -24,13 +30,12 @@ void banks_free(struct banks *banks)
 
 /* ---- Banks of accesses ---------------------------------------------------- */
 
-/* A list is looked at so many accesses at a time.  Mostly a bank is free again
- * before the access after LATEST more begins: only so many need to be looked at,
- * and no table of the banks. */
+/* SPAN accesses are processed at a time. LATEST is the number of preceding accesses
+ * that an access is compared with. */
 enum { SPAN = 256, LATEST = 3 };
 
-/* The sum with a large number has no place for a fraction; it is a variable, which
- * has no more digits than a double. */
+/* Returns d rounded to an integer: the sum with a large number has no fraction bits.
+ * The sum is a variable, so that it has no more digits than a double. */
 static inline double nearest_whole(double d)
 {
     double large = 0x1p52, sum = d + large;
@@ -38,8 +43,9 @@ static inline double nearest_whole(double d)
     return sum - large;
 }
 
-/* What is left of an address, which lies below 2^42 words, by a whole quotient of
- * doubles that is off by one at most, however the host rounds. */
+/* Computes the bank of each access: the word address, below 2^42, modulo count. The
+ * quotient in double arithmetic is off by at most one, however the host rounds, and the
+ * remainder is then corrected. */
 #define FIND_BANKS_PARAMETERS \
     (double *restrict bank, const c205_word *restrict indices, size_t n, \
      uint64_t table, uint64_t step, double count)
@@ -54,8 +60,9 @@ LANEWISE void find_banks_span FIND_BANKS_PARAMETERS
     }
 }
 
-/* How long access i waits from when the last one before it began, the second
- * last and the third.  The banks of the latest accesses are in front. */
+/* The least times between the start of access i and the starts of the last, second last
+ * and third last access before it. The array of banks begins with those of the LATEST
+ * preceding accesses. */
 struct waits {
     int64_t last[SPAN], second[SPAN + 1], third[SPAN + 1];
 };
@@ -87,13 +94,14 @@ static inline int64_t later(int64_t a, int64_t b)
     return a < b ? b : a;
 }
 
-/* When the latest accesses began. */
+/* The start times of the latest accesses. */
 struct begun {
     int64_t last, second, third;
 };
 
-/* What does not depend on the last access is known one access earlier: each
- * waits for one sum and one choice. */
+/* Computes the start time of each access. The part that does not depend on the last
+ * access is computed one access earlier, so that each access adds only one sum and one
+ * maximum to the chain of dependences. */
 static void begin_accesses(struct begun *begun, const struct waits *waits, size_t n)
 {
     struct begun now = *begun;
@@ -116,7 +124,8 @@ static uint64_t conflicts_of_latest(const struct banks *banks, uint64_t table,
 {
     int64_t access = (int64_t)banks->access, busy = (int64_t)banks->busy;
     struct begun begun = { -access, -access, -access };
-    double bank[LATEST + SPAN] = { -1, -1, -1 }; /* the latest first */
+    double bank[LATEST + SPAN] = { -1, -1, -1 }; /* banks of the preceding accesses come
+                                                    first */
     struct waits waits;
     for (size_t i = 0, n; i < count; i += n) {
         n = count - i < SPAN ? count - i : SPAN;
@@ -155,10 +164,10 @@ static uint64_t conflicts(const struct banks *banks, uint64_t table, unsigned st
                : conflicts_of_all(banks, table, step, indices, count);
 }
 
-/* ---- The same list again -------------------------------------------------- */
+/* ---- The same list again ------------------------------------------------ */
 
-/* Then all banks are others by the same distance, as long as no address continues at
- * the beginning of memory. */
+/* Returns true if a change of the table moves all accesses by the same number of banks.
+ * This holds as long as no address wraps around to the start of memory. */
 static bool is_whole(uint64_t table, unsigned step, c205_word spread)
 {
     return step == WORD_BITS && table % WORD_BITS == 0

@@ -1,18 +1,19 @@
-/* banks.h - memory banks, as far as gather and scatter feel them.
+/* banks.h - memory banks, as far as they delay gather and scatter.
  *
- * Word w lies in bank w mod count.  A bank that was accessed is busy for some
- * clocks (80 ns: source P); an access to it waits, and those behind it wait
- * with it.  One access a clock at most.
+ * Word w is in bank w mod count. An accessed bank is busy for some clocks (80 ns:
+ * source P). An access to a busy bank waits, and all later accesses wait with it. At
+ * most one access starts per clock.
  */
 #ifndef C205_BANKS_H
 #define C205_BANKS_H
 
 #include "vm/time/index_list.h"
 
-/* What the list that was met last took; of any other table the same if both are whole:
- * in whole words of the address space. */
+/* The result for the latest list. A list has the same conflicts with any other table if
+ * both tables are whole: they start at a word, step by a word, and stay within the
+ * address space. */
 struct bank_list {
-    uint64_t number; /* the list's; 0: there was none */
+    uint64_t number; /* the list's; 0: none */
     bool whole;
     uint64_t conflicts;
 };
@@ -20,16 +21,16 @@ struct bank_list {
 struct banks {
     size_t count;
     uint64_t access;   /* time of an access: a clock, in the clock's ticks */
-    uint64_t busy;     /* how long one keeps its bank busy */
-    uint64_t *free_at; /* when each takes the next access */
+    uint64_t busy;     /* time for which an access keeps its bank busy */
+    uint64_t *free_at; /* the time at which each bank takes the next access */
     struct bank_list latest;
 };
 
 bool banks_init(struct banks *banks, size_t count, uint64_t access, uint64_t busy);
 void banks_free(struct banks *banks);
 
-/* By how much the accesses to table + step x index, in this order, take
- * longer than one after the other; all banks are free at the beginning. */
+/* Returns the delay of the accesses to table + step x index, in this order, relative to
+ * accesses without conflicts. All banks are free at the start. */
 uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
                          const struct index_list *list);
 

@@ -8,7 +8,7 @@
 
 /* ---- The time line ------------------------------------------------------- */
 
-/* What is waited for. */
+/* The reason of a wait, for the record. */
 struct wait_reason {
     c205_wait wait;
     unsigned number;
@@ -18,14 +18,14 @@ static const struct wait_reason no_wait = { C205_WAIT_NONE, 0 },
                                 for_results = { C205_WAIT_RESULTS, 0 },
                                 for_vector = { C205_WAIT_VECTOR, 0 };
 
-/* For who listens. */
+/* Adds a piece of time to the record of the listener. */
 static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
                  size_t region, uint64_t pc, struct wait_reason reason)
 {
     c205_times *record = clock->record;
     if (clocks == 0)
         return;
-    if (record->piece_count == C205_PIECES) { /* never, so far */
+    if (record->piece_count == C205_PIECES) { /* has not happened so far */
         record->piece[C205_PIECES - 1].clocks += clocks;
         return;
     }
@@ -55,7 +55,7 @@ static inline void wait_until(struct clock *clock, uint64_t until, c205_cause ca
         spend_for(clock, until - clock->now, cause, reason);
 }
 
-/* Until a clock at which the vector unit is still at work: each piece is
+/* Waits until a clock at which the vector unit is still busy. Each piece of the wait is
  * charged to the phase in which it falls, in the region of that phase. */
 static inline void wait_through_phases(struct clock *clock, uint64_t until,
                                        struct wait_reason reason)
@@ -88,7 +88,8 @@ static void wait_for_slot(struct clock *clock, uint16_t slot)
         wait_until(clock, clock->ready[slot], (c205_cause)clock->awaits[slot], reason);
 }
 
-/* Sources must be ready; a result still on its way must have arrived. */
+/* All sources must be ready, and pending results of the result registers must have
+ * arrived. */
 static void wait_for_registers(struct clock *clock, const struct decoded *decoded)
 {
     for (unsigned i = 0; i < decoded->source_count; i++)
@@ -130,7 +131,7 @@ static void note_times(const struct clock *clock, uint64_t ready, uint64_t unit_
     clock->record->unit_free = unit_free;
 }
 
-/* Issue to a unit; gives the clock at which the result is ready. */
+/* Issues to a unit. Returns the clock at which the result is ready. */
 static uint64_t issue(struct clock *clock, const struct decoded *decoded,
                       c205_cause awaits)
 {
@@ -169,8 +170,8 @@ static inline struct translation translate(struct clock *clock,
     return met;
 }
 
-/* A scalar instruction that uses memory waits for the vector unit and for
- * the translation of its addresses. */
+/* A scalar instruction that uses memory waits for the vector unit and for the
+ * translation of its addresses. */
 static void reach_memory(struct clock *clock, const struct effect *effect)
 {
     wait_for_vector(clock);
@@ -193,8 +194,8 @@ static void charge_load(struct clock *clock, const struct decoded *decoded)
         clock->load = 0;
 }
 
-/* SWAP moves registers, so all of them must be there; nothing issues before
- * it is done. */
+/* SWAP moves registers, so all of them must be ready. Nothing issues before it is
+ * done. */
 static void charge_swap(struct clock *clock, const struct decoded *decoded,
                         const struct effect *effect)
 {
@@ -239,7 +240,7 @@ static void charge_branch(struct clock *clock, const struct decoded *decoded,
     spend(clock, clock->branch_out_of_stack, C205_BRANCH);
 }
 
-/* The monitor takes over until it has done what it was asked for. */
+/* The monitor runs until it has served the request. */
 static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 {
     uint64_t done = issue(clock, decoded, C205_OPERAND_WAIT);
@@ -257,7 +258,7 @@ static void note_phase(const struct clock *clock, uint64_t clocks, c205_cause ca
     record->phase[i].cause = cause;
 }
 
-/* From the vector unit's end on, which moves. */
+/* Appends a phase at the end of the vector unit's work, which moves. */
 static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
 {
     struct phase *phase = &clock->phase[clock->phase_count];
@@ -273,8 +274,8 @@ static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause ca
     clock->phase_count++;
 }
 
-/* Forget the phases that are over: all but a stream under which the start-up
- * of the next instruction hides. */
+/* Drops the phases that have ended. It keeps a stream that overlaps the start-up of the
+ * next instruction. */
 static inline void drop_phases(struct clock *clock)
 {
     size_t kept = 0;
@@ -289,8 +290,9 @@ static uint64_t lesser(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-/* The clock at which the vector unit takes an instruction with this start-up:
- * up to overlap clocks of it hide under the stream of the one before. */
+/* Returns the clock at which the vector unit accepts an instruction with this start-up.
+ * Up to overlap clocks of the start-up hide under the stream of the previous
+ * instruction. */
 static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
 {
     uint64_t hidden = lesser(lesser(clock->overlap, startup), clock->vector_tail);
@@ -309,7 +311,8 @@ static inline struct rate class_rate(const struct clock *clock,
     return half ? timing->half_stream : timing->stream;
 }
 
-/* A linked pair is of one size, and goes at the rate of the slowest. */
+/* Both members of a linked pair have one size. The pair runs at the rate of the
+ * slowest. */
 static struct rate pair_rate(const struct clock *clock, const struct decoded *decoded)
 {
     const struct decoded *const *linked = decoded->linked;
@@ -331,8 +334,8 @@ static inline struct rate stream_rate(const struct clock *clock,
     return class_rate(clock, decoded, decoded->fields.g & C205_G_HALF);
 }
 
-/* That of a linked pair is of two units that start up as the addition does;
- * what one of them takes longer comes on top. */
+/* The start-up of a linked pair assumes two units that start up like the addition. A
+ * member that takes longer adds the difference. */
 static inline uint64_t startup_of(const struct clock *clock,
                                   const struct decoded *decoded)
 {
@@ -356,7 +359,7 @@ static inline void add_phases(struct clock *clock, const struct decoded *decoded
     clock->vector_tail = stream;
     clock->vector_pc = decoded->pc;
     add_phase(clock, startup, C205_VECTOR_STARTUP);
-    if (met.misses > 0) { /* no fault without */
+    if (met.misses > 0) { /* there is no fault without a miss */
         add_phase(clock, met.misses * clock->translation_miss, C205_TRANSLATION_MISS);
         add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
     }
@@ -368,7 +371,7 @@ static inline void add_phases(struct clock *clock, const struct decoded *decoded
     add_phase(clock, stream, C205_VECTOR_STREAM);
 }
 
-/* The registers of a linked pair are those of its members. */
+/* A linked pair uses the registers of its members. */
 static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
 {
     for (size_t i = 0; i < 2; i++)
@@ -474,7 +477,7 @@ static uint64_t registers_ready(const struct clock *clock,
     return ready;
 }
 
-/* When a vector instruction begins to stream. */
+/* Returns the clock at which a vector instruction starts to stream. */
 static uint64_t stream_begin(const struct clock *clock, const struct decoded *decoded)
 {
     uint64_t startup = startup_of(clock, decoded);
@@ -486,7 +489,7 @@ static uint64_t stream_begin(const struct clock *clock, const struct decoded *de
     return later(issue, vector_free_at(clock, startup)) + startup;
 }
 
-/* The most elements for which at_rate is no more than clocks. */
+/* Returns the largest number of elements for which at_rate is at most clocks. */
 static size_t in_clocks(struct rate rate, uint64_t clocks)
 {
     if (rate.clocks == 0)
@@ -513,7 +516,7 @@ static void keep_charged(struct clock *clock)
     clock->ahead = true;
 }
 
-/* Nothing is waited for beyond a clock. */
+/* Limits all pending times to a clock, so that nothing waits beyond it. */
 static void cut_at(struct clock *clock, uint64_t until)
 {
     for (size_t i = 0; i < SLOTS; i++)
@@ -527,7 +530,7 @@ static void cut_at(struct clock *clock, uint64_t until)
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until)
 {
     uint64_t begin = stream_begin(clock, decoded);
-    struct clock cut = *clock; /* with the same accounts */
+    struct clock cut = *clock; /* shares the accounts with the original */
     cut.record = NULL;
     keep_charged(clock);
     cut_at(&cut, until);
@@ -562,7 +565,7 @@ void clock_commit(struct clock *clock)
     clock->ahead = false;
 }
 
-/* ---- Looking at it ------------------------------------------------------- */
+/* ---- Queries ------------------------------------------------------------ */
 
 uint64_t clock_now(const struct clock *clock)
 {

@@ -1,22 +1,22 @@
-/* clock.h - time: what each instruction costs, and to which cause.
+/* clock.h - the clock: what each instruction costs, and which cause it is charged to.
  *
- * Time knows no semantics: it sees the decoded instruction (which unit,
- * which registers) and its effect (how long, which addresses).  All constants
- * come from the model.  Every clock is charged to one cause of one region:
- * the time line is cut at each step and the piece between two cuts charged.
+ * The clock knows no semantics. Its input is the decoded instruction (unit, registers)
+ * and its effect (length, addresses). All constants come from the model. Every clock is
+ * charged to one cause in one region: the time line is cut at each step, and the piece
+ * between two cuts is charged.
  *
- * Scalar unit: instructions issue in order, at most one a clock; an
- * instruction waits for its operands (a scoreboard of when each register is
- * ready), for its unit, for memory.  Vector unit: start-up, then the stream;
- * the issue clock is the first of the start-up.  The scalar unit runs on under
- * a vector instruction unless it needs memory, its result, or the vector
- * unit; clocks it then waits are charged to the phase of the vector
- * instruction in which they fall, and to that instruction's region.
+ * Scalar unit: instructions issue in order, at most one per clock. An instruction waits
+ * for its operands (a scoreboard holds the time at which each register is ready), for
+ * its unit and for memory. Vector unit: the start-up comes first, then the stream. The
+ * issue clock is the first clock of the start-up. The scalar unit continues during a
+ * vector instruction unless it needs memory, the vector result or the vector unit.
+ * Clocks that it then waits are charged to the phase of the vector instruction in which
+ * they fall, and to the region of that instruction.
  *
- * An instruction is charged as a whole when it has executed.  Where a run
- * stops before that, by a trap or within a vector instruction, the clock
- * shows ahead the time at which it stopped; when the run continues it goes back
- * to what has been charged, so that the total does not depend on the stop.
+ * An instruction is charged as a whole after it has executed. If a run stops earlier,
+ * by a trap or within a vector instruction, the clock shows the time of the stop ahead
+ * of the charge. When the run continues, the clock returns to the charged time, so the
+ * total does not depend on the stop.
  */
 #ifndef C205_CLOCK_H
 #define C205_CLOCK_H
@@ -26,61 +26,65 @@
 struct clock;
 struct serializer;
 
-/* A model is complete and in range.  NULL: the host has no memory left. */
+/* Returns a new clock. The model must be complete and in range. NULL: the host is out
+ * of memory. */
 struct clock *clock_new(const c205_model *model, c205_error *error);
 void clock_free(struct clock *clock);
 
-/* Name the regions, whose accounts start at zero.  names[0] is "". */
+/* Sets the names of the regions and zeroes their accounts. names[0] is "". Returns
+ * false if the host is out of memory. */
 bool clock_set_regions(struct clock *clock, const char *const *names, size_t count,
                        c205_error *error);
 
-/* Time and accounts to zero, pipes empty; which pages are resident and in
- * the associative registers stays.  clock_forget_pages forgets that too. */
+/* clock_reset sets time and accounts to zero and empties the pipes, but keeps the
+ * resident pages and the associative registers. clock_forget_pages clears those. */
 void clock_reset(struct clock *clock);
 void clock_forget_pages(struct clock *clock);
 
-/* The pages of a range are known and resident. */
+/* Makes the pages of a range resident and known to the associative registers. */
 void clock_warm_page(struct clock *clock, uint64_t address, uint64_t bits);
 
-/* One instruction has executed. */
+/* Charges one instruction that has executed. */
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);
-/* The first so many of a block have executed; the effect is that of all.
- * From the first block on until it is unfolded a clock is folded, and may be
- * asked for nothing but clock_now. */
+/* Charges the first count instructions of a block, which have executed; effect combines
+ * their effects. The first such call makes the clock lazy. Until clock_materialize,
+ * only clock_now may be called on a lazy clock. */
 void clock_charge_block(struct clock *clock, struct code_block *block, unsigned count,
                         const struct effect *effect);
 void clock_materialize(struct clock *clock);
-/* A block is new. */
+/* Sets the longest time that a new block can take (block->longest). */
 void clock_measure(const struct clock *clock, struct code_block *block);
-/* When all is done that is in flight; of a clock that is not folded. */
+/* Returns the clock at which everything in flight is done. The clock must not be
+ * lazy. */
 uint64_t clock_all_done(const struct clock *clock);
-/* Wait until everything in flight is done, and charge it. */
+/* Waits until everything in flight is done, and charges the wait. */
 void clock_drain(struct clock *clock);
 
-/* From now on the record is that of the latest instruction; NULL: of none. */
+/* Sets the record that receives the times of each instruction from now on; NULL:
+ * none. */
 void clock_listen(struct clock *clock, c205_times *record);
-/* The clock at which the latest instruction issued. */
+/* Returns the clock at which the latest instruction issued. */
 uint64_t clock_issued(const struct clock *clock);
 
-/* How many elements of a vector instruction that comes next will have
- * streamed at a clock.  What only its execution tells, misses, faults and
- * conflicts, does not count. */
+/* Returns the number of elements of the next vector instruction that will have streamed
+ * at a given clock. Misses, faults and conflicts are known only after execution and are
+ * not included. */
 size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
                       uint64_t until);
-/* Show how the clock is at that clock, within that instruction; or when
- * everything in flight is done. */
+/* clock_show shows the clock as it is at a given time within that instruction.
+ * clock_show_drained shows it when everything in flight is done. */
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until);
 void clock_show_drained(struct clock *clock);
-/* Go back to what has been charged; or charge what is shown. */
+/* clock_go_back returns to the charged time. clock_commit charges what is shown. */
 void clock_go_back(struct clock *clock);
 void clock_commit(struct clock *clock);
 
-/* Write all of a clock, its names of regions aside, to a serializer; or fill one
- * with the same model and regions from there. */
+/* Writes the whole clock except the names of its regions to a serializer, or reads it
+ * into a clock with the same model and regions. */
 void clock_walk(struct clock *clock, struct serializer *serializer);
 
-/* The clocks charged so far: the sum of all accounts. */
+/* Returns the clocks charged so far: the sum of all accounts. */
 uint64_t clock_now(const struct clock *clock);
 size_t clock_account_count(const struct clock *clock);
 const c205_account *clock_account(const struct clock *clock, size_t i);

@@ -1,4 +1,6 @@
-/* clock_make.c - a clock from its model, its beginning and its end. */
+/* clock_make.c - creates, resets and frees a clock, and reads its constants from a
+ * model.
+ */
 #include "vm/time/schedule.h"
 
 #include <stdio.h>
@@ -35,7 +37,7 @@ static void read_constants(struct clock *clock, const c205_model *model)
     clock->swap_word = model_rate(model, CONSTANT_SWAP_WORD);
 }
 
-/* How many of something there are: constants.def keeps it small. */
+/* Returns a count; constants.def keeps it small. */
 static size_t model_count(const c205_model *model, enum constant id)
 {
     return (size_t)model_whole(model, id);
@@ -91,7 +93,7 @@ bool clock_set_regions(struct clock *clock, const char *const *names, size_t cou
                  count == 1 ? "" : "s");
         return false;
     }
-    clock->generation++; /* schedules name accounts that are no more */
+    clock->generation++; /* the schedules point to accounts that no longer exist */
     clock_reset(clock);
     return true;
 }
@@ -117,8 +119,8 @@ void clock_reset(struct clock *clock)
     clock->now = 0;
     clock->ahead = false;
     clock->account = &clock->accounts.account[0];
-    clock->region = SIZE_MAX;       /* the first instruction enters its own */
-    clock->stack.next = UINT64_MAX; /* and begins the instruction stack */
+    clock->region = SIZE_MAX;       /* the first instruction enters its own region */
+    clock->stack.next = UINT64_MAX; /* and starts the instruction stack */
 }
 
 void clock_forget_pages(struct clock *clock)

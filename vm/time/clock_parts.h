@@ -1,4 +1,5 @@
-/* clock_parts.h - the inside of a clock, for what runs it and what saves it.
+/* clock_parts.h - the internal state of a clock, for the files that advance and save
+ * it.
  */
 #ifndef C205_CLOCK_PARTS_H
 #define C205_CLOCK_PARTS_H
@@ -9,30 +10,31 @@
 #include "vm/time/model.h"
 #include "vm/time/pages.h"
 
-/* A timing class, its constants taken from the model. */
+/* A timing class with its constants from the model. */
 struct clock_timing {
     uint64_t latency, busy;          /* scalar */
-    uint64_t startup;                /* vector .. */
-    struct rate stream, half_stream; /* of words, of half words */
+    uint64_t startup;                /* vector */
+    struct rate stream, half_stream; /* vector: of words, of half words */
 };
 
-/* What keeps the vector unit until a clock, and whom that is charged to. */
+/* A phase occupies the vector unit until its end; waits in it are charged to its cause
+ * and region. */
 struct phase {
     uint64_t end;
     c205_cause cause;
     size_t region;
     uint64_t pc; /* of the instruction */
 };
-/* Start-up, misses, faults, conflicts, stream; and the tail of the stream of
- * the instruction before, under which the start-up hides. */
+/* Start-up, misses, faults, conflicts and stream, plus the tail of the stream of the
+ * previous instruction, which overlaps the start-up. */
 enum { PHASES = 6 };
 
-/* What a register waits for, besides C205_OPERAND_WAIT and _MEMORY_WAIT. */
+/* A register may wait for C205_OPERAND_WAIT, C205_MEMORY_WAIT or the vector unit. */
 enum { FOR_VECTOR = C205_CAUSES };
 
-/* The instruction stack: the last words of code that ran straight on. */
+/* The instruction stack: the last words of code that were executed in sequence. */
 struct stack {
-    uint64_t next;      /* address, if control runs straight on */
+    uint64_t next;      /* address, if control continues in sequence */
     uint64_t low, high; /* words */
 };
 
@@ -43,7 +45,7 @@ static inline void stack_begin(struct stack *stack, uint64_t address)
     stack->low = stack->high = address >> WORD_SHIFT;
 }
 
-/* Up to a next address; it has room for so many words. */
+/* Extends the stack up to the next address, limited to a capacity in words. */
 static inline void stack_extend(struct stack *stack, uint64_t next, uint64_t words)
 {
     uint64_t word = (next - 1) >> WORD_SHIFT;
@@ -65,29 +67,28 @@ struct in_flight;
 
 struct clock {
     uint64_t now;
-    bool ahead;            /* now and the accounts show a later time than .. */
-    uint64_t kept_now;     /* .. this, with the accounts kept, from which the
-                              clock continues */
-    c205_account *account; /* of the region in which the program is */
+    bool ahead;            /* now and the accounts show a later time than was charged */
+    uint64_t kept_now;     /* if ahead: the charged time, from which the clock
+                              continues; the accounts have a copy too */
+    c205_account *account; /* of the current region */
     size_t region;
 
-    uint64_t ready[SLOTS]; /* the clock at which each register is ready .. */
-    uint8_t awaits[SLOTS]; /* .. and the cause of waiting for it */
-    uint64_t results_done; /* all registers are ready */
-    uint64_t loads_done;   /* all loads are */
+    uint64_t ready[SLOTS]; /* the clock at which each register is ready */
+    uint8_t awaits[SLOTS]; /* the cause charged for waiting for it */
+    uint64_t results_done; /* the clock at which all registers are ready */
+    uint64_t loads_done;   /* the clock at which all loads are done */
     uint64_t free_at[C205_UNITS];
     uint64_t load_end[MAX_LOADS]; /* of the last loads_in_flight loads */
     size_t load;                  /* the oldest of them */
 
-    uint64_t issued;           /* the latest instruction did then .. */
-    struct c205_times *record; /* .. and this is all about its time; NULL:
-                                    nobody listens */
+    uint64_t issued;           /* when the latest instruction issued */
+    struct c205_times *record; /* receives the times of each instruction; NULL: none */
 
     struct phase phase[PHASES];
     size_t phase_count;
-    uint64_t vector_end;  /* the end of the last phase .. */
-    uint64_t vector_tail; /* .. and how much of it may hide a start-up */
-    uint64_t vector_pc;   /* of the instruction whose phases are added */
+    uint64_t vector_end;  /* the end of the last phase */
+    uint64_t vector_tail; /* clocks of it that may hide a start-up */
+    uint64_t vector_pc;   /* of the instruction that is adding phases */
 
     struct stack stack;
 
@@ -102,14 +103,14 @@ struct clock {
     struct clock_accounts accounts;
 
     struct schedules *schedules;    /* of blocks (schedule.h) */
-    uint64_t generation;            /* counts how often all were forgotten,
-                                     from one */
-    struct schedule *charged;       /* those followed that the accounts do not
-                                     have yet */
-    const struct in_flight *flight; /* if not NULL, what is in flight, in place
-                                     of ready, awaits, results_done,
-                                     loads_done, free_at and load_end */
-    unsigned blocks_since;          /* blocks since it was NULL */
+    uint64_t generation;            /* counts the times that all schedules were dropped,
+                                       from 1 */
+    struct schedule *charged;       /* schedules followed but not yet added to the
+                                       accounts */
+    const struct in_flight *flight; /* NULL, or the state in flight, which then replaces
+                                       ready, awaits, results_done, loads_done, free_at
+                                       and load_end */
+    unsigned blocks_since;          /* number of blocks since flight was NULL */
 };
 
 static inline void clock_enter_region(struct clock *clock, size_t region)

@@ -1,10 +1,10 @@
-/* clock_save.c - all that a clock is beyond its model, on a serializer. */
+/* clock_save.c - serializes the state of a clock, without its model. */
 #include "vm/time/clock_parts.h"
 #include "vm/memory.h"
 #include "vm/serializer.h"
 
-/* No run gets that far (3,000 years of the machine); sums of such times
- * with what one instruction costs do not overflow. */
+/* The latest time accepted in a file: 3,000 years of the machine, which no run reaches.
+ * Adding the cost of one instruction to such a time cannot overflow. */
 #define LATEST (UINT64_MAX >> 2)
 
 static const char wrong_account[] = "the accounts of the saved machine are wrong";
@@ -23,7 +23,7 @@ static void walk_account(c205_account *account, struct serializer *serializer)
     serializer_word(serializer, &account->entries);
 }
 
-/* The region, counted from one: none has been entered yet. */
+/* Writes the region, counted from 1. 0: no region has been entered yet. */
 static void walk_region(struct clock *clock, struct serializer *serializer)
 {
     size_t entered = clock->region + 1;
@@ -46,7 +46,7 @@ static void walk_accounts(struct clock *clock, struct serializer *serializer)
                        wrong_account);
 }
 
-/* What has been charged, where more than that is shown. */
+/* Writes the charged time and accounts if the clock shows more than that. */
 static void walk_charged(struct clock *clock, struct serializer *serializer)
 {
     size_t ahead = clock->ahead;
@@ -76,7 +76,7 @@ static void walk_time(uint64_t *time, struct serializer *serializer)
     serializer_require(serializer, *time <= LATEST, wrong_flight);
 }
 
-/* What is over is saved as if it had been over at clock 0. */
+/* A time in the past is saved as 0. */
 static void walk_pending(const struct clock *clock, uint64_t *time,
                          struct serializer *serializer)
 {
@@ -96,7 +96,7 @@ static void walk_register(struct clock *clock, size_t slot,
         clock->awaits[slot] = (uint8_t)awaits;
 }
 
-/* From the oldest on. */
+/* The loads are saved from the oldest on. */
 static void walk_loads(struct clock *clock, struct serializer *serializer)
 {
     size_t loads = (size_t)clock->loads_in_flight, oldest = 0;
@@ -131,8 +131,8 @@ static void walk_phase(struct phase *phase, size_t regions,
     serializer_word(serializer, &phase->pc);
 }
 
-/* The phases follow each other up to the end; before the last one begins,
- * no start-up may hide. */
+/* The ends of the phases must not decrease and the last one must be vector_end. A
+ * start-up may hide only in the last phase. */
 static bool phases_are_sound(const struct clock *clock)
 {
     if (clock->phase_count == 0)
@@ -147,7 +147,7 @@ static bool phases_are_sound(const struct clock *clock)
     return true;
 }
 
-/* A register that the vector unit delivers is ready when that is done. */
+/* A pending register of the vector unit must be ready by the end of the vector unit. */
 static bool output_are_sound(const struct clock *clock)
 {
     for (size_t i = 0; i < SLOTS; i++)
@@ -188,7 +188,7 @@ static void write_page_list(const struct pages *pages, struct serializer *serial
     }
 }
 
-/* No page is in the list twice. */
+/* No page may be in the list twice. */
 static void read_page_list(struct pages *pages, struct serializer *serializer)
 {
     struct translation met = { 0, 0 };
@@ -205,7 +205,8 @@ static void read_page_list(struct pages *pages, struct serializer *serializer)
     serializer_require(serializer, met.faults == count, wrong_pages);
 }
 
-/* From the oldest page to the latest: as they were looked up. */
+/* The list is saved from the oldest page to the latest, which is the order of the
+ * look-ups that rebuild it. */
 static void walk_page_list(struct pages *pages, struct serializer *serializer)
 {
     if (serializer_is_read(serializer))

@@ -1,3 +1,4 @@
+/* in_flight.c - stores states in flight in a hash table, and reads and writes them. */
 #include "vm/time/in_flight.h"
 
 #include "vm/hash.h"
@@ -5,7 +6,7 @@
 
 #include <string.h>
 
-/* ---- Names --------------------------------------------------------------- */
+/* ---- The hash table ----------------------------------------------------- */
 
 static size_t pending_count(const struct in_flight *flight)
 {
@@ -64,14 +65,14 @@ void in_flight_clear(struct in_flight_table *flights)
     flights->count = 0;
 }
 
-/* ---- Looking ------------------------------------------------------------- */
+/* ---- Reading and writing ------------------------------------------------ */
 
 static uint64_t from_now(const struct clock *clock, uint64_t time)
 {
     return time > clock->now ? time - clock->now : 0;
 }
 
-/* False: there are too many, or it takes too long. */
+/* Returns false if there are too many pending entries or one takes too long. */
 static bool add_pending(struct in_flight *flight, size_t *count, size_t place,
                         uint64_t clocks, unsigned awaits)
 {

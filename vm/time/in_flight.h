@@ -1,5 +1,9 @@
-/* in_flight.h - all that is in flight in the scalar unit, by name: what has the
- * same registers, units and loads pending for as long is one flight.
+/* in_flight.h - the state in flight in the scalar unit, stored once for each distinct
+ * state.
+ *
+ * Two states are equal if the same registers, units and loads are pending for the same
+ * numbers of clocks. Equal states have one address, so schedules compare states by
+ * pointer.
  */
 #ifndef C205_IN_FLIGHT_H
 #define C205_IN_FLIGHT_H
@@ -9,20 +13,20 @@
 
 enum { MAX_PENDING = 48, FLIGHTS = 1 << (TABLE_BITS - 3) };
 
-/* A register, a unit or a load, and how long it takes yet. */
+/* A pending register, unit or load, and the clocks until it is ready. */
 struct pending {
     uint32_t clocks;
     uint16_t place;
     uint16_t awaits; /* registers: the cause of waiting for it */
 };
 
-/* In clocks from now. */
+/* All times are in clocks from now. */
 struct in_flight {
     uint64_t results_done, loads_done;
     uint64_t latest;                     /* when the last of it is done */
-    size_t registers, units, loads;      /* so many of each are pending .. */
-    struct pending pending[MAX_PENDING]; /* .. in this order, each by its
-                                             place, loads from the oldest */
+    size_t registers, units, loads;      /* number of pending ones of each kind */
+    struct pending pending[MAX_PENDING]; /* in this order, each by its index, loads from
+                                            the oldest */
     struct in_flight *chained;           /* the next with the same hash */
 };
 
@@ -33,16 +37,17 @@ struct in_flight_table {
     struct in_flight flight[FLIGHTS];
 };
 
-/* What is in flight; false: too much. */
+/* Reads the state in flight from a clock. Returns false if it is too large. */
 bool in_flight_look(const struct clock *clock, struct in_flight *flight);
 bool in_flight_is_nothing(const struct clock *clock);
-/* The one of all that are the same; NULL: there is no room for it. */
+/* Returns the stored state that equals this one, and stores it if it is new. NULL:
+ * there is no room for it. */
 const struct in_flight *in_flight_named(struct in_flight_table *flights,
                                         const struct in_flight *flight);
-/* Before all else; the flights themselves need no zeros. */
+/* in_flight_init must be called first; the array flight needs no zeroing. */
 void in_flight_init(struct in_flight_table *flights);
 void in_flight_clear(struct in_flight_table *flights);
-/* Put it back to where in_flight_look looks. */
+/* Writes a state back to the fields that in_flight_look reads. */
 void in_flight_show(struct clock *clock, const struct in_flight *flight);
 
 #endif

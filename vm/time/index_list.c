@@ -1,3 +1,4 @@
+/* index_list.c - compares each list of indices with a copy of the previous one. */
 #include "vm/time/index_list.h"
 
 #include <stdlib.h>
@@ -18,7 +19,7 @@ static c205_word spread_of(const c205_word *indices, size_t count)
     return spread;
 }
 
-/* Without memory for it no list is that of before. */
+/* Copies a list. Without memory for a copy, every list counts as new. */
 static void keep(struct index_list *list, const c205_word *indices, size_t count)
 {
     list->kept_count = SIZE_MAX;

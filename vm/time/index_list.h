@@ -1,8 +1,8 @@
-/* index_list.h - the list of indices of a gather or scatter, and whether it is
- * that of the one before.
+/* index_list.h - the list of indices of a gather or scatter, and whether it equals the
+ * previous list.
  *
- * Records are gathered word by word with one list, each word from a table of its
- * own: what a list costs then is known from the first of them, or nearly so.
+ * Programs gather records word by word with one list, each word from a table of its
+ * own. Most of the cost of such a list is known after the first of them.
  */
 #ifndef C205_INDEX_LIST_H
 #define C205_INDEX_LIST_H
@@ -12,13 +12,14 @@
 struct index_list {
     const c205_word *indices;
     size_t count;
-    uint64_t number;  /* lists with the same number are the same; never 0 */
-    c205_word spread; /* all bits of its indices; none is greater */
-    c205_word *kept;  /* a copy of it, if there is one, and its room */
+    uint64_t number;  /* equal lists have equal numbers; never 0 */
+    c205_word spread; /* the OR of its indices; no index is greater */
+    c205_word *kept;  /* a copy of the latest list or NULL, and its capacity */
     size_t kept_count, room;
 };
 
-/* All zeros before. */
+/* Makes the indices the current list and sets its number. The list must be zeroed
+ * before the first call. */
 void index_list_meet(struct index_list *list, const c205_word *indices, size_t count);
 void index_list_free(struct index_list *list);
 

@@ -1,4 +1,6 @@
-/* model.c - machine models: text files of constants, each with its source. */
+/* model.c - parses machine models, which are text files of constants with their
+ * sources.
+ */
 #include "vm/time/model_parts.h"
 
 #include <math.h>
@@ -18,7 +20,7 @@
         "stream." #name, RATE, "", 0, MILLION \
     }
 
-/* What a machine has to say, and behind it what a projection has. */
+/* The rules for machines, followed by the rules for projections. */
 static const struct rule rules[CONSTANTS + PROJECTION_CONSTANTS] = {
 #define CONSTANT(id, name, kind, unit, least, most) { name, kind, unit, least, most },
 #include "vm/time/constants.def"
@@ -34,9 +36,9 @@ enum { RATE_UNITS = sizeof rate_units / sizeof rate_units[0] };
 
 struct model_reader {
     c205_model *model;
-    const char *line; /* that is being read .. */
-    const char *at;   /* .. and its last word */
-    c205_place place; /* of the line; the column that of an error */
+    const char *line; /* the current line */
+    const char *at;   /* its last word */
+    c205_place place; /* of the line; on an error, of its column too */
     c205_error *error;
 };
 
@@ -62,7 +64,7 @@ static char *skip_blanks(char *at)
     return at;
 }
 
-/* Cut the next word off a line; "" when there is none. */
+/* Splits the next word off a line; "" if there is none. */
 static char *next_word(struct model_reader *reader, char **line)
 {
     char *word = skip_blanks(*line), *end = word;
@@ -74,7 +76,7 @@ static char *next_word(struct model_reader *reader, char **line)
     return word;
 }
 
-/* What is left of a line, without the blanks around it. */
+/* Returns the rest of a line without surrounding blanks. */
 static char *rest_of(struct model_reader *reader, char *line)
 {
     line = skip_blanks(line);
@@ -85,7 +87,7 @@ static char *rest_of(struct model_reader *reader, char *line)
     return line;
 }
 
-/* "3.25" as 3250000.  At most nine digits before the point, six after. */
+/* Reads "3.25" as 3250000: at most ten digits, and at most six after the point. */
 static bool read_millionths(const char *text, uint64_t *millionths)
 {
     unsigned before = 0, after = 0;
@@ -103,7 +105,7 @@ static bool read_millionths(const char *text, uint64_t *millionths)
     return true;
 }
 
-/* ---- What a constant may be ---------------------------------------------- */
+/* ---- Checks of constants ------------------------------------------------ */
 
 static bool refuse(c205_error *error, const char *format, ...)
 {
@@ -122,7 +124,7 @@ bool model_check_whole(const struct rule *rule, const char *text, uint64_t milli
            || refuse(error, "%s must be a whole number, not %.20s", rule->name, text);
 }
 
-/* Small pages (source R), large pages (P). */
+/* Page sizes: small pages (source R), large pages (P). */
 static bool check_page(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error)
 {
@@ -184,7 +186,7 @@ bool model_find_rule(const c205_model *model, const char *name, size_t *index)
     return false;
 }
 
-/* name value unit source # remark */
+/* Parses: name value unit source # remark */
 static bool read_constant(struct model_reader *reader, const char *name, char *line,
                           char *remark)
 {
@@ -231,7 +233,7 @@ static void take_rules(c205_model *model, bool projection)
     model->count = projection ? PROJECTION_CONSTANTS : CONSTANTS;
 }
 
-/* The times of another machine follow, with constants of their own. */
+/* Parses 'projection': the constants of another machine follow. */
 static bool read_projection(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
@@ -245,7 +247,7 @@ static bool read_projection(struct model_reader *reader, char *line)
     return true;
 }
 
-/* Take over all constants of a built-in model. */
+/* Parses 'like': inherits all constants of a built-in model. */
 static bool read_like(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
@@ -280,7 +282,7 @@ static bool read_title(struct model_reader *reader, char *line)
     return true;
 }
 
-/* 13 figures, at most -56.1 % off: NAME */
+/* Parses a line such as: 13 figures, at most -56.1 % off: NAME */
 static bool read_belief(struct model_reader *reader, const char *keyword,
                         c205_belief *belief, char *line)
 {
@@ -423,7 +425,7 @@ void c205_model_free(c205_model *model)
     free(model);
 }
 
-/* ---- What a model says --------------------------------------------------- */
+/* ---- Access ------------------------------------------------------------- */
 
 const char *c205_model_name(const c205_model *model)
 {
@@ -486,7 +488,7 @@ static bool is_shared(const c205_model *model, enum constant id)
     return !strcmp(model->constant[id].shown.unit, shared_rate);
 }
 
-/* Of elements of which a pipe takes so many at once. */
+/* Returns the rate for elements of which a pipe takes at_once per clock. */
 static struct rate rate_of(const c205_model *model, enum constant id,
                            enum constant at_once)
 {

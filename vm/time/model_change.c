@@ -1,4 +1,4 @@
-/* model_change.c - a model with some of its constants changed. */
+/* model_change.c - copies a model with some of its constants changed. */
 #include "vm/time/model_parts.h"
 
 #include <inttypes.h>
@@ -11,13 +11,13 @@ enum { VALUE_SIZE = 32 };
 
 /* ---- Values -------------------------------------------------------------- */
 
-/* Of what no constant can be: OUT_OF_RANGE. */
+/* Returns OUT_OF_RANGE for a value that no constant can have. */
 static uint64_t millionths_of(double value)
 {
     return value >= 0 && value < 1e10 ? (uint64_t)(value * MILLION + .5) : OUT_OF_RANGE;
 }
 
-/* As a model file would have it: "3.25". */
+/* Writes a value as a model file would: "3.25". */
 static void write_value(double value, char *text)
 {
     uint64_t millionths = millionths_of(value);
@@ -41,7 +41,7 @@ static bool check_value(const struct rule *rule, const char *text, uint64_t mill
            && model_check_range(rule, text, millionths, error);
 }
 
-/* The text is filled and stays with the model. */
+/* Sets a constant. Fills text, which stays with the model. */
 static bool set_value(c205_model *model, const c205_setting *setting, bool whole,
                       char *text, c205_error *error)
 {
@@ -66,13 +66,13 @@ static bool set_value(c205_model *model, const c205_setting *setting, bool whole
 
 /* ---- The changed model --------------------------------------------------- */
 
-/* The value of a setting as text. */
+/* Returns the buffer for the value of a setting. */
 static char *value_text(const c205_model *changed, size_t setting)
 {
     return changed->text + setting * VALUE_SIZE;
 }
 
-/* With room for its texts: a value for each setting. */
+/* Copies a model, with a text buffer for each setting. */
 static c205_model *copy_model(const c205_model *model, size_t count)
 {
     static const c205_belief none;
@@ -91,7 +91,7 @@ static c205_model *copy_model(const c205_model *model, size_t count)
     return NULL;
 }
 
-/* "NAME with machine.pipes 4, page.words 512" */
+/* Sets a name such as "NAME with machine.pipes 4, page.words 512". */
 static bool name_change(c205_model *changed, const c205_setting *settings, size_t count)
 {
     const char *name = changed->like->name;
@@ -133,14 +133,14 @@ c205_model *c205_model_change(const c205_model *model, const c205_setting *setti
     return change(model, settings, count, true, error);
 }
 
-/* ---- In ticks ------------------------------------------------------------ */
+/* ---- Models in ticks ---------------------------------------------------- */
 
 static bool is_time(const c205_constant *shown)
 {
     return !strncmp(shown->unit, "clk", 3);
 }
 
-/* Whole numbers must be whole in ticks. */
+/* Converts times to ticks. Integer constants are rounded to whole ticks. */
 static void scale(c205_model *model, uint64_t ticks)
 {
     model->ticks = ticks;

@@ -1,4 +1,4 @@
-/* model_find.c - where models come from: those built in, and files. */
+/* model_find.c - loads machine models: built-in ones by name, others from files. */
 #include "vm/time/model_parts.h"
 #include "vm/text.h"
 
@@ -31,7 +31,7 @@ static char *join_lines(const char *const *lines)
     return text;
 }
 
-/* The whole of a file; NULL with a message. */
+/* Returns the content of a file, or NULL with a message. */
 static char *read_file(const char *path, c205_error *error)
 {
     errno = 0;

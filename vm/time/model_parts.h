@@ -1,5 +1,5 @@
-/* model_parts.h - the inside of a machine model, for what reads, finds and
- * changes one.
+/* model_parts.h - the internal structure of a machine model, for the files that parse,
+ * find and change models.
  */
 #ifndef C205_MODEL_PARTS_H
 #define C205_MODEL_PARTS_H
@@ -8,7 +8,7 @@
 
 enum constant_kind { WHOLE, DECIMAL, RATE, PAGE };
 
-/* What a constant may be. */
+/* The constraints on a constant. */
 struct rule {
     const char *name;
     enum constant_kind kind;
@@ -18,32 +18,33 @@ struct rule {
 
 struct c205_model {
     char *name;
-    char *text;             /* cut into the strings that the constants point to */
-    const c205_model *like; /* whose constants it took over, or NULL .. */
-    c205_model *own;        /* .. the same, if it goes with this model */
+    char *text;             /* split into the strings that the constants point to */
+    const c205_model *like; /* the model whose constants it inherits, or NULL */
+    c205_model *own;        /* equal to like if this model must free it, or NULL */
     const char *title;
     c205_belief fitted, compared;
-    const struct rule *rules; /* that hold for it .. */
-    size_t count;             /* .. so many */
-    uint64_t ticks;           /* in which its times count, of a clock */
+    const struct rule *rules; /* one for each constant */
+    size_t count;             /* number of rules */
+    uint64_t ticks;           /* per clock; the unit of its times */
     struct {
         c205_constant shown;
         uint64_t millionths;
-        unsigned line; /* where this text gives it; 0: it does not */
+        unsigned line; /* of this text; 0: not given here */
     } constant[CONSTANTS];
 };
 
 bool model_find_rule(const c205_model *model, const char *name, size_t *index);
-/* Whether a constant may have this value, given as text for the message;
- * whether it is whole where it must be, and whether it lies in range. */
+/* Both check a value, given also as text for the message: that it is an integer if its
+ * kind requires that, and that it is in range. They return false with the message in
+ * *error. */
 bool model_check_whole(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error);
 bool model_check_range(const struct rule *rule, const char *text, uint64_t millionths,
                        c205_error *error);
-/* What two constants must be to each other. */
+/* Checks the constraints between two constants. */
 bool model_check_together(const c205_model *model, c205_error *error);
 
-/* NULL, with the message. */
+/* Returns NULL and sets the message. */
 void *model_out_of_memory(c205_error *error);
 
 #endif

@@ -1,3 +1,4 @@
+/* named_pages.c - finds the pages of a list of indices with vectorised loops. */
 #include "vm/time/named_pages.h"
 
 #include "vm/memory.h"
@@ -5,13 +6,13 @@
 
 enum { SPAN = 256 };
 
-/* ---- Where its elements are ----------------------------------------------- */
+/* ---- The pages of the elements ------------------------------------------ */
 
 struct page_walk {
     unsigned shift, places; /* a page has 2^shift bits, an element 2^places */
     uint64_t table;
-    uint64_t low, high; /* the lowest page and the highest */
-    uint64_t inside;    /* the farthest into its page */
+    uint64_t low, high; /* the lowest and the highest page */
+    uint64_t inside;    /* the largest offset within a page */
 };
 
 static inline uint64_t address_of(const struct page_walk *of, c205_word index)
@@ -25,7 +26,7 @@ LANEWISE void find_range_span FIND_RANGE_PARAMETERS
 {
     struct page_walk of = *walk;
     uint64_t mask = (UINT64_C(1) << of.shift) - 1;
-    /* hosts compare numbers with a sign */
+    /* vector units compare signed integers */
     int64_t low = INT64_MAX, high = 0, most = 0;
     for (size_t i = 0; i < n; i++) {
         uint64_t address = address_of(&of, indices[i]);
@@ -40,7 +41,7 @@ LANEWISE void find_range_span FIND_RANGE_PARAMETERS
     walk->inside = (uint64_t)most;
 }
 
-/* Of each its page, told from the lowest. */
+/* Computes the page of each element, relative to the lowest page. */
 #define FIND_PLACES_PARAMETERS \
     (uint8_t *restrict place, const struct page_walk *walk, \
      const c205_word *restrict indices, size_t n)
@@ -57,10 +58,10 @@ VERSIONS(find_range, find_range_span, FIND_RANGE_PARAMETERS, (walk, indices, n))
 VERSIONS(find_places, find_places_span, FIND_PLACES_PARAMETERS,
          (place, walk, indices, n))
 
-/* ---- Named last ------------------------------------------------------------ */
+/* ---- Last references ---------------------------------------------------- */
 
-/* How many of the list it takes to name each page for the last time; 0: it does
- * not. */
+/* Sets last[page] to 1 + the position of the last element on that page. Pages without a
+ * reference keep 0. */
 static void find_last(const struct page_walk *walk, const struct index_list *list,
                       uint32_t *last)
 {
@@ -73,7 +74,8 @@ static void find_last(const struct page_walk *walk, const struct index_list *lis
     }
 }
 
-/* To its place by `last`; there are not many. */
+/* Inserts a page in the order of `last`. The list is short, so insertion sort
+ * suffices. */
 static void add_page(struct named_pages *named, uint64_t low, const uint32_t *last,
                      uint64_t page)
 {

@@ -1,5 +1,5 @@
-/* named_pages.h - the pages that a list of indices names, in the order in which it
- * names them last.
+/* named_pages.h - the pages that a list of indices refers to, in the order of their
+ * last reference.
  */
 #ifndef C205_NAMED_PAGES_H
 #define C205_NAMED_PAGES_H
@@ -8,17 +8,18 @@
 
 enum { MAX_NAMED = 64 };
 
-/* Those of the list met last, and of a table of elements of 2^places bits; they are
- * the same for one that begins up to `slack` bits behind it. */
+/* The result for the latest list and a table of elements of 2^places bits. It also
+ * holds for a table that begins up to `slack` bits later. */
 struct named_pages {
-    uint64_t number; /* the list's; 0: there was none */
+    uint64_t number; /* the list's; 0: none */
     unsigned places;
     uint64_t table, slack;
     size_t count;
     uint64_t page[MAX_NAMED];
 };
 
-/* For pages of 2^shift bits.  False: they lie too far apart to be told. */
+/* Sets *named for pages of 2^shift bits. Returns false if the pages are too far
+ * apart. */
 bool named_pages_find(struct named_pages *named, const struct index_list *list,
                       uint64_t table, unsigned places, unsigned shift);
 

@@ -9,7 +9,7 @@
 enum { HEAD = 0 };
 #define NO_PAGE UINT64_MAX
 
-/* The least n for which 2^n is not less. */
+/* Returns the least n with 2^n >= number. */
 static unsigned power_of_two(uint64_t number)
 {
     unsigned power = 0;
@@ -51,16 +51,16 @@ void pages_forget(struct pages *pages)
     pages->latest = NO_PAGE;
 }
 
-/* ---- The hash ------------------------------------------------------------ */
+/* ---- The hash table ----------------------------------------------------- */
 
-/* Neighbours lie far apart, and so do the pages of any stride. */
+/* The hash spreads neighbouring pages, and the pages of any stride. */
 static uint32_t *hashed(const struct pages *pages, uint64_t page)
 {
     uint64_t hash = page * UINT64_C(0x9E3779B97F4A7C15);
     return &pages->hashed[hash >> (64 - pages->hash_bits)];
 }
 
-/* HEAD: it is not in real memory. */
+/* Returns HEAD if the page is not in real memory. */
 static uint32_t find(const struct pages *pages, uint64_t page)
 {
     uint32_t at = *hashed(pages, page);
@@ -105,8 +105,8 @@ static void put_in_front(struct pages *pages, uint32_t at)
     resident[second].newer = resident[HEAD].older = at;
 }
 
-/* The page in front is in the registers from now on; when they are full, that
- * at the edge drops out. */
+/* Puts the front page into the registers. If they are full, the page at the edge drops
+ * out. */
 static void learn(struct pages *pages, uint32_t at)
 {
     if (pages->registers == 0)
@@ -122,7 +122,7 @@ static void learn(struct pages *pages, uint32_t at)
         pages->edge = at;
 }
 
-/* Where a page that is brought in goes: the oldest leaves full memory. */
+/* Returns a free index for a new page. If memory is full, the oldest page leaves it. */
 static uint32_t make_room(struct pages *pages)
 {
     if (pages->count < pages->capacity)
@@ -134,7 +134,7 @@ static uint32_t make_room(struct pages *pages)
     return oldest;
 }
 
-/* ---- Looking up ---------------------------------------------------------- */
+/* ---- Look-up ------------------------------------------------------------ */
 
 void pages_look_up(struct pages *pages, uint64_t page, struct translation *met)
 {
@@ -164,7 +164,7 @@ bool pages_know(const struct pages *pages, uint64_t page)
     return at && pages->resident[at].known;
 }
 
-/* Most references are to the page of the one before. */
+/* Most references are to the page of the previous one. */
 static inline void touch(struct pages *pages, uint64_t address, struct translation *met)
 {
     uint64_t page = (address & ADDRESS_MASK) >> pages->shift;
@@ -192,8 +192,8 @@ static bool all_known(const struct pages *pages, const struct named_pages *named
     return true;
 }
 
-/* Where the registers know all of them nobody drops out, and in the end they
- * stand as they were named last. */
+/* If the registers hold all pages of the list, no page drops out. The final order is
+ * then that of the last references, so one look-up per page in that order is enough. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
                          const struct index_list *list, struct translation *met)
 {

@@ -1,3 +1,4 @@
+/* projection.c - charges scalar instructions with the times of another machine. */
 #include "vm/time/projection.h"
 #include "vm/time/model.h"
 
@@ -5,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The kinds of units, and the most of a kind. */
+/* The kinds of units, and the largest number of one kind. */
 enum unit_kind {
     UNITS_SINGLE,
     UNITS_ADD,
@@ -16,8 +17,8 @@ enum unit_kind {
 };
 enum { MAX_UNITS = 4 };
 
-/* What each timing class takes; classes of the vector unit take nothing, as
- * there is no such thing. */
+/* The time and units of each timing class. Vector classes have no entry, because the
+ * other machine has no vector unit. */
 static const struct class
 {
     bool known;
@@ -30,7 +31,7 @@ static const struct class
 };
 
 struct c205_projection {
-    uint64_t now; /* until then all has been charged */
+    uint64_t now; /* everything before is charged */
     uint64_t time[C205_TIMINGS];
     uint64_t taken, not_taken, out_of_stack, interval;
     uint64_t stack_bits;
@@ -38,19 +39,19 @@ struct c205_projection {
 
     size_t units[UNIT_KINDS];
     uint64_t free_at[UNIT_KINDS][MAX_UNITS];
-    uint64_t ready[SLOTS]; /* when a register has its value .. */
-    uint64_t read[SLOTS];  /* .. and when the last reader has read */
-    uint64_t done;         /* all that is in flight */
+    uint64_t ready[SLOTS]; /* when a register has its value */
+    uint64_t read[SLOTS];  /* when its last reader has read it */
+    uint64_t done;         /* when everything in flight is done */
 
-    size_t regions; /* so many have room */
+    size_t regions; /* number of regions with space */
     struct share {
         uint64_t clocks;
         uint64_t strangers; /* vector instructions */
-    } * shares;             /* of each region */
+    } * shares;             /* one for each region */
     bool no_memory;
 };
 
-/* ---- Making -------------------------------------------------------------- */
+/* ---- Construction ------------------------------------------------------- */
 
 static uint64_t whole(const c205_model *model, enum projection_constant id)
 {
@@ -108,7 +109,7 @@ static uint64_t later(uint64_t a, uint64_t b)
     return a > b ? a : b;
 }
 
-/* The unit of a kind that is free first. */
+/* Returns the unit of a kind that is free first. */
 static uint64_t *first_free(c205_projection *projection, enum unit_kind kind)
 {
     uint64_t *first = projection->free_at[kind];
@@ -127,7 +128,8 @@ static uint64_t operands_ready(const c205_projection *projection,
     return ready;
 }
 
-/* When a register that it writes is free to be named again, and to be
+/* Returns the latest of the given times of the result registers. With ready, it is the
+ * time at which they may be reserved again; with read, the time at which they may be
  * written. */
 static uint64_t results_free(const uint64_t *times, const struct decoded *decoded)
 {
@@ -173,8 +175,8 @@ static void operate(c205_projection *projection, const struct decoded *decoded)
         projection->now += time;
 }
 
-/* Words one after the other from and to memory.  With units they begin as fast
- * as the units that make their addresses take them. */
+/* Charges one load or store after the other. With units, they begin at the rate of the
+ * units that compute their addresses. */
 static void swap(c205_projection *projection, const struct effect *effect)
 {
     uint64_t loads = effect->swapped - effect->saved;

@@ -1,8 +1,8 @@
-/* recording.c - a run kept as what time is made from: the instructions taken
- * apart and their effects, and played to a clock again.
+/* recording.c - records a run as the input of the clock, and plays it to other clocks.
  *
- * Each instruction is a word, | 16 flags | 16 touches | 32 instruction |, and
- * behind it the words of what its effect has, in the order of the flags.
+ * The record consists of decoded instructions and their effects. Each executed
+ * instruction is a word, | 16 flags | 16 touches | 32 instruction |, followed by the
+ * words of its effect in the order of the flags.
  */
 #include "vm/time/recording.h"
 #include "vm/time/clock.h"
@@ -24,7 +24,7 @@ enum {
 };
 enum { FLAG_SHIFT = 48, TOUCH_SHIFT = 32, FINDERS = 1 << 14 };
 
-/* An instruction, and of a linked pair its members. */
+/* An instruction and, for a linked pair, its members. */
 struct kept {
     struct decoded decoded;
     struct decoded pair[2];
@@ -37,7 +37,8 @@ struct c205_recording {
     uint64_t *words;
     size_t regions;
     bool no_memory;
-    uint32_t finder[FINDERS]; /* from addresses to what is kept, from 1 */
+    uint32_t finder[FINDERS]; /* direct-mapped cache from addresses to the index of kept
+                                 + 1 */
 };
 
 c205_recording *c205_recording_new(c205_error *error)
@@ -62,7 +63,7 @@ void c205_recording_free(c205_recording *recording)
 
 /* ---- Recording ----------------------------------------------------------- */
 
-/* Room for one more of an array that doubles; NULL: no memory. */
+/* Doubles an array. Returns NULL if memory is out. */
 static void *grown(void *items, size_t *room, size_t size)
 {
     size_t more = *room ? 2 * *room : 1024;
@@ -97,7 +98,7 @@ static bool make_room(c205_recording *recording)
     return kept;
 }
 
-/* Its number, or 0 when memory has run out. */
+/* Returns its number, or 0 if memory is out. */
 static uint32_t keep(c205_recording *recording, const struct decoded *decoded)
 {
     struct kept *kept = malloc(sizeof *kept);
@@ -177,9 +178,9 @@ void recording_add(c205_recording *recording, const struct decoded *decoded,
         recording->regions = region + 1;
 }
 
-/* ---- Playing ------------------------------------------------------------- */
+/* ---- Playback ----------------------------------------------------------- */
 
-/* Fill an effect from the words behind an instruction; gives the next one. */
+/* Reads an effect from the words after an instruction. Returns the next instruction. */
 static const uint64_t *read_effect(const uint64_t *at, uint64_t head,
                                    struct effect *effect)
 {
@@ -207,7 +208,7 @@ static const uint64_t *read_effect(const uint64_t *at, uint64_t head,
     return at;
 }
 
-/* Who is charged: one of the two. */
+/* The target of a playback: one of the two is not NULL. */
 struct player {
     struct clock *clock;
     c205_projection *projection;

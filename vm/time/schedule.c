@@ -1,3 +1,8 @@
+/* schedule.c - finds, follows and creates the schedules of blocks.
+ *
+ * A full table of schedules or states is cleared as a whole. The generation of the
+ * clock then changes, which invalidates the schedules of every block.
+ */
 #include "vm/time/schedule.h"
 
 #include "vm/memory.h"
@@ -33,7 +38,7 @@ void schedules_free(struct schedules *schedules)
     free(schedules);
 }
 
-/* Flights are known by name as long as schedules are. */
+/* Schedules refer to states by address, so both are dropped together. */
 static void forget_all(struct clock *clock)
 {
     clock->schedules->count = 0;
@@ -41,10 +46,11 @@ static void forget_all(struct clock *clock)
     clock->generation++;
 }
 
-/* ---- Folding ------------------------------------------------------------- */
+/* ---- Lazy clocks -------------------------------------------------------- */
 
-/* Looking at all that may be in flight takes its time, and is put off where
- * that is soon nothing, or the vector unit soon at work again. */
+/* Makes the clock lazy. Reading all that may be in flight takes time. It is therefore
+ * postponed while the state may soon be empty or the vector unit soon busy again.
+ * Returns false if the clock is not lazy. */
 static bool fold(struct clock *clock)
 {
     struct in_flight_table *flights = &clock->schedules->flights;
@@ -99,7 +105,8 @@ static bool touches_memory(const struct decoded *decoded)
     return format == C205_FORMAT_MEMORY || format == C205_FORMAT_ALTERB;
 }
 
-/* SWAP uses two ranges, each on two pages at most. */
+/* Returns the largest number of pages that an instruction touches. SWAP uses two
+ * ranges, each on at most two pages. */
 static uint64_t pages_most(const struct decoded *decoded)
 {
     return decoded->insn->timing == C205_TIMING_swap ? 4 : touches_memory(decoded);
@@ -141,8 +148,8 @@ uint64_t clock_all_done(const struct clock *clock)
 
 /* ---- Blocks -------------------------------------------------------------- */
 
-/* Touching pages that are known changes only their order; done twice, it
- * changes nothing more. */
+/* Touching known pages changes only their order, and touching them twice has no further
+ * effect. Returns false if a page is not known. */
 static bool reach_known_pages(struct pages *pages, const struct effect *effect)
 {
     struct translation met = { 0, 0 };
@@ -170,8 +177,8 @@ static struct schedule *find_schedule(const struct clock *clock,
     return schedule;
 }
 
-/* Instruction by instruction: each that touches memory has one touch, in
- * their order, but the last one, which has all that are left. */
+/* Charges instruction by instruction. Each instruction that touches memory has one
+ * touch, in order. The last one has all remaining touches. */
 static void charge_each(struct clock *clock, const struct code_block *block,
                         unsigned count, const struct effect *effect)
 {
@@ -213,7 +220,8 @@ static void keep_schedule(struct schedules *schedules, struct code_block *block,
     block->schedule_count++;
 }
 
-/* Charged one by one, between two flights that are known by name. */
+/* Charges a block instruction by instruction and stores the difference as a schedule,
+ * if the states before and after are both stored. */
 static void find_out(struct clock *clock, struct code_block *block, unsigned count,
                      const struct effect *effect, uint64_t leaves)
 {
@@ -243,7 +251,8 @@ static void check_generation(const struct clock *clock, struct code_block *block
     block->schedule_count = 0;
 }
 
-/* False: it is to be charged one by one. */
+/* Charges a block by a schedule. Returns false if it must be charged instruction by
+ * instruction. */
 static bool charge_whole(struct clock *clock, struct code_block *block, unsigned count,
                          const struct effect *effect)
 {

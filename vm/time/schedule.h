@@ -1,17 +1,16 @@
-/* schedule.h - what blocks of scalar instructions cost, remembered.
+/* schedule.h - a cache of the costs of blocks of scalar instructions.
  *
- * What a block costs, and what is in flight behind it, depends on what was in
- * flight before it, on where control leaves it and how, and on nothing else:
- * as long as the vector unit is idle and all pages are known to the
- * associative registers.  So the first time it is charged instruction by
- * instruction, as clock.c does it, and how the accounts and the flight changed
- * is kept as a schedule; when it comes again with the same flight, that is
- * added at once.
+ * The cost of a block and the state in flight after it depend only on the state in
+ * flight before it and on where and how control leaves it. This holds as long as the
+ * vector unit is idle and the associative registers hold all its pages. The first time,
+ * the block is charged instruction by instruction as in clock.c, and the changes of the
+ * accounts and of the state are stored as a schedule. When the block recurs with the
+ * same state, the schedule is added at once.
  *
- * While the clock goes from schedule to schedule it knows its flight by name
- * alone, and ready, free_at and the like say nothing; and how often a schedule
- * was followed is counted with it, and added to the accounts when somebody
- * may look at them.
+ * While the clock moves from schedule to schedule it is lazy: it stores the state in
+ * flight as a pointer, and ready, free_at and similar fields are invalid. Each schedule
+ * counts how often it was followed. The counts are added to the accounts before
+ * anything reads them.
  */
 #ifndef C205_SCHEDULE_H
 #define C205_SCHEDULE_H
@@ -23,18 +22,18 @@
 struct schedule {
     struct schedule *next; /* of the block */
     const struct in_flight *from, *to;
-    uint64_t leaves; /* where control leaves the block, and how .. */
+    uint64_t leaves; /* where and how control leaves the block */
     uint64_t clocks;
-    uint64_t times;        /* that are not in the accounts yet .. */
-    struct schedule *more; /* .. and the next that has some */
-    c205_account *account; /* of the region .. */
-    c205_account once;     /* .. and what it is charged each time */
+    uint64_t times;        /* that are not in the accounts yet */
+    struct schedule *more; /* the next schedule with such times */
+    c205_account *account; /* of the region */
+    c205_account once;     /* the charge for one execution */
 };
 
 enum { GOES_ON, TAKEN, TAKEN_OUT_OF_STACK, COUNT_SHIFT = 2, SWAP_SHIFT = 16 };
 
-/* Where control leaves a block, and how, and how many registers were swapped
- * there; and the instruction stack behind. */
+/* Returns a code of where and how control leaves a block and of the number of registers
+ * swapped. Updates the instruction stack. */
 static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
                                     const struct code_block *block, unsigned count,
                                     const struct effect *effect)
@@ -54,7 +53,7 @@ static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
     return leaves | TAKEN_OUT_OF_STACK;
 }
 
-/* All that was touched lies on the page that was touched last. */
+/* Returns true if all touched addresses are on the page that was touched last. */
 static inline bool touches_latest(const struct pages *pages,
                                   const struct effect *effect)
 {
@@ -78,7 +77,8 @@ static inline void follow_schedule(struct clock *clock, struct schedule *schedul
     clock->charged = schedule;
 }
 
-/* The quick way of clock_charge_block; false: it must go the other one. */
+/* The fast path of clock_charge_block. Returns false if the slow path must charge the
+ * block. */
 static inline bool clock_repeat(struct clock *clock, const struct code_block *block,
                                 unsigned count, const struct effect *effect)
 {
@@ -98,7 +98,7 @@ static inline bool clock_repeat(struct clock *clock, const struct code_block *bl
     return true;
 }
 
-/* Will a block have ended before a limit, whatever it meets?  False: perhaps
+/* Returns true if a block must end before a limit, whatever waits it has. False: it may
  * not. */
 static inline bool clock_ends_before(const struct clock *clock,
                                      const struct code_block *block, uint64_t limit)
