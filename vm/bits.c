@@ -1,5 +1,5 @@
-/* bits.c - strings of bits.  They are read and stored as 64 bits a word, so
- * the loops of lanes.h do for them too.
+/* bits.c - instructions on bit strings. Strings are read and stored as 64 bits per
+ * word, so the bitwise loops of lanes.h serve them too.
  */
 #include "vm/direct.h"
 #include "vm/vector.h"
@@ -36,8 +36,8 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
     return machine_end_turn(machine, &turn);
 }
 
-/* False: it is not simple (direct.h).  A result may be upon a source if it is
- * the same string. */
+/* Returns false if the case is not simple (direct.h). A result may overlap a source
+ * only if it is the same string. */
 static bool strings_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
@@ -104,8 +104,8 @@ static void set_bit(uint64_t *bits, size_t i, bool value)
     bits[i / 64] = value ? bits[i / 64] | one : bits[i / 64] & ~one;
 }
 
-/* As move.c does with words: mask takes the bit in the same place, merge the
- * next one that has not been taken. */
+/* As in move.c for words: mask takes the bit at the same index, merge the next bit of
+ * the source. */
 struct bit_choice {
     struct c205 *machine;
     struct vector a, b, c;
@@ -208,7 +208,7 @@ struct bit_sieve {
     struct vector a, c;
     struct control control;
     size_t n;    /* bits scanned */
-    size_t kept; /* so far */
+    size_t kept; /* number so far */
     struct turn turn;
 };
 
@@ -225,8 +225,8 @@ static size_t keep_bits(const struct bit_sieve *sieve, size_t first, size_t n,
     return count;
 }
 
-/* The result has as many bits as are kept; where it changes what is read,
- * there must be room for all. */
+/* The result has as many bits as are kept. If it may overwrite bits that are still to
+ * be read, there must be room for all n. */
 static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
 {
     struct c205 *machine = sieve->machine;
@@ -293,7 +293,8 @@ c205_trap execute_bits_compress(struct c205 *machine, const struct decoded *deco
 
 /* ---- Repeated masks ---------------------------------------------------- */
 
-/* Groups of S bits, of which the first R are as told and the others not. */
+/* Stores groups of S bits. The first R bits of each group have the value first, the
+ * others its complement. */
 static c205_trap repeat(struct c205 *machine, const struct decoded *decoded, bool first)
 {
     struct vector c = describe_bits(machine->slot[decoded->c]);
@@ -336,8 +337,8 @@ static size_t leading_alike(const uint64_t *bits, size_t n)
 
 typedef size_t count(const uint64_t *bits, size_t n);
 
-/* Nothing is stored before the end, so that what was counted when the
- * instruction was interrupted may be counted again. */
+/* Nothing is stored before the end, so a resumed instruction counts the whole string
+ * again. */
 static c205_trap count_string(struct c205 *machine, const struct decoded *decoded,
                               count *counted)
 {

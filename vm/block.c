@@ -1,3 +1,4 @@
+/* block.c - makes blocks of decoded scalar instructions. */
 #include "vm/block.h"
 
 #include "vm/machine.h"
@@ -5,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Which instructions go into blocks ----------------------------------- */
+/* ---- Instructions that a block may contain ------------------------------ */
 
-/* Those whose semantics ask for the clock, which must be where they begin:
- * see machine_clocks. */
+/* Returns true if the semantics read the clock, which must then be charged up to this
+ * instruction; see machine_clocks. */
 static bool asks_for_the_time(const struct decoded *decoded)
 {
     static semantics *const functions[] = {
@@ -28,9 +29,10 @@ static bool goes_by_itself(const struct decoded *decoded)
            || asks_for_the_time(decoded);
 }
 
-/* What is behind other branches may be no code, and where a program has
- * stored on what was decoded, behind any.  What SWAP costs depends on its
- * operands, so that it is the last one. */
+/* Returns true if a block may continue after this instruction. It may continue only
+ * after conditional forward branches, because the words after other branches may not be
+ * code. In a program that has changed decoded code, it ends at every branch. The cost
+ * of SWAP depends on its operands, so it ends the block. */
 static bool may_go_on(const struct c205 *machine, const struct decoded *decoded)
 {
     const c205_fields *fields = &decoded->fields;
@@ -41,7 +43,7 @@ static bool may_go_on(const struct c205 *machine, const struct decoded *decoded)
                && !machine->memory.rewritten);
 }
 
-/* ---- Making them --------------------------------------------------------- */
+/* ---- Making blocks ------------------------------------------------------ */
 
 static void forget_all(struct blocks *blocks)
 {
@@ -64,9 +66,9 @@ static void make_room(struct blocks *blocks)
     forget_all(blocks);
 }
 
-/* Take the next instruction into the block, if it belongs there; true: and
- * perhaps the one behind it.  One that cannot be decoded traps when control
- * comes to it. */
+/* Adds the next instruction if the block may contain it. Returns true if the block may
+ * continue. An instruction that cannot be decoded traps later, when control reaches
+ * it. */
 static bool take_in(struct c205 *machine, struct code_block *block)
 {
     struct decoded *decoded = &block->insn[block->count];

@@ -1,13 +1,12 @@
-/* block.h - scalar instructions that control goes through one after the
- * other, decoded once: up to a branch, or to one that goes by itself.  Where
- * the branch is a forward one that depends on something, the block continues
- * behind it: control leaves the block there, or does not.
+/* block.h - blocks: sequences of scalar instructions, decoded once, up to a branch or
+ * an instruction that must run alone. A block continues after a conditional forward
+ * branch, and control may leave it there.
  *
- * Semantics know no time, so all of a block can be executed first and then
- * charged as a whole.  By themselves go vector instructions, requests to the
- * monitor, and those that do ask for the time.  SWAP is the last of its block.
+ * The semantics do not depend on time, so a whole block can be executed first and
+ * charged afterwards. Vector instructions, requests to the monitor, and instructions
+ * that read the clock run alone. SWAP is the last instruction of its block.
  *
- * Blocks stay until their code changes or there is no room left for more.
+ * A block remains until its code changes or the tables are full.
  */
 #ifndef C205_BLOCK_H
 #define C205_BLOCK_H
@@ -19,15 +18,15 @@ struct schedule;
 struct code_block {
     uint64_t pc;
     uint64_t version;     /* memory.code_changes when it was made */
-    uint64_t next;        /* the address after the last one */
-    unsigned count;       /* 0: the one at pc goes by itself */
-    uint32_t region;      /* all are of one */
-    struct decoded *insn; /* so many of them */
-    /* What the clock remembers of it (vm/time/schedule.h): */
+    uint64_t next;        /* the address after its last instruction */
+    unsigned count;       /* 0: the instruction at pc must run alone */
+    uint32_t region;      /* of all its instructions */
+    struct decoded *insn; /* count decoded instructions */
+    /* Cache of the clock (vm/time/schedule.h): */
     struct schedule *schedules;
     uint64_t generation; /* of the schedules */
     unsigned schedule_count;
-    uint64_t longest; /* clocks, besides waiting for what was in flight */
+    uint64_t longest; /* clocks, without waits for the state in flight before it */
 };
 
 enum {
@@ -42,7 +41,8 @@ struct blocks {
     struct decoded decoded[BLOCK_DECODED];
 };
 
-/* NULL: no memory; the caller frees them.  What is not yet used is not cleared. */
+/* Returns empty tables, which the caller frees; unused parts are not cleared. NULL: out
+ * of memory. */
 struct blocks *blocks_new(void);
 
 static inline struct code_block **block_place(struct blocks *blocks, uint64_t pc)
@@ -50,7 +50,7 @@ static inline struct code_block **block_place(struct blocks *blocks, uint64_t pc
     return &blocks->at[pc / INSTRUCTION_STEP % BLOCK_PLACES];
 }
 
-/* Make the block that begins there; counts as decoding all of it. */
+/* Makes the block that begins at pc and decodes all of its instructions. */
 struct code_block *block_make(struct c205 *machine, uint64_t pc);
 
 #endif

@@ -37,7 +37,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
     BRANCH_IF_HALF(branch_half_##name, half_##name)
 #include "vm/arith.def"
 
-/* T + 32 S */
+/* Returns T + 32 S. */
 static uint64_t item_target(const struct c205 *machine, const struct decoded *decoded)
 {
     return machine->slot[decoded->c] + machine->slot[decoded->b] * INSTRUCTION_STEP;
@@ -85,11 +85,11 @@ c205_trap execute_branch_immediate(struct c205 *machine, const struct decoded *d
 
 enum { CONDITION_SHIFT = 2, ALTERATION_MASK = 3 };
 
-/* I4, its high half: branch never, always, on a one, on a zero. */
+/* The high half of I4: branch never, always, on a one, on a zero. */
 static const bool branches[4][2] = {
     { false, false }, { true, true }, { false, true }, { true, false }
 };
-/* Its low half: leave the bit, change it, make it zero, make it one. */
+/* The low half of I4: leave the bit, invert it, set it to zero, set it to one. */
 static const bool altered[4][2] = {
     { false, true }, { true, false }, { false, false }, { true, true }
 };
@@ -130,7 +130,7 @@ c205_trap execute_alter_flag(struct c205 *machine, const struct decoded *decoded
     return trap;
 }
 
-/* A bit that is left as it is may be in memory that may only be read. */
+/* A bit that is not altered may be in read-only memory. */
 c205_trap execute_alter_memory_bit(struct c205 *machine, const struct decoded *decoded)
 {
     struct memory *memory = &machine->memory;
@@ -205,8 +205,9 @@ FLOAT_BRANCH_IF(float_branch_greater, greater)
 
 /* ---- The monitor ------------------------------------------------------- */
 
-/* Bits of an element of the vector that a request has in R; 0: R is no
- * vector.  0 ends, 1-3 print R, 4 bytes, 5 a newline, 6 words, 7 bits. */
+/* The width in bits of an element of the vector that R describes for each request; 0: R
+ * is not a vector. Request 0 ends the program, 1-3 print R, 4 prints bytes, 5 a
+ * newline, 6 words, 7 bits. */
 static const unsigned request_width[REQUESTS] = { 0, 0, 0, 0, 8, 0, 64, 1 };
 
 static c205_trap check_request(struct c205 *machine, unsigned request, c205_word r)

@@ -1,3 +1,6 @@
+/* breakpoints.c - breakpoints and watchpoints: lists of addresses, and copies of the watched
+ * words.
+ */
 #include "vm/breakpoints.h"
 
 #include <stdlib.h>
@@ -26,7 +29,7 @@ void machine_free_breakpoints(struct machine_breakpoints *breakpoints)
     free(breakpoints);
 }
 
-/* Room for one more; false: no memory. */
+/* Makes room for one more element. Returns false if memory is out. */
 static bool make_room(void *array, size_t count, size_t size)
 {
     void *grown = realloc(*(void **)array, (count + 1) * size);
@@ -43,7 +46,7 @@ static struct machine_breakpoints *all_stops(struct c205 *machine)
     return machine->breakpoints;
 }
 
-/* Without any the machine goes as fast as before. */
+/* If no breakpoint or watchpoint is left, the machine returns to its full speed. */
 static void leave_none(struct c205 *machine)
 {
     struct machine_breakpoints *breakpoints = machine->breakpoints;
@@ -120,7 +123,7 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
     return true;
 }
 
-/* ---- Meeting ------------------------------------------------------------- */
+/* ---- Checks ------------------------------------------------------------- */
 
 void machine_sample_watchpoints(struct c205 *machine)
 {
@@ -132,7 +135,8 @@ void machine_sample_watchpoints(struct c205 *machine)
                   breakpoints->watches[i].held, breakpoints->watches[i].words);
 }
 
-/* It is as it was held until the run ends, which a change makes it do. */
+/* Compares memory with the copy. A change ends the run, and every run begins with a new
+ * copy. */
 static bool is_changed(const struct c205 *machine, const struct watched *watched)
 {
     for (size_t i = 0; i < watched->words; i++) {
@@ -144,13 +148,13 @@ static bool is_changed(const struct c205 *machine, const struct watched *watched
     return false;
 }
 
-/* Whether the last instruction stored anything. */
+/* Returns true if the last instruction may have stored anything. */
 static bool stored(const struct effect *effect)
 {
     for (unsigned i = 0; i < effect->touch_count; i++)
         if (effect->touch[i].stored)
             return true;
-    return effect->indices != NULL; /* a gather stores as well */
+    return effect->indices != NULL; /* a gather stores too */
 }
 
 c205_trap machine_hits_breakpoint(struct c205 *machine, uint64_t *address)

@@ -1,5 +1,5 @@
-/* decode.c - from the word of an instruction to slots and sources, by the
- * syntax and the operand letters of its row in insn.def.
+/* decode.c - decodes the word of an instruction to slots and sources, by the syntax and
+ * the operand letters of its row in insn.def.
  */
 #include "vm/machine.h"
 
@@ -16,7 +16,8 @@ static semantics *const functions[] = {
 
 /* ---- Fetch -------------------------------------------------------------- */
 
-/* An instruction that was interrupted is there already. */
+/* Returns a half word of code. An interrupted instruction is taken from its saved
+ * copy. */
 static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *half)
 {
     uint64_t skip = address % WORD_BITS;
@@ -33,7 +34,7 @@ static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *h
     return C205_TRAP_NONE;
 }
 
-/* The word of the instruction, as c205_decode takes it. */
+/* Returns the word of the instruction in the form that c205_decode takes. */
 static c205_trap fetch(struct c205 *machine, uint64_t pc, const c205_insn **insn,
                        c205_word *word)
 {
@@ -52,10 +53,10 @@ static c205_trap fetch(struct c205 *machine, uint64_t pc, const c205_insn **insn
     return trap;
 }
 
-/* ---- Is the coding possible? -------------------------------------------- */
+/* ---- Checks of the coding ----------------------------------------------- */
 
-/* A program's every instruction is asked this often when it is met first: a loop over a
- * few letters that are known here costs less than a call. */
+/* These tests run for every instruction that is decoded. A loop over a few constant
+ * letters costs less than a function call. */
 static inline bool is_one_of(char letter, const char *letters)
 {
     for (; *letters; letters++)
@@ -72,7 +73,7 @@ static bool has_letter(const char *syntax, const char *letters)
     return false;
 }
 
-/* The operand letter of field C of a vector instruction. */
+/* Returns the operand letter of field C of a vector instruction. */
 static char result_letter(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -84,20 +85,20 @@ static char result_letter(const c205_insn *insn)
     return insn->operands[commas];
 }
 
-/* Z may be given as well as made. */
+/* Returns true if Z may be given or made. */
 static bool may_be_given(const c205_insn *insn)
 {
     return has_letter(insn->operands, "g");
 }
 
-/* Then the bit that tells of an offset tells of that. */
+/* The G bit of an offset means a given Z for instructions that may have one. */
 static bool may_have_offset(const c205_insn *insn)
 {
     char letter = result_letter(insn);
     return is_one_of(letter, "dDeqco") && !may_be_given(insn);
 }
 
-/* The bits of G that an instruction may have. */
+/* Returns the G bits that an instruction may have. */
 static uint8_t possible_g(const c205_insn *insn, const c205_fields *fields)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -151,7 +152,7 @@ static uint16_t add_result(struct decoded *decoded, unsigned number)
     return slot;
 }
 
-/* The slot of a register field for the operand letter that describes it. */
+/* Returns the slot of a register field with a given operand letter. */
 static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
                         bool broadcast)
 {
@@ -165,7 +166,7 @@ static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
     return (uint16_t)number;
 }
 
-/* What a letter of the row means in this instruction. */
+/* Returns the meaning of an operand letter in this instruction. */
 static char sized(const struct decoded *decoded, char letter)
 {
     bool half = decoded->insn->flags & C205_INSN_HALF
@@ -184,7 +185,7 @@ static uint8_t width_of(char letter)
     return is_one_of(letter, "beo") ? 1 : WORD_BITS;
 }
 
-/* A, B or C; R, S or T of the short formats. */
+/* Binds A, B or C, or R, S or T of the short formats. */
 static uint16_t bind_operand(struct decoded *decoded, unsigned operand, unsigned number,
                              char letter, bool broadcast)
 {
@@ -251,8 +252,8 @@ static void bind(struct decoded *decoded, char field, char letter)
     }
 }
 
-/* Walk along the syntax and the operand letters side by side; an offset after
- * a plus has no letter of its own. */
+/* Walks over the syntax and the operand letters in parallel. An offset after a plus has
+ * no letter of its own. */
 static void bind_all(struct decoded *decoded)
 {
     const c205_insn *insn = decoded->insn;
@@ -266,7 +267,8 @@ static void bind_all(struct decoded *decoded)
         add_source(decoded, decoded->fields.c + 1u);
 }
 
-/* Words all, no offsets, no signs: what vm/direct.h asks for. */
+/* Returns true for an instruction on words without offsets and sign control, as
+ * vm/direct.h requires. */
 static bool is_plain(const struct decoded *decoded)
 {
     const c205_insn *insn = decoded->insn;

@@ -1,40 +1,40 @@
-/* direct.c - elementwise instructions and linked pairs whose operands are
- * taken where they stand (direct.h).
+/* direct.c - executes elementwise instructions and linked pairs directly on the memory
+ * of the host (direct.h).
  */
 #include "vm/direct.h"
 
 #include "vm/number/pairs.h"
 #include "vm/vector.h"
 
-/* Where the result goes, and which of it. */
+/* The destination of the result. */
 struct direct_result {
     struct c205 *machine;
     size_t n;
-    c205_word *words;        /* or .. */
-    struct direct_bits bits; /* .. of a comparison, with words NULL */
+    c205_word *words;        /* NULL: the result is bits */
+    struct direct_bits bits; /* of a comparison */
     struct direct_bits control;
     bool controlled;
-    uint64_t blocked; /* as that of a struct control */
+    uint64_t blocked; /* as in struct control */
 };
 
 /* ---- Operands ------------------------------------------------------------ */
 
-/* A source: its element i is words[i * step]; one that is broadcast, or that
- * the first of a pair hands over, stays in one place for all chunks. */
+/* A source: element i is words[i * step]. A broadcast word, or the chunk that the first
+ * of a pair hands over, has step 0 and is used for all chunks. */
 struct place {
     const c205_word *words;
     size_t step;
     c205_word word; /* in the register */
 };
 
-/* What one instruction reads. */
+/* The sources of one instruction. */
 struct direct_sources {
     const struct operation *operation;
     struct place a, b;
-    c205_word space_a[CHUNK], space_b[CHUNK]; /* where broadcast */
+    c205_word space_a[CHUNK], space_b[CHUNK]; /* for broadcast words */
 };
 
-/* False: it is to be read otherwise. */
+/* Returns false if the source must be read by operand.h. */
 static inline bool find_source(struct place *place, struct c205 *machine,
                                bool broadcast, uint16_t slot, c205_word *space,
                                size_t n)
@@ -47,7 +47,7 @@ static inline bool find_source(struct place *place, struct c205 *machine,
     return place->words;
 }
 
-/* handed_a, handed_b: chunks that are read instead, or NULL. */
+/* handed_a, handed_b: chunks to read in place of A and B, or NULL. */
 static inline bool find_sources(struct direct_sources *sources, struct c205 *machine,
                                 const struct decoded *decoded,
                                 const struct operation *operation, size_t n,
@@ -91,8 +91,8 @@ static inline bool find_result(struct direct_result *result, struct c205 *machin
            && !(result->controlled && !result->control.word);
 }
 
-/* Nothing is stored upon a source or the control vector that is read after it
- * is stored. */
+/* These return true if no store changes the control vector or a source before it is
+ * read. */
 static inline bool keeps_control(const struct direct_result *result)
 {
     size_t n = result->n;
@@ -122,7 +122,7 @@ static inline bool keeps_sources(const struct direct_result *result,
     return keeps_source(result, &sources->a) && keeps_source(result, &sources->b);
 }
 
-/* ---- Telling the clock --------------------------------------------------- */
+/* ---- Effects for the clock ---------------------------------------------- */
 
 static inline void touch_sources(struct c205 *machine,
                                  const struct direct_sources *sources, size_t n)
@@ -166,7 +166,7 @@ static inline void compare_chunk(const struct direct_result *result,
                       n);
 }
 
-/* All elements are permitted. */
+/* Computes n elements, all permitted. */
 static inline void operate_all(struct c205 *machine, const struct operation *operation,
                                c205_word *c, const c205_word *a, const c205_word *b,
                                size_t n)
@@ -177,7 +177,7 @@ static inline void operate_all(struct c205 *machine, const struct operation *ope
         operation->binary(c, a, b, n, &machine->data_flags);
 }
 
-/* What is only copied needs no space of its own. */
+/* A copy needs no temporary array. */
 static inline void store_chunk(const struct direct_result *result,
                                const struct operation *operation, const c205_word *a,
                                const c205_word *b, size_t first, size_t n)
@@ -223,7 +223,7 @@ static inline pair_operand operand_at(struct place place, size_t first)
     return operand;
 }
 
-/* False: one goes after the other. */
+/* Returns false if the two operations must run one after the other. */
 static inline bool take_in_one_pass(const struct direct_result *result,
                                     const struct direct_both *pair, size_t first,
                                     size_t n)

@@ -1,41 +1,41 @@
-/* direct.h - operands of a vector instruction where they are in the host's
- * memory.
+/* direct.h - operands of a vector instruction as pointers into the memory of the host.
  *
- * Most instructions are simple: of words, without offsets and signs, begun
- * and ended in one turn, each operand within a page, but for the
- * table of a gather, and no result upon what is read after it is stored.  direct_NAME below say whether an operand is,
- * and then it has been checked; where one is not, nothing has happened yet,
- * and the instruction goes the way of operand.h, which knows all cases and
- * all traps.  Both do the same, and tell the clock the same.
+ * Most instructions are simple. They work on words without offsets and sign control,
+ * and complete in one turn. Each operand is within one page, except the table of a
+ * gather. No store changes an operand that is read later. The direct_NAME functions
+ * below return whether an operand meets these conditions, with all checks done. If one
+ * does not, nothing has happened yet, and the instruction uses operand.h, which handles
+ * all cases and all traps. Both ways have the same results and report the same effect
+ * to the clock.
  *
- * Pointers hold from the checks to the end of the instruction: no page comes,
- * goes or changes its access in between.
+ * The pointers are valid until the end of the instruction, because no page is mapped,
+ * unmapped or changes its access in between.
  */
 #ifndef C205_DIRECT_H
 #define C205_DIRECT_H
 
 #include "vm/operand.h"
 
-/* A string of bits: the first stands skip bits from the left of *word. */
+/* A string of bits. Its first bit is skip bits from the left of *word. */
 struct direct_bits {
     c205_word *word;
     unsigned skip;
 };
 
-/* ---- Where they stand ---------------------------------------------------- */
+/* ---- Addresses in the host ---------------------------------------------- */
 
 static inline size_t direct_length(c205_word descriptor)
 {
     return (size_t)(descriptor >> LENGTH_SHIFT);
 }
 
-/* The instruction is in its first turn, and ends in it. */
+/* Returns true if the instruction is in its first turn and will complete in it. */
 static inline bool direct_turn(const struct c205 *machine, size_t n)
 {
     return n > 0 && n <= machine->allowed && machine->resume.first == 0;
 }
 
-/* NULL: not aligned, not mapped, not in one page, or not to be written so. */
+/* NULL: not aligned, not mapped, not in one page, or not writable in this way. */
 static inline c205_word *direct_place(struct memory *memory, uint64_t address, size_t n,
                                       bool write)
 {
@@ -47,7 +47,7 @@ static inline c205_word *direct_place(struct memory *memory, uint64_t address, s
     return page->word + index;
 }
 
-/* n words that a descriptor names.  NULL: they are to be read otherwise. */
+/* Returns n words of a descriptor. NULL: the caller must use operand.h. */
 static inline const c205_word *direct_read(struct c205 *machine, c205_word descriptor,
                                            size_t n)
 {
@@ -56,14 +56,14 @@ static inline const c205_word *direct_read(struct c205 *machine, c205_word descr
     return direct_place(&machine->memory, LOW(descriptor), n, false);
 }
 
-/* The same, to be written; its length is not looked at. */
+/* The same for writing; the length of the descriptor is not used. */
 static inline c205_word *direct_write(struct c205 *machine, c205_word descriptor,
                                       size_t n)
 {
     return direct_place(&machine->memory, LOW(descriptor), n, true);
 }
 
-/* n bits; the descriptor's length is not looked at. */
+/* Returns n bits; the length of the descriptor is not used. */
 static inline struct direct_bits direct_bits(struct c205 *machine, c205_word descriptor,
                                              size_t n, bool write)
 {
@@ -74,9 +74,9 @@ static inline struct direct_bits direct_bits(struct c205 *machine, c205_word des
     return bits;
 }
 
-/* ---- Do they overlap? ---------------------------------------------------- */
+/* ---- Overlaps ----------------------------------------------------------- */
 
-/* Spans of so many bytes have some in common. */
+/* Returns true if two spans of bytes overlap. */
 static inline bool direct_meets(const void *one, size_t bytes, const void *other,
                                 size_t other_bytes)
 {
@@ -84,8 +84,8 @@ static inline bool direct_meets(const void *one, size_t bytes, const void *other
     return a < b + other_bytes && b < a + bytes;
 }
 
-/* Of n words each: the result begins above the source and upon it, so that
- * some elements wait for earlier ones. */
+/* Returns true if a result of n words begins above its source and overlaps it, so that
+ * some elements depend on earlier results. */
 static inline bool direct_recurs(const c205_word *result, const c205_word *source,
                                  size_t n)
 {
@@ -93,7 +93,7 @@ static inline bool direct_recurs(const c205_word *result, const c205_word *sourc
     return above - 1 < n * sizeof *result - 1;
 }
 
-/* The bytes that hold n bits of a string. */
+/* Returns the bytes that hold n bits of a string. */
 static inline size_t direct_bytes(struct direct_bits bits, size_t n)
 {
     return (bits.skip + n + WORD_BITS - 1) / WORD_BITS * sizeof(c205_word);
@@ -101,14 +101,13 @@ static inline size_t direct_bytes(struct direct_bits bits, size_t n)
 
 /* ---- Bits ---------------------------------------------------------------- */
 
-/* The leftmost n bits of a word, 1 to 64 of them. */
+/* Returns a mask of the leftmost n bits, 1 <= n <= 64. */
 static inline uint64_t leading_bits(size_t n)
 {
     return UINT64_MAX << (WORD_BITS - n);
 }
 
-/* n bits from the first on, which is a multiple of 64; unused ones are
- * zero. */
+/* Reads n bits from first on, a multiple of 64. Unused bits are zero. */
 static inline void direct_read_bits(struct direct_bits string, size_t first,
                                     uint64_t *bits, size_t n)
 {
@@ -123,7 +122,7 @@ static inline void direct_read_bits(struct direct_bits string, size_t first,
     }
 }
 
-/* .. of a control vector, as control_read tells them. */
+/* Reads the permitted elements from a control vector, like control_read. */
 static inline void direct_read_control(struct direct_bits control, uint64_t blocked,
                                        size_t first, uint64_t *permitted, size_t n)
 {
@@ -139,7 +138,7 @@ static inline void direct_merge(c205_word *word, uint64_t bits, uint64_t mask)
     *word ^= (*word ^ bits) & mask;
 }
 
-/* The same the other way, under a mask of their own (NULL: all). */
+/* Writes n bits from first on, under a mask (NULL: all). */
 static inline void direct_write_bits(struct direct_bits string, size_t first,
                                      const uint64_t *bits, const uint64_t *permitted,
                                      size_t n)
@@ -161,11 +160,11 @@ static inline void direct_write_bits(struct direct_bits string, size_t first,
 
 struct operation;
 
-/* False: it is not simple, and nothing has happened. */
+/* Executes the instruction. Returns false, without effect, if it is not simple. */
 bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation);
-/* The two instructions of a pair that may be linked; the result of the first is
- * A or B of the second, or both. */
+/* Executes a pair whose instructions can be linked. The result of the first is A
+ * (hand_a), B (hand_b) or both of the second. */
 bool direct_pair(struct c205 *machine, const struct decoded *const *linked, bool hand_a,
                  bool hand_b);
 

@@ -1,4 +1,4 @@
-/* events.c - what listeners are told. */
+/* events.c - builds events and notifies the listeners. */
 #include "vm/events.h"
 
 #include <string.h>
@@ -25,7 +25,7 @@ static void describe_register(c205_event *event, unsigned slot)
         event->written[slot / 64] |= UINT64_C(1) << slot % 64;
 }
 
-/* Of a list of indices the range from the least to the greatest. */
+/* Returns the range from the lowest to the highest address of a list of indices. */
 static c205_range indexed_range(const struct effect *effect)
 {
     uint64_t least = UINT64_MAX, greatest = 0;

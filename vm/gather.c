@@ -1,21 +1,21 @@
-/* gather.c - gather and scatter: elements by the addresses of an index list,
- * or one after another at a period.
+/* gather.c - gather and scatter: elements at the addresses of an index list, or at a
+ * constant distance.
  */
 #include "vm/direct.h"
 #include "vm/number/host.h"
 #include "vm/vector.h"
 
-/* A is the index list, or the distance from one index to the next; indices
- * count elements from a base on.  Gather moves from there to the result C,
- * scatter from the source B to there. */
+/* A is the index list, or the distance between indices. Indices count elements from the
+ * start of a table. Gather moves elements from the table to the result C, scatter moves
+ * them from the source B to the table. */
 struct transfer {
     struct stream stream;
     bool gather, periodic;
-    c205_word period;    /* modulo 2^48, as addresses are */
-    struct vector table; /* its length is not known */
-    c205_word *indices;  /* those permitted, one behind the other */
-    size_t count;        /* how many */
-    size_t used;         /* so many of them before this turn */
+    c205_word period;    /* modulo 2^48, like addresses */
+    struct vector table; /* its length is unknown */
+    c205_word *indices;  /* the permitted ones, packed */
+    size_t count;        /* number of them */
+    size_t used;         /* number of them used before this turn */
 };
 
 static uint64_t table_address(const struct transfer *transfer, c205_word index)
@@ -25,7 +25,7 @@ static uint64_t table_address(const struct transfer *transfer, c205_word index)
 
 /* ---- The index list ----------------------------------------------------- */
 
-/* Those of a period are not in memory: 0, A, 2A .. */
+/* Returns n indices. Those of a period are not in memory: 0, A, 2A, ... */
 static const c205_word *read_indices(struct transfer *transfer, size_t first, size_t n)
 {
     struct source *a = &transfer->stream.a;
@@ -36,8 +36,8 @@ static const c205_word *read_indices(struct transfer *transfer, size_t first, si
     return a->space;
 }
 
-/* Those used before the instruction was interrupted were kept; the list may
- * have been overwritten there. */
+/* Collects the permitted indices. Those used before an interruption were saved, because
+ * the list may have been overwritten since. */
 static void collect_indices(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
@@ -53,7 +53,7 @@ static void collect_indices(struct transfer *transfer)
     }
 }
 
-/* From the lowest element that the list names to the end of the highest. */
+/* The range from the lowest element of the list to the end of the highest. */
 struct extent {
     uint64_t low, end;
 };
@@ -76,7 +76,7 @@ static bool is_within(const struct vector *vector, struct extent extent)
            && extent.low < vector_at(vector, vector->length);
 }
 
-/* Does what is stored change what is read? */
+/* Returns true if a store may change an operand that is still to be read. */
 static bool is_entangled(struct transfer *transfer)
 {
     const struct stream *stream = &transfer->stream;
@@ -167,10 +167,10 @@ static c205_trap transfer_chunks(struct transfer *transfer)
     return stream_end(stream);
 }
 
-/* ---- One element after another ------------------------------------------ */
+/* ---- One element at a time ---------------------------------------------- */
 
-/* What was overwritten, to be put back if a later element traps, or if the
- * turn ends before it. */
+/* The overwritten words, which are restored if a later element traps or is beyond the
+ * turn. */
 struct undo {
     c205_word *old;
     c205_word *address;
@@ -210,8 +210,8 @@ static void put_back(struct transfer *transfer, const struct undo *undo, size_t 
                       undo->old[transfer->count - 1]);
 }
 
-/* All elements are tried, so that one that traps does so before any is done;
- * those beyond the turn are put back. */
+/* Transfers all elements, so that a trap of any element is found before the instruction
+ * has an effect. The elements beyond the turn are then restored. */
 static c205_trap transfer_one_by_one(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
@@ -244,21 +244,21 @@ static struct vector describe_table(const struct c205 *machine,
     return table;
 }
 
-/* ---- Where all is in pages of the host ------------------------------- */
+/* ---- Operands in pages of the host -------------------------------------- */
 
-/* The elements that a list names; counted in words. */
+/* The elements that a list refers to; all numbers count words. */
 struct table_place {
-    uint64_t base;             /* of the table, from the beginning of all pages */
+    uint64_t base;             /* of the table, from address 0 */
     uint64_t low, high;        /* the lowest and the highest element */
-    struct page *page;         /* that of all elements; NULL: there are several */
-    struct page *const *pages; /* .. and then all those of a directory */
+    struct page *page;         /* the page of all elements; NULL: there are several */
+    struct page *const *pages; /* in that case: all pages of a directory */
 };
 
 #define FIND_ENDS_PARAMETERS \
     (struct table_place * table, const c205_word *indices, size_t n)
 LANEWISE void find_ends_span FIND_ENDS_PARAMETERS
 {
-    int64_t low = INT64_MAX, high = 0; /* hosts compare numbers with a sign */
+    int64_t low = INT64_MAX, high = 0; /* vector units compare signed integers */
     for (size_t i = 0; i < n; i++) {
         uint64_t sum = table->base + indices[i];
         int64_t word = (int64_t)(sum & (ADDRESS_SPACE_WORDS - 1));
@@ -282,7 +282,8 @@ static inline bool has_page(const struct table_place *table, uint64_t word)
     return page && !memory_is_untouched(page);
 }
 
-/* Are all there from the lowest to the highest, or at least those of the list? */
+/* Returns true if all pages from the lowest to the highest are mapped and allocated, or
+ * at least those of the list. */
 static bool has_pages(const struct table_place *table, const c205_word *indices,
                       size_t n)
 {
@@ -299,7 +300,7 @@ static bool has_pages(const struct table_place *table, const c205_word *indices,
     return true;
 }
 
-/* False: some are in pages that are not there, or too far apart. */
+/* Returns false if a page is missing or the elements are too far apart. */
 static bool find_table(struct table_place *table, const struct c205 *machine,
                        c205_word descriptor, const c205_word *indices, size_t n)
 {
@@ -355,9 +356,9 @@ static void gather_words(c205_word *c, const struct table_place *table,
     }
 }
 
-/* False: it is not simple (direct.h).  The clock reads the list afterwards, so
- * nothing may be stored upon it; upon what else is read it may, as one element
- * goes after the other. */
+/* Returns false if the case is not simple (direct.h). The clock reads the list after
+ * the execution, so the result must not overlap it. It may overlap the table, because
+ * the elements are moved in order. */
 static bool gather_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word list = machine->slot[decoded->a];
@@ -441,7 +442,7 @@ static c205_trap execute_scatter(struct transfer *transfer)
     return trap == C205_TRAP_NONE ? run_transfer(transfer) : trap;
 }
 
-/* B is no stream but the table. */
+/* B is the table and not a stream. */
 static c205_trap describe_gather(struct transfer *transfer, struct c205 *machine,
                                  const struct decoded *decoded)
 {
@@ -463,7 +464,7 @@ static c205_trap describe_scatter(struct transfer *transfer, struct c205 *machin
     return trap;
 }
 
-/* A is no list but the period. */
+/* A is the period and not a list. */
 static void take_period(struct transfer *transfer, const struct decoded *decoded)
 {
     struct stream *stream = &transfer->stream;

@@ -1,7 +1,8 @@
-/* hash.h - a number that tells texts and lists of words apart.
+/* hash.h - hash functions of texts and lists of words.
  *
- * Each step is a bijection of the hash for a given word, and of the word for
- * a given hash: two lists that differ in one word never have the same hash.
+ * For a given word each step is a bijection of the hash, and for a given hash it is a
+ * bijection of the word. Two lists that differ in one word therefore never have the
+ * same hash.
  */
 #ifndef C205_HASH_H
 #define C205_HASH_H

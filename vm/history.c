@@ -1,8 +1,8 @@
-/* history.c - a machine with its past: snapshots, and running forward again.
+/* history.c - a machine that can go back: snapshots, and running forward again.
  *
- * A machine does the same again from a saved state.  So of a run nothing is
- * kept but states, so many instructions and so many clocks apart; to go back is
- * to restore the last state before, and to run from there.
+ * A machine that is restored from a saved state repeats the same execution. The history
+ * therefore stores only snapshots, at distances in instructions and clocks. To go back,
+ * it restores the last snapshot before the target and runs from there.
  */
 #include "vm/breakpoints.h"
 
@@ -10,27 +10,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A state is kept after so many instructions, or after so many clocks, for vector
- * instructions are long: what is run again takes some milliseconds. */
+/* A snapshot is taken after this many instructions or clocks. The limit in clocks
+ * serves vector instructions, which are long. Running from a snapshot to the next takes
+ * some milliseconds. */
 enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
-/* The distances are doubled up to here. */
+/* The distances are doubled up to this limit. */
 #define MAX_STEPS_APART (UINT64_C(1) << 50)
 
 struct snapshot {
     uint64_t step, clock;
-    bool changed; /* by hand: whoever comes to this step continues from here */
+    bool changed; /* modified by the host; a run that reaches this step continues from
+                     here */
     size_t size;
     unsigned char *bytes;
 };
 
 struct c205_history {
     c205 *machine;
-    uint64_t step;          /* instructions since the first snapshot .. */
-    uint64_t known;         /* .. the most that there ever were */
-    bool ended;             /* behind the last of them the program has ended */
-    c205_stop end;          /* .. that way */
-    size_t budget, held;    /* bytes of snapshots: at most, now */
-    uint64_t steps, clocks; /* so far apart are the next */
+    uint64_t step;          /* instructions since the first snapshot */
+    uint64_t known;         /* the last step that has been executed and not discarded */
+    bool ended;             /* the program ended after the last known step */
+    c205_stop end;          /* how it ended */
+    size_t budget, held;    /* bytes of snapshots: maximum, current */
+    uint64_t steps, clocks; /* distances of the next snapshot */
     size_t count, capacity;
     struct snapshot *list; /* by step */
 };
@@ -87,8 +89,9 @@ static void double_distances(struct c205_history *history)
     history->clocks *= 2;
 }
 
-/* Every second one goes, the first stays, and those that nothing else leads to; if any
- * went the next are twice as far apart. */
+/* Drops every second snapshot. It keeps the first one, and those after a change by the
+ * host, because no earlier snapshot leads to them. If it dropped any, it doubles the
+ * distances. */
 static void thin(struct c205_history *history)
 {
     size_t kept = 0, before = history->count;
@@ -113,7 +116,7 @@ static bool save_state(const struct c205_history *history, struct saved *saved,
     return false;
 }
 
-/* There is room in the list. */
+/* Appends a snapshot. The list must have room. */
 static void append(struct c205_history *history, struct saved saved, bool changed)
 {
     unsigned char *shrunk;
@@ -138,7 +141,7 @@ static bool keep(struct c205_history *history, c205_error *error)
     return true;
 }
 
-/* Those of later steps mean nothing any more. */
+/* Drops the snapshots of this step and later ones, which are no longer valid. */
 static void forget_later(struct c205_history *history)
 {
     while (history->count > 0
@@ -157,7 +160,7 @@ static bool is_time(const struct c205_history *history)
                || clock - last->clock >= history->clocks);
 }
 
-/* The last one at a step or before. */
+/* Returns the index of the last snapshot at or before a step. */
 static size_t find(const struct c205_history *history, uint64_t step)
 {
     size_t low = 0, high = history->count;
@@ -171,7 +174,7 @@ static size_t find(const struct c205_history *history, uint64_t step)
     return low;
 }
 
-/* ---- To begin and to end ------------------------------------------------- */
+/* ---- Creation and end --------------------------------------------------- */
 
 c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error)
 {
@@ -229,7 +232,7 @@ bool c205_history_changed(c205_history *history, c205_error *error)
     return true;
 }
 
-/* ---- Another machine ------------------------------------------------------ */
+/* ---- Replacing the machine ---------------------------------------------- */
 
 static void replace(struct c205_history *history, c205 *machine)
 {
@@ -251,7 +254,7 @@ static c205 *restore(const struct c205_history *history, const struct snapshot *
     return c205_restore(from->bytes, from->size, history->machine->model, error);
 }
 
-/* Where somebody has changed the machine, it is what it was made then. */
+/* If the host changed the machine at this step, restores the changed state. */
 static bool take_change(struct c205_history *history)
 {
     const struct snapshot *here = &history->list[find(history, history->step)];
@@ -265,9 +268,9 @@ static bool take_change(struct c205_history *history)
     return machine;
 }
 
-/* ---- Forward ------------------------------------------------------------- */
+/* ---- Forward ------------------------------------------------------------ */
 
-/* One that was done before does the same again. */
+/* Executes one step. A step that was executed before has the same result again. */
 static bool forward(struct c205_history *history, c205_stop *stop)
 {
     bool goes_on;
@@ -295,7 +298,7 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
 {
     bool goes_on = forward(history, stop);
     c205_error error;
-    /* A snapshot without memory would fail after the next instruction too. */
+    /* Without memory for a snapshot, the next instruction would try in vain again. */
     if (goes_on && is_time(history) && !keep(history, &error))
         double_distances(history);
     return goes_on;
@@ -303,7 +306,7 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
 
 /* ---- Back ---------------------------------------------------------------- */
 
-/* The listeners hear of the last step alone. */
+/* Runs to a step. The listeners are notified of the last instruction only. */
 static bool go_from(struct c205_history *history, c205 *machine, uint64_t first,
                     uint64_t step)
 {

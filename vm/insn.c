@@ -1,6 +1,4 @@
-/* insn.c - the instruction table expanded, and instruction words taken apart
- * and put together.
- */
+/* insn.c - expands the instruction table, and decodes and encodes instruction words. */
 #include "vm/c205.h"
 
 #include <string.h>
@@ -58,7 +56,7 @@ static const uint8_t specials_flops[SPECIALS_RULES] = {
 #include "vm/arith.def"
 };
 
-/* The rule of each operation. */
+/* The rule of special values of each operation. */
 static const uint8_t specials[C205_OPERATIONS] = {
 #define OPERATION(name, specials) SPECIALS_##specials,
 #include "vm/arith.def"
@@ -158,10 +156,10 @@ const c205_insn *c205_insn_coded(uint8_t opcode, uint8_t g)
     return NULL;
 }
 
-/* ---- Where the fields lie ------------------------------------------------ */
+/* ---- Positions of the fields -------------------------------------------- */
 
-/* Each byte field: its letter, how far it stands from the right end of the
- * word, and where c205_fields keeps it. */
+/* Each byte field: its letter, its distance from the right end of the word, and its
+ * offset in c205_fields. */
 static const struct field_place {
     char letter;
     unsigned shift;
@@ -177,8 +175,8 @@ enum { PLACES = sizeof places / sizeof places[0], OPCODE_SHIFT = 56 };
 
 enum immediate { NO_IMMEDIATE, SIGNED, UNSIGNED, IF_RELATIVE };
 
-/* Which byte fields a format has, and where its immediate lies.  That of a
- * branch with G_RELATIVE lies over its fields Y and B, and is signed. */
+/* The byte fields and the immediate of each format. The immediate of a branch with
+ * G_RELATIVE overlaps its fields Y and B, and is signed. */
 static const struct format_layout {
     const char *letters;
     enum immediate immediate;

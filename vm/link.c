@@ -1,7 +1,8 @@
 /* link.c - the link prefix: two vector instructions as one stream.
  *
- * The first one's result goes to the second without passing through memory,
- * which has two read paths: of the three other sources two may be vectors.
+ * The result of the first instruction goes to the second without passing through
+ * memory. Memory has two read paths, so at most two of the three other sources may be
+ * vectors.
  */
 #include "vm/direct.h"
 #include "vm/vector.h"
@@ -39,7 +40,7 @@ static bool makes_bits(const struct decoded *decoded)
     return decoded->width[OPERAND_C] == 1;
 }
 
-/* The first rule that does not hold, or RULE_NONE. */
+/* Returns the first broken rule, or RULE_NONE. */
 static enum rule rule_against(const struct decoded *first, const struct decoded *second)
 {
     bool a = is_linked_a(first, second), b = is_linked_b(first, second);

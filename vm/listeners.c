@@ -1,5 +1,5 @@
-/* listeners.c - the machine's own listeners: they hand on what time is made
- * from, which other listeners do not see.
+/* listeners.c - the machine's own listeners. They pass on the input of the clock, which
+ * other listeners cannot access.
  */
 #include "vm/machine.h"
 #include "vm/time/projection.h"

@@ -1,3 +1,4 @@
+/* machine.c - creates, loads, runs and inspects a machine. */
 #include "vm/machine.h"
 #include "vm/shared.h"
 #include "vm/events.h"
@@ -8,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Making, loading ---------------------------------------------------- */
+/* ---- Creation and loading ----------------------------------------------- */
 
 static bool no_memory(c205_error *error)
 {
@@ -25,7 +26,8 @@ static void clear_registers(struct c205 *machine)
     machine->request = NO_REQUEST;
 }
 
-/* What was decoded from there is not what is in memory, perhaps. */
+/* Discards an interrupted instruction. It was decoded from its saved copy, which may
+ * differ from memory, so the decode cache is invalidated. */
 static void clear_resume(struct c205 *machine)
 {
     if (!machine->resume.interrupted)
@@ -130,7 +132,7 @@ static const char *const rule_texts[RULES] = {
 #undef RULE
 };
 
-/* That which was named, or else the first one of the trap. */
+/* Returns the text of the recorded rule, or of the first rule of the trap. */
 static const char *broken_rule(const struct c205 *machine, c205_trap trap)
 {
     unsigned rule = machine->rule;
@@ -154,7 +156,7 @@ static void set_trap(struct c205 *machine, c205_trap trap, const c205_insn *insn
     machine->rule = RULE_NONE;
 }
 
-/* Between two instructions, whatever the next one is. */
+/* Stops between two instructions. */
 static bool stop_between(struct c205 *machine, c205_trap why, uint64_t address,
                          c205_stop *stop)
 {
@@ -171,8 +173,8 @@ static bool stop_at_limit(struct c205 *machine, c205_stop *stop)
     return stop_between(machine, C205_TRAP_CLOCK_LIMIT, 0, stop);
 }
 
-/* At an instruction that cannot begin.  The clock shows the time when all in
- * flight is done. */
+/* Stops at an instruction that cannot begin. The clock shows the time when everything
+ * in flight is done. */
 static bool stop_before(struct c205 *machine, c205_trap trap, const c205_insn *insn,
                         c205_stop *stop)
 {
@@ -183,8 +185,8 @@ static bool stop_before(struct c205 *machine, c205_trap trap, const c205_insn *i
     return false;
 }
 
-/* In the middle of a vector instruction: at the limit, or at a trap that came
- * when it was to continue. */
+/* Stops within a vector instruction: at the limit, or at a trap when an interrupted
+ * instruction was to continue. */
 static bool stop_within(struct c205 *machine, c205_trap trap,
                         const struct decoded *decoded, uint64_t limit, c205_stop *stop)
 {
@@ -201,7 +203,8 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
     return false;
 }
 
-/* False: a stop was met, or a listener asked for one. */
+/* Returns false if a breakpoint or watchpoint was reached or a listener requested a
+ * stop. */
 static bool go_past_stops(struct c205 *machine, c205_stop *stop)
 {
     uint64_t address = 0;
@@ -213,8 +216,8 @@ static bool go_past_stops(struct c205 *machine, c205_stop *stop)
     return trap == C205_TRAP_NONE || stop_between(machine, trap, address, stop);
 }
 
-/* After an instruction that listeners hear of, or a request; false: it was
- * the request that ends the program. */
+/* Notifies the listeners after an instruction or a request. Returns false if the run
+ * ends. */
 static bool attend(struct c205 *machine, const struct decoded *decoded, uint64_t before,
                    c205_stop *stop)
 {
@@ -246,17 +249,17 @@ static inline void clear_effect(struct effect *effect)
     effect->swapped = effect->saved = 0;
 }
 
-/* A vector instruction may continue until the limit comes. */
+/* Limits a vector instruction to the elements that stream before the limit. */
 static void limit_elements(struct c205 *machine, const struct decoded *decoded,
                            uint64_t limit)
 {
     if (decoded->insn->timing == C205_TIMING_vlink
         && decode_pair(machine, decoded) != C205_TRAP_NONE)
-        return; /* it will trap */
+        return; /* the execution will trap */
     machine->allowed = clock_elements(machine->clock, decoded, limit);
 }
 
-/* One instruction; false: *stop tells why there is no next one. */
+/* Executes one instruction. Returns false if the run ends, with the reason in *stop. */
 static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     const struct decoded *decoded = decode_cached(machine->cache,
@@ -283,7 +286,8 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 
 /* ---- Blocks -------------------------------------------------------------- */
 
-/* How many were executed: fewer, where one traps or has changed code. */
+/* Returns the number of executed instructions, less than all after a trap or a change
+ * of code. */
 static inline unsigned execute_block(struct c205 *machine,
                                      const struct code_block *block, c205_trap *trap)
 {
@@ -298,8 +302,8 @@ static inline unsigned execute_block(struct c205 *machine,
     return (unsigned)(insn - block->insn);
 }
 
-/* All of a block, or as much as can be; nobody listens, and the limit will
- * not come.  False: *stop tells why there is no next one. */
+/* Executes a block as far as possible, without listeners and without reaching the
+ * limit. Returns false if the run ends, with the reason in *stop. */
 static inline bool run_block(struct c205 *machine, struct code_block *block,
                              c205_stop *stop)
 {
@@ -325,7 +329,7 @@ static inline struct code_block *block_at(struct c205 *machine, uint64_t pc)
     return block_make(machine, pc);
 }
 
-/* A block, or where that cannot be one instruction. */
+/* Executes a block, or one instruction if a block is not possible. */
 static inline bool go_on(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     if (!machine->eventful) {
@@ -339,9 +343,9 @@ static inline bool go_on(struct c205 *machine, uint64_t limit, c205_stop *stop)
     return step(machine, limit, stop);
 }
 
-/* ---- From a beginning to an end ------------------------------------------ */
+/* ---- Runs --------------------------------------------------------------- */
 
-/* The first one continues where the run before was stopped. */
+/* The first step continues at the point where the previous run stopped. */
 static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     machine->pausing = false;
@@ -415,14 +419,15 @@ const char *c205_trap_name(c205_trap trap)
     return trap_names[trap];
 }
 
-/* Address 0 is one as well: it is what a forgotten descriptor holds. */
+/* Address 0 is shown for these traps too, because an uninitialised descriptor holds
+ * it. */
 static bool has_address(const c205_stop *stop)
 {
     return stop->address || stop->trap == C205_TRAP_UNMAPPED_ADDRESS
            || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
 }
 
-/* ": 56000000", the half word that is no instruction. */
+/* Writes ": 56000000", the half word that is not an instruction. */
 static void describe_code(const c205 *machine, uint64_t pc, char text[20])
 {
     c205_word word;
@@ -433,7 +438,7 @@ static void describe_code(const c205 *machine, uint64_t pc, char text[20])
                  (unsigned long long)(word << skip >> WORD_BITS / 2));
 }
 
-/* It was to take room when it was touched, and there was none. */
+/* Returns true if the host could not allocate a page at its first use. */
 static bool lacks_page(const c205 *machine, const c205_stop *stop)
 {
     return stop->trap == C205_TRAP_UNMAPPED_ADDRESS && stop->address <= ADDRESS_MASK
@@ -525,7 +530,7 @@ c205_word c205_register(const c205 *machine, unsigned number)
     return number < C205_REGISTERS ? machine->slot[number] : 0;
 }
 
-/* Register 0 stays what it is. */
+/* Register 0 cannot be changed. */
 void c205_set_register(c205 *machine, unsigned number, c205_word word)
 {
     if (number > 0 && number < C205_REGISTERS)

@@ -1,4 +1,6 @@
-/* machine.h - the inside of a machine, for the semantics functions. */
+/* machine.h - the internal state of a machine, for the functions that execute
+ * instructions.
+ */
 #ifndef C205_MACHINE_H
 #define C205_MACHINE_H
 
@@ -8,7 +10,7 @@
 #include "vm/memory.h"
 #include "vm/resume_state.h"
 
-/* Code from begin to end belongs to a region of the accounts. */
+/* The code from begin to end belongs to a region of the accounts. */
 struct region_range {
     uint64_t begin, end;
     uint32_t region;
@@ -16,19 +18,19 @@ struct region_range {
 
 struct serializer;
 
-/* Places for vectors that need a copy. */
+/* Buffers for instructions that must copy vectors, C205_MAX_LENGTH + 1 words each. */
 enum scratch {
-    SCRATCH_KEPT, /* continues with an instruction that was interrupted */
+    SCRATCH_KEPT, /* saved with an interrupted instruction */
     SCRATCH_OLD_WORDS,
     SCRATCH_ADDRESSES,
-    SCRATCH_ORDERS, /* of sparse vectors */
+    SCRATCH_ORDERS, /* order vectors of sparse vectors */
     SCRATCHES
 };
 
-/* The job interval timer has run out (R); the others are arithmetic's. */
+/* The flag of an expired job interval timer (R). arith.h defines the other flags. */
 #define FLAG_TIMER (UINT64_C(1) << (63 - 36))
 
-/* What must hold (rules.def). */
+/* The rules whose breach is a trap (rules.def). */
 enum rule {
     RULE_NONE,
 #define RULE(name, trap, text) RULE_##name,
@@ -43,26 +45,27 @@ struct c205 {
     c205_word slot[SLOTS]; /* slot[0] is always 0 */
     uint64_t pc;
     uint64_t data_flags;
-    uint64_t timer;   /* the clock at which the job interval timer
-                                 runs out, or 0: it is off */
-    uint64_t program; /* hash of what was loaded, or 0 */
+    uint64_t timer;   /* the clock at which the job interval timer expires; 0: off */
+    uint64_t program; /* hash of the loaded program, or 0 */
     struct clock *clock;
     struct decode_cache *cache;
     struct blocks *blocks;
     const c205_model *model;
-    struct effect effect;           /* of the instruction being executed .. */
-    const struct decoded *executed; /* .. which listeners are told of */
-    c205_times record;              /* .. and its time */
-    struct resume_state resume;     /* of the one that was interrupted */
-    size_t allowed;                 /* elements of this one before the clock limit
-                                 comes, SIZE_MAX: any number */
+    struct effect effect;           /* of the current instruction */
+    const struct decoded *executed; /* the instruction that listeners are notified of */
+    c205_times record;              /* its times */
+    struct resume_state resume;     /* of an interrupted instruction */
+    size_t allowed;                 /* elements of this instruction before the clock
+                                       limit; SIZE_MAX: no limit */
     uint64_t resumed_at;            /* the clock shown when the run began */
-    uint64_t fault;                 /* operand address of a trap .. */
-    enum rule rule;                 /* .. and the rule that was broken, if known */
-    unsigned request;               /* that EXIT just made, or NO_REQUEST */
-    bool eventful; /* EXIT was executed, somebody listens, or there are stops */
-    bool pausing;  /* a listener has asked for an end of the run */
-    struct machine_breakpoints *breakpoints; /* NULL: none were ever set */
+    uint64_t fault;                 /* operand address of a trap */
+    enum rule rule;                 /* the broken rule, if known */
+    unsigned request;               /* of the EXIT just executed, or NO_REQUEST */
+    bool eventful; /* EXIT was executed, or there are listeners, breakpoints or
+                      watchpoints */
+    bool pausing;  /* a listener requested the end of the run */
+    struct machine_breakpoints
+        *breakpoints; /* breakpoints and watchpoints; NULL: none */
     unsigned listener_count;
     struct {
         c205_listener *call;
@@ -70,12 +73,12 @@ struct c205 {
     } listener[C205_LISTENERS];
     size_t range_count; /* code ranges of regions, by address */
     struct region_range *ranges;
-    c205_word *scratch[SCRATCHES]; /* allocated when first wanted */
+    c205_word *scratch[SCRATCHES]; /* allocated on first use */
     struct memory memory;
 };
 
-/* The parts of a descriptor: its length, its address.  Indices and integers
- * have their bits where the address is. */
+/* A descriptor has a length in its high 16 bits and an address in the low 48. Indices
+ * and integers are in the low 48 bits too. */
 enum { LENGTH_SHIFT = 48 };
 #define HIGH(word) ((word) & ~ADDRESS_MASK)
 #define LOW(word) ((word)&ADDRESS_MASK)
@@ -85,10 +88,11 @@ static inline c205_word with_length(c205_word descriptor, size_t length)
     return LOW(descriptor) | (c205_word)length << LENGTH_SHIFT;
 }
 
-/* C205_MAX_LENGTH words and one, or NULL: the host has no memory left. */
+/* Returns a buffer of C205_MAX_LENGTH + 1 words, or NULL if the host is out of
+ * memory. */
 c205_word *machine_scratch(struct c205 *machine, enum scratch which);
 
-/* The instruction read this range of memory, or stored into it. */
+/* Records that the instruction read or stored a range of memory. */
 static inline void machine_touch_as(struct c205 *machine, uint64_t address,
                                     uint64_t bits, bool stored)
 {
@@ -110,14 +114,14 @@ static inline void machine_touch_result(struct c205 *machine, uint64_t address,
     machine_touch_as(machine, address, bits, true);
 }
 
-/* A half register, in the left half of a word. */
+/* Returns a half register in the left half of a word. */
 static inline c205_word machine_half(const struct c205 *machine, uint16_t slot,
                                      uint8_t shift)
 {
     return machine->slot[slot] << shift & LEFT_HALF;
 }
 
-/* The other half of the register stays. */
+/* Sets a half register. The other half is unchanged. */
 static inline void machine_set_half(struct c205 *machine, uint16_t slot, uint8_t shift,
                                     c205_word half)
 {
@@ -125,7 +129,7 @@ static inline void machine_set_half(struct c205 *machine, uint16_t slot, uint8_t
     machine->slot[slot] = (machine->slot[slot] & other) | half >> shift;
 }
 
-/* To C, a register or a half register. */
+/* Stores a result in C, a register or a half register. */
 static inline void machine_deliver(struct c205 *machine, const struct decoded *decoded,
                                    c205_word number)
 {
@@ -135,7 +139,7 @@ static inline void machine_deliver(struct c205 *machine, const struct decoded *d
         machine->slot[decoded->c] = number;
 }
 
-/* To C and the register behind it, or the two halves of a register. */
+/* Stores a result in C and the register after it, or in both halves of one register. */
 static inline void machine_deliver_parts(struct c205 *machine,
                                          const struct decoded *decoded, c205_word upper,
                                          c205_word lower)
@@ -151,8 +155,8 @@ static inline void machine_deliver_parts(struct c205 *machine,
     }
 }
 
-/* Of n elements those from where the instruction was interrupted up to where
- * it will be, which is after so many. */
+/* Returns the elements of n to process now: from the interruption, if any, up to
+ * element allowed. */
 static inline struct turn machine_turn(const struct c205 *machine, size_t n,
                                        size_t allowed)
 {
@@ -166,8 +170,8 @@ static inline struct turn machine_turn(const struct c205 *machine, size_t n,
     return turn;
 }
 
-/* The elements of a turn are done.  CLOCK_LIMIT: there are more, and what the
- * loop carries on to them must go to machine->resume. */
+/* Ends a turn. Returns CLOCK_LIMIT if elements are left. The caller must then store its
+ * loop state in machine->resume. */
 static inline c205_trap machine_end_turn(struct c205 *machine, const struct turn *turn)
 {
     if (turn->end == turn->n)
@@ -176,9 +180,8 @@ static inline c205_trap machine_end_turn(struct c205 *machine, const struct turn
     return C205_TRAP_CLOCK_LIMIT;
 }
 
-/* The one thing that semantics may ask of time, for instructions that read
- * the clock or the timer: how many clocks have been charged before it.  Those
- * instructions go into no block (block.c). */
+/* Returns the clocks charged before the current instruction. Only instructions that
+ * read the clock or the timer may call this, and no block contains them (block.c). */
 static inline uint64_t machine_clocks(const struct c205 *machine)
 {
     return clock_now(machine->clock);
@@ -189,12 +192,12 @@ static inline bool machine_timer_has_run_out(const struct c205 *machine)
     return machine->timer && machine_clocks(machine) >= machine->timer;
 }
 
-/* The data flags, with that of the timer when it has run out. */
+/* Returns the data flags, including the flag of an expired timer. */
 static inline uint64_t machine_flags(const struct c205 *machine)
 {
     return machine->data_flags | (machine_timer_has_run_out(machine) ? FLAG_TIMER : 0);
 }
-/* The same, to be changed; a timer that has run out is off then. */
+/* Returns the data flags for writing. An expired timer is switched off. */
 uint64_t *machine_raise_flags(struct c205 *machine);
 
 static inline c205_trap rule_trap(enum rule rule)
@@ -209,14 +212,14 @@ static inline c205_trap rule_trap(enum rule rule)
     }
 }
 
-/* The trap for a rule that does not hold. */
+/* Records a broken rule and returns its trap. */
 static inline c205_trap machine_refuse(struct c205 *machine, enum rule rule)
 {
     machine->rule = rule;
     return rule_trap(rule);
 }
 
-/* A trap that has to do with an operand's address. */
+/* Records the operand address of a trap and returns the trap. */
 static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
                                       uint64_t address)
 {
@@ -224,17 +227,17 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
     return trap;
 }
 
-/* Every function named in insn.def. */
+/* The functions named in insn.def. */
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \
              function, operation, provenance, effect) \
     semantics execute_##function;
 #include "vm/insn.def"
 
-/* Set the regions of a program (vm/region.c). */
+/* Sets the regions of a program (vm/region.c). */
 bool machine_set_regions(struct c205 *machine, const c205_program *program,
                          c205_error *error);
 uint32_t machine_region(const struct c205 *machine, uint64_t pc);
-/* Regions and the names of their accounts, to or from a serializer. */
+/* Serializes the regions and the names of their accounts. */
 void machine_walk_regions(struct c205 *machine, struct serializer *serializer);
 
 #endif

@@ -1,10 +1,11 @@
+/* memory.c - maps pages by a two-level table, and copies words, half words and bits. */
 #include "vm/memory.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Pages found lately ------------------------------------------------- */
+/* ---- Cache of pages ----------------------------------------------------- */
 
 static void forget_near(struct memory *memory)
 {
@@ -31,7 +32,7 @@ void memory_init(struct memory *memory)
     memory->code_changes = 1;
 }
 
-/* Pages that are shared may be gone already. */
+/* Shared pages are not accessed, because they may have been freed already. */
 void memory_clear(struct memory *memory)
 {
     forget_near(memory);
@@ -91,7 +92,8 @@ static struct page *new_page(struct memory *memory)
 
 const uint64_t memory_untouched = 0;
 
-/* Which pages the host has given is nothing that can be read. */
+/* The memory is const here because allocating a page of zeros changes no value that can
+ * be read. */
 struct page *memory_touch(const struct memory *memory, uint64_t address)
 {
     struct memory *owner = (struct memory *)memory;
@@ -145,7 +147,7 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
     return true;
 }
 
-/* ---- Pages that are shared ------------------------------------------------ */
+/* ---- Shared pages ------------------------------------------------------- */
 
 bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pages,
                        size_t count, c205_error *error)
@@ -163,7 +165,7 @@ bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pag
     return true;
 }
 
-/* As memory_touch: what is read does not change. */
+/* The memory is const here because copying a page changes no value that can be read. */
 struct page *memory_own(const struct memory *memory, uint64_t address)
 {
     struct memory *owner = (struct memory *)memory;
@@ -217,7 +219,7 @@ c205_trap memory_check(const struct memory *memory, uint64_t address, uint64_t b
     return C205_TRAP_NONE;
 }
 
-/* ---- Code that was decoded ---------------------------------------------- */
+/* ---- Decoded code ------------------------------------------------------- */
 
 void memory_mark_code(struct memory *memory, uint64_t address)
 {
@@ -229,7 +231,7 @@ void memory_mark_code(struct memory *memory, uint64_t address)
     page->holds_code = true;
 }
 
-/* The marks are taken away: what is still code will be decoded again. */
+/* Clears the marks. Words that still hold code are decoded again later. */
 void memory_change_code(struct memory *memory, struct page *page, size_t first,
                         size_t count)
 {
@@ -303,7 +305,7 @@ void memory_write_words(struct memory *memory, uint64_t address, const c205_word
 
 enum { WORD_HALVES = WORD_BITS / HALF_BITS };
 
-/* The half word that stands shift bits from the left end of a word. */
+/* Returns the half word that is shift bits from the left end of a word. */
 static inline c205_word half_of(c205_word word, unsigned shift)
 {
     return word << shift & LEFT_HALF;
@@ -344,7 +346,7 @@ c205_trap memory_store_half(struct memory *memory, uint64_t address, c205_word h
     return memory_store(memory, place, word);
 }
 
-/* From the address on, how many of count half words lie in a span of words that
+/* Returns how many of count half words from address on are in a span of words that
  * begins with the word of the address. */
 static size_t halves_in(size_t words, uint64_t address, size_t count)
 {
@@ -389,7 +391,7 @@ static c205_word word_at(const struct memory *memory, uint64_t address)
     return *memory_read_span(memory, address - address % WORD_BITS, &one);
 }
 
-/* The leftmost n bits of a word, 1 to 64 of them. */
+/* Returns a mask of the leftmost n bits, 1 <= n <= 64. */
 static uint64_t leading(size_t n)
 {
     return UINT64_MAX << (WORD_BITS - n);
@@ -415,7 +417,7 @@ void memory_read_bits(const struct memory *memory, uint64_t address, uint64_t *b
     }
 }
 
-/* 64 bits from any place of a string of count bits; behind its end zeros. */
+/* Returns 64 bits from any position of a string of count bits, followed by zeros. */
 static uint64_t bits_from(const uint64_t *bits, size_t place, size_t count)
 {
     size_t word = place / WORD_BITS, skip = place % WORD_BITS;

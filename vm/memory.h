@@ -1,9 +1,8 @@
 /* memory.h - bit-addressed, paged virtual memory.
  *
- * An address is 48 bits and names a bit; a page holds 65,536 words (2^22
- * bits).  A word is kept as a host integer whose top bit is its bit 0.
- * Nothing here knows of time, residence or associative registers: that is
- * clock.h's matter.
+ * An address has 48 bits and names a bit. A page holds 65,536 words (2^22 bits). A word
+ * is a host integer whose top bit is its bit 0. This module knows nothing of time,
+ * residence or associative registers; see clock.h.
  */
 #ifndef C205_MEMORY_H
 #define C205_MEMORY_H
@@ -14,31 +13,31 @@
 enum {
     WORD_BITS = 64,
     HALF_BITS = 32,
-    PAGE_SHIFT = 22,      /* bits of address within a page */
-    DIRECTORY_SHIFT = 35, /* .. and within a directory's pages */
+    PAGE_SHIFT = 22,      /* bits of an address within a page */
+    DIRECTORY_SHIFT = 35, /* and within the pages of a directory */
     DIRECTORY_PAGES = 1 << (DIRECTORY_SHIFT - PAGE_SHIFT),
     DIRECTORIES = 1 << (48 - DIRECTORY_SHIFT)
 };
 
-/* Half words travel in the left half of a word, the right one zeros. */
+/* Half words are passed in the left half of a word; the right half is zero. */
 #define LEFT_HALF UINT64_C(0xFFFFFFFF00000000)
 #define ADDRESS_SPACE_WORDS ((ADDRESS_MASK + 1) / WORD_BITS)
 #define PAGE_BITS (UINT64_C(1) << PAGE_SHIFT)
 
 struct page {
-    struct page *next; /* of a machine's own, or of the spare ones */
+    struct page *next; /* in the list of own or spare pages */
     c205_word word[C205_PAGE_WORDS];
-    /* Which words hold decoded code: bit i % 64, counted from the right, of
-     * code[i / 64]. */
+    /* The words that hold decoded code: bit i % 64, counted from the right, of code[i /
+     * 64]. */
     uint64_t code[C205_PAGE_WORDS / 64];
     bool holds_code; /* some bit of code was set */
     bool writable;
-    bool shared; /* by machines that have not written there: not this one's own */
+    bool shared; /* by machines that have not written it; belongs to none of them */
 };
 
-/* A page that was found lately, so that it need not be looked for: its number,
- * where its words are, and whether they may be stored and hold no code.  What
- * is kept here is forgotten whenever pages come, go or change in that. */
+/* A cache entry of a page: its number, the address of its words, and whether they may
+ * be stored and hold no code. The cache is cleared whenever a page is mapped, unmapped
+ * or changes in these properties. */
 struct near_page {
     uint64_t number;
     c205_word *word;
@@ -48,45 +47,45 @@ enum { NEAR_PAGES = 16 };
 
 struct memory {
     struct page **directory[DIRECTORIES];
-    struct near_page near_page[NEAR_PAGES]; /* by the last bits of numbers */
-    struct page *own;      /* pages that are mapped, but those that are shared */
-    struct page *spare;    /* .. for the next that are */
-    uint64_t code_changes; /* how often a word that held decoded code was
-                              written, and one; the decode cache looks at it */
-    bool rewritten;        /* one was, since all was unmapped */
+    struct near_page near_page[NEAR_PAGES]; /* by the last bits of the page number */
+    struct page *own;                       /* mapped pages except the shared ones */
+    struct page *spare;                     /* free pages for reuse */
+    uint64_t code_changes; /* 1 + the number of changes of words that held decoded code;
+                              the decode cache compares it */
+    bool rewritten;        /* such a word changed since everything was unmapped */
 };
 
-/* The memory is a machine's, all zeros before. */
+/* Initialises the memory of a machine, which must be zeroed. */
 void memory_init(struct memory *memory);
-/* Unmap everything; counts as a change of code. */
+/* Unmaps everything; counts as a change of code. */
 void memory_clear(struct memory *memory);
-/* The same, and keep no page for later. */
+/* The same, and frees the spare pages. */
 void memory_free(struct memory *memory);
-/* Pages mapped before keep their words and take the new access. */
+/* Maps pages. Pages mapped before keep their words and get the new access. */
 bool memory_map(struct memory *memory, uint64_t address, size_t words,
                 c205_access access, c205_error *error);
 
-/* A row of pages from that address on, where nothing is mapped; each is copied before
- * it is written, and then to be read and written. */
+/* Maps count shared pages at consecutive addresses, where nothing may be mapped. Each
+ * page is copied before it is written, and the copy may be read and written. */
 bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pages,
                        size_t count, c205_error *error);
-/* The copy.  NULL: no memory. */
+/* Copies a shared page. NULL: out of memory. */
 struct page *memory_own(const struct memory *memory, uint64_t address);
 
-/* Is every bit of the range mapped (and writable)?  NONE, UNMAPPED_ADDRESS
- * or PROTECTED_ADDRESS with the first such address in *fault.  A range does
- * not continue from the end of the address space to its beginning. */
+/* Checks that every bit of the range is mapped, and writable if write is set. Returns
+ * NONE, or UNMAPPED_ADDRESS or PROTECTED_ADDRESS with the first such address in *fault.
+ * A range does not wrap around at the end of the address space. */
 c205_trap memory_check(const struct memory *memory, uint64_t address, uint64_t bits,
                        bool write, uint64_t *fault);
 
-/* The span of words from a word-aligned address on that lies in one piece:
- * a pointer to the first and in *count how many there are of the count asked
- * for.  NULL: the first is not mapped.  For writing, marks code as changed. */
+/* Returns a pointer to the word at a word-aligned address. Reduces *count to the number
+ * of contiguous words from there. NULL: the first word is not mapped. Writing marks
+ * code as changed. */
 const c205_word *memory_read_span(const struct memory *memory, uint64_t address,
                                   size_t *count);
 c205_word *memory_write_span(struct memory *memory, uint64_t address, size_t *count);
 
-/* Checked before by memory_check: whole ranges, across pages. */
+/* These copy ranges across pages; memory_check must have succeeded. */
 void memory_read_words(const struct memory *memory, uint64_t address, c205_word *words,
                        size_t count);
 void memory_write_words(struct memory *memory, uint64_t address, const c205_word *words,
@@ -96,25 +95,25 @@ void memory_read_halves(const struct memory *memory, uint64_t address,
                         c205_word *halves, size_t count);
 void memory_write_halves(struct memory *memory, uint64_t address,
                          const c205_word *halves, size_t count);
-/* Bit strings from any bit address; bit i is bit i % 64, counted from the
- * left, of bits[i / 64]; unused bits of the last word are zero on reading and
- * do not matter on writing. */
+/* Bit strings from any bit address. Bit i is bit i % 64, counted from the left, of
+ * bits[i / 64]. Unused bits of the last word are zero on reading and ignored on
+ * writing. */
 void memory_read_bits(const struct memory *memory, uint64_t address, uint64_t *bits,
                       size_t count);
 void memory_write_bits(struct memory *memory, uint64_t address, const uint64_t *bits,
                        size_t count);
 
-/* The word at address now holds decoded code. */
+/* Records that the word at an address holds decoded code. */
 void memory_mark_code(struct memory *memory, uint64_t address);
-/* Words of a page, about to be written, may hold decoded code. */
+/* Must be called before words of a page that may hold decoded code are written. */
 void memory_change_code(struct memory *memory, struct page *page, size_t first,
                         size_t count);
 
-/* The address of the first mapped page from a page on; the end of the address
- * space: there is none. */
+/* Returns the address of the first mapped page from a page on, or the end of the
+ * address space if there is none. */
 uint64_t memory_next_page(const struct memory *memory, uint64_t address);
 
-/* Look for a page; NULL: not mapped. */
+/* Looks up a page and caches it. NULL: not mapped. */
 const struct near_page *memory_find_near(struct memory *memory, uint64_t address);
 
 static inline const struct near_page *memory_near(struct memory *memory,
@@ -127,8 +126,8 @@ static inline const struct near_page *memory_near(struct memory *memory,
 
 #define MEMORY_NO_PAGE "no memory left for a page of the machine"
 
-/* Its place stands for a page to be read and written, all zeros, until that is
- * looked for. */
+/* The address of this constant marks a mapped, writable page of zeros that is not
+ * allocated before its first use. */
 extern const uint64_t memory_untouched;
 
 static inline bool memory_is_untouched(const struct page *page)
@@ -136,7 +135,7 @@ static inline bool memory_is_untouched(const struct page *page)
     return (const void *)page == &memory_untouched;
 }
 
-/* NULL: not mapped. */
+/* Returns the page without allocating it. NULL: not mapped. */
 static inline struct page *memory_peek(const struct memory *memory, uint64_t address)
 {
     struct page **pages = memory->directory[address >> DIRECTORY_SHIFT];
@@ -150,14 +149,15 @@ static inline bool memory_may_write(const struct page *page)
     return page->writable || page->shared;
 }
 
-/* NULL: not mapped, or no memory for a page that was not touched yet. */
+/* Returns the page and allocates it on first use. NULL: not mapped, or out of
+ * memory. */
 static inline struct page *memory_page(const struct memory *memory, uint64_t address)
 {
     struct page *page = memory_peek(memory, address);
     return memory_is_untouched(page) ? memory_touch(memory, address) : page;
 }
 
-/* To be written by this machine; NULL likewise. */
+/* Returns the page for writing by this machine; NULL as above. */
 static inline struct page *memory_own_page(const struct memory *memory,
                                            uint64_t address)
 {
@@ -170,7 +170,7 @@ static inline size_t memory_word_index(uint64_t address)
     return address / WORD_BITS % C205_PAGE_WORDS;
 }
 
-/* One word, checked. */
+/* Loads or stores one word, with checks. */
 static inline c205_trap memory_load(const struct memory *memory, uint64_t address,
                                     c205_word *word)
 {
@@ -200,7 +200,7 @@ static inline c205_trap memory_store(struct memory *memory, uint64_t address,
     return C205_TRAP_NONE;
 }
 
-/* One half word, checked, in the left half of *half. */
+/* Loads or stores one half word, in the left half of a word, with checks. */
 c205_trap memory_load_half(const struct memory *memory, uint64_t address,
                            c205_word *half);
 c205_trap memory_store_half(struct memory *memory, uint64_t address, c205_word half);

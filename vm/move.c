@@ -1,5 +1,5 @@
-/* move.c - vector instructions that move elements to other places in a
- * vector: reverse, mask, merge, compress.
+/* move.c - vector instructions that move elements within a vector: reverse, mask,
+ * merge, compress.
  */
 #include "vm/direct.h"
 #include "vm/vector.h"
@@ -33,9 +33,8 @@ c205_trap execute_vector_reverse(struct c205 *machine, const struct decoded *dec
 
 /* ---- Mask, merge -------------------------------------------------------- */
 
-/* The control vector tells from which source an element comes; all are
- * stored.  Mask takes the element in the same place, merge the next one that
- * has not been taken. */
+/* The control vector selects the source of each element, and all elements are stored.
+ * Mask takes the element at the same index, merge the next element of that source. */
 struct choice {
     struct stream stream;
     size_t next_a, next_b;
@@ -86,7 +85,7 @@ static c205_trap store_chosen(struct choice *choice, chooser *chosen)
     return trap;
 }
 
-/* False: it is not simple (direct.h). */
+/* Returns false if the case is not simple (direct.h). */
 static bool mask_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
@@ -138,8 +137,8 @@ c205_trap execute_vector_mask(struct c205 *machine, const struct decoded *decode
     return trap == C205_TRAP_NONE ? store_chosen(&choice, mask_words) : trap;
 }
 
-/* Sources advance more slowly than the result: any overlap is taken one
- * element at a time. */
+/* The sources advance more slowly than the result, so overlapping operands are
+ * processed one element at a time. */
 c205_trap execute_vector_merge(struct c205 *machine, const struct decoded *decoded)
 {
     struct choice choice;
@@ -155,13 +154,13 @@ c205_trap execute_vector_merge(struct c205 *machine, const struct decoded *decod
 
 /* ---- Compress ----------------------------------------------------------- */
 
-/* What keeps an element: the control vector, or how it compares with B, and
- * then the answer is stored as well. */
+/* A sieve keeps elements by the control vector, or by a comparison with B whose result
+ * is stored as well. */
 struct sieve {
     struct stream stream;
     lanes_compare *comparison; /* NULL: the control vector */
-    struct vector order;       /* where the answers go */
-    size_t kept;               /* so far */
+    struct vector order;       /* destination of the comparison bits */
+    size_t kept;               /* number so far */
 };
 
 static const c205_word *sieve_words(struct sieve *sieve, size_t first, size_t n,
@@ -176,8 +175,8 @@ static const c205_word *sieve_words(struct sieve *sieve, size_t first, size_t n,
     return a;
 }
 
-/* As many as were kept before the turn, and what this one and later ones
- * will keep. */
+/* Returns the number of elements kept before this turn plus those that this turn and
+ * later ones keep. */
 static size_t count_kept(struct sieve *sieve)
 {
     const struct turn *turn = &sieve->stream.turn;
@@ -220,9 +219,9 @@ static bool all_ahead(const struct sieve *sieve)
            && !operands_overlap(c, order);
 }
 
-/* The result has as many elements as are kept.  They are counted only where
- * there is no room for all n; where the result changes what is read, there
- * must be. */
+/* Claims the result, which has as many elements as are kept. They are counted only if
+ * there is no room for all n. If the result overlaps operands that are still to be
+ * read, they cannot be counted in advance, and there must be room for all n. */
 static c205_trap claim_kept(struct sieve *sieve)
 {
     struct stream *stream = &sieve->stream;
@@ -257,7 +256,7 @@ static c205_trap finish_sieve(struct sieve *sieve, const struct decoded *decoded
     return C205_TRAP_NONE;
 }
 
-/* False: it is not simple (direct.h). */
+/* Returns false if the case is not simple (direct.h). */
 static bool compress_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], c = machine->slot[decoded->c];

@@ -1,3 +1,5 @@
+/* operand.c - describes, claims, reads and stores the operands of vector instructions.
+ */
 #include "vm/operand.h"
 
 #include <string.h>
@@ -38,7 +40,7 @@ c205_trap describe_string(struct vector *string, const struct c205 *machine,
     return offset ? advance(string, machine->slot[offset]) : C205_TRAP_NONE;
 }
 
-/* What a source that is too short continues with. */
+/* Returns the value with which a source that is too short continues. */
 static c205_word padding_of(const c205_insn *insn, unsigned width)
 {
     if (insn->flags & C205_INSN_PADO)
@@ -46,8 +48,8 @@ static c205_word padding_of(const c205_insn *insn, unsigned width)
     return insn->flags & C205_INSN_PADZ ? C205_MACHINE_ZERO : 0;
 }
 
-/* First the magnitude, then the complement.  It is part of the way to the
- * pipe, no operation: it sets no data flags. */
+/* Applies the sign control: first the magnitude, then the complement. The signs change
+ * on the way to the pipe and not by an operation, so no data flags are set. */
 static void control_sign(const struct source *source, c205_word *words, size_t n)
 {
     bool half = source->vector.width == HALF_BITS;
@@ -162,9 +164,9 @@ bool operands_overlap(const struct vector *one, const struct vector *other)
            && other->address < vector_at(one, one->length);
 }
 
-/* Where the result lies above the source by so many elements, that many are
- * still as they were; where it lies at it or below, only what has been read
- * is overwritten. */
+/* If the result begins k elements above the source, the first k elements are still
+ * unchanged at the first store. If it begins at the source or below, it overwrites only
+ * elements that have been read. */
 size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most)
 {
@@ -186,8 +188,8 @@ bool operand_recurs(const struct vector *read, size_t i, const struct vector *wr
            && vector_at(written, 0) < vector_at(read, i + 1);
 }
 
-/* An element never moves up: a result at or below its source overwrites what
- * has been read. */
+/* No element moves up, so a result at or below its source overwrites only elements that
+ * have been read. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written)
 {
     return !operands_overlap(read, written)
@@ -332,7 +334,7 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
 
 /* ---- Elements and their bits -------------------------------------------- */
 
-/* Words of ones and of zeros are common. */
+/* Words of all ones and of all zeros are frequent. */
 size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, size_t n)
 {
     size_t count = 0;
@@ -351,8 +353,8 @@ size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, si
     return count;
 }
 
-/* By pairs, then fours, then bytes, whose sum the product leaves in its first
- * byte. */
+/* Counts by pairs, fours and bytes. The product leaves the sum of the bytes in the
+ * first byte. */
 static size_t ones_in(uint64_t word)
 {
     uint64_t pairs = UINT64_MAX / 3, fours = UINT64_MAX / 5;

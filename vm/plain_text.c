@@ -1,4 +1,4 @@
-/* plain_text.c - what a text file is. */
+/* plain_text.c - checks that a file is a text, and normalises its line ends. */
 #include "vm/c205.h"
 
 #include <string.h>
@@ -8,9 +8,9 @@ static bool starts_with(const char *text, size_t length, const char *mark)
     return length >= strlen(mark) && !memcmp(text, mark, strlen(mark));
 }
 
-/* Most characters of a text in UTF-16 are ASCII or Latin-1: their other byte
- * is NUL.  A quarter of the pairs is enough if hardly any pair has its NUL in
- * the other place. */
+/* Detects UTF-16. Most characters are ASCII or Latin-1, so one byte of their pair is
+ * NUL. It suffices that a quarter of the pairs has a NUL in one place and that hardly
+ * any has one in the other. */
 static bool has_pairs_with_nul(const char *text, size_t length)
 {
     enum { EXAMINED = 4096 };

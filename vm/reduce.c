@@ -1,4 +1,6 @@
-/* reduce.c - vectors to one number, in a register or in two. */
+/* reduce.c - vector instructions that reduce a vector to one number, in one register or
+ * two.
+ */
 #include "vm/vector.h"
 
 static c205_trap open_sources(struct stream *stream, struct c205 *machine,
@@ -10,13 +12,13 @@ static c205_trap open_sources(struct stream *stream, struct c205 *machine,
 
 /* ---- Sum, product, dot -------------------------------------------------- */
 
-/* A number in two parts, neither normalised: the result so far.  A product
- * has the upper alone. */
+/* The result so far in two parts, neither normalised. A product uses the upper part
+ * only. */
 struct parts {
     c205_word upper, lower;
 };
 
-/* Arithmetic of one size. */
+/* The arithmetic functions of one size. */
 struct arithmetic {
     c205_word one;
     arith_binary *add_upper, *add_lower;
@@ -40,7 +42,7 @@ typedef void folding(const struct arithmetic *arithmetic, struct parts *parts,
 struct reduction {
     const struct arithmetic *arithmetic;
     folding *fold;
-    struct parts start; /* the result of no element */
+    struct parts start; /* the result for no elements */
     bool of_pairs;      /* B is read */
 };
 
@@ -57,8 +59,8 @@ static void fold_sum(const struct arithmetic *arithmetic, struct parts *parts,
     *parts = sum;
 }
 
-/* The lower parts of the products join that of the sum, one behind the sum's
- * own. */
+/* For each product, its upper part is added to the sum. Its lower part is then added to
+ * the lower part of the sum. */
 static void fold_dot(const struct arithmetic *arithmetic, struct parts *parts,
                      const c205_word *a, const c205_word *b, size_t n, uint64_t *flags)
 {
@@ -79,7 +81,7 @@ static void fold_product(const struct arithmetic *arithmetic, struct parts *part
     arithmetic->product(&parts->upper, a, n, flags);
 }
 
-/* The elements that the control vector lets through, in their order. */
+/* The elements that the control vector permits, in order. */
 struct some {
     c205_word a[CHUNK], b[CHUNK];
 };
@@ -101,7 +103,8 @@ static size_t take_permitted(const struct stream *stream, size_t first, size_t n
     return n;
 }
 
-/* What the parts are at first, and when the turn is over. */
+/* Runs from the start value, or from the saved parts of an interrupted instruction.
+ * Saves the parts if the turn ends early. */
 static c205_trap run_reduction(struct stream *stream, const struct reduction *reduction,
                                struct parts *parts)
 {
@@ -172,13 +175,13 @@ c205_trap execute_vector_product(struct c205 *machine, const struct decoded *dec
 
 /* ---- Maximum, minimum --------------------------------------------------- */
 
-/* The best element so far; the first of equals.  An indefinite one cannot
- * be compared: the first of them is the result. */
+/* The best element so far; the first of equal ones. An indefinite element cannot be
+ * compared, so the first indefinite one is the result. */
 struct best {
     c205_word word;
     size_t index;
     bool found, indefinite;
-    bool greatest; /* wanted; else the least */
+    bool greatest; /* find the maximum; else the minimum */
     arith_relation *less;
 };
 
@@ -201,7 +204,7 @@ static void find_best(struct best *best, const c205_word *a, size_t first, size_
         }
 }
 
-/* The one found before the instruction was interrupted, if it was. */
+/* Continues from the best element before the interruption. */
 static void resume_extreme(struct best *best, const struct resume_state *resume)
 {
     if (!resume->found)

@@ -1,4 +1,4 @@
-/* region.c - which region of the accounts an instruction belongs to. */
+/* region.c - maps instructions to the regions of the accounts. */
 #include "vm/machine.h"
 #include "vm/serializer.h"
 
@@ -30,7 +30,7 @@ uint32_t machine_region(const struct c205 *machine, uint64_t pc)
     return 0;
 }
 
-/* The account of a name, which is added where it is new. */
+/* Returns the account of a name, and adds it if it is new. */
 static uint32_t account_of(const char **names, size_t *count, const char *name)
 {
     size_t i = 0;
@@ -98,11 +98,11 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
     return true;
 }
 
-/* ---- On a tape ----------------------------------------------------------- */
+/* ---- Serialization ------------------------------------------------------ */
 
 static const char wrong_regions[] = "the regions of the saved machine are wrong";
 
-/* Each region has its account, the first one is for all other code. */
+/* Each region has an account. The first account is for all other code. */
 static void walk_names(struct c205 *machine, const char **names, size_t count,
                        struct serializer *serializer)
 {

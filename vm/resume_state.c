@@ -1,9 +1,10 @@
+/* resume_state.c - saves an interrupted instruction and serializes its progress. */
 #include "vm/resume_state.h"
 
 #include "vm/memory.h"
 #include "vm/serializer.h"
 
-/* The longest search makes so many comparisons. */
+/* The largest number of comparisons of a search. */
 #define MAX_COMPARED ((size_t)C205_MAX_LENGTH * C205_MAX_LENGTH)
 
 /* ---- The instruction itself --------------------------------------------- */
@@ -17,7 +18,7 @@ static void keep_instruction(struct resume_state *resume, const struct decoded *
         resume->half[resume->halves++] = (uint32_t)word;
 }
 
-/* Of one that was interrupted before, that is what was kept then. */
+/* If the instruction was interrupted before, decoded is the saved instruction. */
 void resume_interrupt(struct resume_state *resume, const struct decoded *decoded)
 {
     resume->interrupted = true;
@@ -37,7 +38,7 @@ bool resume_holds(const struct resume_state *resume, uint64_t pc, uint64_t addre
     return true;
 }
 
-/* ---- On a tape ---------------------------------------------------------- */
+/* ---- Serialization ------------------------------------------------------ */
 
 static void walk_instruction(struct resume_state *resume, struct serializer *serializer)
 {
@@ -60,7 +61,8 @@ static void walk_flag(bool *flag, struct serializer *serializer)
     *flag = size == 1;
 }
 
-/* Whatever numbers a tape holds, the loops stay within what is claimed. */
+/* Any numbers are accepted within these bounds, because the loops stay within the
+ * claimed ranges. */
 void resume_walk(struct resume_state *resume, struct serializer *serializer)
 {
     walk_flag(&resume->interrupted, serializer);

@@ -1,4 +1,4 @@
-/* save.c - a whole machine, saved and restored. */
+/* save.c - saves and restores a whole machine. */
 #include "vm/hash.h"
 #include "vm/machine.h"
 #include "vm/time/model.h"
@@ -6,18 +6,18 @@
 
 #include <stdio.h>
 
-/* A saved machine is, in words: magic, version, the model's name and the hash
- * of its constants, the hash of the program, registers, regions, memory,
- * clock, how far an interrupted instruction came, and the hash of all that.
- * Nothing of it depends on the host. */
+/* The format of a saved machine, in words: magic, version, the model's name and the
+ * hash of its constants, the hash of the program, registers, regions, memory, clock,
+ * the progress of an interrupted instruction, and the hash of all these. It does not
+ * depend on the host. */
 
 #define SAVE_MAGIC UINT64_C(0x4332303553415645) /* "C205SAVE" */
-/* To be raised with each change of what is saved or of its order. */
+/* Must be increased with each change of the saved fields or their order. */
 enum { SAVE_VERSION = 5 };
 
 /* ---- Hashes -------------------------------------------------------------- */
 
-/* Titles, sources and remarks cost no clocks. */
+/* Titles, sources and remarks do not affect the clock and are not hashed. */
 static uint64_t model_hash(const c205_model *model)
 {
     uint64_t hash = HASH_BEGIN;
@@ -58,13 +58,13 @@ uint64_t c205_program_hash(const c205_program *program)
 
 /* ---- Memory -------------------------------------------------------------- */
 
-/* So many words of zero, then so many that follow. */
+/* A run of zero words, followed by other words. */
 struct zero_run {
     size_t zeros, words;
 };
 
-/* From a word of a page on: up to the next two zeros, as a lone one costs no
- * more than what begins another run. */
+/* Finds a run from a word of a page on. It extends up to the next two zeros, because
+ * storing a single zero costs no more than starting another run. */
 static struct zero_run find_run(const c205_word *word, size_t left)
 {
     size_t begin = 0;
@@ -77,7 +77,7 @@ static struct zero_run find_run(const c205_word *word, size_t left)
     return run;
 }
 
-/* When reading, the page is new: all zeros. */
+/* When reading, the page is new and all zeros. */
 static void walk_words(c205_word *words, struct serializer *serializer)
 {
     for (size_t i = 0; i < C205_PAGE_WORDS;) {
@@ -95,7 +95,7 @@ static void walk_words(c205_word *words, struct serializer *serializer)
     }
 }
 
-/* A page that was not touched stays so: it is like one of zeros. */
+/* A page that was never used is saved like a page of zeros and is not allocated. */
 static void save_untouched(struct serializer *serializer)
 {
     size_t access = C205_READ_WRITE, zeros = C205_PAGE_WORDS, words = 0;
@@ -122,7 +122,8 @@ static void walk_page(struct memory *memory, uint64_t address,
         walk_words(memory_page(memory, address)->word, serializer);
 }
 
-/* Pages by rising address; the end of the address space ends them. */
+/* Pages are saved by increasing address. The end of the address space terminates the
+ * list. */
 static void walk_memory(struct memory *memory, struct serializer *serializer)
 {
     uint64_t address = 0;
@@ -207,7 +208,7 @@ static void walk(struct c205 *machine, struct serializer *serializer)
     serializer_end(serializer);
 }
 
-/* A tape that is written changes nothing. */
+/* The machine is const because writing changes nothing. */
 bool c205_save(const c205 *machine, c205_writer *write, void *context,
                c205_error *error)
 {

@@ -1,12 +1,12 @@
-/* scalar.c - arithmetic on registers, and loads, stores and the register
- * swap.  Register 0 needs no care: see SLOT_MACHINE_ZERO and SLOT_SINK.
+/* scalar.c - arithmetic on registers, loads, stores and the register swap. Register 0
+ * needs no special case: see SLOT_MACHINE_ZERO and SLOT_SINK.
  */
 #include "vm/machine.h"
 #include "vm/number/fast_path.h"
 
 #include <string.h>
 
-/* T := value, where a, b are the words of R and S. */
+/* T := value; a, b are the words of R and S. */
 #define TO_T(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
@@ -16,7 +16,7 @@
         return C205_TRAP_NONE; \
     }
 
-/* R := value, where a is the word of R and i the immediate. */
+/* R := value; a is the word of R and i the immediate. */
 #define TO_R(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
@@ -81,7 +81,7 @@ c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
 
 /* ---- Arithmetic -------------------------------------------------------- */
 
-/* T := value, where a, b are the half words of R and S. */
+/* T := value; a, b are the half words of R and S. */
 #define TO_HALF(name, value) \
     c205_trap execute_##name(struct c205 *machine, const struct decoded *d) \
     { \
@@ -103,7 +103,7 @@ c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
 #define UNARY_QUICK(name) \
     TO_T(name, fast_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
-/* None, or one that is written out. */
+/* These have no register instruction, or one that is written out below. */
 #define BINARY_VECTORS(name)
 #define UNARY_VECTORS(name)
 
@@ -134,7 +134,7 @@ c205_trap execute_contract_rounded(struct c205 *machine, const struct decoded *d
     return cut_to_half(machine, decoded, arith_contract_rounded);
 }
 
-/* Of a half word in the left half. */
+/* The coefficient of a half word in the left half of a word. */
 #define HALF_COEFFICIENT UINT64_C(0x00FFFFFF00000000)
 
 c205_trap execute_enter_half(struct c205 *machine, const struct decoded *decoded)
@@ -165,11 +165,11 @@ TO_T(or, a | b)
 
 /* ---- Fields of bits ---------------------------------------------------- */
 
-/* Of a word: the length of a field is where a vector has it, its first
- * bit where a vector has its address. */
+/* A field of a word. Its descriptor has the length where a vector descriptor has it,
+ * and the index of the first bit in place of the address. */
 struct field {
-    uint64_t ones;  /* as many, right-justified */
-    unsigned right; /* bits of the word after it */
+    uint64_t ones;  /* that many ones, right-justified */
+    unsigned right; /* bits of the word after the field */
 };
 
 static c205_trap describe_field(struct c205 *machine, c205_word descriptor,
@@ -208,7 +208,7 @@ c205_trap execute_extract_bits(struct c205 *machine, const struct decoded *decod
 
 /* ---- Memory ------------------------------------------------------------ */
 
-/* The word's address, R + 64 S. */
+/* Returns the address of a word, R + 64 S. */
 static uint64_t operand_address(const struct c205 *machine,
                                 const struct decoded *decoded)
 {
@@ -225,7 +225,7 @@ c205_trap execute_load_word(struct c205 *machine, const struct decoded *decoded)
     return C205_TRAP_NONE;
 }
 
-/* What was decoded of this block may have been stored over. */
+/* A store that changes decoded code ends the block. */
 static void count_changes(struct c205 *machine, uint64_t before)
 {
     machine->effect.ends = machine->memory.code_changes != before;
@@ -243,7 +243,7 @@ c205_trap execute_store_word(struct c205 *machine, const struct decoded *decoded
     return C205_TRAP_NONE;
 }
 
-/* R + 32 S */
+/* Returns R + 32 S. */
 static uint64_t half_address(const struct c205 *machine, const struct decoded *decoded)
 {
     return LOW(machine->slot[decoded->a] + machine->slot[decoded->b] * HALF_BITS);
@@ -276,8 +276,8 @@ c205_trap execute_store_half(struct c205 *machine, const struct decoded *decoded
 
 /* ---- Swap -------------------------------------------------------------- */
 
-/* Of the vector in a register: may so many registers from first on be moved
- * there or from there? */
+/* Checks that registers from first on can be saved to the vector of a descriptor or
+ * loaded from it. */
 static c205_trap check_swap(struct c205 *machine, c205_word descriptor, unsigned first,
                             bool save)
 {
@@ -291,8 +291,8 @@ static c205_trap check_swap(struct c205 *machine, c205_word descriptor, unsigned
                         &machine->fault);
 }
 
-/* First saves to vector T, then loads from vector R: where they overlap,
- * what was saved is loaded. */
+/* Saves to vector T first, then loads from vector R. Where the vectors overlap, the
+ * saved values are loaded. */
 c205_trap execute_swap_registers(struct c205 *machine, const struct decoded *decoded)
 {
     unsigned first = decoded->fields.s;

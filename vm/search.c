@@ -1,15 +1,16 @@
-/* search.c - for each element of one vector, where in another it first
- * compares.
+/* search.c - for each element of a vector, finds the first element of another vector
+ * for which a comparison holds.
  */
 #include "vm/vector.h"
 
-/* How many words of B are compared at once. */
+/* Returns the number of words of B to compare at once. */
 static size_t scan_next(const struct stream *stream, size_t first)
 {
     return least(stream->b.vector.length - first, CHUNK);
 }
 
-/* The index of the first B that compares with the word, or the length. */
+/* Returns the index of the first element of B for which the comparison holds, or the
+ * length. */
 static size_t search_for(struct stream *stream, c205_word word,
                          lanes_compare *comparison)
 {
@@ -25,13 +26,14 @@ static size_t search_for(struct stream *stream, c205_word word,
     return place;
 }
 
-/* The machine stops at the element that it looked for. */
+/* Returns the number of comparisons; the machine stops at the element found. */
 static size_t compared(const struct stream *stream, size_t place)
 {
     return place < stream->b.vector.length ? place + 1 : place;
 }
 
-/* The places of n words, or of as many as there is time for. */
+/* Finds the indices for n words, or for as many as the time permits. Returns their
+ * number. */
 static size_t search_some(struct stream *stream, const c205_word *a, size_t n,
                           lanes_compare *comparison, c205_word *places)
 {

@@ -1,4 +1,4 @@
-/* serializer.c - see serializer.h. */
+/* serializer.c - writes and reads words, counts and texts, and their hash. */
 #include "vm/serializer.h"
 
 #include "vm/hash.h"
@@ -108,11 +108,12 @@ size_t serializer_room(const struct serializer *serializer)
 
 void serializer_count(struct serializer *serializer, size_t *count)
 {
-    size_t room = serializer_room(serializer); /* with that of the number itself */
+    size_t room = serializer_room(serializer); /* includes the word of the count
+                                                  itself */
     serializer_size(serializer, count, room > 0 ? room - 1 : 0);
 }
 
-/* ---- Texts: how many words, then the characters and at least one NUL ----- */
+/* ---- Texts: number of words, then the characters and at least one NUL ---- */
 
 static void write_text(struct serializer *serializer, const char *text)
 {

@@ -1,10 +1,11 @@
+/* shared.c - creates, frees and maps pages that several machines share. */
 #include "vm/shared.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* No machine writes to them, so none needs to lock them. */
+/* No machine writes to these pages, so no lock is needed. */
 struct c205_shared {
     size_t count;
     struct page *pages;

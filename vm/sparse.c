@@ -1,9 +1,8 @@
-/* sparse.c - arithmetic on sparse vectors: of each operand the elements that
- * are present stand one behind the other, and its order vector has a one for
- * each, a zero for each that is absent.
+/* sparse.c - arithmetic on sparse vectors. The elements that are present are packed,
+ * and the order vector has a one for each of them and a zero for each absent element.
  *
- * The order vectors are read as a whole before an element is stored, and that
- * of the result is stored as a whole after the last, unless it was given.
+ * All order vectors are read before the first element is stored. The order vector of
+ * the result is stored after the last element, unless it is given.
  */
 #include "vm/vector.h"
 
@@ -13,21 +12,21 @@ enum {
     ORDER_BYTES = ORDER_BITS / 8
 };
 
-/* Where elements are present. */
+/* The positions of the elements that are present. */
 struct order_vector {
     struct vector vector;
-    uint64_t *bits; /* [ORDER_WORDS], zeros behind its end */
+    uint64_t *bits; /* [ORDER_WORDS], zeros after its end */
     size_t ones;
 };
 
-/* Elements of the result are present where one operand is, or where both
- * are; or where Z says, if it is given. */
+/* An element of the result is present if one operand has it (EITHER), if both have it
+ * (BOTH), or if the given vector Z has it (GIVEN). */
 enum presence { EITHER, BOTH, GIVEN };
 
 struct sparse {
     struct c205 *machine;
     enum presence presence;
-    struct turn turn; /* through the places of the order vectors */
+    struct turn turn; /* the current part of the order vectors */
     struct source a, b;
     struct vector result;
     struct order_vector x, y, z;
@@ -36,7 +35,7 @@ struct sparse {
 
 /* ---- Order vectors ----------------------------------------------------- */
 
-/* Those that are read: X, Y, and Z if it is given. */
+/* X and Y are read, and Z if it is given. */
 enum { ORDERS = 3 };
 
 static size_t orders_read(const struct sparse *sparse)
@@ -44,8 +43,8 @@ static size_t orders_read(const struct sparse *sparse)
     return sparse->presence == GIVEN ? ORDERS : ORDERS - 1;
 }
 
-/* Those of an instruction that was interrupted were kept, one behind the
- * other, as its result may lie upon them. */
+/* Returns the order vectors of an interrupted instruction, which were saved one after
+ * another because the result may overwrite them. NULL: none. */
 static const uint64_t *kept_orders(const struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;
@@ -98,7 +97,7 @@ static c205_trap read_orders(struct sparse *sparse)
     return trap;
 }
 
-/* The order vector of the result, where the machine makes it. */
+/* Computes the order vector of the result if it is not given. */
 static void combine_orders(struct sparse *sparse)
 {
     const struct order_vector *x = &sparse->x, *y = &sparse->y;
@@ -119,7 +118,7 @@ static size_t ones_from(const struct order_vector *order, size_t first, size_t n
 
 /* ---- Operands ---------------------------------------------------------- */
 
-/* X and Y are no offsets here, and there is none of the result. */
+/* The fields X and Y hold no offsets here, and the result has none. */
 static c205_trap describe_packed(struct sparse *sparse, const struct decoded *decoded)
 {
     const struct c205 *machine = sparse->machine;
@@ -135,8 +134,8 @@ static c205_trap describe_packed(struct sparse *sparse, const struct decoded *de
     return trap;
 }
 
-/* There are as many places as Z has if it is given, else as the longer one
- * of X and Y; what these have beyond is not used. */
+/* The number of positions is the length of Z if it is given, and otherwise that of the
+ * longer one of X and Y. Further bits are ignored. */
 static void describe_orders(struct sparse *sparse, const struct decoded *decoded)
 {
     const c205_word *slot = sparse->machine->slot;
@@ -184,8 +183,8 @@ static c205_trap open_sparse(struct sparse *sparse, struct c205 *machine,
 
 /* ---- Elements ---------------------------------------------------------- */
 
-/* Of n places from first on the pairs that have a result, side by side; an
- * absent one is machine zero.  How many. */
+/* Collects the operand pairs of the results among n positions. An absent operand is
+ * machine zero. Returns the number of pairs. */
 static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
                          c205_word *pair_a, c205_word *pair_b)
 {
@@ -205,7 +204,7 @@ static size_t take_pairs(struct sparse *sparse, size_t first, size_t n,
     return count;
 }
 
-/* Results for which an operand at least is one that was stored before. */
+/* Counts the results with at least one operand that an earlier element stored. */
 static void record_recurrence_of_sparse(const struct sparse *sparse)
 {
     const struct vector *a = &sparse->a.vector, *b = &sparse->b.vector;
@@ -255,7 +254,8 @@ static size_t longest(size_t a, size_t b, size_t c)
     return longer > c ? longer : c;
 }
 
-/* Up to which place the longest packed vector has so many elements. */
+/* Returns the number of positions before the longest packed vector has more than the
+ * given number of elements. */
 static size_t places_of(const struct sparse *sparse, size_t elements)
 {
     size_t x = 0, y = 0, z = 0, length = sparse->z.vector.length;
@@ -271,7 +271,7 @@ static size_t places_of(const struct sparse *sparse, size_t elements)
     return length;
 }
 
-/* What comes before the turn has been taken. */
+/* Starts the turn after the elements of earlier turns. */
 static c205_trap begin_turn(struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;

@@ -1,4 +1,4 @@
-/* text.h - text files that a program carries with it (made by embed.sh). */
+/* text.h - text files that are compiled into a program (made by embed.sh). */
 #ifndef C205_TEXT_H
 #define C205_TEXT_H
 

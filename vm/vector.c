@@ -43,7 +43,7 @@ c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
     return trap == C205_TRAP_NONE ? stream_take_length(stream, decoded) : trap;
 }
 
-/* How many elements of B will be read. */
+/* Returns the number of elements of B to read. */
 static size_t count_b(const struct stream *stream)
 {
     return stream->scans_b && stream->n > 0 ? stream->b.vector.length : stream->n;
@@ -99,13 +99,13 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 
 /* ---- Recurrences -------------------------------------------------------- */
 
-/* Elements from first to end, which is not one of them. */
+/* The elements from first up to, but not including, end. */
 struct elements {
     size_t first, end;
 };
 
-/* Which of n wait for an earlier one, where a source has elements as wide as
- * the result: those from where it meets the result's beginning. */
+/* Returns the elements that wait for an earlier result of the same width: those from
+ * the first one that overlaps the result. */
 static struct elements waiting(const struct vector *read, const struct vector *result,
                                size_t n)
 {
@@ -117,7 +117,7 @@ static struct elements waiting(const struct vector *read, const struct vector *r
     return some;
 }
 
-/* How many there are in one or more of these. */
+/* Returns the number of elements in the union of some ranges. */
 static size_t count_elements(const struct elements *some, size_t count)
 {
     size_t sum = 0, at = 0;
@@ -178,8 +178,8 @@ static uint64_t flags_of(const struct operation *operation, c205_word *words,
     return flags;
 }
 
-/* Flags are seldom set: only then are the elements held back taken out and
- * the others done once more. */
+/* Flags are rare. Only if one is set, the permitted elements are compressed and
+ * computed again for their flags. */
 static uint64_t permitted_flags(const struct operation *operation, const c205_word *a,
                                 const c205_word *b, size_t n, const uint64_t *permitted)
 {
@@ -200,8 +200,8 @@ void operate(struct c205 *machine, const struct operation *operation, c205_word 
     machine->data_flags |= flags;
 }
 
-/* Where a chunk is made: in the result itself where that lies in one piece,
- * all of it is stored, and it is nothing that is read; else words. */
+/* Returns the memory of the result if it is contiguous, stored completely, and does not
+ * overlap a source; otherwise words. */
 static c205_word *result_space(struct stream *stream, size_t first, size_t n,
                                c205_word *words)
 {
@@ -245,7 +245,7 @@ static c205_trap run_stream(struct stream *stream, const struct operation *opera
     return stream_end(stream);
 }
 
-/* Of words and of half words. */
+/* For words and for half words. */
 static const struct operation operations[C205_OPERATIONS][2] = {
 /* clang-format off */
 #define OF_BOTH_SIZES(name, kind) \
@@ -282,7 +282,7 @@ c205_trap execute_elementwise(struct c205 *machine, const struct decoded *decode
 
 /* ---- Neighbours -------------------------------------------------------- */
 
-/* Two streams over A, the first one element ahead. */
+/* Both streams read A; the first is one element ahead. */
 c205_trap execute_neighbours(struct c205 *machine, const struct decoded *decoded)
 {
     struct stream stream;
@@ -307,9 +307,9 @@ struct progression {
     uint64_t raised; /* flags of value */
 };
 
-/* n elements by repeated upper addition, the first of them value; the next
- * is left there.  They do not depend on the control vector, flags do: each
- * comes with the sum that is stored. */
+/* Makes n elements by repeated upper addition, starting with value, and leaves the next
+ * element in value. The elements do not depend on the control vector, but the flags do:
+ * an element that is stored sets the flags of its addition. */
 static void make_interval(struct c205 *machine, struct progression *progression,
                           c205_word *words, size_t n, const uint64_t *permitted)
 {
@@ -363,8 +363,7 @@ struct horner {
     struct operation times, plus;
 };
 
-/* values := the polynomial at each of a, by Horner: times a, plus the next
- * coefficient. */
+/* Sets values to the polynomial at each of a by Horner's rule. */
 static void evaluate(struct stream *stream, const struct horner *horner,
                      c205_word *values, const c205_word *a, size_t n,
                      const uint64_t *permitted)
@@ -381,7 +380,7 @@ static void evaluate(struct stream *stream, const struct horner *horner,
     }
 }
 
-/* All coefficients are read for each element. */
+/* Every element reads all coefficients. */
 static void record_recurrence_of_polynomial(const struct stream *stream)
 {
     const struct vector *a = &stream->a.vector, *b = &stream->b.vector;

@@ -1,5 +1,5 @@
-/* vector.h - what the vector instructions share: two sources, a control
- * vector and a result that run side by side in chunks.
+/* vector.h - the common part of the vector instructions: two sources, a control vector
+ * and a result, processed in chunks.
  */
 #ifndef C205_VECTOR_H
 #define C205_VECTOR_H
@@ -12,71 +12,71 @@ struct stream {
     struct control control;
     struct vector result;
     size_t n;         /* elements */
-    struct turn turn; /* those of them that are gone through this time */
-    size_t chunk;     /* at most so many at once */
+    struct turn turn; /* the part that is processed now */
+    size_t chunk;     /* maximum number of elements at once */
     bool scans_b;     /* all of B is read for each element of A */
 };
 
-/* What is done with the elements: one of these. */
+/* The operation on the elements: one of these is not NULL. */
 struct operation {
     lanes_unary *unary;
     lanes_binary *binary;
     lanes_compare *compare;
 };
 
-/* The function on spans of the size that the instruction works on. */
+/* The function on spans of the size of the instruction. */
 #define SIZED(decoded, name) \
     ((decoded)->fields.g & C205_G_HALF ? halves_##name : lanes_##name)
 
-/* Describe the operands; n is the length of the result. */
+/* Describes the operands; n is the length of the result. */
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
                           const struct decoded *decoded);
-/* The same for results that are registers: n is the length of a source. */
+/* The same if the results are registers: n is the length of a source. */
 c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
-/* n := the length of A, or that of B where A is broadcast. */
+/* Sets n to the length of A, or of B if A is broadcast. */
 c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
-/* Claim what will be read and written, and settle the chunk. */
+/* Claims everything that will be read and written, and sets the chunk. */
 c205_trap stream_claim(struct stream *stream);
-/* .. where the result is a register, or not stored. */
+/* The same if the result is a register, or is not stored. */
 c205_trap stream_claim_sources(struct stream *stream);
-/* Describe and claim. */
+/* Describes and claims. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
                       const struct decoded *decoded);
-/* .. where all of B is read for each element of A. */
+/* The same if all of B is read for each element of A. */
 c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
                            const struct decoded *decoded);
 
-/* Tell the clock of n elements of a result how many must wait for an earlier
- * one, which one of these sources reads; MAX_SOURCES of them, a pair's. */
+/* Records in the effect how many of n elements of a result must wait because one of
+ * these sources reads an earlier result. A pair has MAX_SOURCES sources. */
 enum { MAX_SOURCES = 4 };
 void record_recurrence(struct c205 *machine, const struct vector *result, size_t n,
                        const struct source *const *sources, size_t count);
 
-/* How many elements come next. */
+/* Returns the number of elements of the next chunk. */
 static inline size_t stream_next(const struct stream *stream, size_t first)
 {
     return least(stream->turn.end - first, stream->chunk);
 }
 
-/* All that come next are done: NONE, or CLOCK_LIMIT if there are more. */
+/* Returns NONE if all elements are done, or CLOCK_LIMIT. */
 static inline c205_trap stream_end(struct stream *stream)
 {
     return machine_end_turn(stream->machine, &stream->turn);
 }
 
-/* words := operation(a, b); data flags come from the elements permitted
- * (NULL: all). */
+/* words := operation(a, b). Only the permitted elements set data flags (NULL: all). */
 void operate(struct c205 *machine, const struct operation *operation, c205_word *words,
              const c205_word *a, const c205_word *b, size_t n,
              const uint64_t *permitted);
 
-/* n elements from first on: sources read, result stored.  in_place: it may be
- * made where it belongs, as far as the stream's own sources allow. */
+/* Processes n elements from first on: reads the sources and stores the result.
+ * in_place: the result may be computed in its final place if the stream's own sources
+ * permit that. */
 void stream_step(struct stream *stream, const struct operation *operation, size_t first,
                  size_t n, bool in_place);
 
-/* What the instruction does with each element, in its size. */
+/* Returns the operation on each element, for the size of the instruction. */
 const struct operation *operation_of(const struct decoded *decoded);
 
 #endif
