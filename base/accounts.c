@@ -1,4 +1,4 @@
-/* accounts.c - see accounts.h. */
+/* accounts.c - adds the accounts of machines and makes tables of them. */
 #include "base/accounts.h"
 
 #include "base/array.h"
@@ -45,7 +45,7 @@ double accounts_seconds(const c205_model *model, uint64_t clocks)
     return period ? (double)clocks * period->value / 1e9 : NAN;
 }
 
-/* At two decimals of a microsecond no clock of 20 ns is lost. */
+/* Two decimals of a microsecond show each clock of 20 ns exactly. */
 const struct accounts_unit *accounts_unit(double seconds)
 {
     static const struct accounts_unit us = { "us", "time, us", 1e6, 2 },
@@ -170,7 +170,7 @@ const char *accounts_region(const c205_account *account)
     return account->name[0] ? account->name : "(outside)";
 }
 
-/* Clocks, seconds, per cent of the run. */
+/* Adds the clocks, the seconds, and the percentage of the run. */
 static void add_clocks(struct table *table, const struct accounts *accounts,
                        uint64_t clocks)
 {

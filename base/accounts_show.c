@@ -1,4 +1,4 @@
-/* accounts_show.c - see accounts_show.h. */
+/* accounts_show.c - builds the matrix of causes and regions and prints it. */
 #include "base/accounts_show.h"
 
 #include <math.h>
@@ -6,7 +6,7 @@
 
 #include "base/word_wrap.h"
 
-/* ---- Figures of a region ------------------------------------------------- */
+/* ---- Figures of a region ------------------------------------------------ */
 
 static double or_nothing(uint64_t count)
 {
@@ -42,14 +42,14 @@ static const struct figure {
 };
 enum {
     FIGURES = sizeof figures / sizeof *figures,
-    /* Lines of the matrix: the causes, their sum, its share, the figures. */
+    /* Lines of the matrix: the causes, their sum, its percentage, the figures. */
     ALL = C205_CAUSES,
     SHARE,
     FIRST_FIGURE,
     LINES = FIRST_FIGURE + FIGURES
 };
 
-/* ---- The matrix, whichever way it lies ----------------------------------- */
+/* ---- The matrix in either orientation ----------------------------------- */
 
 struct matrix {
     const struct accounts *accounts;
@@ -58,7 +58,7 @@ struct matrix {
     size_t count;
     const c205_account **regions; /* those that took time */
     size_t line_count;
-    int lines[LINES]; /* those that have anything */
+    int lines[LINES]; /* those with any value */
 };
 
 static double value(const struct matrix *matrix, int line, const c205_account *account)
@@ -111,8 +111,7 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 
 /* ---- Causes are rows ----------------------------------------------------- */
 
-/* The share is beside the sum, not below it, and both in the first part
- * alone. */
+/* The percentage is next to the sum, and both are in the first part only. */
 static void add_cause(struct table *table, const struct matrix *matrix, int line,
                       size_t first, size_t count)
 {
@@ -202,14 +201,15 @@ struct table *accounts_matrix(const struct accounts *accounts, enum accounts_row
     return table;
 }
 
-/* ---- For the reader ------------------------------------------------------ */
+/* ---- Printing ----------------------------------------------------------- */
 
 static bool fits(const struct table *table)
 {
     return !table || table_width(table) <= WORD_WRAP_WIDTH;
 }
 
-/* Regions from the first on, as many as lines have room for. */
+/* Returns the matrix of the regions from the first on, as many as fit the line width.
+ * Sets their number. */
 static struct table *widest(const struct accounts *accounts, size_t first,
                             size_t *count)
 {
@@ -222,7 +222,7 @@ static struct table *widest(const struct accounts *accounts, size_t first,
     return table;
 }
 
-/* One matrix, or several below one another. */
+/* Prints one matrix, or several below one another. */
 static int show_parts(const struct accounts *accounts,
                       const struct command_output *results)
 {

@@ -1,8 +1,8 @@
-/* accounts_show.h - where the clocks of runs went, as results of a command.
+/* accounts_show.h - prints the clocks of runs as results of a command.
  *
- * For the reader one matrix: the time of each cause in all regions and in each
- * of them, and how well their vectors did.  What nobody spent time on has no
- * row and no column.  CSV and JSON have all clocks, by cause and by region.
+ * The printed result is one matrix: the time of each cause, in all regions and in each
+ * region, and figures of the vector instructions. Causes and regions without time are
+ * omitted. CSV and JSON have all clocks, by cause and by region.
  */
 #ifndef BASE_ACCOUNTS_SHOW_H
 #define BASE_ACCOUNTS_SHOW_H
@@ -10,17 +10,18 @@
 #include "base/accounts.h"
 #include "base/command_output.h"
 
-/* The exit code, after telling what is wrong. */
+/* Prints the accounts. Returns the exit code, after an error message if it fails. */
 int accounts_show(const struct accounts *accounts,
                   const struct command_output *results);
 
-/* The matrix; causes are rows, or regions are, which is narrower where there
- * are many of them. */
+/* The rows of the matrix are causes, or regions, which is narrower if there are many of
+ * them. */
 enum accounts_rows { ACCOUNTS_CAUSES, ACCOUNTS_REGIONS };
-/* With so many regions from the first one on, of those that took time, before
- * them, if that is 0, all (beyond
- * the last of them there are none); where only one took time, its figures are
- * those of all.  NULL: no memory. */
+/* Returns the matrix for count regions from the first one on, of those that took time.
+ * Regions beyond the last are omitted. If only one region took time, the matrix has
+ * only the sum of all regions. With causes as rows, the sum is the first column and is
+ * omitted if first is not 0. With regions as rows, the sum is the last row. NULL: out
+ * of memory. */
 struct table *accounts_matrix(const struct accounts *accounts, enum accounts_rows rows,
                               size_t first, size_t count);
 

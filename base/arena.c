@@ -1,3 +1,4 @@
+/* arena.c - allocates pieces from a list of blocks. */
 #include "base/arena.h"
 
 #include <stdint.h>
@@ -16,7 +17,7 @@ struct arena_block {
     union widest bytes[1];
 };
 
-/* With small blocks the sanitizers see more of what goes beyond a piece. */
+/* The sanitizers define small blocks, which reveal more accesses beyond a piece. */
 #ifndef BLOCK_SIZE
 #define BLOCK_SIZE ((size_t)64 * 1024)
 #endif

@@ -1,7 +1,7 @@
-/* arena.h - memory that is taken piece by piece and given back all at once.
+/* arena.h - an arena: memory that is allocated in pieces and freed all at once.
  *
- * Pieces are zeroed.  When the host has no memory left, pieces are NULL and
- * failed stays set; nothing that was taken before is lost.
+ * Pieces are zeroed. If the host is out of memory, pieces are NULL and failed is set;
+ * earlier pieces remain valid.
  */
 #ifndef BASE_ARENA_H
 #define BASE_ARENA_H
@@ -15,10 +15,10 @@ struct arena {
 };
 
 void *arena_take(struct arena *arena, size_t size);
-/* A NUL-terminated copy. */
+/* Returns a NUL-terminated copy. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
-/* Room for one item more in an array of count items: the array, moved when
- * *capacity had to grow, or NULL, and then the old array is still good. */
+/* Makes room for one more item in an array of count items. Returns the array, which
+ * moves if *capacity has to grow, or NULL; the old array then remains valid. */
 void *arena_grow(struct arena *arena, void *items, size_t count, size_t *capacity,
                  size_t item_size);
 void arena_free(struct arena *arena);

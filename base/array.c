@@ -1,3 +1,4 @@
+/* array.c - grows arrays whose capacity follows from their count. */
 #include "base/array.h"
 
 #include <stdint.h>

@@ -4,10 +4,10 @@
 
 #include <stddef.h>
 
-/* Room for one item more in an array of so many: the array, moved where it had
- * to grow, or NULL without memory, and then the old one is still good.  The
- * array's room is its count rounded up to a power of two, so it needs no
- * counter of its own, and every item must have come this way. */
+/* Makes room for one more item in an array of count items. Returns the array, which may
+ * move, or NULL if memory is out; the old array then remains valid. The capacity is the
+ * count rounded up to a power of two, so it is not stored, and every item must be added
+ * through this function. */
 void *array_grow(void *items, size_t count, size_t item_size);
 
 #endif

@@ -1,4 +1,4 @@
-/* atomic_file.c - see atomic_file.h. */
+/* atomic_file.c - writes a temporary file and renames it when it is complete. */
 #include "base/atomic_file.h"
 
 #include <errno.h>
@@ -26,7 +26,8 @@ static bool is_stream(const struct stat *status, int number)
            && stream.st_ino == status->st_ino;
 }
 
-/* What has nothing to keep, and where stdout or stderr go. */
+/* Returns true for devices, pipes, and the files of stdout and stderr, which are
+ * written directly. */
 static bool is_special(const char *path)
 {
     struct stat status;
@@ -37,8 +38,8 @@ static bool is_special(const char *path)
            || is_stream(&status, STDERR_FILENO);
 }
 
-/* What the symbolic link at a path leads to, from where the link is; NULL: it is
- * no link.  The caller frees it. */
+/* Returns the target of the symbolic link at a path, relative to the folder of the
+ * link. NULL: it is not a link. The caller frees it. */
 static char *link_target(const char *path)
 {
     struct stat status;
@@ -61,7 +62,8 @@ static char *link_target(const char *path)
     return target;
 }
 
-/* A copy of the path with all links at its end followed; NULL: no memory. */
+/* Returns a copy of the path with the symbolic links at its end resolved. NULL: out of
+ * memory. */
 static char *followed(const char *path)
 {
     char *file = malloc(strlen(path) + 1), *target;
@@ -77,7 +79,7 @@ static char *followed(const char *path)
     return file;
 }
 
-/* The first name "path.newN" that nobody uses. */
+/* Creates the first unused name "path.newN". */
 static int open_beside(struct atomic_file *whole)
 {
     size_t size = strlen(whole->path) + SUFFIX_SIZE;
@@ -112,7 +114,7 @@ static FILE *open_place(struct atomic_file *whole)
     return file < 0 ? NULL : fdopen(file, "w");
 }
 
-/* stdout continues. */
+/* stdout remains open. */
 static bool close_place(struct atomic_file *whole)
 {
     return whole->file == stdout || fclose(whole->file) == 0;
@@ -155,7 +157,8 @@ bool atomic_file_check(const char *path, c205_error *error)
     return true;
 }
 
-/* All that was written is on the disk; what is no regular file has none. */
+/* Returns true if all data was written. A regular file is also synchronised to the
+ * disk. */
 static bool reaches_disk(const struct atomic_file *whole)
 {
     return !ferror(whole->file) && fflush(whole->file) == 0

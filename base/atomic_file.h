@@ -1,11 +1,11 @@
-/* atomic_file.h - a file that is written whole or not at all.
+/* atomic_file.h - files that are written completely or not at all.
  *
- * It is written under a temporary name beside the real one, and gets the real
- * name when all of it has reached the disk; a signal that ends the program removes
- * it.  A symbolic link stays, and the file that it leads to is replaced.  What is
- * no regular file (a device, a pipe), and stdout and stderr ("-", "/dev/stdout")
- * are written directly, as there is nothing to keep.  An input of the command is
- * not replaced (outputs.h).
+ * A file is written under a temporary name in the same folder. It gets its real name
+ * after all of it has reached the disk. A signal that ends the program removes the
+ * temporary file. A symbolic link is kept, and the file that it refers to is replaced.
+ * Devices, pipes, stdout and stderr ("-", "/dev/stdout") are written directly, because
+ * they have no content to preserve. An input of the command is not replaced
+ * (outputs.h).
  */
 #ifndef BASE_ATOMIC_FILE_H
 #define BASE_ATOMIC_FILE_H
@@ -20,11 +20,12 @@ struct atomic_file {
     char *temporary; /* NULL: written directly */
 };
 
-/* NULL: it cannot be written there. */
+/* NULL: the file cannot be written. */
 struct atomic_file *atomic_file_open(const char *path, c205_error *error);
-/* Whether it could, for who has long work to do before; nothing is left. */
+/* Returns true if the file could be written, for commands that would find out only
+ * after long work. Leaves no file. */
 bool atomic_file_check(const char *path, c205_error *error);
-/* Both free it.  A failed commit leaves the old file as it was. */
+/* Both free the file. A failed commit leaves the old file unchanged. */
 bool atomic_file_commit(struct atomic_file *whole, c205_error *error);
 void atomic_file_discard(struct atomic_file *whole);
 

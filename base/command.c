@@ -1,4 +1,4 @@
-/* command.c - see command.h: from the command line to the exit code. */
+/* command.c - selects the command, runs it, and returns the exit code. */
 #include "base/command.h"
 
 #include <stdio.h>
@@ -46,7 +46,7 @@ static int finish(const char *name, int code)
     return code;
 }
 
-/* ---- A command ---------------------------------------------------------- */
+/* ---- Running a command -------------------------------------------------- */
 
 static int start(const struct command_program *program, const struct command *command,
                  int argc, char **argv, void *arguments)
@@ -83,7 +83,7 @@ static int run(const struct command_program *program, const struct command *comm
     return finish(name, code);
 }
 
-/* ---- Which one ---------------------------------------------------------- */
+/* ---- Selecting a command ------------------------------------------------ */
 
 static int no_command(const struct command_program *program, const char *word)
 {
@@ -101,7 +101,7 @@ static int no_command(const struct command_program *program, const char *word)
     return CMD_USAGE;
 }
 
-/* help, help COMMAND. */
+/* Executes help, help COMMAND. */
 static int help(const struct command_program *program, int argc, char **argv)
 {
     if (argc < 2) {
@@ -123,7 +123,8 @@ static bool is_option(const char *word, const struct command_option *option)
                && word[2] == '\0');
 }
 
-/* "help --man" and the like, for scripts, which no help tells of. */
+/* Returns true for "help --man" and similar requests of scripts, which the help does
+ * not list. */
 static bool asks_for_page(int argc, char **argv)
 {
     return argc > 2 && strcmp(argv[1], "help") == 0 && strncmp(argv[2], "--", 2) == 0;

@@ -1,10 +1,10 @@
-/* command_completion.c - see command.h: what shells complete. */
+/* command_completion.c - prints the completion scripts for bash, zsh and fish. */
 #include <stdio.h>
 #include <string.h>
 
 #include "base/command_rows.h"
 
-/* The names of a row's values, with blanks between; nothing if it has none. */
+/* Writes the names of a row's values, separated by blanks; nothing if it has none. */
 static void put_choices(FILE *file, const struct command_option *row)
 {
     const char *name = NULL, *before = "";
@@ -24,7 +24,7 @@ static bool is_file(const struct command_option *row)
            || row->kind == COMMAND_FILE;
 }
 
-/* The only command of a program that has no names for them. */
+/* Returns true if the program has a single command without a name. */
 static bool is_nameless(const struct command_program *program)
 {
     return program->commands[0]->name == NULL;
@@ -53,7 +53,8 @@ static void put_bash_words(FILE *file, const struct command *command)
     fputs("--help --version", file);
 }
 
-/* What a value may be: words, files, folders; else no words. */
+/* Writes the arguments of compgen for a value: words, files or folders; otherwise no
+ * words. */
 static void put_bash_values(FILE *file, const struct command_option *row)
 {
     const char *kind = is_file(row) ? " -f" : row->kind == COMMAND_FOLDER ? " -d" : "";
@@ -145,7 +146,7 @@ void command_print_bash(const struct command_program *program, FILE *file)
 
 /* ---- zsh ---------------------------------------------------------------- */
 
-/* A text inside single quotes and brackets of _arguments. */
+/* Writes a text inside single quotes and brackets of _arguments. */
 static void put_zsh_text(FILE *file, const char *text)
 {
     for (; *text; text++) {
@@ -260,7 +261,7 @@ void command_print_zsh(const struct command_program *program, FILE *file)
 
 /* ---- fish --------------------------------------------------------------- */
 
-/* A text inside single quotes. */
+/* Writes a text in single quotes. */
 static void put_fish_text(FILE *file, const char *text)
 {
     putc('\'', file);

@@ -1,4 +1,4 @@
-/* command_error.c - see command_error.h. */
+/* command_error.c - prints error messages with escapes. */
 #include "base/command_error.h"
 
 #include <stdarg.h>

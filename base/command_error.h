@@ -1,7 +1,7 @@
-/* command_error.h - how a command ends, and what it tells on stderr when it fails.
+/* command_error.h - exit codes of commands, and their error messages on stderr.
  *
- * All of them escape what a terminal would take as a command: names may hold
- * any character (base/visible.h).
+ * All messages escape the characters that a terminal would interpret, because names may
+ * hold any character (base/visible.h).
  */
 #ifndef BASE_COMMAND_ERROR_H
 #define BASE_COMMAND_ERROR_H
@@ -10,11 +10,11 @@
 
 enum cmd_exit { CMD_DONE = 0, CMD_FAILED = 1, CMD_USAGE = 2 };
 
-/* "c205 run: message" on stderr, for the command "c205 run"; both return the
- * exit code. */
+/* Print "c205 run: message" on stderr for the command "c205 run". Return the exit
+ * code. */
 int cmd_usage(const char *command, const char *format, ...);
 int cmd_failed(const char *command, const char *format, ...);
-/* A line, without its end in the format. */
+/* Prints a line. The format has no line end. */
 void cmd_print_line(FILE *file, const char *format, ...);
 
 #endif

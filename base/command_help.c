@@ -1,14 +1,13 @@
-/* command_help.c - see command.h: what programs and commands tell of
- * themselves. */
+/* command_help.c - prints the help of programs and commands from their rows. */
 #include <stdio.h>
 #include <string.h>
 
 #include "base/command_rows.h"
 
-/* Explanations are in a column of their own. */
+/* Explanations have a column of their own. */
 enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0, EXAMPLE = 6 };
 
-/* ---- Words for a row ---------------------------------------------------- */
+/* ---- Texts of a row ----------------------------------------------------- */
 
 void command_option_name(const struct command_option *option, const struct sink *sink)
 {
@@ -19,7 +18,7 @@ void command_option_name(const struct command_option *option, const struct sink 
     }
 }
 
-/* The next number that has a name; NULL name: there is none. */
+/* Skips indices without a name. Sets *name to NULL at the end of the list. */
 size_t command_next_choice(command_choice *choice, size_t number, const char **name)
 {
     while ((*name = choice(number)) != NULL && !**name) {
@@ -28,7 +27,7 @@ size_t command_next_choice(command_choice *choice, size_t number, const char **n
     return number;
 }
 
-/* "scalar, vector or kernels" */
+/* Writes "scalar, vector or kernels". */
 static void put_choices(command_choice *choice, const struct sink *sink)
 {
     const char *name, *next, *before = "";
@@ -88,8 +87,8 @@ bool command_option_preset(const struct command_option *option, const struct sin
 
 /* ---- Lines -------------------------------------------------------------- */
 
-/* Words from a column on, broken where the line is full; blanks at the left
- * of a line and line ends are kept. */
+/* Writes words from a column on and breaks lines at the line width. Line ends of the
+ * text are kept. */
 struct filler {
     FILE *file;
     size_t indent, column;
@@ -134,7 +133,7 @@ static void fill(struct filler *filler, const char *text)
     }
 }
 
-/* "  -o, --output FILE    where it goes" */
+/* Writes " -o, --output FILE where it goes". */
 static void put_entry(FILE *file, const char *left, const char *meaning)
 {
     struct filler filler = { file, COLUMN, 2 + strlen(left) };
@@ -152,7 +151,7 @@ static void put_entry(FILE *file, const char *left, const char *meaning)
 
 /* ---- Options ------------------------------------------------------------ */
 
-/* The help, the choices, what it is if it is not given. */
+/* Writes the help, the choices and the default. */
 void command_option_meaning(const struct command_option *option,
                             const struct sink *sink)
 {
@@ -193,7 +192,7 @@ static void put_options(FILE *file, const struct command_option *option)
     }
 }
 
-/* "SCENE", "[FILE..]" */
+/* Writes "SCENE", "[FILE..]". */
 static void put_operands(FILE *file, const struct command_option *operand)
 {
     for (; command_is_row(operand); operand++) {

@@ -1,4 +1,4 @@
-/* command_options.c - see command_options.h. */
+/* command_options.c - the choices of the shared options. */
 #include "base/command_options.h"
 
 const char *command_model_choice(size_t number)

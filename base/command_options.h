@@ -1,5 +1,5 @@
-/* command_options.h - options that mean the same in every program: rows for
- * the lists of command.h.  Each takes the place of its value.
+/* command_options.h - options with the same meaning in every program: rows for the
+ * lists of command.h. Each takes the offset of its value.
  */
 #ifndef BASE_COMMAND_OPTIONS_H
 #define BASE_COMMAND_OPTIONS_H
@@ -7,7 +7,7 @@
 #include "base/command.h"
 #include "vm/c205.h"
 
-/* The models that are built in. */
+/* The built-in models. */
 command_choice command_model_choice;
 
 /* clang-format off */

@@ -1,4 +1,4 @@
-/* command_output.c - see command_output.h. */
+/* command_output.c - prints results in the chosen format and to a JSON file. */
 #include "base/command_output.h"
 
 #include <stdarg.h>
@@ -23,7 +23,7 @@ static bool is_stream(const char *path)
     return path && strcmp(path, "-") == 0;
 }
 
-/* "--json -" is "--format json". */
+/* "--json -" means "--format json". */
 static void choose_format(struct command_output *results)
 {
     if (is_stream(results->path)) {

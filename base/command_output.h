@@ -1,10 +1,10 @@
-/* command_output.h - where the results of a command go.
+/* command_output.h - the destinations of the results of a command.
  *
- * A command tells each result once, as a table or a line of text.  It goes to
- * stdout in the format that the user chose, and to a JSON file as well if
- * there is to be one: as text; tables as CSV, other lines behind "# "; tables
- * as Markdown; or nothing but the JSON document.  Where stdout is taken by a
- * file that the command writes ("-"), the rest goes to stderr.
+ * A command outputs each result once, as a table or a line of text. It goes to stdout
+ * in the format that the user chose, and also to a JSON file if one was requested. The
+ * formats are text, CSV tables with other lines after "# ", Markdown tables, or only
+ * the JSON document. If the command writes another file to stdout ("-"), the results go
+ * to stderr.
  *
  *   struct command_output results = arguments->results;
  *   if (output_open(&results, "c205 model", NULL)) {
@@ -30,14 +30,14 @@ enum output_format {
 struct command_output {
     enum output_format format;
     const char *path; /* of the JSON file, or NULL */
-    bool provenance;  /* of models, the whole of it is printed */
+    bool provenance;  /* print the full provenance of models */
 
-    const char *command; /* for complaints */
-    FILE *file;          /* what is printed; NULL: nothing, but .. */
-    struct json *json;   /* .. this; NULL: nobody wants it */
+    const char *command; /* for error messages */
+    FILE *file;          /* destination of printed results; NULL: none */
+    struct json *json;   /* the JSON document; NULL: none */
 };
 
-/* The options of a command whose arguments hold results there. */
+/* The output options of a command; member is its struct command_output. */
 command_choice output_format_choice;
 /* clang-format off */
 #define OUTPUT_OPTIONS(arguments, member) \
@@ -48,46 +48,46 @@ command_choice output_format_choice;
     { .name = "json", .value = "FILE", .kind = COMMAND_OUTPUT, \
       .offset = offsetof(arguments, member.path), \
       .help = "write the results to a file as well; on stdout: alone" }
-/* .. of one that prints figures of a model. */
+/* The option of a command that prints figures of a model. */
 #define OUTPUT_OPTION_PROVENANCE(arguments, member) \
     { .name = "provenance", .kind = COMMAND_FLAG, \
       .offset = offsetof(arguments, member.provenance), \
       .help = "how far the figures can be trusted, and why" }
 /* clang-format on */
 
-/* The format and the path are set, the rest is zero.  The output is another
- * file that the command writes, or NULL.  False after telling why it cannot
- * be. */
+/* Opens the output. The format and the path must be set, the rest zero. output is
+ * another file that the command writes, or NULL. False: failed, after an error
+ * message. */
 bool output_open(struct command_output *results, const char *command,
                  const char *output);
-/* Keeps the JSON if code is CMD_DONE, drops it otherwise.  The code, or
- * CMD_FAILED after telling why it cannot be kept. */
+/* Keeps the JSON if code is CMD_DONE, discards it otherwise. Returns the code, or
+ * CMD_FAILED after an error message if the JSON cannot be written. */
 int output_close(struct command_output *results, int code);
 
-/* The format of what is printed. */
+/* Returns the format of printed tables. */
 enum table_format output_table_format(const struct command_output *results);
-/* Lines of at most 1023 characters together, each with its end. */
+/* Prints lines of at most 1023 characters in all, each with its line end. */
 void output_printf(const struct command_output *results, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
-/* A blank line of text: to tables of other formats, a heading belongs. */
+/* Prints a blank line in text format; the headings of other formats make it
+ * unnecessary. */
 void output_gap(const struct command_output *results);
-/* Of which model the figures are, printed: a line; or with the option
- * provenance all of how far they can be trusted.  (JSON has that in any case:
- * provenance_json.) */
+/* Prints the model of the figures: one line, or its full provenance with the option
+ * provenance. JSON always has the full provenance (provenance_json). */
 void output_model(const struct command_output *results, const c205_model *model);
-/* Print a table, and add it to the JSON under its key; the heading stands
- * above it where it is not text.  False: memory ran out, now or while it was
- * filled; the table may be NULL then. */
+/* Prints a table and adds it to the JSON under its key. The heading is above it, except
+ * in text format. False: out of memory, now or while the table was filled; the table
+ * may then be NULL. */
 bool output_table(const struct command_output *results, const struct table *table,
                   const char *key, const char *heading);
-/* The same with the heading in text, too: "Heading" without a colon. */
+/* The same with the heading in text format too: "Heading" without a colon. */
 bool output_part(const struct command_output *results, const struct table *table,
                  const char *key, const char *heading);
-/* The same with a table that nobody needs after that: it is freed.  CMD_DONE, or
- * CMD_FAILED after telling that memory ran out. */
+/* The same, and frees the table. Returns CMD_DONE, or CMD_FAILED after an error message
+ * if memory ran out. */
 int output_show(const struct command_output *results, struct table *table,
                 const char *key, const char *heading);
 

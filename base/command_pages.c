@@ -1,11 +1,11 @@
-/* command_pages.c - see command.h: the list of all rows, and the man page. */
+/* command_pages.c - prints the list of all rows, and the man page. */
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/command_rows.h"
 
-/* What make and tests ask for, as "help --man". */
+/* Selects a page, such as "help --man", for make and the tests. */
 int command_print_page(const struct command_program *program, int argc, char **argv)
 {
     static const struct {
@@ -35,8 +35,8 @@ int command_print_page(const struct command_program *program, int argc, char **a
 
 /* ---- The list ----------------------------------------------------------- */
 
-/* "option run --limit - clocks": the command ("-" if it has no name), the
- * option or operand, its letter or "-", its kind, and its choices. */
+/* Prints lines such as "option run --limit - clocks": the command ("-" if it has no
+ * name), the option or operand, its letter or "-", its kind, and its choices. */
 static void list_rows(FILE *file, const char *what, const char *command,
                       const struct command_option *row)
 {
@@ -77,7 +77,7 @@ void command_print_list(const struct command_program *program, FILE *file)
 
 /* ---- The man page ------------------------------------------------------- */
 
-/* Text as roff takes it: no character of it is a request or an escape. */
+/* Writes a text for roff, with all requests and escapes neutralised. */
 static void put_roff(FILE *file, const char *text)
 {
     for (const char *c = text; *c; c++) {
@@ -187,7 +187,7 @@ static void put_roff_command(FILE *file, const struct command_program *program,
     put_roff_row(file, &command_version_option);
 }
 
-/* Those of all commands together. */
+/* Prints the examples of all commands together. */
 static void put_roff_all_examples(FILE *file, const struct command_program *program)
 {
     const struct command *const *command = program->commands;

@@ -1,4 +1,4 @@
-/* command_parse.c - see command.h: options and operands to their values. */
+/* command_parse.c - converts options and operands to their values. */
 #include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
@@ -38,7 +38,7 @@ static void *place_of(const struct command_option *option, void *arguments)
     return (char *)arguments + option->offset;
 }
 
-/* ---- One value ---------------------------------------------------------- */
+/* ---- Values ------------------------------------------------------------- */
 
 static bool take_count(const char *text, const struct command_option *option,
                        void *place)
@@ -70,7 +70,7 @@ static bool take_number(const char *text, const struct command_option *option,
     return end != text && *end == '\0' && value > option->least && value < option->most;
 }
 
-/* The int of an enum. */
+/* Stores a choice as the int of an enum. */
 static void put_choice(int value, void *place)
 {
     memcpy(place, &value, sizeof value);
@@ -100,7 +100,7 @@ static void take_text(const char *text, const struct command_option *option,
     }
 }
 
-/* text is NULL for a flag. */
+/* Converts a text and stores the value. text is NULL for a flag. */
 static bool take(char *text, const struct command_option *option, void *place)
 {
     static const bool yes = true;
@@ -122,7 +122,7 @@ static bool take(char *text, const struct command_option *option, void *place)
     return *text != '\0';
 }
 
-/* ---- Before any is given ------------------------------------------------ */
+/* ---- Defaults ----------------------------------------------------------- */
 
 static bool prepare_row(const struct command_option *option, size_t room, void *place)
 {
@@ -170,9 +170,9 @@ void command_free(const struct command *command, void *arguments)
     free_rows(command->operands, arguments);
 }
 
-/* ---- What is wrong ------------------------------------------------------ */
+/* ---- Errors ------------------------------------------------------------- */
 
-/* Who parses what for whom. */
+/* The state of parsing one command. */
 struct parsing {
     const struct command_program *program;
     const struct command *command;
@@ -192,7 +192,7 @@ static int wrong_value(const struct parsing *parsing,
                      *text ? text : "''", wants.text);
 }
 
-/* Another command that takes an option of that name, or NULL. */
+/* Returns another command with an option of that name, or NULL. */
 static const struct command *owner_of(const struct parsing *parsing, const char *name)
 {
     const struct command *const *command = parsing->program->commands;
@@ -207,7 +207,7 @@ static const struct command *owner_of(const struct parsing *parsing, const char 
     return NULL;
 }
 
-/* The options that begin with a name; false: there are none. */
+/* Lists the options that begin with a name. False: there are none. */
 static bool find_beginnings(const struct parsing *parsing, const char *name,
                             const struct sink *sink)
 {
@@ -222,7 +222,7 @@ static bool find_beginnings(const struct parsing *parsing, const char *name,
     return *before != '\0';
 }
 
-/* What comes near a name: the command's options, help and version. */
+/* Returns the closest name among the command's options, help and version. */
 static const char *nearest_option(const struct parsing *parsing, const char *name)
 {
     struct spelling nearest = { .word = name };
@@ -255,7 +255,7 @@ static int no_long_option(const struct parsing *parsing, const char *word)
                      nearest ? "?)" : "");
 }
 
-/* A flag that was given a value, or what is no option at all. */
+/* Reports a flag with a value, or an unknown option. */
 static int wrong_option(const struct parsing *parsing, const char *word)
 {
     const struct command_option *option = parsing->command->options;
@@ -274,15 +274,15 @@ static int wrong_option(const struct parsing *parsing, const char *word)
 
 /* ---- Options ------------------------------------------------------------ */
 
-/* getopt's numbers: of the row in the list, behind all letters. */
+/* The values of getopt for rows begin after all letters. */
 enum { FIRST_ROW = 256 };
 
-/* The options of a command as getopt wants them; behind them help and version,
- * and an end. */
+/* The options of a command in the form of getopt, followed by help, version and an
+ * end. */
 struct getopt_tables {
     struct option *options;
     char *letters;
-    size_t count; /* of the command's own */
+    size_t count; /* of the command's own options */
 };
 
 static void add_option(struct getopt_tables *tables, size_t place,
@@ -307,7 +307,8 @@ static bool make_tables(const struct command *command, struct getopt_tables *tab
     if (!tables->options || !tables->letters) {
         return false;
     }
-    tables->letters[0] = ':'; /* tell a missing value from a wrong option */
+    tables->letters[0] = ':'; /* getopt then distinguishes a missing value from a wrong
+                                 option */
     for (size_t i = 0; i < tables->count; i++) {
         add_option(tables, i, &command->options[i]);
     }
@@ -316,7 +317,7 @@ static bool make_tables(const struct command *command, struct getopt_tables *tab
     return true;
 }
 
-/* The row that getopt speaks of: of the command's, help or version. */
+/* Returns the row for a value of getopt: a row of the command, help or version. */
 static const struct command_option *
 row_of(const struct command *command, const struct getopt_tables *tables, int value)
 {
@@ -390,14 +391,14 @@ static int parse_operands(const struct parsing *parsing, char **words)
                    : cmd_usage(parsing->name, "too many arguments: %s", *words);
 }
 
-/* ---- Files that get in each other's way --------------------------------- */
+/* ---- Conflicts between files -------------------------------------------- */
 
 static bool is_output(const struct command_option *row)
 {
     return row->kind == COMMAND_OUTPUT || row->kind == COMMAND_FILE;
 }
 
-/* The i-th file of an option or operand; NULL: there are no more. */
+/* Returns the i-th file of an option or operand; NULL: there are no more. */
 static const char *path_of(const struct parsing *parsing,
                            const struct command_option *row, size_t i)
 {
@@ -413,8 +414,8 @@ static const char *path_of(const struct parsing *parsing,
     return i == 0 ? path : NULL;
 }
 
-/* Whether a file of the row is the one at the path.  The name of a model is no
- * file. */
+/* Returns true if the row names the file at the path. The name of a built-in model is
+ * not a file. */
 static bool names(const struct parsing *parsing, const struct command_option *row,
                   const char *path)
 {
@@ -429,8 +430,8 @@ static bool names(const struct parsing *parsing, const struct command_option *ro
     return false;
 }
 
-/* The first of these rows that names the file and is an output, or is an input;
- * NULL: none does. */
+/* Returns the first of these rows that names the file as an output, or as an input;
+ * NULL: none. */
 static const struct command_option *row_naming(const struct parsing *parsing,
                                                const struct command_option *row,
                                                bool output, const char *path)
@@ -443,7 +444,7 @@ static const struct command_option *row_naming(const struct parsing *parsing,
     return command_is_row(row) ? row : NULL;
 }
 
-/* No option after this one writes the same file, and none reads it. */
+/* Checks that no later option writes the same file and that no row reads it. */
 static int check_output(const struct parsing *parsing,
                         const struct command_option *option, const char *path)
 {
@@ -480,7 +481,7 @@ static int check_outputs(const struct parsing *parsing)
     return code;
 }
 
-/* How many of the rows' values are stdin. */
+/* Returns the number of values of the rows that are stdin. */
 static size_t streams_in(const struct parsing *parsing,
                          const struct command_option *row)
 {
@@ -503,7 +504,7 @@ static int check_inputs(const struct parsing *parsing)
                         : cmd_usage(parsing->name, "only one file can be -, stdin");
 }
 
-/* ---- All of it ---------------------------------------------------------- */
+/* ---- The whole command line --------------------------------------------- */
 
 static int parse(struct parsing *parsing, int argc, char **argv)
 {

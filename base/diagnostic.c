@@ -1,3 +1,4 @@
+/* diagnostic.c - collects diagnostics and prints them with the source line. */
 #include "base/diagnostic.h"
 
 #include "base/array.h"
@@ -40,8 +41,8 @@ static struct diagnostic *keep(struct diagnostics *diagnostics,
     return &items[diagnostics->count++];
 }
 
-/* Where an invisible character is in the word that an error points to; 0: there
- * is none. */
+/* Returns the column of an invisible character in the word at the position; 0: there is
+ * none. */
 static size_t invisible_column(const struct position *position, unsigned long *code)
 {
     size_t i = position->column - 1;
@@ -56,8 +57,8 @@ static size_t invisible_column(const struct position *position, unsigned long *c
     return 0;
 }
 
-/* A reader of a text takes an invisible character for a wrong word or number:
- * the error names it. */
+/* Readers report a word with an invisible character as a wrong word or number. This
+ * function adds the name of the character to the error. */
 static void name_invisible(struct diagnostic *item, const struct position *position)
 {
     unsigned long code;
@@ -101,7 +102,7 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
         free_item(&item);
 }
 
-/* The one that holds what is said; NULL: no memory. */
+/* Returns the item that collects the output text; NULL: out of memory. */
 static struct diagnostic *next_diagnostic(struct diagnostics *diagnostics)
 {
     const struct diagnostic empty = { .severity = SEVERITY_SAID };
@@ -129,7 +130,7 @@ bool diagnostics_append(struct diagnostics *diagnostics, const char *text)
     return true;
 }
 
-/* One character as a terminal can bear it, tabs as blanks; the new column. */
+/* Writes one character in printable form, tabs as blanks. Returns the new column. */
 static size_t put_character(const struct sink *sink, const char *text, size_t length,
                             size_t column)
 {
@@ -147,7 +148,7 @@ static size_t put_character(const struct sink *sink, const char *text, size_t le
     return column + 1;
 }
 
-/* The source line, and a caret below the column if the line has it. */
+/* Writes the source line, and a caret below the column if the line has it. */
 static void put_source(const struct sink *sink, const struct diagnostic *diagnostic)
 {
     const char *source = diagnostic->source;

@@ -1,4 +1,4 @@
-/* error.h - why something failed, in words. */
+/* error.h - formats error messages. */
 #ifndef BASE_ERROR_H
 #define BASE_ERROR_H
 
@@ -6,7 +6,8 @@
 
 #include <stdbool.h>
 
-/* As printf, cut to the room that there is; always false. */
+/* Formats a message like printf, cut to the size of the buffer. Always returns
+ * false. */
 bool error_set(c205_error *error, const char *format, ...);
 
 /* The digits of a macro, for a message about a limit: "at most " LIMIT_TEXT(MAX). */

@@ -1,3 +1,4 @@
+/* file.c - reads whole files, and compares paths by device and inode. */
 #include "base/file.h"
 
 #include "base/outputs.h"
@@ -10,7 +11,7 @@
 
 #include "base/error.h"
 
-/* Up to one byte more than the largest text. */
+/* Reads until the end, or until more than largest bytes are read. */
 static char *read_stream(FILE *file, size_t largest, size_t *length)
 {
     size_t room = 1 << 14;
@@ -31,7 +32,7 @@ static char *read_stream(FILE *file, size_t largest, size_t *length)
     return text;
 }
 
-/* What errno says of a reading that failed or came to its end. */
+/* Returns the errno of a read, or 0 if it succeeded. */
 static int reason(const FILE *file, const char *text, size_t length, size_t largest)
 {
     if (!file || !text || errno)
@@ -108,8 +109,8 @@ bool file_is_plain(const char *path, c205_error *error)
            && error_set(error, "a broken link");
 }
 
-/* The folder that a path names a file in, and the file's name there; false:
- * there is no such folder. */
+/* Finds the folder of a path and the file's name in it. False: there is no such
+ * folder. */
 static bool find_place(const char *path, struct stat *folder, const char **name)
 {
     const char *slash = strrchr(path, '/');

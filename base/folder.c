@@ -1,3 +1,4 @@
+/* folder.c - reads the names in a folder. */
 #include "base/folder.h"
 
 #include <dirent.h>

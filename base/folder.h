@@ -1,21 +1,21 @@
-/* folder.h - what lies in a folder. */
+/* folder.h - lists the names in a folder. */
 #ifndef BASE_FOLDER_H
 #define BASE_FOLDER_H
 
 #include "vm/c205.h"
 
-/* Whether a path names one. */
+/* Returns true if a path names a folder. */
 bool folder_is(const char *path);
 
-/* The names in it, sorted, without those that begin with a point. */
+/* The names in a folder, sorted, without those that begin with a point. */
 struct folder {
     size_t count;
     char **names;
 };
-/* False: it cannot be read, and the error says why without naming it; to be freed in either
- * case. */
+/* Reads a folder. False: the error has the reason without the name. The caller must
+ * free the folder in both cases. */
 bool folder_read(struct folder *folder, const char *path, c205_error *error);
-/* A copy of a name, at the end.  False: no memory. */
+/* Appends a copy of a name. False: out of memory. */
 bool folder_add(struct folder *folder, const char *name);
 void folder_free(struct folder *folder);
 

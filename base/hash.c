@@ -1,3 +1,4 @@
+/* hash.c - 64-bit FNV-1a of bytes, words and sizes. */
 #include "base/hash.h"
 
 #define PRIME UINT64_C(0x100000001B3)

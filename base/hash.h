@@ -1,4 +1,4 @@
-/* hash.h - 64-bit FNV-1a, begun with HASH_START and gone on with.
+/* hash.h - 64-bit FNV-1a. A hash starts with HASH_START; each call continues it.
  * Source: Fowler, Noll and Vo; draft-eastlake-fnv.
  */
 #ifndef BASE_HASH_H
@@ -10,7 +10,7 @@
 #define HASH_START UINT64_C(0xCBF29CE484222325)
 
 uint64_t hash_bytes(uint64_t sum, const unsigned char *bytes, size_t count);
-/* Of each word the highest byte first. */
+/* These hash the bytes of each word, highest byte first. */
 uint64_t hash_words(uint64_t sum, const uint64_t *words, size_t count);
 uint64_t hash_sizes(uint64_t sum, const size_t *sizes, size_t count);
 

@@ -1,3 +1,6 @@
+/* interrupt.c - catches signals, and removes incomplete files when one ends the
+ * program.
+ */
 #include "base/interrupt.h"
 
 #include <fcntl.h>
@@ -51,17 +54,18 @@ void interrupt_release(const char *path)
 
 /* ---- Files ---------------------------------------------------------------- */
 
-/* A command writes a few files at a time. */
+/* A command writes few files at a time. */
 enum { FILES = 16 };
 static const char *volatile files[FILES];
 static volatile pid_t owner; /* a forked process owns none of them */
 
-/* All that end a program unless it catches them. */
+/* All signals that end a program by default. */
 static const int endings[] = { SIGHUP,  SIGINT,  SIGQUIT, SIGPIPE, SIGALRM,
                                SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ };
 enum { ENDINGS = sizeof endings / sizeof *endings };
 
-/* When the handler returns the program ends, as without a handler. */
+/* Removes the files. The program ends when the handler returns, as it would without a
+ * handler. */
 static void end(int number)
 {
     for (size_t i = 0; i < FILES && owner == getpid(); i++) {
@@ -94,7 +98,7 @@ static void replace(const char *old, const char *path)
     }
 }
 
-/* No signal comes between the file and its entry. */
+/* Signals are blocked between the creation of the file and its entry in the list. */
 int interrupt_create(const char *path)
 {
     sigset_t all, before;
@@ -117,11 +121,11 @@ void interrupt_release(const char *path)
     }
 }
 
-/* ---- A question ------------------------------------------------------------ */
+/* ---- The flag ----------------------------------------------------------- */
 
 static volatile sig_atomic_t came; /* the signal's number */
 
-/* The second time it is as if nobody had asked for the first. */
+/* The second signal ends the program. */
 static void note(int number)
 {
     if (came) {
@@ -130,7 +134,7 @@ static void note(int number)
     came = number;
 }
 
-/* Any number of times. */
+/* Signals may arrive any number of times. */
 static void note_again(int number)
 {
     came = came ? came : number;
@@ -141,7 +145,7 @@ void interrupt_catch(void)
     struct sigaction action = { .sa_handler = note }, now;
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
-    /* nohup has it ignored. */
+    /* nohup ignores SIGHUP, and that is kept. */
     if (sigaction(SIGHUP, NULL, &now) == 0 && now.sa_handler != SIG_IGN) {
         sigaction(SIGHUP, &action, NULL);
     }

@@ -1,4 +1,4 @@
-/* json.c - see json.h. */
+/* json.c - builds a JSON document in memory and writes it at the close. */
 #include "base/json.h"
 
 #include <assert.h>
@@ -15,11 +15,12 @@
 enum { DEEPEST = 16, INDENT = 2 };
 
 struct json {
-    struct atomic_file *whole; /* they get the text at the close; NULL: not */
-    FILE *stream;              /* wanted */
-    struct text_buffer *line;  /* likewise, and the text is in one line then */
+    struct atomic_file *whole; /* a file for the text; NULL: none */
+    FILE *stream;              /* a stream for the text; NULL: none */
+    struct text_buffer *line;  /* a buffer for the text, which is then one line; NULL:
+                                  none */
     struct text_buffer text;
-    struct sink sink; /* to the text */
+    struct sink sink; /* appends to text */
     unsigned depth;
     struct {
         char closing;
@@ -44,14 +45,16 @@ static void new_line(struct json *json)
     sink_print(&json->sink, "\n%*s", (int)json->depth * INDENT, "");
 }
 
-/* A terminal may print the file: what it would obey is escaped. */
+/* Returns true for characters that a terminal would interpret, which are escaped
+ * because the file may be printed. */
 static bool is_hidden(const char *text, size_t length)
 {
     unsigned long code;
     return invisible_length(text, length, &code) > 0 && code <= 0xFFFF;
 }
 
-/* So many bytes may stand as they are; a NUL is none of a longer character. */
+/* Returns the number of bytes that need no escape. A NUL byte is never part of a longer
+ * character. */
 static size_t plain_length(const char *text)
 {
     size_t length = 0, step;
@@ -88,7 +91,7 @@ static void put_string(const struct sink *sink, const char *text)
     sink_put(sink, "\"");
 }
 
-/* What comes before each value: comma, new line, key. */
+/* Writes the comma, new line and key before a value. */
 static void introduce(struct json *json, const char *key)
 {
     if (json->level[json->depth - 1].filled) {

@@ -1,8 +1,8 @@
-/* json.h - writing JSON.
+/* json.h - writes JSON.
  *
- * A document is one object.  Members of an object need a key, elements of an
- * array have none (NULL).  Nothing is checked until the end: json_close says
- * whether all of it was written.  Bytes that are no UTF-8 become U+FFFD.
+ * A document is one object. Members of an object need a key; elements of an array have
+ * none (NULL). Errors are reported at the end only: json_close returns whether
+ * everything was written. Bytes that are not UTF-8 become U+FFFD.
  *
  *   struct json *json = json_open("out.json", &error);
  *   json_text(json, "model", "cyber205-2pipe");
@@ -23,12 +23,13 @@ enum { JSON_NUMBER_SIZE = 32 };
 struct json;
 struct text_buffer;
 
-/* NULL: it cannot be written there.  The file appears, whole, at the close. */
+/* Opens a document in a file, which is written completely at the close. NULL: the file
+ * cannot be written. */
 struct json *json_open(const char *path, c205_error *error);
-/* The same on a stream, at the close, and in a file too unless path is NULL.
- * Write errors of the stream are left to its owner. */
+/* Opens a document on a stream, written at the close, and in a file too unless path is
+ * NULL. The owner of the stream must check it for write errors. */
 struct json *json_open_stream(FILE *stream, const char *path, c205_error *error);
-/* The same in one line, behind what a buffer holds. */
+/* Opens a document in one line, appended to a buffer at the close. */
 struct json *json_open_line(struct text_buffer *line, c205_error *error);
 bool json_close(struct json *json, c205_error *error);
 void json_discard(struct json *json);
@@ -38,15 +39,16 @@ void json_array(struct json *json, const char *key);
 void json_end(struct json *json);
 
 void json_text(struct json *json, const char *key, const char *text);
-/* A double comes back as it was; NaN and infinities are null. */
+/* Writes a double so that it reads back exactly. NaN and infinities are null. */
 void json_number(struct json *json, const char *key, double value);
 void json_count(struct json *json, const char *key, uint64_t value);
 void json_bool(struct json *json, const char *key, bool value);
 void json_null(struct json *json, const char *key);
-/* A value that is JSON already. */
+/* Writes a value that is JSON already. */
 void json_raw(struct json *json, const char *key, const char *text);
 
-/* The digits of a finite double, as many as bring it back: 0.1. */
+/* Writes the shortest of 15 or 17 digits that reads back as the same finite double:
+ * 0.1. */
 void json_digits(char text[JSON_NUMBER_SIZE], double value);
 
 #endif

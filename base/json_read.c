@@ -1,4 +1,4 @@
-/* json_read.c - see json_read.h. */
+/* json_read.c - a recursive descent parser for JSON. */
 #include "base/json_read.h"
 #include "base/error.h"
 
@@ -38,7 +38,7 @@ static void skip_space(struct json_reading *reading)
         reading->at++;
 }
 
-/* The next character; 0: there is none. */
+/* Returns the next character; 0: there is none. */
 static char next_of(const struct json_reading *reading)
 {
     return reading->at < reading->end ? *reading->at : '\0';
@@ -71,7 +71,7 @@ static bool read_hex(struct json_reading *reading, unsigned long *code)
     return true;
 }
 
-/* Behind \u: of a character beyond FFFF there are two. */
+/* Reads the digits after \u. A character above FFFF has two such escapes. */
 static bool read_code(struct json_reading *reading, unsigned long *code)
 {
     unsigned long low;
@@ -89,7 +89,7 @@ static bool read_code(struct json_reading *reading, unsigned long *code)
     return true;
 }
 
-/* Behind a backslash. */
+/* Reads an escape after its backslash. */
 static bool read_escape(struct json_reading *reading, char **to)
 {
     static const char names[] = "\"\\/bfnrt", meant[] = "\"\\/\b\f\n\r\t";
@@ -128,7 +128,7 @@ static bool read_character(struct json_reading *reading, char **to)
     return true;
 }
 
-/* It is never longer than what is written. */
+/* Reads a text. It is never longer than its written form. */
 static const char *read_text(struct json_reading *reading)
 {
     const char *close = reading->at + 1;
@@ -243,7 +243,7 @@ static struct json_value *read_item(struct json_reading *reading, bool has_key)
     return item;
 }
 
-/* Behind the opening bracket. */
+/* Reads the items after the opening bracket. */
 static bool read_items(struct json_reading *reading, struct json_value *value,
                        char closing)
 {

@@ -1,7 +1,7 @@
-/* json_read.h - reading JSON (RFC 8259), strictly: a text to a tree.
+/* json_read.h - reads JSON (RFC 8259) strictly into a tree.
  *
- * Texts in it are UTF-8 and end with a NUL, which no text may hold; of members with one
- * key the first counts.  Whatever the bytes, the result is a tree or an error.
+ * Texts in the tree are UTF-8 and end with a NUL, which no text may contain. Of several
+ * members with one key the first counts. Any input gives a tree or an error.
  */
 #ifndef BASE_JSON_READ_H
 #define BASE_JSON_READ_H
@@ -25,26 +25,27 @@ struct json_value {
     const char *text;
     const char *key;                /* of a member of an object, or NULL */
     const struct json_value *first; /* of an array or object; NULL: it is empty */
-    const struct json_value *next;  /* in the same one; NULL: this is the last */
+    const struct json_value *next;  /* in the same array or object; NULL: the last */
 };
 
-/* Arrays and objects lie in each other so deep at most. */
+/* The maximum depth of nested arrays and objects. */
 #define JSON_DEEPEST 64
 
-/* It lives in the arena.  NULL: the error says what is wrong, and at which byte. */
+/* Returns a tree in the arena. NULL: the error has the reason and the byte offset. */
 const struct json_value *json_read(struct arena *arena, const char *text, size_t length,
                                    c205_error *error);
 
-/* NULL: there is none, it is null, or that is no object, as NULL is none. */
+/* NULL: no such member, it is null, or object is NULL or not an object. */
 const struct json_value *json_member(const struct json_value *object, const char *key);
-/* NULL: there is none, or it is another kind of value. */
+/* NULL: no such member, or it is not a text. */
 const char *json_member_text(const struct json_value *object, const char *key);
-/* The first element or member of a member. */
+/* Returns the first element or member of a member. */
 const struct json_value *json_member_first(const struct json_value *object,
                                            const char *key);
 bool json_member_truth(const struct json_value *object, const char *key,
                        bool otherwise);
-/* False, and the value stays: it is there, and no integer below 2^53. */
+/* Sets *value to a member if it exists. False, with *value unchanged: it exists and is
+ * not an integer of magnitude below 2^53. */
 bool json_member_whole(const struct json_value *object, const char *key,
                        int64_t *value);
 

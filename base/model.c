@@ -1,3 +1,4 @@
+/* model.c - opens machine models and reports their errors with the line. */
 #include "base/model.h"
 
 #include "base/command_error.h"
@@ -11,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Points to a line of a text. */
+/* Returns the position of a line of a text. */
 static struct position position_of(const char *name, const char *text,
                                    const c205_place *place)
 {

@@ -1,15 +1,14 @@
-/* model.h - the machine model that a user names. */
+/* model.h - opens the machine model that a user names. */
 #ifndef BASE_MODEL_H
 #define BASE_MODEL_H
 
 #include "vm/c205.h"
 
-/* A built-in model or one from a file, by the rule of c205_model_find; without
- * a name the default.  NULL after telling on stderr why it cannot be had, of a
- * file that is wrong with its line. */
+/* Opens a built-in model or a file, by the rule of c205_model_find; NULL: the default.
+ * Returns NULL after an error message on stderr, which shows the wrong line of a
+ * file. */
 c205_model *model_open(const char *command, const char *name);
-/* c205_model_find for a name from a text: a file that the command writes is
- * refused. */
+/* c205_model_find for a name from a text. It rejects a file that the command writes. */
 c205_model *model_find(const char *name, c205_error *error);
 
 #endif

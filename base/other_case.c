@@ -1,4 +1,4 @@
-/* other_case.c - see other_case.h. */
+/* other_case.c - searches folders for names that differ only in case. */
 #include "base/other_case.h"
 
 #include <string.h>
@@ -22,7 +22,8 @@ bool other_case_is(const char *a, const char *b, size_t length)
 
 static bool search(struct folder *found, const char *folder, const char *rest);
 
-/* An entry of the folder is the next part of the path. */
+/* Continues the search in an entry of the folder that matches the next part of the
+ * path. */
 static bool enter(struct folder *found, const char *folder, const char *name,
                   size_t length, const char *rest)
 {
@@ -44,7 +45,7 @@ static bool enter(struct folder *found, const char *folder, const char *name,
     return good;
 }
 
-/* folder is "" or ends with a '/'.  One that cannot be read has no entries. */
+/* folder is "" or ends with a '/'. A folder that cannot be read counts as empty. */
 static bool search(struct folder *found, const char *folder, const char *rest)
 {
     size_t length = strcspn(rest, "/");

@@ -1,14 +1,14 @@
-/* other_case.h - files whose paths differ from a given one in the case of ASCII
- * letters alone, as in texts that were made where case does not count.
+/* other_case.h - finds files whose paths differ from a given one only in the case of
+ * ASCII letters, for texts from systems that ignore case.
  */
 #ifndef BASE_OTHER_CASE_H
 #define BASE_OTHER_CASE_H
 
 #include "base/folder.h"
 
-/* The paths of all such files, sorted; folders may differ in case as well, but
- * not the first `fixed` bytes of the path, which end with a '/' if there are
- * any.  The names are freed with folder_free; false: no memory. */
+/* Finds the paths of all such files, sorted. Folders may differ in case too, but not
+ * the first `fixed` bytes of the path, which end with a '/' if there are any. The
+ * caller frees the names with folder_free. False: out of memory. */
 bool other_case_find(struct folder *found, const char *path, size_t fixed);
 bool other_case_is(const char *a, const char *b, size_t length);
 

@@ -1,4 +1,4 @@
-/* outputs.c - see outputs.h. */
+/* outputs.c - a list of files by device and inode. */
 #include "base/outputs.h"
 
 #include <stdlib.h>
@@ -16,7 +16,7 @@ static struct {
     size_t count;
 } outputs;
 
-/* Of a regular file only; a device or a pipe has nothing to lose. */
+/* Finds regular files only; devices and pipes have no content to lose. */
 static struct output *find(const struct stat *status)
 {
     for (size_t i = 0; S_ISREG(status->st_mode) && i < outputs.count; i++) {

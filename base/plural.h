@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-/* The ending of a regular noun: "" of 1, else "s". */
+/* Returns the ending of a regular noun: "" for 1, otherwise "s". */
 const char *plural(uint64_t count);
 
 #endif

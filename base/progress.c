@@ -1,9 +1,9 @@
-/* progress.c - see progress.h. */
+/* progress.c - shows and erases the progress line. */
 #include "base/progress.h"
 
 #include <unistd.h>
 
-/* Seconds before the line is shown, and between two of them. */
+/* Seconds before the line is first shown, and between two updates. */
 #define PATIENCE 1.0
 #define PAUSE 0.2
 

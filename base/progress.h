@@ -1,9 +1,9 @@
-/* progress.h - one line on the terminal while a command works.
+/* progress.h - one line on the terminal that shows the progress of a command.
  *
- * It is on stderr, only if that is a terminal and the work takes more than
- * a second, and tells how much is done and how long the rest takes at that
- * pace.  Work that begins with something done (from another day) is timed by
- * what is done since.  The line is gone when the work is.
+ * The line is on stderr, and only if that is a terminal and the work takes more than a
+ * second. It shows the percentage done and the estimated remaining time. If some work
+ * was already done at the start (by an earlier run), the estimate uses only the work
+ * done since. The line is erased when the work is done.
  */
 #ifndef BASE_PROGRESS_H
 #define BASE_PROGRESS_H
@@ -14,20 +14,20 @@
 #include <time.h>
 
 struct progress {
-    FILE *file; /* NULL: nobody looks at it */
+    FILE *file; /* NULL: stderr is not a terminal */
     struct timespec begin, shown;
     bool counting, line;
-    size_t first; /* what was done when the counting began */
+    size_t first; /* work done when the counting began */
 };
 
 void progress_begin(struct progress *progress);
-/* So many of all are done; all of them: the work is done, and what comes next
- * is another.  all is not 0. */
+/* Reports that done of all items are done; all must not be 0. If all are done, the next
+ * call starts another count. */
 void progress_update(struct progress *progress, size_t done, size_t all);
-/* Clears the line, so that something else can be said. */
+/* Erases the line before other output. */
 void progress_hide(struct progress *progress);
 
-/* "12 s", "3 min 5 s", "2 h 10 min". */
+/* Writes "12 s", "3 min 5 s", "2 h 10 min". */
 enum { PROGRESS_TIME_SIZE = 32 };
 void progress_time(double seconds, char text[PROGRESS_TIME_SIZE]);
 

@@ -1,4 +1,6 @@
-/* provenance.c - see provenance.h. */
+/* provenance.c - prints the comparison of a model with published figures, and the
+ * sources of its constants.
+ */
 #include "base/provenance.h"
 #include "base/plural.h"
 
@@ -26,7 +28,7 @@ bool provenance_is_fitted(const c205_model *model)
     return constants_from(model, 'F') > 0;
 }
 
-/* ---- How far to believe it ---- */
+/* ---- Comparison with figures -------------------------------------------- */
 
 static const char left_out[] =
     "fetching instructions, memory conflicts but those of gathers, the disc";
@@ -40,7 +42,7 @@ const char *provenance_left_out(const c205_model *model)
 
 static const char unknown[] = "compared with no published figure";
 
-/* Whether there is anything to tell. */
+/* Returns true if there are figures. */
 static bool format_belief(const char *how, c205_belief belief,
                           char line[PROVENANCE_LINE])
 {
@@ -70,8 +72,8 @@ static bool print_belief_line(const char *how, c205_belief belief, const char *b
     return known;
 }
 
-/* The fitted model that this one changes, or NULL: what is known of that does
- * not hold for this. */
+/* Returns the fitted model that this one changes, or NULL. Its comparison with figures
+ * does not hold for this model. */
 static const c205_model *fitted_origin(const c205_model *model)
 {
     bool known = c205_model_fitted(model).figures > 0
@@ -141,7 +143,7 @@ void provenance_print(const c205_model *model, bool whole, const char *before,
     print_sources(model, before, file);
 }
 
-/* ---- The same as JSON ---- */
+/* ---- JSON --------------------------------------------------------------- */
 
 static void write_belief(const char *key, c205_belief belief, struct json *json)
 {

@@ -1,3 +1,4 @@
+/* rank_index.c - sorts numbers without duplicates, and finds their ranks. */
 #include "base/rank_index.h"
 
 #include <stdlib.h>

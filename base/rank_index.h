@@ -1,7 +1,7 @@
-/* ranks.h - numbers that lie far apart, counted again from 1 on in their order.
+/* rank_index.h - maps distinct numbers to their ranks, which count from 1.
  *
- *   rank_index_begin(&ranks, 3) and rank_index_add 70, 20, 70, then
- *   rank_index_sort; rank_index_place of 20 is 1, of 70 it is 2, of 50 it is 0
+ *   After rank_index_begin(&ranks, 3), rank_index_add of 70, 20 and 70, and
+ *   rank_index_sort, rank_index_place is 1 for 20, 2 for 70 and 0 for 50.
  */
 #ifndef BASE_RANK_INDEX_H
 #define BASE_RANK_INDEX_H
@@ -10,16 +10,17 @@
 #include <stddef.h>
 
 struct rank_index {
-    size_t count; /* once settled: how many there are, each once */
+    size_t count; /* after sorting: the number of distinct ones */
     size_t *numbers;
 };
 
-/* Room for at most that many numbers.  False: no memory; then it may only be freed. */
+/* Makes room for at most that many numbers. False: out of memory; then it may only be
+ * freed. */
 bool rank_index_begin(struct rank_index *ranks, size_t most);
 void rank_index_add(struct rank_index *ranks, size_t number);
-/* After the last. */
+/* Must be called after the last number was added. */
 void rank_index_sort(struct rank_index *ranks);
-/* From 1 on; 0: it is none of them. */
+/* Returns the rank of a number from 1 on; 0: it was not added. */
 size_t rank_index_place(const struct rank_index *ranks, size_t number);
 void rank_index_free(struct rank_index *ranks);
 

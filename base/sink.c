@@ -1,3 +1,4 @@
+/* sink.c - sinks for buffers, lines and streams. */
 #include "base/sink.h"
 
 #include <stdarg.h>

@@ -1,8 +1,7 @@
-/* sink.h - where text goes: a callback, or a buffer that grows.
+/* sink.h - destinations of text: a callback, or a buffer that grows.
  *
- * Whatever the assembler's side prints (errors, listings, disassemblies, the
- * output of programs) goes to a sink, so that the caller decides on files,
- * strings or windows.
+ * All output of the assembler (errors, listings, disassemblies, the output of programs)
+ * goes to a sink, so the caller chooses files, strings or windows.
  */
 #ifndef BASE_SINK_H
 #define BASE_SINK_H
@@ -16,23 +15,23 @@ struct sink {
 };
 
 void sink_put(const struct sink *sink, const char *text);
-/* At most 1023 bytes a call; longer text is cut. */
+/* Formats at most 1023 bytes per call; longer text is cut. */
 void sink_print(const struct sink *sink, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
 
-/* Zero it to begin; text is NUL-terminated or NULL as long as it is empty. */
+/* Must be zeroed before use. text is NUL-terminated, or NULL while it is empty. */
 struct text_buffer {
     char *text;
     size_t length, capacity;
-    bool failed; /* no memory: the text is not complete */
+    bool failed; /* out of memory: the text is incomplete */
 };
 
 struct sink text_buffer_sink(struct text_buffer *buffer);
 void text_buffer_free(struct text_buffer *buffer);
-/* Zero it to begin; what does not fit is cut off.  Never without memory. */
+/* Must be zeroed before use. Excess text is cut off. It allocates no memory. */
 enum { TEXT_LINE_SIZE = 160 };
 struct text_line {
     char text[TEXT_LINE_SIZE]; /* ends with a NUL */
@@ -40,15 +39,15 @@ struct text_line {
 };
 
 struct sink text_line_sink(struct text_line *line);
-/* Passes text on to another sink and records whether its last line is open:
- * text that follows, from elsewhere, then starts on a line of its own. */
+/* Passes text to another sink and records whether its last line is open, so that text
+ * from another source can start on a new line. */
 struct line_tracker {
     struct sink to;
     bool open;
 };
 
 struct sink line_tracker_sink(struct line_tracker *tracker);
-/* Puts a newline if the last line is open. */
+/* Writes a newline if the last line is open. */
 void line_tracker_close(struct line_tracker *tracker);
 /* Writes to the stdio stream given as its context. */
 struct sink stream_sink(void *stream);

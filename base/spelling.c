@@ -1,11 +1,11 @@
-/* spelling.c - see spelling.h. */
+/* spelling.c - computes the edit distance with transpositions. */
 #include "base/spelling.h"
 
 #include <ctype.h>
 #include <stdbool.h>
 #include <string.h>
 
-/* Longer words are never near one another. */
+/* Longer words are never similar. */
 enum { MAX_LETTERS = 40 };
 
 static size_t least(size_t a, size_t b)
@@ -18,8 +18,7 @@ static bool equal(char a, char b)
     return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
 
-/* rows[i][k]: what it takes from the first i letters of a to the first k of
- * b. */
+/* rows[i][k] is the distance between the first i letters of a and the first k of b. */
 static size_t distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
     size_t rows[MAX_LETTERS + 1][MAX_LETTERS + 1];

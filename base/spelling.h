@@ -1,32 +1,31 @@
-/* spelling.h - which name somebody meant who wrote it wrongly.
+/* spelling.h - suggests the intended name for a misspelt word.
  *
- * Letters left out, put in, exchanged or swapped with their neighbour count
- * one each (the distance of Damerau and Levenshtein, of which Wagner and
- * Fischer's table is the method).  A name is meant when a third of the word's
- * letters or fewer are wrong.
+ * Each letter omitted, inserted, replaced or swapped with its neighbour counts as one
+ * error (the distance of Damerau and Levenshtein, computed by the table of Wagner and
+ * Fischer). A name is suggested if at most a third of the word's letters are wrong.
  *
  *   struct spelling nearest = { .word = "rnu" };
  *   spelling_try(&nearest, "run");
- *   nearest.name is "run", or NULL if nothing is near
+ *   nearest.name is "run", or NULL if no name is close
  */
 #ifndef BASE_SPELLING_H
 #define BASE_SPELLING_H
 
 #include <stddef.h>
 
-/* How many letters make one of the other; a long way for words of more than 40.
- * Capitals do not count. */
+/* Returns the number of errors between two words, or a large number for words of more
+ * than 40 letters. Case is ignored. */
 size_t spelling_distance(const char *a, size_t a_length, const char *b,
                          size_t b_length);
 
 struct spelling {
     const char *word;
-    const char *name; /* the nearest so far; of equals one that is as long as
-                         the word, or else the first */
+    const char *name; /* the closest so far; of equally close ones the first that is as
+                         long as the word, or else the first */
     size_t distance;
 };
 
-/* The name must outlive its use; capitals do not count. */
+/* Considers a name, which must remain valid. Case is ignored. */
 void spelling_try(struct spelling *spelling, const char *name);
 
 #endif

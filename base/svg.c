@@ -1,4 +1,4 @@
-/* svg.c - see svg.h. */
+/* svg.c - writes the common parts of SVG pictures. */
 #include "base/svg.h"
 
 void svg_put_escaped(const struct sink *sink, const char *text)

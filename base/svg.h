@@ -1,5 +1,6 @@
-/* svg.h - what the pictures have in common that are drawn as SVG: a white sheet, so that
- * dark pages show them as light ones do, a title, and round numbers on their axes. */
+/* svg.h - the common parts of SVG pictures: a white background, so that dark pages show
+ * them like light ones, a title, and round numbers for the axes.
+ */
 #ifndef BASE_SVG_H
 #define BASE_SVG_H
 
@@ -7,7 +8,7 @@
 
 #include "base/sink.h"
 
-/* Pixels; the style is that of the picture's own classes, in CSS. */
+/* Sizes in pixels; style is CSS for the picture's own classes. */
 struct svg_sheet {
     int width, height, left;
     const char *style;
@@ -17,10 +18,11 @@ struct svg_sheet {
 void svg_begin(const struct sink *sink, const struct svg_sheet *sheet,
                const char *title);
 void svg_end(const struct sink *sink);
-/* Text as it is to be read. */
+/* Writes text with the characters of markup escaped. */
 void svg_put_escaped(const struct sink *sink, const char *text);
 
-/* 1, 2 or 5 times a power of ten, of which no more than so many go into a span. */
+/* Returns the least 1, 2 or 5 times a power of ten that divides a span into at most
+ * most steps. */
 uint64_t svg_round_step(uint64_t span, uint64_t most);
 
 #endif

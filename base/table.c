@@ -1,4 +1,5 @@
-/* table.c - see table.h. */
+/* table.c - stores the cells of a table and writes them as text, Markdown, CSV or JSON.
+ */
 #include "base/table.h"
 
 #include "base/array.h"
@@ -18,7 +19,7 @@ static const char between[] = "  ";
 
 struct cell {
     char *text; /* as printed, with escapes (base/visible.h) */
-    char *raw;  /* as it was given: JSON has escapes of its own */
+    char *raw;  /* the original; JSON has its own escapes */
     bool empty;
     union {
         uint64_t count;
@@ -79,7 +80,7 @@ static char *copy(const char *text)
     return own ? strcpy(own, text) : NULL;
 }
 
-/* False: no memory. */
+/* False: out of memory. */
 static bool set_text(struct cell *cell, const char *text)
 {
     struct text_buffer shown = { 0 };
@@ -182,7 +183,7 @@ bool table_is_whole(const struct table *table)
     return !table->failed;
 }
 
-/* ---- In line ---- */
+/* ---- Aligned columns ---------------------------------------------------- */
 
 typedef size_t measure_text(const char *text);
 
@@ -197,7 +198,7 @@ static size_t width_of(const struct table *table, size_t column,
     return width;
 }
 
-/* One for each column; the caller frees them.  NULL: no memory. */
+/* Returns the width of each column; the caller frees the array. NULL: out of memory. */
 static size_t *widths_of(const struct table *table, measure_text *length_of)
 {
     size_t *widths = malloc(table->column_count * sizeof *widths);
@@ -254,7 +255,7 @@ static bool write_plain(const struct table *table, FILE *file)
 
 /* ---- Markdown ---- */
 
-/* What would end a cell, or be read as markup. */
+/* Returns true for characters that would end a cell or be read as markup. */
 static bool is_markup(char c)
 {
     return strchr("\\|<*`", c) != NULL;
@@ -290,7 +291,7 @@ static void markdown_cell(const struct table_column *column, size_t width,
     putc('|', file);
 }
 
-/* The line under the headings: a colon at the side to which cells go. */
+/* Writes the line under the headings, with a colon at the side of the alignment. */
 static void markdown_rule(const struct table *table, const size_t *widths, FILE *file)
 {
     putc('|', file);
@@ -330,8 +331,8 @@ static bool write_markdown(const struct table *table, FILE *file)
 
 /* ---- CSV ---- */
 
-/* Spreadsheets evaluate a cell that begins with one of these characters, quoted
- * or not; with an apostrophe before them the cell is a text. */
+/* Spreadsheets evaluate a cell that begins with one of these characters, quoted or not.
+ * An apostrophe before them makes the cell a text. */
 static bool is_formula(const char *text)
 {
     char *end;
@@ -342,7 +343,7 @@ static bool is_formula(const char *text)
     return *end || text[strspn(text, "+-.0123456789eE")];
 }
 
-/* A cell that begins with # would look like a remark. */
+/* A cell that begins with # is quoted, because it would look like a remark. */
 static void put_quoted(const char *text, FILE *file)
 {
     bool quoted = text[0] == '#' || strpbrk(text, ",\"\r\n");
@@ -385,7 +386,7 @@ static void write_csv(const struct table *table, FILE *file)
     }
 }
 
-/* ---- Any of them ---- */
+/* ---- All formats -------------------------------------------------------- */
 
 bool table_write(const struct table *table, enum table_format format, FILE *file)
 {

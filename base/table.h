@@ -1,9 +1,9 @@
-/* table.h - a table, printed with its columns in line or in other formats.
+/* table.h - tables that are printed with aligned columns or in other formats.
  *
- * Cells are added from left to right, row after row.  Text is at the left
- * of its column, numbers at the right.  In print
- * text in the last column is folded where its line would be long (word_wrap.h).  The same table goes to the reader, to
- * other programs and to the JSON file, so that no figure is worked out twice.
+ * Cells are added from left to right, row after row. Text is left-aligned, numbers are
+ * right-aligned. In printed tables, long text in the last column is wrapped
+ * (word_wrap.h). The same table is printed, read by other programs and written to the
+ * JSON file, so each figure is computed once.
  */
 #ifndef BASE_TABLE_H
 #define BASE_TABLE_H
@@ -16,61 +16,62 @@ enum table_kind { TABLE_TEXT, TABLE_COUNT, TABLE_NUMBER };
 
 struct table_column {
     const char *key;     /* in JSON */
-    const char *heading; /* in print */
+    const char *heading; /* when printed */
     enum table_kind kind;
-    int decimals; /* of a number, in print */
+    int decimals; /* of a printed number */
 };
 
-/* How a table is written.  Plain and Markdown show numbers with the decimals
- * of their columns; CSV has the names and all the digits that JSON has. */
+/* The formats. Plain and Markdown show numbers with the decimals of their columns. CSV
+ * has the keys, and all digits that JSON has. */
 enum table_format { TABLE_PLAIN, TABLE_CSV, TABLE_MARKDOWN };
 
-/* Columns that are in an array, and their number. */
+/* Expands to an array of columns and their number. */
 #define TABLE_COLUMNS(list) list, sizeof list / sizeof *list
 
 struct table;
 
-/* The texts of the columns must outlive the table.  NULL: no memory. */
+/* Returns an empty table. The texts of the columns must outlive it. NULL: out of
+ * memory. */
 struct table *table_new(const struct table_column *columns, size_t count);
 void table_free(struct table *table);
 
-/* The text is copied. */
+/* Adds a copy of a text. */
 void table_text(struct table *table, const char *text);
 void table_count(struct table *table, uint64_t value);
-/* NaN prints as an empty cell. */
+/* Adds a number. NaN prints as an empty cell. */
 void table_number(struct table *table, double value);
-/* The same in a column of numbers, with its sign and decimals of its own: an
- * error in percent, say. */
+/* Adds a number to a column of numbers, with a sign and its own decimals, for example
+ * an error in percent. */
 void table_signed(struct table *table, double value, int decimals);
-/* The same without the sign; with an exponent if there would be more than 15 digits
+/* The same without the sign. It uses an exponent if there would be more than 15 digits
  * before or after the point. */
 void table_rounded(struct table *table, double value, int decimals);
 void table_gap(struct table *table);
 
-/* What was put in; a row counts once all its cells are there. */
+/* Returns the number of complete rows. */
 size_t table_rows(const struct table *table);
 const char *table_key(const struct table *table, size_t column);
 /* NaN: the cell is empty or holds text. */
 double table_value(const struct table *table, size_t row, size_t column);
-/* How long a line of print is before text is folded; SIZE_MAX: no memory. */
+/* Returns the length of a printed line before wrapping; SIZE_MAX: out of memory. */
 size_t table_width(const struct table *table);
 /* False: memory ran out while it was filled. */
 bool table_is_whole(const struct table *table);
 
-/* The line above a table, after a blank one: "Heading:", in CSV "# Heading",
- * in Markdown "## Heading". */
+/* Prints a blank line and the heading of a table: "Heading:", in CSV "# Heading", in
+ * Markdown "## Heading". */
 void table_heading(const char *heading, enum table_format format, FILE *file);
-/* What a line of text among the tables begins with. */
+/* Returns the prefix of a line of text between tables. */
 const char *table_remark(enum table_format format);
 
-/* CSV quotes as RFC 4180 says, its lines end in LF; a text that a spreadsheet
- * would evaluate as a formula begins with an apostrophe.  Markdown is GitHub's.
- * False: memory ran out, now or while the table was filled. */
+/* Writes a table. CSV is quoted as in RFC 4180, its lines end in LF, and a text that a
+ * spreadsheet would evaluate as a formula begins with an apostrophe. Markdown is
+ * GitHub's. False: memory ran out, now or while the table was filled. */
 bool table_write(const struct table *table, enum table_format format, FILE *file);
-/* The same, plain. */
+/* The same in plain format. */
 bool table_print(const struct table *table, FILE *file);
-/* An array of objects, one a row.  False, and nothing is written: memory ran
- * out while it was filled. */
+/* Writes an array of objects, one for each row. False, and nothing is written: memory
+ * ran out while it was filled. */
 bool table_json(const struct table *table, struct json *json, const char *key);
 
 #endif

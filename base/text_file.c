@@ -1,4 +1,4 @@
-/* text_file.c - see text_file.h. */
+/* text_file.c - reads texts as a whole or line by line. */
 #include "base/text_file.h"
 
 #include <errno.h>
@@ -34,8 +34,8 @@ static bool fail(struct text_stream *stream, const char *fault)
     return false;
 }
 
-/* The next byte: "\n" at each end of a line, EOF at the end of the text.  The
- * LF of a CR LF is skipped when it comes, as a terminal may send it late. */
+/* Returns the next byte: "\n" at each end of a line, EOF at the end of the text. The LF
+ * of a CR LF is skipped at the next call, because a terminal may send it late. */
 static int next_byte(struct text_stream *stream)
 {
     enum { END_OF_DOS_FILE = 0x1A };
@@ -64,7 +64,8 @@ static bool add(struct text_stream *stream, size_t length, int byte)
     return true;
 }
 
-/* A NUL would hide the rest of its line.  The mark is in the first line. */
+/* Checks a line. A NUL would hide the rest of it. Only the first line can have a byte
+ * order mark. */
 static bool check(struct text_stream *stream, size_t length)
 {
     bool nul = memchr(stream->line, '\0', length);

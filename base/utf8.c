@@ -1,3 +1,4 @@
+/* utf8.c - measures and writes UTF-8 characters. */
 #include "base/utf8.h"
 
 #include <stdbool.h>
@@ -7,8 +8,8 @@ static bool continues(unsigned char c)
     return (c & 0xC0) == 0x80;
 }
 
-/* Surrogates, codes that fewer bytes would do for, and those beyond the last are
- * told by the second byte. */
+/* The second byte excludes surrogates, codes with a shorter encoding, and codes above
+ * the last one. */
 static bool is_second(unsigned char first, unsigned char second)
 {
     switch (first) {

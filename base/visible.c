@@ -1,4 +1,4 @@
-/* visible.c - see visible.h. */
+/* visible.c - finds and escapes invisible characters. */
 #include "base/visible.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* word_wrap.c - see word_wrap.h. */
+/* word_wrap.c - breaks text at blanks. */
 #include "base/word_wrap.h"
 
 #include <stdint.h>
@@ -6,7 +6,7 @@
 
 enum { NARROWEST = 20 };
 
-/* How much of a text is in a line of that width: at least a word. */
+/* Returns the length of the text that fits a line of that width, at least one word. */
 static size_t fold(const char *text, size_t width)
 {
     size_t length = 0;

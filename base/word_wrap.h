@@ -1,4 +1,4 @@
-/* word_wrap.h - text that is too long for a line, broken at blanks. */
+/* word_wrap.h - breaks text that is too long for a line at blanks. */
 #ifndef BASE_WORD_WRAP_H
 #define BASE_WORD_WRAP_H
 
@@ -6,15 +6,14 @@
 
 #include "base/sink.h"
 
-/* Characters: how long printed lines become at most where they can be
- * folded. */
+/* The maximum width of printed lines that can be wrapped, in characters. */
 enum { WORD_WRAP_WIDTH = 100 };
 
-/* Prints a text that begins in that column, and ends the line.  What would go
- * beyond WORD_WRAP_WIDTH continues below, from the same column on; a column too far
- * to the right for that is not folded. */
+/* Prints a text that begins in a column, and ends the line. Text beyond WORD_WRAP_WIDTH
+ * continues on the next line from the same column. A column too far to the right for
+ * that is not wrapped. */
 void word_wrap_print(const char *text, size_t column, FILE *file);
-/* The same to a sink. */
+/* The same for a sink. */
 void word_wrap_put(const char *text, size_t column, const struct sink *sink);
 
 #endif
