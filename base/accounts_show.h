@@ -19,9 +19,9 @@ int accounts_show(const struct accounts *accounts,
 enum accounts_rows { ACCOUNTS_CAUSES, ACCOUNTS_REGIONS };
 /* Returns the matrix for count regions from the first one on, of those that took time.
  * Regions beyond the last are omitted. If only one region took time, the matrix has
- * only the sum of all regions. With causes as rows, the sum is the first column and is
- * omitted if first is not 0. With regions as rows, the sum is the last row. NULL: out
- * of memory. */
+ * only the sum of all regions. With causes as rows, the sum and its percentages are the
+ * first columns of figures and are omitted if first is not 0. With regions as rows, the
+ * sum is the last row. NULL: out of memory. */
 struct table *accounts_matrix(const struct accounts *accounts, enum accounts_rows rows,
                               size_t first, size_t count);
 

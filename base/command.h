@@ -97,7 +97,7 @@ struct command_program {
     const void *arguments; /* the initial arguments, or NULL: zero */
 };
 
-/* The whole of main. Returns the exit code. */
+/* Does all the work of main. Returns the exit code. */
 int command_main(const struct command_program *program, int argc, char **argv);
 
 #endif

@@ -14,7 +14,7 @@ enum {
     WORD_BITS = 64,
     HALF_BITS = 32,
     PAGE_SHIFT = 22,      /* bits of an address within a page */
-    DIRECTORY_SHIFT = 35, /* and within the pages of a directory */
+    DIRECTORY_SHIFT = 35, /* bits of an address within the pages of a directory */
     DIRECTORY_PAGES = 1 << (DIRECTORY_SHIFT - PAGE_SHIFT),
     DIRECTORIES = 1 << (48 - DIRECTORY_SHIFT)
 };

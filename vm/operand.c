@@ -188,8 +188,9 @@ bool operand_recurs(const struct vector *read, size_t i, const struct vector *wr
            && vector_at(written, 0) < vector_at(read, i + 1);
 }
 
-/* No element moves up, so a result at or below its source overwrites only elements that
- * have been read. */
+/* The elements of the result come from the same index of the source or from a higher
+ * one. A result at or below its source therefore overwrites only elements that have
+ * been read. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written)
 {
     return !operands_overlap(read, written)

@@ -82,8 +82,8 @@ bool operands_overlap(const struct vector *one, const struct vector *other);
  * them. */
 bool operand_recurs(const struct vector *read, size_t i, const struct vector *written,
                     size_t stored);
-/* Returns true if a whole chunk may be read before it is stored, provided that elements
- * come from the same place or from a higher one. */
+/* Returns true if a whole chunk may be read before it is stored, provided that no
+ * element moves to a higher index. */
 bool operand_is_ahead(const struct vector *read, const struct vector *written);
 
 /* ---- Read and store ----------------------------------------------------- */

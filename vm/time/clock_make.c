@@ -120,7 +120,8 @@ void clock_reset(struct clock *clock)
     clock->ahead = false;
     clock->account = &clock->accounts.account[0];
     clock->region = SIZE_MAX;       /* the first instruction enters its own region */
-    clock->stack.next = UINT64_MAX; /* and starts the instruction stack */
+    clock->stack.next = UINT64_MAX; /* the first instruction starts the instruction
+                                       stack */
 }
 
 void clock_forget_pages(struct clock *clock)

@@ -38,7 +38,7 @@ struct model_reader {
     c205_model *model;
     const char *line; /* the current line */
     const char *at;   /* its last word */
-    c205_place place; /* of the line; on an error, of its column too */
+    c205_place place; /* of the current line; on an error, with its column */
     c205_error *error;
 };
 

@@ -98,8 +98,7 @@ static inline bool clock_repeat(struct clock *clock, const struct code_block *bl
     return true;
 }
 
-/* Returns true if a block must end before a limit, whatever waits it has. False: it may
- * not. */
+/* Returns true if a block certainly ends before a limit. False: it may end later. */
 static inline bool clock_ends_before(const struct clock *clock,
                                      const struct code_block *block, uint64_t limit)
 {
