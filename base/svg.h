@@ -21,8 +21,8 @@ void svg_end(const struct sink *sink);
 /* Writes text with the characters of markup escaped. */
 void svg_put_escaped(const struct sink *sink, const char *text);
 
-/* Returns the least 1, 2 or 5 times a power of ten that divides a span into at most
- * most steps. */
+/* Returns the least step that is 1, 2 or 5 times a power of ten and divides a span into
+ * no more than most parts. */
 uint64_t svg_round_step(uint64_t span, uint64_t most);
 
 #endif

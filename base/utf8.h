@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* Returns the length of the character at the start of at most most bytes; 0: they do
- * not start with a valid character. */
+/* Returns the length of the character at the start of a text of most bytes; 0: the text
+ * does not start with a valid character. */
 size_t utf8_length(const char *text, size_t most);
 
 enum { MAX_UTF8 = 4 };

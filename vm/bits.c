@@ -293,7 +293,7 @@ c205_trap execute_bits_compress(struct c205 *machine, const struct decoded *deco
 
 /* ---- Repeated masks ---------------------------------------------------- */
 
-/* Stores groups of S bits. The first R bits of each group have the value first, the
+/* Stores groups of S bits. The first R bits of each group have the value `first`, the
  * others its complement. */
 static c205_trap repeat(struct c205 *machine, const struct decoded *decoded, bool first)
 {

@@ -657,7 +657,8 @@ uint64_t c205_history_known(const c205_history *history);
  * stop again. */
 bool c205_history_forward(c205_history *history, c205_stop *stop);
 /* Goes to an earlier step. Of the instructions that run again, listeners are notified
- * of the last one only. False: out of memory; the machine is unchanged. */
+ * of the last one only. False: out of memory; the machine is unchanged, or at a step
+ * before the wanted one. */
 bool c205_history_back(c205_history *history, uint64_t step, c205_error *error);
 /* Must be called after the host wrote registers or memory: later steps are discarded.
  * False: out of memory; going back works as before the change. */

@@ -73,8 +73,8 @@ c205_trap claim_vector(struct c205 *machine, struct vector *vector, size_t count
 c205_trap claim_source(struct c205 *machine, struct source *source, size_t count);
 c205_trap claim_control(struct c205 *machine, struct control *control, size_t count);
 
-/* Returns the number of elements, at most most, that may be read before the first
- * element of written is stored. */
+/* Returns the number of elements, up to most, that may be read before the first element
+ * of written is stored. */
 size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most);
 bool operands_overlap(const struct vector *one, const struct vector *other);

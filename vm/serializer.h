@@ -38,7 +38,7 @@ void serializer_word(struct serializer *serializer, uint64_t *word);
 void serializer_words(struct serializer *serializer, uint64_t *words, size_t count);
 /* Serializes a fixed number of words, with their count. */
 void serializer_array(struct serializer *serializer, uint64_t *words, size_t count);
-/* Serializes a number of at most most. Writing does not check it. */
+/* Serializes a number. Reading fails if it exceeds most; writing does not check it. */
 void serializer_size(struct serializer *serializer, size_t *size, size_t most);
 /* Serializes the number of the items that follow, each a word or more. */
 void serializer_count(struct serializer *serializer, size_t *count);

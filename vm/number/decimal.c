@@ -81,8 +81,8 @@ static const char *take_exponent(decimal *d, const char *text)
     return p;
 }
 
-/* Replaces number so that floor(number' x 2^*exponent) is number x 10^power; number'
- * keeps at least 64 bits. Returns true if digits were lost. */
+/* Replaces number by number' so that number x 10^power is number' x 2^*exponent,
+ * rounded down. Returns true if it was rounded; number' then has at least 64 bits. */
 static bool scale(big *number, int32_t power, int32_t *exponent)
 {
     bool inexact = false;
@@ -186,8 +186,9 @@ typedef struct digits {
     int32_t power; /* of ten */
 } digits;
 
-/* Returns p with 10^p at most the normalised words of the exponent and not far below a
- * tenth of them. log10(2) is 0.30103. */
+/* Returns an estimate p of the decimal exponent of normalised words. Up to the error of
+ * 0.30103 for log10(2), 10^p is at most these words and not far below a tenth of
+ * them. */
 static int32_t power_below(word_format f, int32_t exponent)
 {
     return (int32_t)floor((exponent + f.digits - 1) * 0.30103);

@@ -17,8 +17,8 @@
 #include "vm/number/lane_kinds.h"
 #include "vm/number/common_range.h"
 
-/* The digits of a double after the first one, and the bias of its stored exponent. The
- * FLOORED_ constants are the same for a word. */
+/* The digits of a double after the first one, and the bias of its stored exponent.
+ * FLOORED_DIGITS are the digits of a word's coefficient after the first one. */
 enum {
     DOUBLE_DIGITS = 52,
     DOUBLE_BIAS = 1023,
@@ -49,8 +49,8 @@ static inline uint64_t round_down_bits(double d)
 
 /* ---- Moderate words ------------------------------------------------------ */
 
-/* Returns true if all words of a set are moderate: also the first eight bits of their
- * exponents are equal. all and any are as in common_by_edges(). */
+/* Returns true if all words of a set are moderate: common words whose exponents begin
+ * with eight equal bits, or machine zeros. all and any are as in common_by_edges(). */
 static inline bool moderate_by_edges(uint64_t all, uint64_t any)
 {
     return common_by_edges(all, any) && any >> 57 == 0;
