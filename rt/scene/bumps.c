@@ -1,4 +1,4 @@
-/* bumps.c - what changes normals. */
+/* bumps.c - decides whether bumps change any normal. */
 #include "rt/scene/scene.h"
 
 bool bumps_show(const struct bumps *bumps)

@@ -1,9 +1,12 @@
-/* elementary.c - see elementary.h.
+/* elementary.c - elementary functions in double-double arithmetic.
  *
- * All is done with numbers of two doubles, 106 bits, and rounded once.  exp, sin
- * and cos are series; the others are what the C library has, corrected by a step
- * of Newton's towards the function that they invert: where that is off by e, the
- * step leaves some e^2, whatever its last bits were.
+ * Every number is a pair of doubles, 106 bits, and the result is rounded once. exp, sin
+ * and cos are series; tan, powers and hyperbolic functions are computed from them. The
+ * inverse functions (log, asin, atan, ..) start with the result of the C library and
+ * correct it by one Newton step on the function that they invert: if the start is off
+ * by e, the step leaves an error of about e^2. The last bits of the C library therefore
+ * do not reach the result.
+ *
  * Source: T. J. Dekker, A floating-point technique for extending the available
  * precision, Numerische Mathematik 18 (1971): sums and products of two doubles.
  */
@@ -12,7 +15,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* Their sum; low is at most half a bit of high. */
+/* The value is high + low; low is at most half a unit in the last place of high. */
 struct twofold {
     double high, low;
 };
@@ -23,13 +26,13 @@ enum { HALVINGS = 8 };
 
 static const struct twofold one = { 1, 0 };
 static const struct twofold ln2 = { 0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56 };
-/* pi / 2 by three doubles. */
+/* pi / 2 as the sum of three doubles. */
 static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
                                   -0x1.f1976b7ed8fbcp-110 };
 
 /* ---- Sums, products, quotients ------------------------------------------- */
 
-/* Where a is the larger. */
+/* The sum of a and b if |a| is not below |b|. */
 static struct twofold quick_sum(double a, double b)
 {
     double high = a + b;
@@ -98,7 +101,9 @@ static struct twofold square_root(struct twofold a)
                     : a;
 }
 
-/* To the nearest; what is nearly halfway between two doubles counts as that. */
+/* Returns the nearest double. A value that is nearly halfway between two doubles counts
+ * as halfway: the low part is first rounded to about 2^-41 of a unit in the last
+ * place. */
 static double rounded(struct twofold a)
 {
     double coarse = 1.5 * a.high * 0x1p-41;
@@ -116,8 +121,10 @@ static struct twofold reciprocal(double a)
     return quick_sum(first, (1 - back.high - back.low) * first);
 }
 
-/* first + first f / n .. (n + step - 1) + ..; of terms so small that their first bits
- * alone count, these. */
+/* Returns the sum of `first` and the terms after it. Each term is the one before it
+ * times f / n (step 1) or f / (n (n + 1)) (step 2), and n grows by the step. Terms
+ * below 2^-56 of the sum are computed in one double, because only their leading bits
+ * count. */
 static struct twofold series(struct twofold first, struct twofold f, int n, int step)
 {
     struct twofold all = first, term = first;
@@ -146,7 +153,9 @@ static struct twofold cosine_of(struct twofold r)
     return series(one, minus(multiply(r, r)), 1, 2);
 }
 
-/* What is left of x above the nearest multiple of pi / 2, and which that is. */
+/* Returns x less the nearest multiple k pi / 2, and sets the quadrant k mod 4. The
+ * three doubles of pi / 2 are subtracted one by one, so that the difference keeps its
+ * bits. */
 static struct twofold reduce(double x, int *quadrant)
 {
     double k = floor(x / quarter[0] + .5);
@@ -175,8 +184,9 @@ static struct twofold cosine(double x)
     return sine(x, 1);
 }
 
-/* e^x - 1 for x between -1/2 and 1/2: of a small part of x, doubled in the exponent
- * again and again. */
+/* Returns e^x - 1 for x between -1/2 and 1/2. The series is that of x / 2^HALVINGS.
+ * Each doubling of the argument is e^2r - 1 = 2 (e^r - 1) + (e^r - 1)^2, which has no
+ * cancellation. */
 static struct twofold power_less_one(struct twofold x)
 {
     struct twofold r = by(x, 1. / (1 << HALVINGS));
@@ -214,7 +224,9 @@ static struct twofold cosh_of(struct twofold x)
 
 /* ---- Inverse functions --------------------------------------------------- */
 
-/* Of x = m 2^k with m between 3/4 and 3/2. */
+/* Returns log x for x = m 2^k with m between 3/4 and 3/2. With y = log m from the C
+ * library, log m = y + log(1 + off), where off = m e^-y - 1 is tiny; log(1 + off) is
+ * off - off^2 / 2. */
 static struct twofold log_of(double x)
 {
     int k;
@@ -231,7 +243,9 @@ static struct twofold log_of(double x)
     return add(by(ln2, k), add((struct twofold){ y, 0 }, off));
 }
 
-/* The angle of a point, which is not the origin. */
+/* Returns the angle of a point that is not the origin. The angle of the C library is
+ * corrected by the tangent of its error, which the sine and cosine of that angle
+ * yield. */
 static struct twofold angle_of(struct twofold y, struct twofold x)
 {
     double angle = atan2(y.high, x.high);
@@ -242,7 +256,7 @@ static struct twofold angle_of(struct twofold y, struct twofold x)
                       add(multiply(x, c), multiply(y, s))));
 }
 
-/* The other side of a right triangle whose longest is 1. */
+/* Returns the other leg of a right triangle with hypotenuse 1 and leg x. */
 static struct twofold other_side(double x)
 {
     return square_root(multiply(sum(1, -x), sum(1, x)));
@@ -255,7 +269,7 @@ static bool is_plain(double x)
     return isfinite(x) && x != 0;
 }
 
-/* So small that the function is x. */
+/* Whether x is so small that the function equals x. */
 static bool is_tiny(double x)
 {
     return fabs(x) < 0x1p-200;
@@ -371,7 +385,8 @@ double elementary_asinh(double x)
     return rounded(add(y, divide(off, cosh_of(y))));
 }
 
-/* cosh y - 1 = 2 sinh^2 (y / 2) */
+/* Newton step on cosh y = x; cosh y - 1 is computed as 2 sinh^2 (y / 2), without
+ * cancellation. */
 double elementary_acosh(double x)
 {
     struct twofold y = { acosh(x), 0 }, half, off;

@@ -1,24 +1,25 @@
 /* elementary.h - elementary functions, rounded to the nearest double.
  *
- * The C libraries of hosts round the last bit now so, now so, even from one
- * processor to the next.  What a scene's numbers come to must not depend on that: of
- * these functions there is one value, so a scene is the same words everywhere.  What
- * is nearer to the middle of two doubles than 2^-40 of their distance counts as that
- * middle, and goes to the even one.
+ * C libraries differ in the last bit of these functions, even between two processors of
+ * one type of host. The numbers of a scene must not depend on that: these functions
+ * have one result on every host, so a scene yields the same words everywhere. A result
+ * that is closer to the midpoint of two doubles than 2^-40 of their distance counts as
+ * that midpoint, and rounds to the even double.
  *
- * Errors as in C: what has no value is NaN, what is too large infinite.
+ * Errors are as in C: a result without a value is NaN, one that is too large is
+ * infinite.
  */
 #ifndef RT_SCENE_ELEMENTARY_H
 #define RT_SCENE_ELEMENTARY_H
 
-/* Here, and of powers and hyperbolic functions: beyond e^700 and e^-700 as the C library has
- * it. */
+/* Beyond e^700 and e^-700 the result is that of the C library. This is also true of
+ * powers and hyperbolic functions. */
 double elementary_exp(double x);
 double elementary_log(double x);
 double elementary_log10(double x);
 double elementary_pow(double x, double y);
 
-/* Radians; beyond 2^30 of them as the C library has it. */
+/* Angles are in radians. Beyond 2^30 radians the result is that of the C library. */
 double elementary_sin(double x);
 double elementary_cos(double x);
 double elementary_tan(double x);

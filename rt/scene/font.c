@@ -1,13 +1,16 @@
-/* font.c - fonts by FreeType, and outlines by parabolas.
+/* font.c - reads fonts with FreeType and converts outlines to parabolas.
  *
- * A TrueType curve is a parabola.  A cubic one with the third difference d of its
- * points becomes so many parabolas of equal steps, each with the ends and about the
- * middle of its part, that they are nowhere farther from it than FLATNESS:
+ * A TrueType curve is a parabola. A cubic curve is split into parts of equal parameter
+ * steps, one parabola each. A parabola has the two ends of its part. The tangents of
+ * the cubic at either end give one estimate of the handle each; the handle is the mean
+ * of both. With d, the third difference of the points of the cubic, the distance
+ * between curve and parabola is at most
  *
  *     3^(1/2) / 36  |d| / parts^3  <=  FLATNESS
  *
- * Source: the difference of a cubic and the parabola that has its ends and the mean
- * of its handles told from either, derived here.
+ * and the number of parts is the least that keeps this bound.
+ *
+ * Source: derived here, from the difference of the cubic and the parabola.
  */
 #include "rt/scene/font.h"
 
@@ -28,7 +31,7 @@ enum { MAX_PARTS = 64 /* of one curve */, MAX_TURNS = 100 };
 
 /* ---- The library --------------------------------------------------------- */
 
-/* What is called of it; see FreeType's reference. */
+/* The functions that are called; see FreeType's reference. */
 struct freetype {
     FT_Error (*init)(FT_Library *library);
     FT_Error (*done)(FT_Library library);
@@ -86,7 +89,7 @@ struct font *font_open(const char *bytes, size_t length, const char **fault)
     return NULL;
 }
 
-/* The library stays open: others may be at work with it. */
+/* Closes the font. The library stays loaded, because other threads may be using it. */
 void font_close(struct font *font)
 {
     if (!font)
@@ -103,8 +106,8 @@ void font_close(struct font *font)
 struct drawing {
     struct arena *arena;
     struct glyph *glyph;
-    size_t capacity, first; /* where the loop begins */
-    double unit;            /* em */
+    size_t capacity, first; /* index of the first point of the loop */
+    double unit;            /* em per unit of the font */
 };
 
 static bool add_point(struct drawing *drawing, double x, double y)
@@ -122,7 +125,7 @@ static bool add_point(struct drawing *drawing, double x, double y)
     return true;
 }
 
-/* Whether another corner of the loop is where this one is. */
+/* Whether another corner of the loop is at the same point as this one. */
 static bool is_repeated(const double (*points)[2], size_t count, size_t apart,
                         size_t which)
 {
@@ -159,7 +162,8 @@ static const double *last_point(const struct drawing *drawing)
     return drawing->glyph->points[drawing->glyph->count - 1];
 }
 
-/* To a point; nothing where it is there already. */
+/* Adds a line to a point, with its midpoint as handle if the outline has curves. Adds
+ * nothing if the outline is at that point already. */
 static bool add_line(struct drawing *drawing, const double to[2])
 {
     const double *from = last_point(drawing);
@@ -171,8 +175,8 @@ static bool add_line(struct drawing *drawing, const double to[2])
            && add_point(drawing, to[0], to[1]);
 }
 
-/* Back to its first point, which is at the end only when it has its place at the
- * beginning.  A loop of one point, by which fonts mark a place, goes. */
+/* Closes the current loop and rotates it so that its first corner occurs once (see
+ * font_turn_loop). A loop of one point, which fonts use as a mark, is dropped. */
 static bool close_loop(struct drawing *drawing)
 {
     struct glyph *glyph = drawing->glyph;
@@ -202,7 +206,7 @@ static int move_to(const FT_Vector *to, void *context)
                       (double)to->y * drawing->unit);
 }
 
-/* In em. */
+/* Sets a point in em. */
 static void point_of(const struct drawing *drawing, const FT_Vector *vector,
                      double point[2])
 {
@@ -232,7 +236,7 @@ static int conic_to(const FT_Vector *by, const FT_Vector *to, void *context)
            || !add_point(drawing, end[0], end[1]);
 }
 
-/* Bernstein's polynomials of a cubic curve's points, and their slope. */
+/* A cubic curve in Bernstein form (its control points are p), and its derivative. */
 static double cubic_at(const double p[4], double t)
 {
     double s = 1 - t;
@@ -250,7 +254,7 @@ static double cubic_slope(const double p[4], double t)
               + t * t * (p[3] - p[2]));
 }
 
-/* Are all of them one point? */
+/* Whether all control points coincide. */
 static bool is_point(const double points[2][4])
 {
     for (int k = 0; k < 2; k++)
@@ -333,7 +337,7 @@ bool font_glyph(const struct font *font, uint32_t character, struct arena *arena
     if (calls->decompose(&face->glyph->outline, &functions, &drawing)
         || !close_loop(&drawing) || !add_point(&drawing, 0, 0))
         return false;
-    glyph->count--; /* the point more that there is room for */
+    glyph->count--; /* the spare point stays allocated */
     glyph->bearing = (double)face->glyph->metrics.horiBearingX * drawing.unit;
     glyph->advance = (double)face->glyph->metrics.horiAdvance * drawing.unit;
     return true;

@@ -1,4 +1,4 @@
-/* image_map.h - images as pigments show them. */
+/* image_map.h - images as colours of a pigment. */
 #ifndef RT_SCENE_IMAGE_MAP_H
 #define RT_SCENE_IMAGE_MAP_H
 
@@ -6,20 +6,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The pixels of an image, as the scene's colours. */
+/* The pixels of an image in the colours of the scene. */
 struct image_table {
-    size_t number;        /* among those of the scene, from 0 */
+    size_t number;        /* index among the images of the scene, from 0 */
     size_t width, height; /* pixels */
     uint32_t most;
-    const uint16_t *samples; /* red, green and blue of each pixel, the top row
-                                first, its left one first: from 0 to most */
-    const double *light;     /* what the samples 0 .. most stand for */
+    const uint16_t *samples; /* red, green and blue of each pixel, 0 to most; rows from
+                              * the top, pixels from the left */
+    const double *light;     /* linear value of each sample 0 .. most */
 };
-/* Of a scene: images, and pixels of all of them. */
+/* Limits of a scene: images, and pixels in all of them. */
 enum { MAX_IMAGES = 1000, MAX_IMAGE_PIXELS = 1 << 23 };
 
-/* How a point becomes a place of the image: rt/kernels/light/image.s has the
- * formulas. */
+/* How a point is mapped to a position in the image; the formulas are in
+ * rt/kernels/light/image.s. */
 enum image_mapping {
     IMAGE_PLANAR,
     IMAGE_SPHERICAL,
@@ -27,9 +27,9 @@ enum image_mapping {
     IMAGE_TORUS,
     IMAGE_MAPPINGS
 };
-/* .. and which colour is there: that of the pixel, or between those of the four
- * whose middles are about the place, by how near they are along both edges, or
- * by the squares of their distances. */
+/* How the colour at a position is interpolated: the colour of the nearest pixel, or a
+ * weighted mean of the four pixels whose centres are around it. BILINEAR weighs them by
+ * the distances along both edges, BY_DISTANCE by the squares of their distances. */
 enum image_sampling {
     IMAGE_NEAREST,
     IMAGE_BILINEAR,
@@ -37,13 +37,12 @@ enum image_sampling {
     IMAGE_SAMPLINGS
 };
 struct image_map {
-    const struct image_table *table; /* the scene keeps it */
+    const struct image_table *table; /* owned by the scene */
     enum image_mapping mapping;
     enum image_sampling sampling;
-    bool once; /* not repeated, but for neighbours of its edges that are the edges
-                  themselves */
+    bool once; /* not repeated; neighbours beyond an edge are the pixels of that edge */
 };
-/* A place may be outside of it, where it is clear. */
+/* Whether a point can be mapped outside the image, where the pigment is clear. */
 bool image_is_bounded(const struct image_map *map);
 
 #endif

@@ -1,3 +1,5 @@
+/* named_values.c - reads values that are assigned to parts by name, and looks them
+ * up. */
 #include "rt/scene/named_values.h"
 
 #include <math.h>
@@ -30,7 +32,7 @@ static bool keep(struct named_values *given, const char *name, size_t length,
     return true;
 }
 
-/* A number in range, or the word. */
+/* Reads a number in range, or the word of the kind. */
 static bool is_value(const struct value_kind *kind, const char *text, double *value)
 {
     char *end;
@@ -96,7 +98,7 @@ static bool is_blank(char letter)
     return letter == ' ' || letter == '\t' || letter == '"';
 }
 
-/* A number and the blanks around it; false: there is none. */
+/* Skips a number and the blanks after it. Fails if there is none. */
 static bool skip_number(char **text, double *value)
 {
     char *end;
@@ -109,7 +111,8 @@ static bool skip_number(char **text, double *value)
     return true;
 }
 
-/* False: it is wrong, and the message says what; of an empty one nothing is. */
+/* Adds the value of a line; an empty line has none. Fails if the line is wrong; the
+ * error has the reason. */
 static bool take_line(struct named_values *given, char *line, c205_error *error)
 {
     char *remark = strchr(line, '#');

@@ -1,10 +1,10 @@
-/* named_values.h - numbers that are given to a scene's parts and materials by name: densities,
+/* named_values.h - numbers that are assigned to parts and materials by name: densities,
  * emissivities, temperatures.
  *
- * A part has the value that is given to its own name, else that of its material, else the
- * one for all others; where several say one it is the first.  They come from options,
- * NAME=VALUE, from a file, and from floats of the scene whose names end in what such a
- * value is called.
+ * A part has the value of its own name, else that of its material, else the default. If
+ * a name has several values, the first counts. The values come from options of the form
+ * NAME=VALUE, from a file, and from floats of the scene whose names have a fixed
+ * ending.
  */
 #ifndef RT_GIVEN_VALUES_H
 #define RT_GIVEN_VALUES_H
@@ -12,13 +12,13 @@
 #include "base/diagnostic.h"
 #include "rt/scene/scene_internal.h"
 
-/* What is given. */
+/* The quantity that the values are of. */
 struct value_kind {
     const char *name;   /* "density" */
-    const char *ending; /* of floats of the scene: "_Density" */
+    const char *ending; /* suffix of floats of the scene: "_Density" */
     const char *range;  /* "above 0" */
     bool (*allows)(double value);
-    const char *word; /* that stands for a value, too; NULL: none */
+    const char *word; /* word that is also accepted as a value; NULL: none */
     double word_value;
 };
 
@@ -30,31 +30,33 @@ struct named_value {
 struct named_values {
     const struct value_kind *kind;
     size_t count;
-    struct named_value *list; /* the first of a name counts */
-    double others;            /* of what has no other; NaN: none */
+    struct named_value *list; /* in order; the first of a name counts */
+    double others;            /* the default; NaN: none */
     struct arena kept;
 };
 
 void named_begin(struct named_values *given, const struct value_kind *kind);
-/* NAME=VALUE, where the name `default` is all others.  False: it is no such text,
- * or a value out of range; or no memory; the error says which. */
+/* Adds NAME=VALUE; the name `default` sets the default. Fails if the text has another
+ * form, if the value is out of range, or without memory; the error has the reason. */
 bool named_add(struct named_values *given, const char *text, c205_error *error);
-/* A file of lines: a number, which means nothing, a value, a name; what is behind # is
- * passed over.  False: the reports say what is wrong with it. */
+/* Reads a file of lines: a number, which is ignored, a value and a name. Text from a #
+ * to the end of its line is ignored. Fails if a line is wrong; the reports list all
+ * wrong lines. */
 bool named_read(struct named_values *given, const char *path,
                 struct diagnostics *reports);
-/* Those of the scene's floats. */
+/* Adds the floats of the scene whose names end in kind->ending. Fails if a value is out
+ * of range, or without memory. */
 bool named_add_scene(struct named_values *given, const struct scene *scene,
                      c205_error *error);
 void named_free(struct named_values *given);
 
-/* False: one of the names so far is not that of a part or a material, nor this one (NULL: there
- * is no other); the error lists those that there are. */
+/* Fails if one of the names so far is not that of a part or a material; the error lists
+ * those that exist. The name `besides` is also accepted; NULL: none. */
 bool named_check(const struct named_values *given, const struct named_parts *parts,
                  const char *besides, c205_error *error);
-/* NaN: the part has none. */
+/* Returns the value of a part; NaN: it has none. */
 double named_of_part(const struct named_values *given, const struct named_part *part);
-/* .. nobody has that name. */
+/* Returns the value of a name; NaN: it has none. */
 double named_of_name(const struct named_values *given, const char *name);
 
 #endif

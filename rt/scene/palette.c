@@ -1,28 +1,27 @@
-/* palette.c - tables of colours in image files, which become the numbers of
- * their rows.
+/* palette.c - replaces the colours of the table in an image file by their indices.
  *
- * Sources: the Portable Network Graphics specification (W3C, second edition);
- * GIF89a (CompuServe); Truevision TGA, version 2.0; Microsoft's description of
+ * Sources: the Portable Network Graphics specification (W3C, second edition); GIF89a
+ * (CompuServe); Truevision TGA, version 2.0; Microsoft's description of
  * BITMAPINFOHEADER.
  */
 #include "rt/scene/palette.h"
 
 #include <string.h>
 
-/* The places of what is looked at. */
+/* Offsets in the files, in bytes. */
 enum {
-    PNG_FIRST = 8, /* the first chunk: its length, its name, what it holds */
+    PNG_FIRST = 8, /* the first chunk: length, name, data, checksum */
     PNG_HEAD = 8,
-    PNG_TAIL = 4, /* the check sum behind it */
+    PNG_TAIL = 4, /* the checksum */
     PNG_COLOR_TYPE = 25,
     PNG_INDEXED = 3,
     GIF_FLAGS = 10,
     GIF_TABLE = 13,
-    GIF_IMAGE = 10, /* bytes before an image's own table */
+    GIF_IMAGE = 10, /* bytes before the table of an image */
     GIF_HAS_TABLE = 0x80,
     BMP_HEADER = 14,
     BMP_BITS = 28,
-    TGA_TABLE = 18, /* less what the identification takes */
+    TGA_TABLE = 18, /* plus the length of the identification field */
 };
 
 static unsigned byte_at(const char *bytes, size_t i)
@@ -30,7 +29,8 @@ static unsigned byte_at(const char *bytes, size_t i)
     return (unsigned char)bytes[i];
 }
 
-/* Colours of so many bytes, up to the end of a file. */
+/* Sets the first three bytes of each of `count` colours of `size` bytes to its index.
+ * Fails if the table reaches beyond the file or has more than 256 colours. */
 static bool paint(char *bytes, size_t length, size_t at, size_t count, size_t size)
 {
     if (at > length || count > (length - at) / size || count > 256)
@@ -48,7 +48,7 @@ static size_t long_at(const char *bytes, size_t i)
            | byte_at(bytes, i + 2) << 8 | byte_at(bytes, i + 3);
 }
 
-/* The check sum of a chunk's name and what it holds (annex D). */
+/* The CRC of a chunk's name and data (annex D). */
 static uint32_t check_sum(const char *bytes, size_t count)
 {
     uint32_t sum = UINT32_MAX;
@@ -86,7 +86,8 @@ static bool paint_png(char *bytes, size_t length)
 
 /* ---- GIF ----------------------------------------------------------------- */
 
-/* Behind blocks that each begin with their size, the last one's being 0. */
+/* Returns the offset after a chain of blocks. Each block begins with its size; the last
+ * has size 0. */
 static size_t behind_blocks(const char *bytes, size_t length, size_t at)
 {
     while (at < length && bytes[at])
@@ -103,7 +104,7 @@ static bool paint_table(char *bytes, size_t length, size_t at, unsigned flags,
     return paint(bytes, length, at, count, 3);
 }
 
-/* That for all images, and that of the first one. */
+/* Replaces the global table and the table of the first image. */
 static bool paint_gif(char *bytes, size_t length)
 {
     size_t at, ignored;
@@ -120,7 +121,7 @@ static bool paint_gif(char *bytes, size_t length)
 
 /* ---- BMP, TGA ------------------------------------------------------------ */
 
-/* Up to where the pixels begin. */
+/* The table ends at the offset of the pixels. */
 static bool paint_bmp(char *bytes, size_t length)
 {
     size_t at, end;
@@ -143,7 +144,7 @@ static bool paint_tga(char *bytes, size_t length)
 
 /* ---- All of them --------------------------------------------------------- */
 
-/* The types 1 and 9 of TGA, the latter run by run, are numbers. */
+/* In TGA the types 1 and 9 (run-length encoded) have a colour table. */
 bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length)
 {
     switch (kind) {

@@ -1,14 +1,14 @@
-/* palette.h - image files whose pixels are numbers of colours in a table. */
+/* palette.h - image files with a colour table. */
 #ifndef RT_SCENE_PALETTE_H
 #define RT_SCENE_PALETTE_H
 
 #include "rt/scene/raster.h"
 
-/* Whether the pixels of a file are numbers of colours in a table. */
+/* Whether the pixels of a file are indices into a colour table. */
 bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length);
-/* Each colour of the table becomes the grey of its number, so that the pixels
- * show their numbers.  False: the table is broken, or of a kind that is not
- * known here. */
+/* Replaces each colour of the table by the grey of its index, so that the pixels decode
+ * to their indices. Fails if the table is broken, or of a kind that is not
+ * supported. */
 bool palette_to_numbers(enum raster_kind kind, char *bytes, size_t length);
 
 #endif

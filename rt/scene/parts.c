@@ -1,3 +1,4 @@
+/* parts.c - collects the named parts of a scene. */
 #include "rt/scene/scene_internal.h"
 
 #include <stdio.h>
@@ -24,7 +25,7 @@ static const char *object_name(struct named_parts *parts,
     return arena_text(&parts->kept, line, strlen(line));
 }
 
-/* The number of the object's part, which may be a new one. */
+/* Returns the index of the object's part, which is added if it is new. */
 static size_t find_part(struct named_parts *parts, const struct world_object *object,
                         const char *name)
 {
@@ -94,7 +95,7 @@ static bool name_is_new(const struct named_parts *parts, size_t i, const char *n
     return name;
 }
 
-/* The names of all parts, or of all materials, once each. */
+/* Adds each distinct name of a part, or of a material. */
 static void add_names(const struct named_parts *parts, bool material,
                       const char *separator, c205_error *error)
 {

@@ -1,4 +1,4 @@
-/* pigment.c - what a pigment has, and the colours of those that are a list. */
+/* pigment.c - properties of pigments, and the colours of their lists. */
 #include "rt/scene/scene.h"
 
 #include <math.h>
@@ -6,14 +6,14 @@
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
-#define ROUND 1.00001 /* POV-Ray's frequency goes round at this, not at 1 */
+#define ROUND 1.00001 /* period of the frequency in POV-Ray, which is not exactly 1 */
 
 bool pigment_has_map(const struct pigment *pigment)
 {
     return pigment->kind == PIGMENT_GRADIENT || pigment->kind == PIGMENT_PATTERN;
 }
 
-/* All of a sphere and a torus is within the image. */
+/* A spherical or toroidal map covers the whole image. */
 bool image_is_bounded(const struct image_map *map)
 {
     return map->once
@@ -56,7 +56,7 @@ size_t pigment_list_count(const struct pigment *pigment)
     }
 }
 
-/* rt/kernels/light/pattern.s has the formulas. */
+/* The formulas are those of rt/kernels/light/pattern.s. */
 static double in_wave(const struct pattern *pattern, double value)
 {
     if (pattern->frequency != 0)

@@ -1,5 +1,4 @@
-/* raster.c - image files as rows of whole numbers: their kinds, and those of
- * Netpbm.
+/* raster.c - detects the kinds of image files, and reads PGM and PPM.
  *
  * Source: the manual pages pgm(5) and ppm(5) of Netpbm.
  */
@@ -23,7 +22,7 @@ static const struct raster_mark {
     { RASTER_TIFF, "MM" },
 };
 
-/* As OpenImageIO calls them. */
+/* The names of the formats in OpenImageIO. */
 static const char *const formats[RASTER_KINDS] = {
     [RASTER_BMP] = "bmp", [RASTER_GIF] = "gif",   [RASTER_JPEG] = "jpeg",
     [RASTER_PNG] = "png", [RASTER_TGA] = "targa", [RASTER_TIFF] = "tiff",
@@ -41,11 +40,11 @@ enum raster_kind raster_kind_of(const char *bytes, size_t length)
 
 /* ---- Netpbm -------------------------------------------------------------- */
 
-/* A file from which numbers are taken. */
+/* A cursor in a Netpbm file. */
 struct netpbm {
     const unsigned char *next, *end;
-    bool plain; /* its samples are text */
-    bool wide;  /* .. or two bytes each, the greater one first */
+    bool plain; /* samples are text */
+    bool wide;  /* samples are two bytes, most significant first */
 };
 
 static bool is_space(int byte)
@@ -53,7 +52,7 @@ static bool is_space(int byte)
     return byte == ' ' || (byte >= '\t' && byte <= '\r');
 }
 
-/* Spaces, and comments: from # to the end of the line. */
+/* Skips blanks and comments, which reach from # to the end of the line. */
 static void pass_spaces(struct netpbm *file)
 {
     bool comment = false;
@@ -68,7 +67,7 @@ static void pass_spaces(struct netpbm *file)
     }
 }
 
-/* In digits.  False: there is none, or one beyond RASTER_PIXELS. */
+/* Reads a decimal number. Fails if there is none or if it is above RASTER_PIXELS. */
 static bool take_number(struct netpbm *file, uint32_t *number)
 {
     const unsigned char *first;
@@ -113,8 +112,8 @@ static bool take_samples(struct netpbm *file, struct raster *raster, c205_error 
     return true;
 }
 
-/* Behind the two letters of its kind: width, height and the greatest sample;
- * one space ends them. */
+/* Reads width, height and the greatest sample, which follow the two letters of the
+ * kind. One blank ends the header. */
 static bool take_header(struct netpbm *file, struct raster *raster, c205_error *error)
 {
     uint32_t width, height;

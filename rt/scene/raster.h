@@ -1,8 +1,7 @@
-/* raster.h - image files as rows of whole numbers.
+/* raster.h - image files as arrays of integer samples.
  *
- * PGM and PPM are read here.  All others are read by whoever gives a
- * raster_reader: the adapter to OpenImageIO (rt/picture/picture.h), which need not
- * be there.
+ * PGM and PPM are read here. All other formats are read by a raster_reader of the
+ * caller: the adapter to OpenImageIO (rt/picture/picture.h), which is optional.
  */
 #ifndef RT_SCENE_RASTER_H
 #define RT_SCENE_RASTER_H
@@ -13,18 +12,18 @@
 
 #include "vm/c205.h"
 
-/* The top row first, the channels of a pixel side by side: grey or three
- * colours, and perhaps one that says how opaque the pixel is, which has left no
- * trace in the others.  Samples go from 0 to most. */
+/* An image, top row first, with the channels of a pixel adjacent: grey or three
+ * colours, and optionally opacity. The colours are not premultiplied by it. Samples are
+ * 0 to most. */
 struct raster {
     size_t width, height, channels;
     uint32_t most;
-    uint16_t *samples; /* of malloc */
+    uint16_t *samples; /* allocated by malloc */
 };
 enum { RASTER_PIXELS = 1 << 23 }; /* at most */
 
-/* A file's bytes, of a format that OpenImageIO has by this name.  The caller
- * frees the samples. */
+/* Reads the bytes of a file, in a format named as in OpenImageIO. The caller frees the
+ * samples. */
 typedef bool raster_reader(const char *format, const char *bytes, size_t length,
                            struct raster *raster, c205_error *error);
 
@@ -40,9 +39,11 @@ enum raster_kind {
     RASTER_KINDS
 };
 
-/* By its first bytes; TGA has none of its own, and is what is no other one. */
+/* Returns the kind by the first bytes of the file. TGA has no signature: any other file
+ * counts as TGA. */
 enum raster_kind raster_kind_of(const char *bytes, size_t length);
-/* reads: for what is not PGM or PPM; NULL: there is nobody. */
+/* Reads an image. `reads` is called for kinds other than PGM and PPM; if it is NULL
+ * these kinds are errors. */
 bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
                  raster_reader *reads, struct raster *raster, c205_error *error);
 

@@ -1,3 +1,4 @@
+/* scene.c - frees a scene. */
 #include "rt/scene/scene.h"
 
 #include <stdlib.h>

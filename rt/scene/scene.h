@@ -1,8 +1,8 @@
 /* scene.h - a scene as the scene language describes it, in world units.
  *
- * Doubles are here at the edge: rt/layout/layout.c turns them into the machine's
- * own numbers.  Axes are left-handed as in POV-Ray: x right, y up, z away.
- * Colours are linear RGB as the file gives them.
+ * Its numbers are doubles; rt/layout/layout.c converts them to the format of the
+ * machine. The axes are left-handed as in POV-Ray: x right, y up, z away. Colours are
+ * linear RGB as the file gives them.
  */
 #ifndef RT_SCENE_H
 #define RT_SCENE_H
@@ -18,9 +18,9 @@ struct transform {
     double rows[3][4];
 };
 
-/* The ray through the picture at u, v (each -1/2 .. 1/2, v upwards) starts at
- * location and has the direction direction + u right + v up, not of length
- * one; an orthographic camera's starts at location + u right + v up and has the
+/* A camera. The ray through the picture at u, v (each -1/2 .. 1/2, v upwards) starts at
+ * location and has the direction direction + u right + v up, which is not normalised.
+ * The ray of an orthographic camera starts at location + u right + v up and has the
  * direction direction. */
 struct camera {
     double location[3];
@@ -29,18 +29,18 @@ struct camera {
     double up[3];
     bool orthographic;
     double lens_radius;    /* 0: none */
-    double focal_distance; /* along direction, to what is sharp */
-    int lens_points;       /* from which a pixel is seen, at least */
+    double focal_distance; /* distance of the sharp plane, along direction */
+    int lens_points;       /* minimum of points on the lens per pixel */
 };
 
-/* Of a lens. */
+/* The limit of lens_points. */
 enum { MAX_LENS_POINTS = 256 };
 
-/* Where a light shines: all around, or in a beam about the way from it to a
- * point. */
+/* Whether a light shines in all directions, or in a beam around the axis from its
+ * position to point_at. */
 enum light_beam { BEAM_NONE, BEAM_CONE, BEAM_CYLINDER };
 
-/* Points of a light's area. */
+/* The limit of points in an area light. */
 enum { MAX_AREA_POINTS = 65536 };
 
 struct light {
@@ -48,64 +48,65 @@ struct light {
     double color[3];
     bool shadowless; /* casts no shadow and, as in POV-Ray, makes no phong or
                         specular highlight */
-    bool parallel;   /* all its rays go the way from it to the point: a cone then
-                        holds all, those of a cylinder always do */
+    bool parallel;   /* all rays are parallel to the axis: a cone then contains every
+                      * point, a cylinder is parallel in any case */
     enum light_beam beam;
     double point_at[3];
-    double radius, falloff; /* it is full within, and ends: of a cone in degrees
-                               off the axis, of a cylinder so far from it */
-    double tightness;       /* the power by which it is less off the axis, of the
-                         cosine or of how near the edge is */
-    double area_axes[2][3]; /* of a parallelogram about its place, */
-    size_t area_size[2];    /* with so many points along each of these, from
-                               which it casts shadows; 0: it has none */
-    bool circular;          /* .. an ellipse */
-    double fade_distance, fade_power; /* times 2 / (1 + (distance /
-                                         fade_distance) ^ fade_power), if
-                                         neither is 0 */
+    double radius, falloff; /* full intensity within radius, none beyond falloff:
+                             * degrees off the axis (cone) or distance from it
+                             * (cylinder) */
+    double tightness;       /* exponent by which the light decreases off the axis: of
+                             * the cosine (cone), of 1 - distance / falloff
+                             * (cylinder) */
+    double area_axes[2][3]; /* edges of a parallelogram around position */
+    size_t area_size[2];    /* points along each edge, from which shadows are cast; 0:
+                             * no area */
+    bool circular;          /* the area is an ellipse */
+    double fade_distance, fade_power; /* the light is multiplied by 2 / (1 + (distance /
+                                       * fade_distance) ^ fade_power) if neither is 0 */
 };
 
-/* POV-Ray's finish; its defaults (3.7) are ambient .1, diffuse .6, the rest
- * 0, phong_size 40, roughness .05, reflection black, brilliance and falloff
- * 1. */
+/* POV-Ray's finish. The defaults (3.7) are ambient .1, diffuse .6, phong_size 40,
+ * roughness .05, brilliance and falloff 1, reflection black, and 0 for all others. */
 struct finish {
-    double ambient[3];         /* times the ambient light */
-    double emission[3];        /* .. and as it is */
-    double reflection[3];      /* seen straight on */
-    double reflection_most[3]; /* .. along the surface */
-    double reflection_falloff; /* the power by which it goes from one to the
-                                  other with 1 less the cosine */
-    bool fresnel;              /* .. or by Fresnel's formulas */
+    double ambient[3];         /* factor of the ambient light */
+    double emission[3];        /* added to the colour without a factor */
+    double reflection[3];      /* perpendicular to the surface */
+    double reflection_most[3]; /* at grazing incidence */
+    double reflection_falloff; /* exponent of 1 - cosine in the interpolation between
+                                * the two */
+    bool fresnel;              /* the interpolation follows Fresnel's formulas */
     double reflection_metallic;
-    double diffuse, brilliance; /* the power of the cosine */
+    double diffuse, brilliance; /* brilliance: exponent of the cosine */
     double phong, phong_size;
     double specular, roughness;
-    double metallic; /* how far highlights have the pigment's colour */
-    double ior;      /* of the object's interior, in old scenes; 0: not given */
+    double metallic; /* share of the pigment's colour in highlights */
+    double ior;      /* of the interior, in old scenes; 0: not given */
 };
 
 enum pigment_kind {
     PIGMENT_COLOR,
     PIGMENT_CHECKER,
     PIGMENT_GRADIENT,
-    PIGMENT_PATTERN, /* any other that has a map */
+    PIGMENT_PATTERN, /* any other pattern with a map */
     PIGMENT_IMAGE
 };
 
-/* Colours at values from 0 to 1 that do not fall: those between are in a line
- * with those beside, those beyond are as the first or the last. */
+/* A colour at a value from 0 to 1. The values of a map do not decrease. Colours between
+ * two stops are interpolated linearly; beyond the ends they are those of the first or
+ * last stop. */
 struct color_stop {
     double at, color[3];
-    double filter, transmit; /* of checkers; what has a map is opaque */
+    double filter, transmit; /* of checkers only; the colours of a map are opaque */
 };
 struct color_map {
     size_t count;
-    const struct color_stop *stops; /* the scene keeps them */
-    size_t clear; /* so many that let light pass, as they are written */
+    const struct color_stop *stops; /* owned by the scene */
+    size_t clear; /* number of stops that transmit light, as written */
 };
 
-/* Of a point a value, which then goes in a wave: rt/kernels/light/pattern.s has
- * the formulas. */
+/* A pattern maps a point to a value, which a wave function then transforms; the
+ * formulas are in rt/kernels/light/pattern.s. */
 enum pattern_function {
     PATTERN_PLANAR,
     PATTERN_SPHERICAL,
@@ -114,11 +115,11 @@ enum pattern_function {
     PATTERN_ONION,
     PATTERN_LEOPARD,
     PATTERN_RADIAL,
-    PATTERN_SLANTED, /* a gradient that is not the plain one */
+    PATTERN_SLANTED, /* a gradient with a wave or another change */
     PATTERN_BRICK,
     PATTERN_HEXAGON,
-    PATTERN_CHECKER, /* as a bump only: a pigment of it is another kind */
-    PATTERN_QUILTED, /* as a bump only, which has no heights */
+    PATTERN_CHECKER, /* only in bumps: the checker of a pigment is PIGMENT_CHECKER */
+    PATTERN_QUILTED, /* only in bumps; it has no heights */
     PATTERN_FUNCTIONS
 };
 enum pattern_wave {
@@ -139,70 +140,71 @@ struct pattern {
 
 struct pigment {
     enum pigment_kind kind;
-    double color[2][3];        /* checker: where floor(x)+floor(y)+floor(z)
-                                  is even, and odd; image: within, and outside;
-                                  gradient: the first */
-    double filter[2];          /* the share of light that passes, coloured */
-    double transmit[2];        /* .. and as it is */
-    struct transform to_local; /* from world points to the pattern's */
-    double axis[3];            /* gradient: of length one; the value is how far
-                                  the point is along it, less its floor */
+    double color[2][3];        /* checker: where floor(x)+floor(y)+floor(z) is even, and
+                                * odd; image: inside, and outside; gradient: the
+                                * first */
+    double filter[2];          /* share of light that passes coloured */
+    double transmit[2];        /* share of light that passes unchanged */
+    struct transform to_local; /* from the world to the space of the pattern */
+    double axis[3];            /* of a gradient, normalised; the value is the fractional
+                                * part of the coordinate along it */
     struct pattern pattern;
     struct color_map map; /* of a list: its colours, at 0, 1 .. */
     struct image_map image;
 };
 bool pigment_has_map(const struct pigment *pigment);
-/* Cells that may let different light pass: two of a checker, and of an image that
- * is bounded; else one. */
+/* Returns the number of cells that may transmit light differently: two for a checker
+ * and for a bounded image, else one. */
 int pigment_cells(const struct pigment *pigment);
-/* More than a colour, in each direction of a sky. */
+/* Whether it has a map or an image, so that a sky of it differs by direction. */
 bool pigment_makes_sky(const struct pigment *pigment);
-/* Light passes, for one of its colours at least. */
+/* Whether at least one of its colours transmits light. */
 bool pigment_is_clear(const struct pigment *pigment);
-/* A checker, bricks and hexagons have a list of so many colours; all others 0. */
+/* Returns the number of colours in the list of a checker, brick or hexagon pattern; 0
+ * for all others. */
 size_t pigment_list_count(const struct pigment *pigment);
-/* The i-th that is drawn, from 0 on: what the map has where the waves put i. */
-/* .. and the value that they make of it. */
+/* Returns the value of the map at which colour i of the list is looked up: the wave
+ * function of i, from 0. */
 double pigment_list_value(const struct pigment *pigment, size_t i);
 struct color_stop pigment_listed(const struct pigment *pigment, size_t i);
 
-/* A slope_map: at a value it is so high, and rises so much by the next one. */
+/* An entry of a slope_map: the height and the slope at a value. */
 struct slope_stop {
     double at, height, slope;
 };
 
-/* Heights over points: those of a pattern (kind PIGMENT_COLOR: there are none, and it
- * changes no normal), as they are or by a slope_map. */
+/* A bump: heights over points, from a pattern, optionally through a slope_map. The kind
+ * PIGMENT_COLOR has no heights and changes no normal. */
 struct bump {
-    struct pigment pattern; /* no colours of it */
+    struct pigment pattern; /* its colours are not used */
     double amount, accuracy;
-    double controls[2]; /* quilted */
+    double controls[2]; /* of quilted */
     size_t stop_count;
-    const struct slope_stop *stops; /* the scene keeps them */
+    const struct slope_stop *stops; /* owned by the scene */
 };
 
-/* What changes the normals of a surface: a bump, or several in its space, between
- * which its pattern chooses. */
+/* The change of the normals of a surface: one bump, or a list of bumps in its space.
+ * The pattern of the first selects between them. */
 struct bump_entry {
-    double at; /* .. of an average: how much it counts */
+    double at; /* value in the map; in an average: the weight */
     struct bump bump;
 };
 struct bump_list {
     struct bump bump;
-    bool average; /* all of them are added */
-    size_t count; /* 0: the bump itself */
+    bool average; /* all entries are added */
+    size_t count; /* 0: the bump itself is used */
     const struct bump_entry *entries;
 };
 struct bumps {
-    const struct bump_list *list; /* the scene keeps it; NULL: none */
-    struct transform to_local;    /* from world points to its pattern's */
-    bool unscaled; /* normals keep their lengths there, as of no_bump_scale */
+    const struct bump_list *list; /* owned by the scene; NULL: none */
+    struct transform to_local;    /* from the world to the space of its pattern */
+    bool unscaled; /* normals are not rescaled by that map (no_bump_scale) */
 };
-/* There is something that changes normals. */
+/* Whether any normal is changed. */
 bool bumps_show(const struct bumps *bumps);
 
-/* Of the same density everywhere: at its distance a share of 1/e is seen through
- * it, of light that is not fogged; transmit of it at least. */
+/* Fog of constant density. At `distance` the share 1/e of the light passes through it
+ * unchanged; at least the share `transmit` always passes. */
 struct fog {
     double distance; /* above 0 */
     double color[3], filter, transmit;
@@ -211,60 +213,60 @@ enum { MAX_FOGS = 16 };
 
 struct primitive; /* rt/shapes/primitive.h */
 
-/* A Boolean tree over primitives, its nodes in preorder: a node, then all that
- * is below its first child, and so on.  A difference is the intersection of
- * its first child with the complements of the others. */
+/* A node of a Boolean tree over primitives. The nodes are in preorder: a node is
+ * followed by the subtrees of its children in order. A difference is the intersection
+ * of its first child with the complements of its other children. */
 enum tree_operation { TREE_LEAF, TREE_AND, TREE_OR, TREE_NOT };
 
 struct tree_node {
     enum tree_operation operation;
-    size_t next;      /* the node behind all that is below this one */
-    size_t primitive; /* of a leaf: which of the scene's */
+    size_t next;      /* index of the first node after this subtree */
+    size_t primitive; /* of a leaf: index of the scene's primitive */
 };
 
-/* What a statement of the file put into the world. */
+/* An object that a statement of the file puts into the world. */
 struct world_object {
     const char *name;     /* of the #declare that it comes from, or NULL */
-    const char *material; /* .. that its texture comes from, or NULL; what is
-                             taken away does not count, of several
-                             textures the first one's */
-    bool mixed;           /* .. there are several materials */
-    size_t line;          /* where it is written, in the main file */
+    const char *material; /* name of the #declare of its texture, or NULL; parts that
+                           * are subtracted do not count; of several textures the
+                           * first */
+    bool mixed;           /* it has several materials */
+    size_t line;          /* of the statement, in the main file */
 };
 
-/* A float that #declare gave a name. */
+/* A float that is named by #declare. */
 struct declared_float {
     const char *name;
     double value;
 };
 
-/* What is traced as one thing: a primitive, or a Boolean tree of them.  A
- * union that is not part of another solid is several regions. */
+/* A unit of tracing: one primitive, or a Boolean tree of primitives. A union that is
+ * not part of another solid is several regions. */
 struct region {
     size_t first_primitive, primitive_count; /* its leaves, in order */
-    size_t first_node, node_count;           /* of the scene's nodes */
+    size_t first_node, node_count;           /* in the scene's nodes */
     size_t line;
-    double yield; /* times k_delta, added to distances of its opaque surfaces
-                     before they are compared with those of other regions
-                     (rt/shapes/coincident.h) */
+    double yield; /* times k_delta: added to the distances of its opaque surfaces before
+                   * they are compared with those of other regions
+                   * (rt/shapes/coincident.h) */
 };
 
 struct scene {
-    int unit_log; /* lengths of the file are those of this scene times 2^unit_log;
-                     0 for a scene of ordinary size (unit.h) */
+    int unit_log; /* lengths of the file are lengths of this scene times 2^unit_log; 0
+                   * for a scene of ordinary size (unit.h) */
     struct camera camera;
     double background[3];
-    struct pigment sky; /* of directions: one with a map or an image, before the
-                           background; any other kind: there is none */
-    size_t image_count; /* of the tables of images */
+    struct pigment sky; /* over directions, before the background if it has a map or an
+                         * image; any other kind: no sky */
+    size_t image_count; /* tables of images */
     size_t fog_count;
     struct fog fogs[MAX_FOGS];
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
-    bool gamma_off;       /* colours are displayed as they are: version < 3.7 */
-    int max_trace_level;  /* rays in a chain of reflections, the first
-                               counted, what goes straight on not */
-    double adc_bailout;   /* rays that weigh less are not followed */
+    bool gamma_off;       /* colours are displayed without correction: version < 3.7 */
+    int max_trace_level;  /* rays in a chain of reflections, the camera ray included;
+                           * rays that pass straight through do not count */
+    double adc_bailout;   /* rays of less weight are not traced */
     size_t light_count;
     struct light *lights;
     size_t primitive_count;
@@ -273,13 +275,13 @@ struct scene {
     struct tree_node *nodes;
     size_t region_count;
     struct region *regions;        /* in file order */
-    size_t object_count;           /* that statements of the file put into the world */
-    struct world_object *objects;  /* the scene keeps them */
-    size_t float_count;            /* as they are when the file ends */
-    struct declared_float *floats; /* the scene keeps them */
-    bool every_crossing;           /* all crossings of its rays are asked, not what
-                               they meet first alone: no region is simple */
-    struct arena kept;             /* what primitives point to */
+    size_t object_count;           /* objects that statements put into the world */
+    struct world_object *objects;  /* owned by the scene */
+    size_t float_count;            /* their values at the end of the file */
+    struct declared_float *floats; /* owned by the scene */
+    bool every_crossing;           /* queries return all crossings of a ray instead of
+                                    * the first hit: no region counts as simple */
+    struct arena kept;             /* storage that primitives point to */
 };
 void scene_free(struct scene *scene);
 

@@ -1,8 +1,8 @@
-/* scene_internal.h - the parts of a scene, and what they are made of.
+/* scene_internal.h - the named parts of a scene, and their materials.
  *
- * What a statement of the scene's file puts into the world is an object.  Objects of
- * one name, that of the #declare that they come from, and of one material, the name of
- * their texture, are one part; without a name they are called by their line.
+ * An object is put into the world by a statement of the scene file. Objects with the
+ * same name (that of their #declare) and the same material (the name of their texture)
+ * are one part. An object without a name is named after its line.
  */
 #ifndef RT_SCENE_INTERNAL_H
 #define RT_SCENE_INTERNAL_H
@@ -13,32 +13,33 @@
 struct named_part {
     const char *name;
     const char *material; /* NULL: its texture has no name */
-    bool mixed;           /* .. it has several textures */
-    bool endless;         /* it reaches for ever: rt/mass/bodies.h finds that */
-    bool left_out;        /* nobody asks for it */
+    bool mixed;           /* it has several textures */
+    bool endless;         /* it is unbounded, as rt/mass/bodies.h finds */
+    bool left_out;        /* it was not selected */
 };
 
 struct named_parts {
     size_t count;
     struct named_part *list; /* in the order of their first objects */
-    size_t *part_of;         /* of each of the scene's objects */
+    size_t *part_of;         /* index of the part, for each object of the scene */
     struct arena kept;
 };
 
-/* The scene must outlive the parts.  False: no memory. */
+/* Collects the parts of a scene, which must outlive them. Fails without memory. */
 bool named_parts_find(const struct scene *scene, struct named_parts *parts);
 void named_parts_free(struct named_parts *parts);
 
-/* False: the name is not that of a part or a material; the error lists those that there
- * are. */
+/* Fails if the name is not that of a part or a material; the error lists those that
+ * exist. */
 bool named_parts_check(const struct named_parts *parts, const char *name,
                        c205_error *error);
-/* These names alone, of parts or materials; without names all but those that are
- * endless.  False: one is not there. */
+/* Selects the parts with these names, or whose materials have them; without names all
+ * bounded parts. Fails if a name does not exist. */
 bool named_parts_choose(struct named_parts *parts, const char *const *names,
                         size_t count, c205_error *error);
 
-/* Behind an error's message; lists that are too long for it end in dots. */
+/* Appends a name to the message of an error. A list that is too long for the message
+ * ends in dots. */
 void named_parts_add_name(c205_error *error, const char *separator, const char *name);
 
 #endif

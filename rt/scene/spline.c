@@ -24,8 +24,8 @@ size_t spline_find(const struct spline *spline, double t)
     return low;
 }
 
-/* As in POV-Ray a second point of one parameter replaces the first one, except
- * at the end, where it is ignored. */
+/* Adds a point with the latest value. As in POV-Ray it replaces a point with the same
+ * parameter, except the last point: then the new one is ignored. */
 static bool put(struct spline *spline, double t)
 {
     size_t count = spline->count, place = spline_find(spline, t);
@@ -46,8 +46,7 @@ static bool put(struct spline *spline, double t)
     return true;
 }
 
-/* As in POV-Ray the terms that a value does not have are those of the value
- * before it. */
+/* As in POV-Ray the terms that a value lacks are those of the value before it. */
 bool spline_add(struct spline *spline, double t, const double *value, int terms)
 {
     if (spline->terms < terms)
@@ -86,13 +85,14 @@ void spline_release(struct spline *spline)
 
 /* ---- Values ------------------------------------------------------------- */
 
-/* Of one term from a point to the next one. */
+/* Returns the slope of a term between a point and the next. */
 static double slope(const struct spline_point *point, int term)
 {
     return (point[1].value[term] - point[0].value[term]) / (point[1].t - point[0].t);
 }
 
-/* Solves three diagonals of equations. */
+/* Solves the tridiagonal system of one term by elimination: the second derivatives at
+ * both ends are 0, and the first derivatives agree at each inner point. */
 static void solve_term(struct spline *spline, int term)
 {
     struct spline_point *point = spline->points;
@@ -119,8 +119,8 @@ void spline_solve(struct spline *spline)
         solve_term(spline, term);
 }
 
-/* One term of the value; the parameter is between points `end` - 1 and `end`,
- * and at neither end of the spline. */
+/* Computes one term at t, which is between points `end` - 1 and `end`, and within the
+ * spline. */
 typedef double term_value(const struct spline *spline, size_t end, int term, double t);
 
 static double linear(const struct spline *spline, size_t end, int term, double t)
@@ -130,7 +130,8 @@ static double linear(const struct spline *spline, size_t end, int term, double t
     return point->value[term] + (t - point->t) * slope(point, term);
 }
 
-/* The parabola through these two points and the one before, if any. */
+/* The parabola through these two points and the one before them. In the first interval
+ * it is that of the first three points. */
 static double quadratic(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end > 1 ? end - 2 : 0];
@@ -171,7 +172,8 @@ static double natural(const struct spline *spline, size_t end, int term, double 
                     + d * (bend / 2 + d * (next - bend) / (6 * width)));
 }
 
-/* The point whose value holds at the parameter, NULL between the ends. */
+/* Returns the end point whose value is used at the parameter; NULL: the parameter is
+ * between the ends. */
 static const struct spline_point *at_end(const struct spline *spline, bool inner,
                                          size_t end)
 {
@@ -182,8 +184,8 @@ static const struct spline_point *at_end(const struct spline *spline, bool inner
     return end + inset > last ? &spline->points[last - inset] : NULL;
 }
 
-/* A cubic spline ends at the second point and at the last but one; of two
- * points POV-Ray gives the mean. */
+/* A cubic spline ends at its second and its second to last point. For two points
+ * POV-Ray returns their mean. */
 void spline_value(const struct spline *spline, enum spline_kind kind, double t,
                   double value[SPLINE_TERMS])
 {

@@ -1,4 +1,4 @@
-/* spline.h - splines: the values of a parameter between given points. */
+/* spline.h - splines: values interpolated between given points. */
 #ifndef RT_SCENE_SPLINE_H
 #define RT_SCENE_SPLINE_H
 
@@ -8,7 +8,7 @@
 enum spline_kind {
     SPLINE_LINEAR, /* the default */
     SPLINE_QUADRATIC,
-    SPLINE_CUBIC, /* a Catmull-Rom spline */
+    SPLINE_CUBIC, /* Catmull-Rom */
     SPLINE_NATURAL,
     SPLINE_KINDS
 };
@@ -17,32 +17,34 @@ enum { SPLINE_TERMS = 5 };
 struct spline_point {
     double t, value[SPLINE_TERMS];
     double bend[SPLINE_TERMS]; /* second derivatives of a natural spline */
-    double pivot;              /* for their equations */
+    double pivot;              /* pivot of their equations */
 };
 
-/* The points are in the order of their parameters, no two of them equal. */
+/* The points are sorted by their parameters, which are distinct. */
 struct spline {
     enum spline_kind kind;
-    int terms;                   /* of the values, as the scene wrote them */
-    size_t holders;              /* the spline is freed with the last of them */
+    int terms;                   /* in the values, as written in the scene */
+    size_t holders;              /* reference count */
     double latest[SPLINE_TERMS]; /* the value that was added last */
     size_t count;
     struct spline_point *points;
 };
 
-/* A spline with the points of another one, or without points if that is NULL;
- * NULL: no memory. */
+/* Returns a spline with the points of another one, or without points if that is NULL.
+ * Returns NULL without memory. */
 struct spline *spline_new(const struct spline *from);
 void spline_release(struct spline *spline);
 
-/* The first point that is not before the parameter; the count from the last
- * point on. */
+/* Returns the index of the first point whose parameter is not less than t; the count if
+ * t is at or after the last point. */
 size_t spline_find(const struct spline *spline, double t);
-/* Adds a point whose value has that many terms.  False: no memory. */
+/* Adds a point whose value has this number of terms. Fails without memory. */
 bool spline_add(struct spline *spline, double t, const double *value, int terms);
-/* After the last point: computes the second derivatives. */
+/* Computes the second derivatives of a natural spline. It is called after the last
+ * point. */
 void spline_solve(struct spline *spline);
-/* The terms of the value, as a spline of that kind; of one point or more. */
+/* Computes the terms of the value at t, as a spline of this kind. The spline has at
+ * least one point. */
 void spline_value(const struct spline *spline, enum spline_kind kind, double t,
                   double value[SPLINE_TERMS]);
 

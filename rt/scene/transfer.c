@@ -1,4 +1,4 @@
-/* transfer.c - see transfer.h.
+/* transfer.c - converts the samples of image files to the scene's colours.
  *
  * Source: the Portable Network Graphics specification (W3C, second edition).
  */
@@ -8,9 +8,9 @@
 
 #include "rt/scene/elementary.h"
 
-/* A chunk of a PNG file: its length, its name, what it holds, a check sum. */
+/* A chunk of a PNG file: length, name, data, checksum. */
 enum { PNG_FIRST = 8, PNG_HEAD = 8, PNG_TAIL = 4 };
-#define PNG_GAMMA 100000. /* of one */
+#define PNG_GAMMA 100000. /* gAMA value of gamma 1 */
 
 static uint32_t long_at(const char *bytes, size_t i)
 {
@@ -19,7 +19,7 @@ static uint32_t long_at(const char *bytes, size_t i)
     return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
 }
 
-/* What the chunks of a file state; otherwise `transfer`. */
+/* Returns the function that the chunks of a file state; else `transfer`. */
 static struct transfer_function png_transfer(const char *bytes, size_t length,
                                              struct transfer_function transfer)
 {
@@ -72,7 +72,8 @@ double transfer_light(const struct transfer_function *transfer, double share,
                : light;
 }
 
-/* POV-Ray's floats have 32 bits, which is seen where the rest is cut. */
+/* The sum is in 32-bit floats as in POV-Ray, because its rounding decides the truncated
+ * result. */
 uint32_t grey_png_steps(float share)
 {
     float red = share * .297f, green = share * .589f, blue = share * .114f;

@@ -1,4 +1,4 @@
-/* vector.h - vectors of doubles, of three components mostly. */
+/* vector.h - vectors of doubles, mostly of three components. */
 #ifndef RT_SCENE_VECTOR_H
 #define RT_SCENE_VECTOR_H
 
@@ -8,7 +8,6 @@
 
 #define PI 3.14159265358979323846
 
-/* Of two components. */
 static inline bool equal2(const double a[2], const double b[2])
 {
     return a[0] == b[0] && a[1] == b[1];
@@ -35,7 +34,8 @@ static inline void subtract3(const double a[3], const double b[3], double differ
         difference[i] = a[i] - b[i];
 }
 
-/* Of its components: what does not leave the range of a double. */
+/* Returns the greatest absolute value of a component. Unlike the length it cannot
+ * overflow. */
 static inline double greatest3(const double a[3])
 {
     return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
@@ -47,7 +47,7 @@ static inline void scale3(double by, double a[3])
         a[i] *= by;
 }
 
-/* The product may not be stored over a factor. */
+/* The product must not alias a factor. */
 static inline void cross3(const double a[3], const double b[3], double product[3])
 {
     for (int i = 0; i < 3; i++) {
