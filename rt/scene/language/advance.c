@@ -1,4 +1,4 @@
-/* advance.c - from token to token: directives and macros on the way. */
+/* advance.c - advances from token to token, executing directives and macros. */
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/directive.h"
 #include "rt/scene/language/element.h"
@@ -16,7 +16,8 @@ bool reader_stop(struct reader *reader)
     return false;
 }
 
-/* Asked at every so many bytes, for it takes its time. */
+/* Calls go_on once per ASKED_EACH bytes, because the call may be slow. Returns whether
+ * it has ended the reading. */
 static bool is_stopped(struct reader *reader, size_t bytes)
 {
     const struct scene_options *options = reader->options;
@@ -69,7 +70,8 @@ static void count_brackets(struct reader *reader, int sign)
         *brackets -= *brackets > 1;
 }
 
-/* Bad bytes are reported here and left out, so that none is passed over. */
+/* Reads the next token. Invalid bytes are reported and skipped here, so that every one
+ * is reported. */
 void reader_step(struct reader *reader)
 {
     if (reader->token.kind == TOKEN_SIGN)
@@ -116,7 +118,7 @@ void reader_jump(struct reader *reader, const struct text_place *place)
     reader_step(reader);
 }
 
-/* The frame below continues when this one ends. */
+/* Closes a frame at its end; the frame below continues. */
 static bool close_frame(struct reader *reader)
 {
     if (reader->token.kind != TOKEN_END || reader->lexer.depth == 1)
@@ -162,7 +164,7 @@ static bool carry_out(struct reader *reader)
     return done;
 }
 
-/* The token's name is looked up; a macro's is called. */
+/* Looks up the word at the current token, and calls it if it is a macro. */
 static bool resolve(struct reader *reader, bool *done)
 {
     struct scene_token *token = &reader->token;

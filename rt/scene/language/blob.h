@@ -1,10 +1,10 @@
-/* blob.h - a blob: one primitive of many components. */
+/* blob.h - reads a blob: one primitive of many components. */
 #ifndef RT_SCENE_BLOB_H
 #define RT_SCENE_BLOB_H
 
 #include "rt/scene/language/statement.h"
 
-/* The whole block. */
+/* Reads the whole block. */
 bool blob_read(struct reader *reader, struct scene_object *object,
                const struct item *item);
 

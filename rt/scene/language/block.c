@@ -1,4 +1,4 @@
-/* block.c - reading blocks by their grammars, and getting over errors. */
+/* block.c - parses blocks by their grammars, and recovers from errors. */
 #include "rt/scene/language/block.h"
 
 #include "rt/scene/language/expression.h"
@@ -85,8 +85,8 @@ static bool block_close(struct reader *reader, const struct block *block)
                         block->open.sign, block->open.place.line);
 }
 
-/* To the next word of the grammar or directive, behind the next inner block,
- * or to the end of this block. */
+/* Recovers from an error: skips to the next word of the grammar, to the token after a
+ * directive or an inner block, or to the end of this block. */
 static void recover(struct reader *reader, const struct block *block,
                     const struct grammar *grammar)
 {

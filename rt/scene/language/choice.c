@@ -1,7 +1,7 @@
 /* choice.c - #switch, #case and #range.
  *
- * The first case that fits is read, and, as in POV-Ray, all that follow it up
- * to a #break, an #else too.
+ * The first matching case is read. As in POV-Ray, all cases after it and the #else are
+ * read too, up to a #break.
  */
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/expression.h"
@@ -10,7 +10,7 @@
 
 static const char *const to_case[] = { "case", "range", "else", "end", NULL };
 
-/* To the next case, of which is then asked whether it fits. */
+/* Skips to the next case, whose match is then checked. */
 static bool to_next(struct reader *reader, struct scene_condition *condition)
 {
     struct scene_token at = condition->at;
@@ -39,7 +39,7 @@ bool switch_begin(struct reader *reader, void *subject, const struct item *item)
     return to_next(reader, condition);
 }
 
-/* "(" value ")" or "(" lowest, highest ")", the last stays the token. */
+/* Reads "(" value or "(" lowest, highest; the current token is then ")". */
 static bool read_bounds(struct reader *reader, bool range, double *lowest,
                         double *highest)
 {

@@ -1,18 +1,18 @@
-/* clip.h - what an object is cut by, and what it lies within.
+/* clip.h - clipping objects and bounds of objects.
  *
  *   clipped_by { OBJECT ... }    bounded_by { OBJECT ... }
  *
- * Of a clipped object that is left which lies inside of all objects that clip it,
- * and these are not seen.  A bound is what POV-Ray looks at before it looks at the
- * object; it changes what is seen if the object is made of others and reaches
- * beyond it.
+ * A clipped object keeps the part that is inside all its clipping objects, which are
+ * not visible themselves. A bound is an object that POV-Ray tests before it tests the
+ * bounded object. It changes the picture if the object is a compound and extends beyond
+ * it.
  */
 #ifndef RT_SCENE_CLIP_H
 #define RT_SCENE_CLIP_H
 
 #include "rt/scene/language/statement.h"
 
-/* Both are words that change an object, the subject. */
+/* Words that modify an object, the subject. */
 item_reader clipped_by_read;
 item_reader bounded_by_read;
 

@@ -157,8 +157,8 @@ static bool choose(struct reader *reader, struct scene_condition *condition)
     }
 }
 
-/* The token is the last one of the condition, or that is wrong: then all that
- * depends on it is left out. */
+/* Begins an #if. The current token is the last one of the condition. If the condition
+ * has an error (`good` is false), everything up to the #end is skipped. */
 static bool begin(struct reader *reader, const struct scene_token *at, bool good,
                   bool holds)
 {
@@ -209,7 +209,7 @@ bool condition_ifdef(struct reader *reader, void *subject, const struct item *it
     return begin(reader, &item->at, good, (defined != 0) == wanted);
 }
 
-/* What is before it has been read, so the rest is not. */
+/* #else and #elseif end the branch that was read; the rest up to #end is skipped. */
 bool condition_else(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
@@ -240,7 +240,7 @@ bool condition_end(struct reader *reader, void *subject, const struct item *item
 
 /* ---- #break ------------------------------------------------------------- */
 
-/* The innermost loop or #switch of this frame, or NULL. */
+/* Returns the innermost loop or #switch of this frame, or NULL. */
 static struct scene_condition *breakable(struct reader *reader)
 {
     size_t serial = lexer_top(&reader->lexer)->serial;
@@ -254,7 +254,7 @@ static struct scene_condition *breakable(struct reader *reader)
     return NULL;
 }
 
-/* As in POV-Ray, a #break that is in no loop ends its macro. */
+/* As in POV-Ray, a #break outside of loops ends its macro. */
 static bool end_macro(struct reader *reader, const struct scene_token *at)
 {
     const struct open_text *top = lexer_top(&reader->lexer);

@@ -1,9 +1,9 @@
 /* data_file.h - #fopen, #read, #write, #fclose: values from files.
  *
- * A file is found as those of #include are, and read value by value: floats,
- * vectors, strings, with commas between them or without.  Behind the last one
- * its name is forgotten, as in POV-Ray, so that `defined` tells the end.  A
- * scene that is read writes no file: what it gives to #write is left out.
+ * A file is found as by #include, and read value by value: floats, vectors and strings,
+ * with or without commas in between. After the last value its name is undeclared, as in
+ * POV-Ray, so that `defined` detects the end. A scene that is read writes no file:
+ * #write is ignored.
  */
 #ifndef RT_SCENE_DATA_FILE_H
 #define RT_SCENE_DATA_FILE_H

@@ -1,4 +1,4 @@
-/* declare.c - #declare, #local, #undef, and the values that names may have. */
+/* declare.c - #declare, #local, #undef, and the values of names. */
 #include "rt/scene/language/declare.h"
 
 #include "rt/scene/language/expression.h"
@@ -21,7 +21,7 @@ static bool declare_object(struct reader *reader, void *subject,
     return shape_read(reader, &value->is.object, item);
 }
 
-/* A pigment, or that of the first entry of a map. */
+/* Reads a pigment or a map; a pigment_map yields the pigment of its first entry. */
 static bool declare_pigment(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -46,7 +46,7 @@ static bool declare_finish(struct reader *reader, void *subject,
     return finish_read(reader, &value->is.finish);
 }
 
-/* The textures that follow, for a value may have layers. */
+/* Reads the textures that follow, since a texture may have layers. */
 static bool read_layers(struct reader *reader, struct texture *texture)
 {
     bool done = true;
@@ -72,7 +72,7 @@ static bool declare_texture(struct reader *reader, void *subject,
     return texture_read(reader, texture) && read_layers(reader, texture);
 }
 
-/* .. or that has a map. */
+/* Reads a normal, or a normal with a map. */
 static bool declare_normal(struct reader *reader, void *subject,
                            const struct item *item)
 {
@@ -97,7 +97,7 @@ static bool declare_function(struct reader *reader, void *subject,
     return value->is.formula;
 }
 
-/* Where it is used nothing of it is drawn, which is reported there. */
+/* Skips a feature that is not drawn. It is reported where it is used. */
 static bool declare_look(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_value *value = subject;
@@ -267,7 +267,7 @@ static bool read_statement(struct reader *reader, struct scene_value *value)
     return copy_named(reader, value);
 }
 
-/* What its text says of looks matters when the value is used. */
+/* Notes on the text of the value are reported only if the value is used. */
 static bool read_noted(struct reader *reader, struct scene_value *value)
 {
     struct note_page page;
@@ -320,8 +320,8 @@ bool name_expected(struct reader *reader, const struct scene_token *token)
 
 /* ---- #declare, #local, #undef ------------------------------------------- */
 
-/* From after "=" to after the ";", which numbers must have.  The text after
- * another value is not read yet: it may depend on the name. */
+/* Reads from after "=" to after the ";", which is required after numbers. The text
+ * after any other value is not read yet, because its meaning may depend on the name. */
 static bool read_right_side(struct reader *reader, size_t depth,
                             struct scene_value *value)
 {
@@ -363,8 +363,8 @@ const char *target_assign(struct reader *reader, const struct target *target,
     return reference_assign(&reference, value);
 }
 
-/* #declare deprecated [once] ["text"] NAME: what is said of its use is not
- * said here. */
+/* Skips deprecated [once] ["text"] in #declare deprecated [once] ["text"] NAME; uses of
+ * the name are not reported. */
 static void pass_deprecated(struct reader *reader)
 {
     if (!is_token(&reader->token, "deprecated"))
@@ -395,8 +395,8 @@ bool target_read(struct reader *reader, struct target *target)
     return true;
 }
 
-/* A name whose declaration is wrong is known as such, so that the error is
- * not told again at each use. */
+/* Declares a name. If its declaration has an error, the name is declared as faulty, so
+ * that its uses do not report the error again. */
 static bool declare_value(struct reader *reader, struct target *target)
 {
     struct scene_value value;

@@ -1,4 +1,5 @@
-/* directive.c - the directives: words after '#'. */
+/* directive.c - executes the directives that are neither conditions nor
+ * declarations. */
 #include "rt/scene/language/directive.h"
 
 #include "rt/scene/language/condition.h"
@@ -14,7 +15,8 @@
 
 enum { MESSAGE_SAYS, MESSAGE_WARNS, MESSAGE_IS_ERROR };
 
-/* What is behind the name comes after the file, so it is left there. */
+/* Reads the name of a file. The text after the name is read after the file, so the name
+ * is left with reader_pass. */
 static char *read_file_name(struct reader *reader, size_t depth)
 {
     size_t hold = reader_hold(reader);
@@ -67,7 +69,8 @@ static bool read_include(struct reader *reader, void *subject, const struct item
     return done;
 }
 
-/* Before 3.5 a camera's words were applied in the order of the text. */
+/* Sets the version. Versions below 3.5 applied the words of a camera in the order of
+ * the text. */
 static bool read_version(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_token at;
@@ -155,8 +158,8 @@ static bool read_default(struct reader *reader, void *subject, const struct item
     return done;
 }
 
-/* #debug, #render and #statistics say what follows; #warning reports it, and
- * #error makes it an error. */
+/* #debug, #render and #statistics print their text, #warning reports it as a warning,
+ * and #error as an error. */
 static bool append_text(struct reader *reader, const struct item *item,
                         const char *text)
 {
@@ -230,7 +233,8 @@ static const struct keyword *find(const struct scene_token *token)
     return NULL;
 }
 
-/* The word is left as a directive's last token, for some have no arguments. */
+/* The word is left like the last token of a directive, because some directives have no
+ * arguments. */
 bool directive_read(struct reader *reader)
 {
     struct item item = { find(&reader->token), reader->token };

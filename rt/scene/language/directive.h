@@ -4,7 +4,8 @@
 
 #include "rt/scene/language/reader.h"
 
-/* The token is TOKEN_DIRECTIVE; what is behind it is left by reader_step. */
+/* Executes the directive at the current token, which is a TOKEN_DIRECTIVE. Its last
+ * token is left with reader_step. */
 bool directive_read(struct reader *reader);
 
 #endif

@@ -2,27 +2,26 @@
  *
  *     #declare Wave = function(x, y) { sin(x)*exp(-y*y) };
  *
- * Parameters (x, y, z unless they are named) and result are floats.  The body
- * is read once, where it is declared: names in it keep the values that they
- * have there.  function { transform { ... } }
- * moves a point, and makes a vector.  Functions of patterns, pigments, splines and those
- * that POV-Ray has built in (`internal`) can be declared, but not called.
+ * Parameters (x, y, z unless they are named) and result are floats. The body is read
+ * once, at its declaration: names in it have their values of that time. function {
+ * transform { ... } } transforms a point and returns a vector. Functions of patterns,
+ * pigments and splines and the built-in functions of POV-Ray (`internal`) can be
+ * declared, but not called.
  */
 #ifndef RT_SCENE_FORMULA_H
 #define RT_SCENE_FORMULA_H
 
 #include "rt/scene/language/reader.h"
 
-/* All formulas live in the reader's arena. */
+/* A function; all of them live in the reader's arena. */
 struct formula;
 
-/* Behind the word `function`; NULL after an error. */
+/* Reads a function after the word `function`. Returns NULL after an error. */
 const struct formula *formula_read(struct reader *reader);
-/* The next token is its name: the call, and its value. */
+/* Reads a call of the function that the current token names, and evaluates it. */
 bool formula_call(struct reader *reader, const struct formula *formula,
                   struct numbers *value);
-/* The float that it makes of its parameters, of which it has three at most; an
- * error is `at`. */
+/* Evaluates a function of at most three parameters; an error is reported at `at`. */
 bool formula_value(struct reader *reader, const struct formula *formula,
                    const struct scene_token *at, const double arguments[3],
                    double *value);

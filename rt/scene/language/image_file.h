@@ -10,15 +10,15 @@ struct image_file {
     enum raster_kind kind;
 };
 
-/* The word of a kind that POV-Ray has and that is not supported, if it is the
- * next token; else NULL. */
+/* Returns the word at the current token if it is an image kind of POV-Ray that is not
+ * supported, else NULL. */
 const char *image_kind_unsupported(const struct reader *reader);
-/* The word for the kind, which may be left out but must not be a wrong one, and
- * the name; expected: what may be there. */
+/* Reads the word of the kind, which is optional but must match the file, and the name.
+ * `expected` describes them in messages. */
 bool image_file_read(struct reader *reader, const char *expected,
                      struct image_file *file);
-/* The pixels that these bytes are, those of the file or as they were changed.
- * The caller frees the samples. */
+/* Decodes the pixels of a file; `bytes` are those of the file, or a modified copy. The
+ * caller frees the samples. */
 bool image_file_pixels(struct reader *reader, const struct image_file *file,
                        const char *bytes, struct raster *raster);
 

@@ -3,7 +3,7 @@
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/expression.h"
 
-/* Nothing of a loop is read: its start is wrong. */
+/* Skips a loop whose start has an error. */
 static bool leave_out(struct reader *reader, const struct scene_token *at)
 {
     if (condition_skip(reader, at, skip_to_end, 1))
@@ -11,7 +11,7 @@ static bool leave_out(struct reader *reader, const struct scene_token *at)
     return false;
 }
 
-/* The text that a turn begins with is in the frame of its #end. */
+/* Checks that the loop's head ends in the frame in which it began. */
 static bool same_frame(struct reader *reader, const struct scene_condition *loop)
 {
     return lexer_top(&reader->lexer)->serial == loop->frame
@@ -19,7 +19,7 @@ static bool same_frame(struct reader *reader, const struct scene_condition *loop
                            "the condition does not end where it begins");
 }
 
-/* The token is the last one before the body. */
+/* Starts or skips the body. The current token is the last one before it. */
 static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
                  bool holds)
 {
@@ -29,7 +29,8 @@ static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
     return true;
 }
 
-/* A turn with an error in it is the last one: its variable may stand still. */
+/* Whether the loop may continue. A turn with an error is the last one, because the
+ * error may have kept the variable from changing. */
 static bool may_go_on(struct reader *reader, struct scene_condition *loop)
 {
     if (++loop->turns == MAX_TURNS)
@@ -78,7 +79,7 @@ static bool set_variable(struct reader *reader, const struct scene_token *name,
     return reader_check(reader, name, reference_assign(&reference, &value));
 }
 
-/* The body may have changed it, as in POV-Ray. */
+/* Reads the variable again: as in POV-Ray the body may have changed it. */
 static bool get_variable(struct reader *reader, const struct scene_token *name,
                          double *number)
 {
@@ -110,7 +111,7 @@ static bool read_step(struct reader *reader, double *step)
            && (*step != 0 || reader_fault(reader, &at, "the step is 0"));
 }
 
-/* "(" name, start, end [, step] ")"; the last stays the token. */
+/* Reads "(" name, start, end [, step]; the current token is then ")". */
 static bool read_head(struct reader *reader, struct scene_condition *loop,
                       double *start)
 {
@@ -154,7 +155,7 @@ static bool next_turn(struct reader *reader, struct scene_condition *loop)
     return good && !is_past(loop, value + loop->step);
 }
 
-/* ---- Both --------------------------------------------------------------- */
+/* ---- End of a loop --------------------------------------------------------- */
 
 bool loop_end(struct reader *reader, struct scene_condition *loop)
 {

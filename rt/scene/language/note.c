@@ -1,4 +1,4 @@
-/* note.c - notes, the values that they belong to, and their causes. */
+/* note.c - records notes by value, and reports them by cause. */
 #include "rt/scene/language/note.h"
 #include "base/error.h"
 
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* All that is told for the same reason. */
+/* All reported notes with the same words. */
 struct note_cause {
     struct note_cause *next;
     const char *words;
@@ -16,23 +16,23 @@ struct note_cause {
 };
 
 struct note {
-    struct note *next; /* of the bucket */
+    struct note *next; /* in the bucket */
     struct note_place place;
     const char *words, *calls;
     bool reported;
-    size_t page; /* the serial number of the last one that got it */
+    size_t page; /* serial number of the last page that has it */
 };
 
-/* A note, or all of another value; and the rest. */
+/* A list node: a note, or all notes of another value; then the rest. */
 struct notes {
     struct note *note;
     struct notes *used, *rest;
     bool reported;
-    size_t page;           /* as that of a note */
-    struct notes *waiting; /* to be told */
+    size_t page;           /* serial number of the last page that has it */
+    struct notes *waiting; /* stack of nodes to report */
 };
 
-/* Where places differ; in a library they do not. */
+/* Returns the offset that distinguishes places; 0 everywhere in a library. */
 static size_t offset_of(const struct note_place *place)
 {
     return place->source->library ? 0 : place->at;
@@ -67,8 +67,8 @@ static struct note *new_note(struct deduplicated_warnings *book,
     return note;
 }
 
-/* The one of that place and those words, made if there is none; NULL: there
- * are too many, or there is no memory. */
+/* Returns the note with this place and these words; it is created if there is none.
+ * Returns NULL if there are too many, or without memory. */
 static struct note *note_of(struct deduplicated_warnings *book,
                             const struct note_place *place, const char *words,
                             const char *calls)
@@ -90,7 +90,7 @@ static struct note *note_of(struct deduplicated_warnings *book,
     return *bucket = note;
 }
 
-/* ---- What is told ------------------------------------------------------- */
+/* ---- Reports ------------------------------------------------------------- */
 
 static struct note_cause *cause_of(struct deduplicated_warnings *book,
                                    const struct note *note)
@@ -152,7 +152,9 @@ void warnings_report(const struct deduplicated_warnings *book, enum severity sev
                         "after " LIMIT_TEXT(MAX_REPORTS));
 }
 
-/* Each of them once, however often it is used: those that wait are marked. */
+/* Reports the notes of a value and of all values that it uses. A node is marked as it
+ * is pushed on the stack `waiting`, so each is visited once, however often it is
+ * used. */
 static void report_all(struct deduplicated_warnings *book, struct notes *notes)
 {
     struct notes *waiting = NULL;
@@ -172,7 +174,7 @@ static void report_all(struct deduplicated_warnings *book, struct notes *notes)
     }
 }
 
-/* ---- Of a value, or of the scene ---------------------------------------- */
+/* ---- Notes of a value or of the scene -------------------------------------- */
 
 static void write_down(struct deduplicated_warnings *book, struct note *note,
                        struct notes *used)
@@ -185,7 +187,8 @@ static void write_down(struct deduplicated_warnings *book, struct note *note,
     book->page->notes = notes;
 }
 
-/* A page has each once; within a loop that is soon all. */
+/* Marks an entry with the current page. Returns false if the page has it already: a
+ * loop records the same notes at each turn. */
 static bool is_new(const struct deduplicated_warnings *book, size_t *page)
 {
     bool fresh = *page != book->page->serial;

@@ -1,13 +1,12 @@
-/* note.h - what a scene's text asks for and does not get.
+/* note.h - notes: features of a scene that are replaced or ignored.
  *
- * Something that is replaced or left out is a note: a cause, in words, and the
- * place in the text.  Notes belong to what is being read.  A value with a name
- * keeps those of its text, and they are told when it becomes part of the
- * scene, if ever: who includes a library of textures and uses one hears of
- * that one.
+ * A note has a cause, in words, and a place in the text. Notes belong to the value that
+ * is being read. A named value keeps the notes of its text; they are reported when the
+ * value becomes part of the scene. A scene that includes a library of textures and uses
+ * one of them therefore has the reports of that one only.
  *
- * What is told of one cause is one report, which counts the places and shows
- * the first.  A file of a library, which the scene's author did not write, is
+ * All notes with the same cause are one report, which has the number of places and
+ * shows the first. A library file, which the scene's author did not write, counts as
  * one place.
  */
 #ifndef RT_SCENE_NOTE_H
@@ -20,56 +19,58 @@
 #define MAX_REPORTS 200
 enum { MAX_NOTES = 100000, NOTE_BUCKETS = 4096 };
 
-/* Those of a value; they last as long as the deduplicated warnings. */
+/* The notes of a value, which live as long as the deduplicated warnings. */
 struct notes;
 
-/* Where one is. */
+/* The place of a note. */
 struct note_place {
     const struct scene_source *source;
     size_t at; /* offset in it */
     struct position position;
 };
 
-/* The notes of a value that is being read: on the stack of who reads it. */
+/* The notes of a value that is being read. The page is on the stack of the function
+ * that reads it. */
 struct note_page {
-    struct note_page *outer; /* of the value that this one is in */
+    struct note_page *outer; /* of the enclosing value */
     size_t serial;
     struct notes *notes;
 };
 
-/* Zero it to begin. */
+/* A deduplicated warnings is initialised with zeros. */
 struct deduplicated_warnings {
     struct arena arena;
     struct note *buckets[NOTE_BUCKETS];
     size_t count;
-    struct note_place lost; /* the first beyond MAX_NOTES, if it has a
-                               source */
+    struct note_place lost; /* the first note beyond MAX_NOTES, if it has a source */
     struct note_page *page; /* NULL: the scene itself */
     size_t pages;
-    struct note_cause *causes, *last_cause; /* told, in their order */
+    struct note_cause *causes, *last_cause; /* reported, in order */
     size_t cause_count;
 };
 
-/* `calls` says which macros lead to the place, and may be empty. */
+/* Records a note. `calls` lists the macro calls that lead to the place, and may be
+ * empty. */
 void note_add(struct deduplicated_warnings *book, const struct note_place *place,
               const char *words, const char *calls);
-/* The same, told in any case. */
+/* Records a note that is reported even if its value is not used. */
 void note_report(struct deduplicated_warnings *book, const struct note_place *place,
                  const char *words, const char *calls);
 
-/* What is added in between is that of a value: NULL if nothing is. */
+/* Begin and end a value: notes in between belong to it. notes_end returns NULL if there
+ * are none. */
 void notes_begin(struct deduplicated_warnings *book, struct note_page *page);
 struct notes *notes_end(struct deduplicated_warnings *book);
-/* What is added in between is the scene's, whatever is being read. */
+/* Suspend the current value: notes in between belong to the scene. */
 struct note_page *notes_suspend(struct deduplicated_warnings *book);
 void notes_resume(struct deduplicated_warnings *book, struct note_page *page);
-/* A value with these notes becomes part of what is being read. */
+/* Adds the notes of a value that is used by the one that is being read. */
 void notes_use(struct deduplicated_warnings *book, struct notes *notes);
 
-/* All that is told, as reports or as errors. */
+/* Adds the reports, with this severity. */
 void warnings_report(const struct deduplicated_warnings *book, enum severity severity,
                      struct diagnostics *reports);
-/* Notes are lost for want of memory. */
+/* Whether notes were lost for lack of memory. */
 bool warnings_failed(const struct deduplicated_warnings *book);
 void warnings_free(struct deduplicated_warnings *book);
 

@@ -1,7 +1,7 @@
 /* pattern.h - the patterns of pigments and textures.
  *
- * Of textures only checker is drawn, of pigments also patterns without noise; of
- * the others the first colour, or the first texture, is used.
+ * Pigments support the patterns without noise, textures support checker only. For all
+ * other patterns the first colour or the first texture is used.
  */
 #ifndef RT_SCENE_PATTERN_H
 #define RT_SCENE_PATTERN_H
@@ -29,7 +29,7 @@
     { "square", read, 0 }, { "tiling", read, 0 }, \
     { "triangular", read, 0 }, { "waves", read, 0 }, \
     { "wood", read, 0 }, { "wrinkles", read, 0 }
-/* Those that a pigment has. */
+/* Patterns of pigments that are supported. */
 #define PATTERN_FUNCTION_WORDS(read) \
     { "boxed", read, PATTERN_BOXED }, { "brick", read, PATTERN_BRICK }, \
     { "cylindrical", read, PATTERN_CYLINDRICAL }, \
@@ -39,49 +39,50 @@
     { "spherical", read, PATTERN_SPHERICAL }
 /* clang-format on */
 
-/* Such a pattern, as its word makes it. */
+/* Sets a pigment to a pattern with the defaults of its word. */
 void pattern_begin(struct pigment *pigment, enum pattern_function function);
-/* Into a pigment: such a pattern, and what changes it. */
+/* These read a pattern and its modifiers into a pigment. */
 item_reader pattern_read, checker_read, gradient_read, image_map_read;
 extern const struct keyword pattern_words[];
-/* Of a pigment that has been read: a gradient that was changed is another pattern;
- * the map that a pattern has unless it is given; the two colours of a checker. */
+/* Completes a pigment that has been read. A gradient that was changed becomes a
+ * PATTERN_SLANTED; a pattern without a map gets its default map; a checker gets its two
+ * colours. */
 bool pattern_finish(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at);
-/* The colours that may be behind the word of a pattern, count at most; those
- * that do not are left as they are. */
+/* Reads up to `count` colours after the word of a pattern. Colours that are not given
+ * are left unchanged. */
 enum { MAX_LISTED = 3 };
 bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count);
 
-/* What may change a pattern, in pigments and textures alike. */
+/* Modifiers of patterns in pigments and textures that are ignored. */
 extern const struct keyword pattern_words_left_out[];
 
 typedef bool body_reader(struct reader *reader, const struct block *block,
                          void *subject);
 body_reader pigment_body, texture_body, normal_body;
-/* The first entry of a map, { [ number body ] ... }, or that of a named one of
- * the kind. */
+/* Reads the first entry of a map, { [ number body ] ... }, or of a named map of the
+ * kind. */
 bool map_first(struct reader *reader, enum scene_value_kind kind, body_reader *body,
                void *subject, size_t size);
-/* What changes normals while it is read; of it the bump's pattern has its space, and
- * stands first, so that words of patterns change it. */
+/* A normal that is being read. The pattern of its bump holds its space; the bump is the
+ * first member, so that the words of patterns modify it. */
 struct normal_reading {
     struct bump_list list;
     bool unscaled;
-    const struct block *block; /* that is read */
+    const struct block *block; /* the block that is read */
 };
 void normal_begin(struct normal_reading *reading, const struct bumps *bumps);
 bool normal_keep(struct reader *reader, const struct normal_reading *reading,
                  struct bumps *bumps);
-/* The maps of a normal, and the normals of a list. */
+/* These read the maps of a normal, and the normals of a list. */
 item_reader read_slope_map, read_normal_map;
 bool normal_list_read(struct reader *reader, struct normal_reading *reading,
                       size_t count);
-/* From black to white. */
+/* Makes a map from black to white. */
 bool color_map_gray(struct reader *reader, struct color_map *map);
-/* From cyan over yellow and magenta to cyan. */
+/* Makes a map from cyan over yellow and magenta to cyan. */
 bool color_map_round(struct reader *reader, struct color_map *map);
-/* From one colour of a list to the next: they are at 0, 1 .., count of them. */
+/* Makes a map between the colours of a list, at 0, 1, .. count - 1. */
 bool color_map_listed(struct reader *reader, const struct numbers *colors, size_t count,
                       struct color_map *map);
 

@@ -5,8 +5,8 @@
 #include "rt/scene/language/object.h"
 #include "rt/scene/language/reader.h"
 
-/* The arguments of polygon, behind its '{'.  One of which POV-Ray shows nothing
- * is no part of the object. */
+/* Reads the arguments of polygon, after its '{'. A polygon that is invisible in POV-Ray
+ * is not added to the object. */
 bool polygon_read(struct reader *reader, struct scene_object *object,
                   const struct scene_token *at);
 

@@ -1,4 +1,4 @@
-/* reader.c - tokens in, reports out. */
+/* reader.c - reports of the parser, and the basic operations on its tokens. */
 #include "rt/scene/language/reader.h"
 #include "base/error.h"
 
@@ -13,7 +13,7 @@ static int short_length(const struct scene_token *token)
     return token->length > TOKEN_LONGEST ? TOKEN_LONGEST : (int)token->length;
 }
 
-/* Where the macros are called that lead to a token, the innermost first. */
+/* Appends the calls of the macros that contain the token, innermost first. */
 static void add_calls(const struct reader *reader, const struct scene_token *at,
                       char *message, size_t room)
 {
@@ -243,7 +243,7 @@ const struct scene_value *reader_use(struct reader *reader, enum scene_value_kin
     return value;
 }
 
-/* A scene that names no version is one of 3.62 to POV-Ray. */
+/* POV-Ray treats a scene without #version as version 3.62. */
 bool reader_is_before(const struct reader *reader, double version)
 {
     return (reader->version_at.source ? reader->version : 3.62) < version;

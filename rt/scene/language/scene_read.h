@@ -8,25 +8,25 @@
 
 struct scene_options {
     int width, height;         /* of the picture in pixels: image_width and
-                                  image_height; 0: these are errors */
-    bool strict;               /* every report is an error */
-    const char *const *search; /* folders for #include; NULL-terminated, or
-                                  NULL; the file's own folder comes first */
-    /* Asked now and then in a long reading: false ends it, with an error.  NULL:
-     * nobody is asked. */
+                                * image_height; 0: the scene must not use them */
+    bool strict;               /* treat every report as an error */
+    const char *const *search; /* folders for #include, NULL-terminated; or NULL; the
+                                * folder of the file comes first */
+    /* Called from time to time during a long reading; false ends the reading with an
+     * error. NULL: no call. */
     bool (*go_on)(void *context);
     void *context;
-    /* What reads the images that the scene names, other than PGM and PPM. NULL:
-     * these are errors. */
+    /* Reads images other than PGM and PPM. NULL: these are errors. */
     raster_reader *read_raster;
-    uint64_t reading_most; /* bytes, loops counted; 0: as reader.h says */
+    uint64_t reading_most; /* limit of bytes to read, loops counted each turn; 0:
+                            * MAX_READING (reader.h) */
 };
 
-/* Read a scene file.  NULL when it has errors (all are in *reports) or cannot
- * be read.  The caller frees both. */
+/* Reads a scene file. Returns NULL if the file has errors, all of which are in
+ * *reports, or cannot be read. The caller frees both. */
 struct scene *scene_read(const char *path, const struct scene_options *options,
                          struct diagnostics *reports);
-/* The same from text; name stands for the file in reports. */
+/* Reads a scene from text; `name` is the file name in reports. */
 struct scene *scene_read_text(const char *name, const char *text,
                               const struct scene_options *options,
                               struct diagnostics *reports);

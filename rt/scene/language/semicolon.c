@@ -1,4 +1,4 @@
-/* semicolon.c - looking ahead for the ';' of a declaration. */
+/* semicolon.c - looks ahead for the ';' of a declaration. */
 #include "rt/scene/language/semicolon.h"
 
 #include "rt/scene/language/expression.h"
@@ -21,14 +21,14 @@ bool semicolon_may_follow(const struct reader *reader)
                                      : !is_color_word(token) || is_component(token);
 }
 
-/* ---- The text ahead ------------------------------------------------------ */
+/* ---- Lookahead ----------------------------------------------------------- */
 
 static struct scene_token next(struct reader *reader)
 {
     return lexer_next(&reader->lexer);
 }
 
-/* The condition of a directive, or the arguments of a macro. */
+/* Skips the condition of a directive, or the arguments of a macro. */
 static void skip_brackets(struct reader *reader)
 {
     struct scene_token token;
@@ -44,7 +44,7 @@ static void skip_brackets(struct reader *reader)
 static const char *const openers[] = { "for",    "if",    "ifdef", "ifndef",
                                        "switch", "while", "macro", NULL };
 
-/* From a branch to the end of its condition. */
+/* Skips from a branch to the end of its condition. */
 static void skip_branches(struct reader *reader)
 {
     static const char *const closers[] = { "end", NULL };
@@ -58,7 +58,7 @@ static void skip_branches(struct reader *reader)
     } while (open && token.kind != TOKEN_END);
 }
 
-/* A directive that ends with ';', as those that set a variable do. */
+/* Skips a directive that ends with ';', such as an assignment. */
 static bool skip_statement(struct reader *reader)
 {
     struct scene_token token;
@@ -70,8 +70,9 @@ static bool skip_statement(struct reader *reader)
     return token_is_sign(&token, ';');
 }
 
-/* What a condition would read first comes next; false: the directive is none
- * that is within a value.  `open` conditions began after the value. */
+/* Skips the head of a directive, or the branches that would not be read. `open` is the
+ * number of conditions that began after the value. Fails if the directive cannot be
+ * within a value. */
 static bool skip_directive(struct reader *reader, const struct scene_token *token,
                            size_t *open)
 {
@@ -110,8 +111,9 @@ static bool continues_value(const struct scene_token *token)
 
 static bool frame_below_leads_on(struct reader *reader);
 
-/* Whether the token, or what comes after directives and macros, is an operator
- * or the ';'.  The frames stay where they are. */
+/* Whether the value continues: the token, or the first token after directives and
+ * macros, is an operator or the ';'. The lookahead executes nothing, and restores the
+ * cursors of the frames. */
 static bool leads_on(struct reader *reader, struct scene_token token)
 {
     struct lexer *lexer = &reader->lexer;
@@ -151,7 +153,7 @@ static bool frame_below_leads_on(struct reader *reader)
     return possible;
 }
 
-/* ---- The place ----------------------------------------------------------- */
+/* ---- Insertion ------------------------------------------------------------ */
 
 void semicolon_missing(struct reader *reader)
 {
@@ -170,7 +172,8 @@ void semicolon_missing(struct reader *reader)
         reader_fault(reader, &at, "';' is missing after the value");
 }
 
-/* Of a value that a macro ends the place is after the call. */
+/* Records where the value ends. If a macro ends it, that is the place after the
+ * call. */
 static void end_value(struct reader *reader)
 {
     const struct open_text *frame;

@@ -1,4 +1,4 @@
-/* source.c - finding and reading texts. */
+/* source.c - finds and reads the files of a scene. */
 #include "rt/scene/language/source.h"
 
 #include "base/error.h"
@@ -22,7 +22,7 @@ static char *copy(const char *text, size_t length)
     return own;
 }
 
-/* Takes the text over. */
+/* Adds a source to the list, which takes ownership of the text. */
 static struct scene_source *adopt(struct scene_source **list, const char *name,
                                   char *text, size_t length, bool is_text,
                                   c205_error *error)
@@ -63,7 +63,8 @@ struct scene_source *source_add(struct scene_source **list, const char *name,
     return adopt(list, name, own, length, true, error);
 }
 
-/* A file that is missing may be elsewhere: errno is then ENOENT. */
+/* Reads a file. If the file is missing, errno is ENOENT, and the search continues
+ * elsewhere. */
 static struct scene_source *load(struct scene_source **list, const char *path,
                                  bool is_text, c205_error *error)
 {
@@ -92,7 +93,7 @@ static struct scene_source *find(struct scene_source *list, const char *name,
     return list;
 }
 
-/* A folder and a name as a path; the caller frees it. */
+/* Joins a folder and a name; the caller frees the path. */
 static char *join(const char *folder, size_t length, const char *name)
 {
     size_t rest = strlen(name);
@@ -107,13 +108,13 @@ static char *join(const char *folder, size_t length, const char *name)
     return path;
 }
 
-/* A search for a file: found stays NULL and is_over false as long as there is none. */
+/* A search for a file; while it continues, found is NULL and is_over false. */
 struct search {
     struct scene_source **list;
     const struct source_request *request;
-    bool any_case; /* the case of letters does not count */
+    bool any_case; /* ignore case */
     struct scene_source *found;
-    bool is_over; /* found, or the error has the reason why it is not used */
+    bool is_over; /* found, or failed with the reason in *error */
     c205_error *error;
 };
 
@@ -127,7 +128,8 @@ static void open_path(struct search *search, const char *path)
     search->is_over = search->found || errno != ENOENT;
 }
 
-/* "'a.inc' and 'A.inc'": the ends of the paths, as the text would name them. */
+/* Reports several matches, as "'a.inc' and 'A.inc'": the ends of their paths, in the
+ * form that the scene would use. */
 static void refuse_several(struct search *search, const struct folder *paths)
 {
     struct text_buffer names = { 0 };
@@ -205,14 +207,14 @@ static void search_carried(struct search *search)
     search->is_over = true;
 }
 
-/* Where POV-Ray's package has its files. */
+/* The folders of POV-Ray's package. */
 static const char *const installed[] = {
     "/usr/local/share/povray-3.7/include",
     "/usr/share/povray-3.7/include",
     NULL,
 };
 
-/* In the folder of the text that names it, and elsewhere. */
+/* Searches the folder of the requesting text, then all other places. */
 static void search_all(struct search *search)
 {
     const struct source_request *request = search->request;

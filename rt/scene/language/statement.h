@@ -1,7 +1,7 @@
-/* statement.h - the statements of the language, one reader each.
+/* statement.h - the parsers of the statements of the language.
  *
- * Each is called after its word, which is item->at, and reads its block into
- * what it is given.
+ * Each is called after the word of its statement, which is item->at, and reads the
+ * block into its last arguments.
  */
 #ifndef RT_SCENE_STATEMENT_H
 #define RT_SCENE_STATEMENT_H
@@ -9,7 +9,7 @@
 #include "rt/scene/language/block.h"
 #include "rt/shapes/primitive.h"
 
-/* translate, rotate, scale, matrix, transform: rows of a grammar's table. */
+/* translate, rotate, scale, matrix, transform: rows of a grammar. */
 enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
 /* clang-format off */
 #define STEP_WORDS(read) \
@@ -18,38 +18,38 @@ enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
     { "matrix", read, STEP_MATRIX }, { "transform", read, STEP_NAMED }
 /* clang-format on */
 bool step_read(struct reader *reader, const struct item *item, struct placement *step);
-/* The block of transform { ... }. */
+/* Reads the block of transform { ... }. */
 bool transform_read(struct reader *reader, struct placement *placement);
 
-/* Each changes what it finds: start from the scene's defaults. */
+/* These modify their argument, which the caller sets to the scene's defaults. */
 bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool normal_read(struct reader *reader, struct bumps *bumps);
 bool texture_read(struct reader *reader, struct texture *texture);
-/* Another texture, on one that there is. */
+/* Adds a layer to a texture. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture);
-/* All of a map, of which the first is the pigment's colour, if it is no
- * gradient. */
+/* Reads all entries of a map. The first becomes the pigment's colour, unless the
+ * pigment is a gradient. */
 bool color_map_read(struct reader *reader, struct pigment *pigment);
-/* Of these the first entry is read. */
+/* These read all entries and use the first. */
 bool pigment_map_read(struct reader *reader, struct pigment *pigment);
 bool texture_map_read(struct reader *reader, struct texture *texture);
-/* All entries of these. */
+/* These read and use all entries. */
 bool normal_map_read(struct reader *reader, struct bumps *bumps);
 bool slope_map_read(struct reader *reader, struct bumps *bumps);
-/* The block of #default, and of the statement of that name. */
+/* Reads the block of #default, and of the statement `default`. */
 bool default_read(struct reader *reader);
 bool interior_read(struct reader *reader, double *ior);
-/* Texture and interior of an object, which may have no parts. */
+/* Reads texture and interior into an object, which may have no parts. */
 bool material_read(struct reader *reader, struct scene_object *object);
 
 bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting);
 extern const struct camera_setting camera_default;
 bool settings_read(struct reader *reader, struct scene *scene);
-/* The blocks of sky_sphere and fog, which may begin with a name; what the scene
- * has of them. */
+/* The _read functions read the blocks of sky_sphere and fog, which may begin with a
+ * name. The _take functions put the result into the scene. */
 bool sky_read(struct reader *reader, struct sky_setting *sky);
 void sky_take(struct reader *reader, const struct sky_setting *sky,
               const struct scene_token *at);
@@ -57,24 +57,24 @@ bool fog_read(struct reader *reader, struct fog_setting *fog);
 bool fog_take(struct reader *reader, const struct fog_setting *fog,
               const struct scene_token *at);
 
-/* What a shape's word stands for: its PRIMITIVE_KIND, or one of these. */
+/* The meaning of a shape's word: its PRIMITIVE_KIND, or one of these. */
 enum shape_word {
-    SHAPE_UNION = PRIMITIVE_KINDS, /* in the order of enum joining, up to the
-                                      difference */
+    SHAPE_UNION = PRIMITIVE_KINDS, /* to SHAPE_DIFFERENCE: in the order of enum
+                                    * joining */
     SHAPE_MERGE,
     SHAPE_INTERSECTION,
     SHAPE_DIFFERENCE,
     SHAPE_OBJECT,
-    SHAPE_NAMED, /* the name of an object without a block */
+    SHAPE_NAMED, /* the name of an object, without a block */
     SHAPE_LIGHT,
     SHAPE_LIGHT_GROUP,
-    SHAPE_CUBIC, /* .. of which a quartic or a quadric is made */
+    SHAPE_CUBIC, /* becomes a quartic or a quadric, as does poly */
     SHAPE_POLY,
-    SHAPE_TEXT, /* of prisms */
+    SHAPE_TEXT, /* becomes prisms */
     SHAPE_BICUBIC_PATCH,
     SHAPE_POLYGON,
     SHAPE_HEIGHT_FIELD,
-    SHAPE_TRIANGLE, /* from here on .. of which a mesh is made */
+    SHAPE_TRIANGLE, /* from here on: becomes a mesh */
     SHAPE_SMOOTH_TRIANGLE,
     SHAPE_MESH2
 };
@@ -94,52 +94,53 @@ enum shape_word {
     { "polygon", read, SHAPE_POLYGON }, \
     { "height_field", read, SHAPE_HEIGHT_FIELD }
 /* clang-format on */
-/* Into an empty object; the caller frees it also after an error. */
+/* Reads a shape into an empty object, which the caller frees even after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,
                 const struct item *item);
-/* The arguments of one primitive, behind its '{'. */
+/* Reads the arguments of one primitive, after its '{'. */
 bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive);
-/* What is read becomes what is traced.  A shape of which nothing is seen is
- * reported, and left out of the scene: it is the empty set in a solid. */
+/* Converts a primitive from its arguments to the form that is traced. An invisible
+ * shape is reported and removed from the scene; in a solid it counts as the empty
+ * set. */
 bool primitive_finish(struct reader *reader, struct primitive *primitive,
                       const struct scene_token *at);
-/* The same of any shape, for a reason. */
+/* Removes a primitive for this reason, like an invisible shape. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason);
-/* Surfaces of a polynomial: cubic is of the order 3, poly says of which. */
+/* Reads a cubic, which has order 3, or a poly, whose order is in the text. */
 bool polynomial_read(struct reader *reader, enum shape_word word,
                      struct primitive *primitive);
-/* The arguments of text, behind its '{': a prism for each character. */
+/* Reads the arguments of text, after its '{': one prism per character. */
 bool text_read(struct reader *reader, struct scene_object *object,
                const struct scene_token *at);
-/* The whole block of triangle, smooth_triangle, mesh or mesh2: one
+/* Reads the whole block of triangle, smooth_triangle, mesh or mesh2 as one
  * primitive. */
 bool mesh_read(struct reader *reader, struct scene_object *object,
                const struct item *item);
-/* Counts n more primitives and lights, at most MAX_PRIMITIVES. */
+/* Counts n more primitives and lights. Fails above MAX_PRIMITIVES. */
 bool shape_count(struct reader *reader, size_t more, const struct scene_token *at);
-/* Another primitive, which is `at`, within the bound of MAX_PRIMITIVES. */
+/* Adds a primitive whose word is `at`. Fails above MAX_PRIMITIVES. */
 bool shape_add(struct reader *reader, struct scene_object *object,
                struct primitive *primitive, const struct scene_token *at);
-/* A shape of which nothing is seen. */
+/* Reports and skips an invisible shape. */
 bool shape_leave_out(struct reader *reader, struct scene_object *object,
                      const struct scene_token *at, const char *reason);
 bool light_read(struct reader *reader, struct scene_object *object);
-/* The block of looks_like: a thing whose origin is a light's position. */
+/* Reads the block of looks_like, an object whose origin is the position of the
+ * light. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
-/* An interior of its own, of this index of refraction. */
+/* Gives an object an interior of its own, with this index of refraction. */
 void object_fill(struct reader *reader, struct scene_object *object, double ior);
-/* Another copy of an object, within the bound of MAX_PRIMITIVES; its interiors
- * are others. */
+/* Copies an object; the copy has interiors of its own. Fails above MAX_PRIMITIVES. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);
 /* Shapes of POV-Ray that are not supported. */
 extern const struct keyword unsupported_shapes[];
 
-item_reader spline_read; /* its subject: a value */
-/* The next token is the name of a spline without a parameter after it. */
+item_reader spline_read; /* subject: a value */
+/* Whether the current token names a spline without a parameter after it. */
 bool spline_is_alone(struct reader *reader);
 
 extern const struct grammar file_grammar;

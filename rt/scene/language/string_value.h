@@ -1,8 +1,8 @@
-/* string_value.h - strings and what makes them.
+/* string_value.h - string expressions.
  *
- * Strings are bytes, at most STRING_LONGEST.  In the text they are quoted and
- * have escapes as in C; \uXXXX becomes UTF-8.  A string that is read is the
- * caller's to free; its last token is left by reader_pass.
+ * Strings are bytes, at most STRING_LONGEST. In the text they are quoted and have
+ * escapes as in C; \uXXXX becomes UTF-8. The caller frees a string that is read. Its
+ * last token is left with reader_pass.
  */
 #ifndef RT_SCENE_STRING_VALUE_H
 #define RT_SCENE_STRING_VALUE_H
@@ -14,12 +14,11 @@ enum { STRING_LONGEST = 4096 };
 bool is_string_word(const struct scene_token *token);
 bool starts_string(const struct reader *reader);
 bool string_read(struct reader *reader, char **string);
-/* The same of a file's name, which has no escapes where it is in quotes,
- * as in POV-Ray. */
+/* Reads the name of a file. As in POV-Ray a quoted name has no escapes. */
 bool file_name_read(struct reader *reader, char **name);
-/* What is between the quotes of a token. */
+/* Decodes the quoted text of a token. */
 bool quoted_read(struct reader *reader, const struct scene_token *token, char **string);
-/* The same as a part of something else. */
+/* Reads a string that is part of another expression. */
 bool string_read_within(struct reader *reader, char **string);
 
 #endif

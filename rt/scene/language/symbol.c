@@ -1,4 +1,4 @@
-/* symbol.c - the table of declared names. */
+/* symbol.c - the symbol table, a hash table with chains. */
 #include "rt/scene/language/symbol.h"
 #include "base/error.h"
 
@@ -9,13 +9,14 @@
 #include <string.h>
 
 struct declared_name {
-    struct declared_name *next;       /* of its bucket: of no higher level */
-    struct declared_name *next_local; /* of the row of locals */
+    struct declared_name *next;       /* in its bucket; its level is not higher */
+    struct declared_name *next_local; /* in the list of locals */
     size_t level, held;
     struct scene_value value;
-    struct reference target; /* what it stands for, held; or no symbol */
+    struct reference target; /* of an alias, with a reference held; symbol is NULL: no
+                              * alias */
     size_t length;
-    char name[]; /* not ended */
+    char name[]; /* without a terminating NUL */
 };
 
 static size_t bucket_of(const char *name, size_t length)
@@ -49,8 +50,8 @@ struct declared_name *symbols_find_at(const struct declared_names *symbols,
     return symbol;
 }
 
-/* The value that a path from a symbol leads to; NULL: an element that is not
- * set, or that is not there any more. */
+/* Follows a path of elements from a value. Returns NULL if an element is not set or
+ * does not exist any more. */
 static struct scene_value **walk(struct scene_value **value, const size_t *element,
                                  size_t hops)
 {
@@ -95,7 +96,8 @@ bool symbol_release(struct declared_name *symbol)
     return false;
 }
 
-/* A new symbol, in the table; NULL: no memory. */
+/* Adds a symbol to the table. A bucket is sorted by level, highest first, so that a
+ * lookup finds the innermost symbol. Returns NULL without memory. */
 static struct declared_name *add(struct declared_names *symbols, size_t level,
                                  const char *name, size_t length)
 {
@@ -180,7 +182,7 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
     return NULL;
 }
 
-/* Out of its bucket; the row of locals is left to the caller. */
+/* Removes a symbol from its bucket. The caller removes it from the list of locals. */
 static void unlink_symbol(struct declared_names *symbols, struct declared_name *symbol)
 {
     struct declared_name *

@@ -1,9 +1,9 @@
-/* symbol.h - names and their values.
+/* symbol.h - the symbol table: names and their values.
  *
- * Level 0 holds what #declare makes; level n what #local makes in the n-th
- * open frame, the main file being the first.  A symbol may stand for another,
- * or for an element of its array: so a macro's parameters stand for the names
- * that the macro is called with.
+ * Level 0 has the names of #declare. Level n has the names of #local in the n-th open
+ * frame; the main file is the first. A symbol may be an alias of another symbol, or of
+ * an element of its array: the parameters of a macro are aliases of the names that are
+ * passed by reference.
  */
 #ifndef RT_SCENE_SYMBOL_H
 #define RT_SCENE_SYMBOL_H
@@ -13,45 +13,45 @@
 enum { SYMBOL_BUCKETS = 1024 };
 struct declared_names {
     struct declared_name *buckets[SYMBOL_BUCKETS];
-    struct declared_name *locals; /* above level 0, the innermost level first */
+    struct declared_name *locals; /* of levels above 0, innermost level first */
 };
 
-/* The symbol of the innermost level that has the name, or NULL. */
+/* Returns the symbol with the name at the innermost level, or NULL. */
 struct declared_name *symbols_find(const struct declared_names *symbols,
                                    const char *name, size_t length);
-/* .. of that level. */
+/* Returns the symbol with the name at this level, or NULL. */
 struct declared_name *symbols_find_at(const struct declared_names *symbols,
                                       size_t level, const char *name, size_t length);
-/* What a symbol stands for: itself, or what it refers to. */
+/* Returns a reference to the symbol, or to the target of an alias. */
 struct reference reference_to(struct declared_name *symbol);
-/* NULL: an element that is not set, or that is not there any more. */
+/* Returns NULL if the element is not set or does not exist any more. */
 const struct scene_value *reference_value(const struct reference *reference);
 
-/* These take the value over in any case, and return why they failed, or NULL.
- * A new symbol of a level above 0 must be of the innermost level. */
+/* These take ownership of the value in any case. They return the reason of a failure,
+ * or NULL. A new symbol of a level above 0 must be of the innermost level. */
 const char *reference_assign(const struct reference *reference,
                              struct scene_value *value);
 const char *symbols_add(struct declared_names *symbols, size_t level, const char *name,
                         size_t length, struct scene_value *value);
-/* A new symbol that stands for another. */
+/* Adds an alias. */
 const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
                           const struct reference *reference);
 
-/* A symbol lives on, without its name, as long as it is held. */
+/* Adds a reference to a symbol, which then outlives its removal from the table. */
 void symbol_hold(struct declared_name *symbol);
-/* False: nobody held it any more. */
+/* Drops a reference. Returns false if it was the last one. */
 bool symbol_release(struct declared_name *symbol);
-/* Its name, which is not ended. */
+/* Returns the name, which has no terminating NUL. */
 const char *symbol_name(const struct declared_name *symbol, size_t *length);
-/* Each of level 0, in no order. */
+/* Calls `tell` for each symbol of level 0 that is no alias, in no order. */
 void symbols_walk(const struct declared_names *symbols,
                   void (*visit)(void *context, const char *name, size_t length,
                                 const struct scene_value *value),
                   void *context);
-/* Forget the innermost symbol of a name; false: there is none. */
+/* Removes the innermost symbol of a name. Fails if there is none. */
 bool symbols_remove(struct declared_names *symbols, const char *name, size_t length);
-/* Forget all names of the levels above. */
+/* Removes all symbols above the level. */
 void symbols_leave(struct declared_names *symbols, size_t level);
 void symbols_free(struct declared_names *symbols);
 

@@ -1,4 +1,4 @@
-/* token.c - the tokenizer. */
+/* token.c - the lexer. */
 #include "rt/scene/language/token.h"
 #include "base/error.h"
 
@@ -13,7 +13,8 @@ struct open_text *lexer_top(struct lexer *lexer)
     return &lexer->frames[lexer->depth - 1];
 }
 
-/* A frame in which all of the source comes next; NULL: too deep. */
+/* Opens a frame that starts at the beginning of the source. Returns NULL if the nesting
+ * is too deep. */
 static struct open_text *open_frame(struct lexer *lexer,
                                     const struct scene_source *source)
 {
@@ -81,7 +82,7 @@ static bool is_blank(char c)
     return c == ' ' || c == '\t' || c == '\n' || c == '\f' || c == '\v';
 }
 
-/* The byte that is `ahead` of the next; NUL beyond the end. */
+/* Returns the byte at this offset from the cursor; NUL beyond the end. */
 static char look(const struct lexer *lexer, size_t ahead)
 {
     const struct open_text *frame = &lexer->frames[lexer->depth - 1];
@@ -217,7 +218,7 @@ static struct scene_token read_number(struct lexer *lexer)
     token.number = strtod(text, NULL);
     if (!isfinite(token.number)) {
         token.fault = "the number is too large: at most 1.8e308";
-        token.number = 1; /* no shape vanishes for it */
+        token.number = 1; /* not 0: no shape degenerates because of the error */
     }
     return token;
 }
@@ -259,7 +260,7 @@ static struct scene_token read_sign(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_SIGN);
     char c = look(lexer, 0);
-    size_t rest = 0; /* bytes of a character after the first one */
+    size_t rest = 0; /* bytes of a UTF-8 character after the first */
 
     token.length = 1;
     token.sign = (unsigned char)c;
@@ -277,7 +278,8 @@ static struct scene_token read_sign(struct lexer *lexer)
     return bad(token, 1 + rest, "this character is not of the language");
 }
 
-/* Blanks and comments; false at a comment without end, *opened its start. */
+/* Skips blanks and comments. Fails at a comment that is not closed; *opened is then its
+ * start. */
 static bool skip_blank(struct lexer *lexer, struct scene_token *opened)
 {
     while (!at_end(lexer)) {
@@ -315,7 +317,7 @@ static struct scene_token read_token(struct lexer *lexer)
     return c == '#' ? read_directive(lexer) : read_sign(lexer);
 }
 
-/* ---- What comes again ---------------------------------------------------- */
+/* ---- Cache of tokens ----------------------------------------------------- */
 
 static struct kept_token *kept_at(struct lexer *lexer, const struct open_text *frame)
 {
@@ -328,7 +330,9 @@ static bool is_kept(const struct kept_token *kept, const struct open_text *frame
            && kept->behind.at <= frame->end;
 }
 
-/* Where a token ends depends on two bytes behind it at most (1e+5). */
+/* Caches a token. The lexer looks at up to two bytes after a token (1e+5). A token that
+ * ends closer to the end of the frame is not cached, because a longer frame may
+ * continue it. */
 static void keep(struct kept_token *kept, const struct scene_token *token, size_t from,
                  const struct open_text *frame)
 {
@@ -340,7 +344,7 @@ static void keep(struct kept_token *kept, const struct scene_token *token, size_
     *kept = (struct kept_token){ from, *token, frame->place };
 }
 
-/* What here() says of it. */
+/* Returns a cached token, with the depth and line of the current frame. */
 static struct scene_token again(struct lexer *lexer, const struct kept_token *kept)
 {
     struct scene_token token = kept->token;
@@ -368,7 +372,7 @@ struct scene_token lexer_next(struct lexer *lexer)
     return token;
 }
 
-/* ---- What it is ---------------------------------------------------------- */
+/* ---- Tests of tokens ------------------------------------------------------ */
 
 bool token_is_text(const struct scene_token *token, const char *word)
 {

@@ -1,10 +1,10 @@
-/* token.h - a scene as a row of tokens, through its files and macros.
+/* token.h - the tokens of a scene, across its files and macros.
  *
- * The tokens come from frames: a frame is a file, or a macro's body while it
- * is called, and lies on the one that includes or calls it.  Its end is a
- * TOKEN_END that stays until the frame is closed.  Comments, nested ones too,
- * are left out here.  Any bytes make tokens: what is not of the language is
- * TOKEN_BAD with the reason.
+ * Tokens come from a stack of frames. A frame is a file, or the body of a macro during
+ * a call; it lies above the frame that includes or calls it. The end of a frame is a
+ * TOKEN_END, which is returned until the frame is closed. The lexer skips comments,
+ * which may be nested. Every byte sequence yields tokens: text that is not in the
+ * language becomes TOKEN_BAD with the reason.
  */
 #ifndef RT_SCENE_TOKEN_H
 #define RT_SCENE_TOKEN_H
@@ -19,15 +19,15 @@ enum scene_token_kind {
     TOKEN_WORD,
     TOKEN_DIRECTIVE, /* text is the word after '#' */
     TOKEN_NUMBER,
-    TOKEN_STRING, /* text is without the quotes, escapes as they are */
+    TOKEN_STRING, /* text is without the quotes; escapes are not decoded */
     TOKEN_SIGN,
     TOKEN_BAD
 };
 
-/* Signs of one character are that character. */
+/* A sign of one character has the code of that character. */
 enum sign { SIGN_UNEQUAL = 256, SIGN_NOT_ABOVE, SIGN_NOT_BELOW };
 
-/* A place between two tokens of a source. */
+/* A position between two tokens of a source. */
 struct text_place {
     size_t at;      /* offset in the source */
     size_t line;    /* from 1 */
@@ -37,8 +37,8 @@ struct text_place {
 struct declared_name;
 struct scene_value;
 
-/* A symbol's value, or an element of an array in it: `hops` arrays are within
- * each other, each with its element. */
+/* Refers to the value of a symbol, or to an element of its array. `hops` is the number
+ * of nested arrays on the way; element[i] is the index in the i-th. */
 #define MAX_ARRAY_NESTING 5
 struct reference {
     struct declared_name *symbol;
@@ -50,16 +50,16 @@ struct scene_token {
     enum scene_token_kind kind;
     const struct scene_source *source;
     struct text_place place; /* before its first byte */
-    size_t depth;            /* of frames, when it was read */
-    size_t main_line;        /* the line of the main file: its own or that of the
-                           #include or the macro that leads to it */
+    size_t depth;            /* number of open frames when it was read */
+    size_t main_line;        /* line in the main file: its own, or that of the #include
+                              * or macro call that led to it */
     const char *text;
     size_t length;
     double number;
     int sign;
-    const char *fault; /* of TOKEN_BAD, or of a number, which is then 0 */
+    const char *fault; /* of TOKEN_BAD, or of a number that is out of range */
 
-    /* What a word names, once the reader has looked it up; or NULL. */
+    /* The value of a word, after the reader has looked it up; else NULL. */
     struct reference reference;
     const struct scene_value *value;
 };
@@ -67,49 +67,52 @@ struct scene_token {
 enum {
     INCLUDE_DEPTH = 16,
     MAX_INCLUDE = 1000,
-    MAX_FRAMES = 200 /* files and macros within each other */
+    MAX_FRAMES = 200 /* nested files and macros */
 };
 
 struct open_text {
     const struct scene_source *source;
-    struct text_place place; /* what comes next */
+    struct text_place place; /* of the next token */
     size_t end;              /* offset */
-    size_t serial;           /* no other frame has it */
+    size_t serial;           /* unique to the frame */
     bool is_macro;
-    bool comes_again;        /* a macro's body, or some of it is a loop's */
-    struct scene_token call; /* the macro's name where it is called */
+    bool comes_again;        /* the text may be read again: it belongs to a macro or a
+                              * loop */
+    struct scene_token call; /* the name of the macro at its call */
 };
 
-/* A token of what comes again, as it was read. */
+/* A cached token of text that is read repeatedly. */
 struct kept_token {
     size_t from; /* offset in its source, before blanks and comments */
     struct scene_token token;
-    struct text_place behind; /* it */
+    struct text_place behind; /* after the token */
 };
 enum { KEPT_TOKENS = 4096 };
 
 struct lexer {
-    size_t depth, files; /* open frames, and those of files */
+    size_t depth, files; /* open frames, and open files */
     size_t serial;
     struct open_text frames[MAX_FRAMES];
-    struct kept_token kept[KEPT_TOKENS]; /* by the offset */
+    struct kept_token kept[KEPT_TOKENS]; /* cache, indexed by the offset modulo its
+                                          * size */
 };
 
-/* The tokens of a source come next; false: too deep. */
+/* Opens a frame for a source. Fails if the nesting is too deep. */
 bool lexer_open(struct lexer *lexer, const struct scene_source *source);
-/* .. those of a macro's body, which `call` calls. */
+/* Opens a frame for the body of the macro that `call` calls. */
 bool lexer_call(struct lexer *lexer, const struct scene_source *source,
                 struct text_place place, size_t end, const struct scene_token *call);
-/* The frame below continues. */
+/* Closes the innermost frame. */
 void lexer_close(struct lexer *lexer);
-/* On from another place of the frame, as a loop's turn begins. */
+/* Continues at another place of the frame, where a turn of a loop begins. */
 void lexer_jump(struct lexer *lexer, const struct text_place *place);
 struct open_text *lexer_top(struct lexer *lexer);
 struct scene_token lexer_next(struct lexer *lexer);
 
-/* Whether the text is this word, which begins as it does. */
+/* Whether the token's text is this word. Both must begin with the same byte. */
 bool token_is_text(const struct scene_token *token, const char *word);
-/* Asked of each word for many others. */
+/* Whether the token is this word. It compares the first byte inline, since each word is
+ * compared with many. */
 static inline bool is_token(const struct scene_token *token, const char *word)
 {
     return token->kind == TOKEN_WORD && *token->text == *word

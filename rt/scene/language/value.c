@@ -1,4 +1,4 @@
-/* value.c - numbers, and values of every kind. */
+/* value.c - operations on numbers and values. */
 #include "rt/scene/language/value.h"
 
 #include "rt/scene/spline.h"

@@ -1,4 +1,4 @@
-/* value.h - what a name of a scene file can stand for. */
+/* value.h - the values of names in a scene file. */
 #ifndef RT_SCENE_VALUE_H
 #define RT_SCENE_VALUE_H
 
@@ -6,7 +6,7 @@
 #include "rt/scene/language/object.h"
 #include "rt/scene/language/token.h"
 
-/* A float (1), a vector (2 to 5) or a colour (5: red, green, blue, filter,
+/* A float (1 term), a vector (2 to 5) or a colour (5: red, green, blue, filter,
  * transmit). */
 enum { COLOR_TERMS = 5 };
 struct numbers {
@@ -15,18 +15,19 @@ struct numbers {
 };
 
 struct numbers numbers_of(double value);
-/* To at least `count` terms: a float in all of them, a vector with zeros. */
+/* Extends numbers to at least `count` terms: a float is copied to all terms, a vector
+ * is filled with zeros. */
 void numbers_widen(struct numbers *numbers, int count);
 bool numbers_are_finite(const struct numbers *numbers);
 
-/* A camera as its vectors are before and after look_at. */
+/* A camera, with its vectors before and after look_at. */
 struct camera_setting {
     struct camera camera;
     double sky[3];
-    bool spanned; /* an orthographic one shows as much as it has to */
+    bool spanned; /* orthographic, and its size was derived from the view */
 };
 
-/* Of its pigments the lowest. */
+/* The lowest pigment of a sky_sphere. */
 struct sky_setting {
     struct pigment pigment;
     size_t pigments;
@@ -34,7 +35,7 @@ struct sky_setting {
 
 struct fog_setting {
     struct fog fog;
-    bool grounded; /* of another type than the constant one */
+    bool grounded; /* of a type other than constant fog */
 };
 
 enum scene_value_kind {
@@ -42,13 +43,13 @@ enum scene_value_kind {
     VALUE_PIGMENT,
     VALUE_FINISH,
     VALUE_TEXTURE,
-    VALUE_COLOR_MAP,   /* a pigment with it */
-    VALUE_PIGMENT_MAP, /* the same */
+    VALUE_COLOR_MAP,   /* as a pigment with the map */
+    VALUE_PIGMENT_MAP, /* as a pigment with the map */
     VALUE_TEXTURE_MAP, /* its first texture */
     VALUE_NORMAL,
-    VALUE_NORMAL_MAP, /* a normal with it */
-    VALUE_SLOPE_MAP,  /* the same */
-    VALUE_LOOK,       /* nothing of it is drawn */
+    VALUE_NORMAL_MAP, /* as a normal with the map */
+    VALUE_SLOPE_MAP,  /* as a normal with the map */
+    VALUE_LOOK,       /* a feature that is not drawn */
     VALUE_SKY,
     VALUE_FOG,
     VALUE_INTERIOR,
@@ -62,23 +63,23 @@ enum scene_value_kind {
     VALUE_FUNCTION,
     VALUE_SPLINE,
     VALUE_FILE,
-    VALUE_FAULTY /* its declaration has an error, reported there */
+    VALUE_FAULTY /* the declaration has an error, which has been reported */
 };
 
-/* A row of values of one kind, of one dimension or more. */
+/* An array of values of one kind, with one or more dimensions. */
 enum { MAX_DIMENSIONS = 5 };
 #define MAX_CELLS 100000
 struct array {
     size_t dimensions, sizes[MAX_DIMENSIONS];
-    size_t count;               /* the product of the sizes */
-    bool typed;                 /* by the first value: */
-    enum scene_value_kind kind; /* all are of its kind, */
-    int terms;                  /* numbers of as many terms */
-    size_t *cells;              /* of all arrays, with these */
-    struct scene_value *cell[]; /* the last index runs fastest; NULL: not set */
+    size_t count;               /* product of the sizes */
+    bool typed;                 /* the first value has set the type */
+    enum scene_value_kind kind; /* of all values */
+    int terms;                  /* of all values, if they are numbers */
+    size_t *cells;              /* count of cells in all arrays, this one included */
+    struct scene_value *cell[]; /* row-major order; NULL: not set */
 };
 
-/* The body of a macro, as it is in its source. */
+/* A macro: its body, as a range of its source. */
 enum { MAX_PARAMETERS = 56 };
 struct scene_macro {
     const struct scene_source *source;
@@ -91,11 +92,11 @@ struct scene_macro {
     } parameters[MAX_PARAMETERS];
 };
 
-/* What #fopen opens. */
+/* A file of #fopen. */
 struct data_file {
-    bool reads;                        /* and does not write */
-    const struct scene_source *source; /* that is read; NULL: to its end */
-    struct text_place place;           /* of what is read next */
+    bool reads;                        /* false: it is written */
+    const struct scene_source *source; /* NULL: it has been read to its end */
+    struct text_place place;           /* of the next value */
 };
 
 struct formula;
@@ -104,14 +105,14 @@ struct scene_value {
     enum scene_value_kind kind;
     union {
         struct numbers numbers;
-        struct pigment pigment; /* of maps, too */
+        struct pigment pigment; /* also for maps */
         struct finish finish;
         struct texture texture;
-        struct bumps bumps; /* of maps, too */
+        struct bumps bumps; /* also for maps */
         struct sky_setting sky;
         struct fog_setting fog;
-        double interior;              /* its index of refraction */
-        struct scene_object material; /* without parts */
+        double interior;              /* index of refraction */
+        struct scene_object material; /* has no parts */
         struct placement transform;
         struct camera_setting camera;
         struct scene_object object;
@@ -119,28 +120,29 @@ struct scene_value {
         struct array *array;
         struct scene_macro *macro;
         const struct formula *formula;
-        struct spline *spline; /* held */
+        struct spline *spline; /* with a reference held */
         struct data_file file;
     } is;
-    struct notes *notes; /* of its text */
+    struct notes *notes; /* on its text */
 };
 
 void value_free(struct scene_value *value);
-/* A copy; NULL, or why there is none. */
+/* Copies a value. Returns the reason of a failure, or NULL. */
 const char *value_copy(struct scene_value *copy, const struct scene_value *value);
 
-/* The functions that return text return why they failed, or NULL. */
+/* Functions that return text return the reason of a failure, or NULL. */
 extern const char no_memory[];
 
-/* NULL: there are more than MAX_CELLS cells in all, or no memory. */
+/* Returns NULL if all arrays together have more than MAX_CELLS cells, or without
+ * memory. */
 struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells);
 const char *array_copy(struct array **copy, const struct array *array);
 void array_free(struct array *array);
-/* Takes the value over in any case. */
+/* Takes ownership of the value in any case. */
 const char *array_set(struct array *array, size_t element, struct scene_value *value);
-/* The arrays within each other, this one counted. */
+/* Returns the depth of nested arrays, this one included. */
 size_t array_nesting(const struct array *array);
-/* Primitives and lights in all objects. */
+/* Returns the number of primitives and lights in all objects of the array. */
 size_t array_primitives(const struct array *array);
 
 #endif
