@@ -1,6 +1,7 @@
-/* camera.c - the camera, as POV-Ray 3.5 and later set it up: the words may
- * are in any order; angle, then look_at, then the transforms are applied
- * when all are read.
+/* camera.c - parses cameras as POV-Ray 3.5 and later do.
+ *
+ * The words may be in any order. After all are read, angle, then look_at, then the
+ * transforms are applied.
  */
 #include "rt/scene/elementary.h"
 #include "rt/scene/language/expression.h"
@@ -9,9 +10,9 @@
 
 #include <string.h>
 
-#define NEAR 1e-10 /* POV-Ray's bound on sky */
+#define NEAR 1e-10 /* POV-Ray's tolerance for sky */
 
-/* POV-Ray's right is 1.33 x, not 4/3 x. */
+/* POV-Ray's default for right is 1.33 x, not 4/3 x. */
 const struct camera_setting camera_default = {
     { { 0, 0, 0 }, { 0, 0, 1 }, { 1.33, 0, 0 }, { 0, 1, 0 }, false, 0, 0, 0 },
     { 0, 1, 0 },
@@ -29,7 +30,7 @@ struct camera_reading {
     struct placement placement;
 };
 
-/* The keyword's detail is the vector's offset. */
+/* detail: offset of the vector */
 static bool read_vector_of(struct reader *reader, void *subject,
                            const struct item *item)
 {
@@ -66,7 +67,7 @@ static bool read_angle(struct reader *reader, void *subject, const struct item *
                            "the angle is not between 0 and 180 degrees");
 }
 
-/* perspective, orthographic: the detail. */
+/* perspective, orthographic; detail: whether it is the latter */
 static bool read_kind(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
@@ -76,8 +77,7 @@ static bool read_kind(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-/* POV-Ray's rays start at up to a quarter of its aperture from the location
- * (measured). */
+/* Measured: POV-Ray's rays start up to a quarter of its aperture from the location. */
 static bool read_aperture(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
@@ -150,7 +150,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-/* How sure POV-Ray is to be that it has enough of its random rays. */
+/* Thresholds at which POV-Ray stops adding random rays. */
 static const struct keyword passed_over[] = {
     { "confidence", item_passed_over, 0 },
     { "variance", item_passed_over, 0 },
@@ -179,7 +179,7 @@ static void set_length(double vector[3], double length)
     scale3(length / length3(vector), vector);
 }
 
-/* angle is the picture's width as seen: it sets the length of direction. */
+/* angle is the horizontal field of view, which determines the length of direction. */
 static void apply_angle(struct camera *camera, double angle)
 {
     if (angle > 0)
@@ -187,9 +187,9 @@ static void apply_angle(struct camera *camera, double angle)
                    length3(camera->right) / elementary_tan(angle * PI / 360) / 2);
 }
 
-/* An orthographic camera shows as much of what it looks at as one in perspective
- * would, unless right or up says how much; with an angle always.  One that has a
- * name does so already. */
+/* Scales an orthographic camera to show as much at look_at as a perspective one would,
+ * unless right or up sets its size; with an angle it is always scaled. A named camera
+ * is scaled already. */
 static void apply_distance(struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera;
@@ -217,8 +217,8 @@ static double handedness(const struct camera *camera)
     return dot3(across, camera->right);
 }
 
-/* Re-aim direction, right and up, keeping their lengths and whether they were
- * left- or right-handed. */
+/* Rotates direction, right and up towards look_at, keeping their lengths and
+ * handedness. */
 static bool apply_look_at(struct reader *reader, const struct scene_token *at,
                           struct camera_reading *reading)
 {
@@ -244,8 +244,9 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
     return true;
 }
 
-/* The distance to the focal point is that of what is sharp, wherever the point is;
- * it is as the words say, before any step (measured). */
+/* The distance of the focal point is the distance of the sharp plane, in whatever
+ * direction the point is. It is measured before any transform, as in POV-Ray
+ * (measured). */
 static void apply_focal_point(struct reader *reader, const struct scene_token *at,
                               struct camera_reading *reading)
 {
@@ -273,7 +274,7 @@ static void apply_placement(struct camera *camera, const struct transform *trans
     transform_direction(transform, camera->up);
 }
 
-/* No length may be lost to overflow, and the picture must have an area. */
+/* Whether all lengths are finite, and the picture has an area. */
 static bool is_sound(const struct camera *camera)
 {
     double volume = handedness(camera);

@@ -1,3 +1,4 @@
+/* clip.c - parses clipped_by and bounded_by. */
 #include "rt/scene/language/clip.h"
 
 #include "rt/scene/language/field_body.h"
@@ -7,15 +8,15 @@
 
 #include <string.h>
 
-/* ---- The objects in braces ----------------------------------------------- */
+/* ---- Objects in the braces ------------------------------------------------ */
 
-/* What has been read of them: solids, one for each. */
+/* The objects that have been read, one solid each. */
 struct clipping {
     struct scene_object solids;
-    bool as_said; /* `clipped_by` in bounded_by, which then says nothing */
+    bool as_said; /* bounded_by { clipped_by }, which has no effect of its own */
 };
 
-/* It must say of each point on which side it is. */
+/* Checks that each point is inside or outside of the object. */
 static bool check_inside(struct reader *reader, const struct scene_object *object,
                          const struct scene_token *at)
 {
@@ -56,7 +57,7 @@ static bool read_as_said(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-/* Of all of them. */
+/* Moves all objects so far. */
 static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct clipping *clipping = subject;
@@ -93,7 +94,7 @@ static const struct grammar of_bound = {
 
 /* ---- clipped_by ---------------------------------------------------------- */
 
-/* Seen or not: what clips has no look, and takes none later. */
+/* Makes clipping objects invisible, with a texture that is not replaced later. */
 static void hide(const struct reader *reader, struct scene_object *clip)
 {
     for (size_t i = 0; i < clip->part_count; i++) {
@@ -123,14 +124,14 @@ static size_t count_solids(const struct scene_object *object)
     return count;
 }
 
-/* All of a solid that is made of others is one. */
+/* Joins a compound solid into one. */
 static bool make_whole(struct reader *reader, struct scene_object *object)
 {
     return object->joining == JOIN_APART || object_join(object)
            || reader_no_memory(reader);
 }
 
-/* Each solid of the object is one with what clips it. */
+/* Joins each solid of the object with its clipping objects. */
 static bool clip(struct reader *reader, struct scene_object *object,
                  struct scene_object *by, const struct scene_token *at)
 {
@@ -163,7 +164,7 @@ bool clipped_by_read(struct reader *reader, void *subject, const struct item *it
 
 /* ---- bounded_by ---------------------------------------------------------- */
 
-#define SLACK 1e-6 /* of a bound, in which it counts as reached */
+#define SLACK 1e-6 /* relative tolerance of a bound */
 
 static bool box_holds(const struct primitive *box, const double point[3])
 {
@@ -187,7 +188,7 @@ static bool sphere_holds(const struct primitive *sphere, const double point[3])
     return length3(from) <= fabs(sphere->shape.sphere.radius) * (1 + SLACK);
 }
 
-/* A point of the world. */
+/* Whether the bound contains a point of the world. */
 static bool holds(const struct primitive *bound, const double point[3])
 {
     double local[3];
@@ -198,7 +199,7 @@ static bool holds(const struct primitive *bound, const double point[3])
                                         : sphere_holds(bound, local);
 }
 
-/* The bound is convex: it holds a box if it holds its corners. */
+/* The bound is convex, so it contains a box if it contains its corners. */
 static bool holds_box(const struct primitive *bound, const struct bound *about)
 {
     for (int i = 0; i < 8; i++) {
@@ -211,7 +212,7 @@ static bool holds_box(const struct primitive *bound, const struct bound *about)
     return true;
 }
 
-/* Is the sphere one in the world, too?  Then how large, else 0. */
+/* Returns the radius of the sphere in the world, or 0 if it is an ellipsoid there. */
 static double radius_in_world(const struct primitive *sphere)
 {
     const double(*rows)[4] = sphere->to_world.rows;
@@ -238,7 +239,7 @@ static bool holds_sphere(const struct primitive *bound, const struct bound *abou
     return length3(from) + about->radius <= radius_in_world(bound) * (1 + SLACK);
 }
 
-/* Without the margin that rays need. */
+/* Bounds a part without the margin that rays need. */
 static void bound_part(const struct primitive *primitive, struct bound *bound)
 {
     const struct shape *shape = shape_of(primitive);
@@ -246,7 +247,8 @@ static void bound_part(const struct primitive *primitive, struct bound *bound)
     (shape->endless ? bound_without : shape->bound)(primitive, bound);
 }
 
-/* What is about a branch.  *part: its first leaf, then what is behind it. */
+/* Bounds a branch. *part is the index of its first leaf, and becomes the index after
+ * its last. */
 static void bound_branch(const struct scene_object *object, size_t at, size_t *part,
                          struct bound *whole)
 {
@@ -286,7 +288,8 @@ static bool holds_object(const struct scene_object *bound,
     return true;
 }
 
-/* Of one primitive POV-Ray forgets the bound, unless it is one that has no end. */
+/* POV-Ray ignores the bound of a single primitive, unless the primitive is
+ * unbounded. */
 static bool is_forgotten(const struct scene_object *object)
 {
     enum primitive_kind kind;

@@ -1,8 +1,8 @@
-/* color.c - reading colours.
+/* color.c - parses colours.
  *
- * A colour is written as numbers after a word that names their order
- * (rgb, rgbf, ...), term by term (red 1 green .5), or as the name of a colour;
- * terms that follow replace its own.
+ * A colour is a word for the order of its components and their numbers (rgb, rgbf,
+ * ...), a list of components (red 1 green .5), or the name of a colour. Components
+ * after it replace those of the colour.
  */
 #include "rt/scene/elementary.h"
 #include "rt/scene/language/expression.h"
@@ -13,7 +13,7 @@
 
 enum { RED, GREEN, BLUE, FILTER, TRANSMIT };
 
-/* The terms that a word's numbers go to. */
+/* The components of a word, in the order of its numbers. */
 static const struct color_order {
     const char *word;
     int count;
@@ -61,7 +61,7 @@ bool starts_color(const struct reader *reader)
            || (value && value->is.numbers.count == COLOR_TERMS);
 }
 
-/* Linear light, then of the scene's own gamma. */
+/* Converts sRGB to linear light, then to the scene's assumed_gamma. */
 static double from_srgb(double value, double gamma)
 {
     double linear = srgb_light(value);
@@ -79,7 +79,7 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
     if (!read_expression(reader, &given))
         return false;
     if (given.count == COLOR_TERMS && order->count > 1 && !order->srgb) {
-        *color = given; /* a colour stays what it is */
+        *color = given; /* a value that is a colour already is not reordered */
         return true;
     }
     if (given.count > order->count)
@@ -95,7 +95,7 @@ static bool read_ordered(struct reader *reader, const struct color_order *order,
     return true;
 }
 
-/* red, green, ... one by one, as long as they follow. */
+/* Reads red, green, .. one by one, while they follow. */
 static bool read_terms(struct reader *reader, struct numbers *color)
 {
     const struct color_order *order = order_find(&reader->token);

@@ -1,4 +1,4 @@
-/* data_file.c - the directives of files. */
+/* data_file.c - #fopen, #fclose, #read and #write. */
 #include "rt/scene/language/data_file.h"
 
 #include "rt/scene/language/declare.h"
@@ -19,7 +19,7 @@ static bool read_name(struct reader *reader, char **name)
     return done;
 }
 
-/* Behind the file's name. */
+/* Reads the mode after the file's name, and opens the file. */
 static bool read_mode(struct reader *reader, const struct scene_token *at,
                       const char *name, struct data_file *file)
 {
@@ -78,7 +78,7 @@ bool data_file_open(struct reader *reader, void *subject, const struct item *ite
     return done;
 }
 
-/* The name of a file that is open; NULL after an error. */
+/* Returns the open file that the current token names; NULL after an error. */
 static const struct data_file *expect_file(struct reader *reader)
 {
     struct scene_token *token = &reader->token;
@@ -89,7 +89,8 @@ static const struct data_file *expect_file(struct reader *reader)
     return NULL;
 }
 
-/* A macro's parameter goes with the macro; what it stands for is closed. */
+/* Removes the name of a file. A parameter of a macro is removed with the macro; its
+ * target is closed instead. */
 static void forget(struct reader *reader, const struct scene_token *name)
 {
     const struct declared_name *own = symbols_find(&reader->symbols, name->text,
@@ -118,7 +119,7 @@ bool data_file_close(struct reader *reader, void *subject, const struct item *it
 
 /* ---- #read -------------------------------------------------------------- */
 
-/* A value under way: the lexer is in the file, one token ahead. */
+/* A value that is being read. The lexer is in the file, one token ahead. */
 struct datum {
     struct reader *reader;
     struct scene_token token;
@@ -129,7 +130,7 @@ static void next(struct datum *datum)
     datum->token = lexer_next(&datum->reader->lexer);
 }
 
-/* One float, perhaps with a sign before it. */
+/* Reads one float, with an optional sign. */
 static bool take_float(struct datum *datum, double *value)
 {
     bool minus = token_is_sign(&datum->token, '-');
@@ -176,7 +177,7 @@ static bool take_value(struct datum *datum, struct scene_value *value)
     return take_float(datum, value->is.numbers.n);
 }
 
-/* A value, and the comma behind it. */
+/* Reads a value and the comma after it. */
 static bool take_datum(struct datum *datum, const struct data_file *file,
                        const struct scene_token *at, struct scene_value *value)
 {
@@ -190,9 +191,9 @@ static bool take_datum(struct datum *datum, const struct data_file *file,
     return true;
 }
 
-/* The next value of the file, which continues behind it; at its end it has no
- * source any more, and there may be no value: VALUE_FAULTY.  The file's frame lies
- * on the others meanwhile. */
+/* Reads the next value of the file, whose cursor moves to the token after it. A
+ * temporary frame holds the file's text. At the end of the file file->source becomes
+ * NULL, and the value is VALUE_FAULTY if there is none. */
 static bool read_datum(struct reader *reader, struct data_file *file,
                        const struct scene_token *at, struct scene_value *value)
 {
@@ -223,7 +224,7 @@ static bool read_datum(struct reader *reader, struct data_file *file,
     return false;
 }
 
-/* What is left when the file has ended keeps what it had. */
+/* Reads into the next target. After the end of the file targets keep their values. */
 static bool read_next(struct reader *reader, struct data_file *file)
 {
     struct target target = { .local = false };
@@ -237,7 +238,7 @@ static bool read_next(struct reader *reader, struct data_file *file)
                            target_assign(reader, &target, &value));
 }
 
-/* "(" and the name of a file, which reads or does not. */
+/* Reads "(" and the name of a file that is open for reading, or for writing. */
 static const struct data_file *read_handle(struct reader *reader, bool reads)
 {
     const struct data_file *file;

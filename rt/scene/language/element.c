@@ -1,4 +1,4 @@
-/* element.c - arrays in the text: their making, and their elements.
+/* element.c - parses arrays and their elements.
  *
  *   array[n]...  { { value, ... }, ... }
  *   NAME[i]...
@@ -10,8 +10,8 @@
 
 /* ---- Elements ----------------------------------------------------------- */
 
-/* From "[" to the "]", which stays the token: what is behind it is not looked
- * at yet.  POV-Ray cuts what is behind the point. */
+/* Reads a size or an index from "[" to "]". The "]" stays the current token, so that
+ * the text after it is not interpreted yet. As in POV-Ray the value is truncated. */
 static bool read_size(struct reader *reader, double most, size_t *size)
 {
     struct scene_token at;
@@ -54,7 +54,8 @@ static bool read_indices(struct reader *reader, const struct array *array,
     return true;
 }
 
-/* One array's indices; what is read in them may have changed the array. */
+/* Reads the indices of one array. The expressions in them may change the array, so its
+ * value is looked up again. */
 static bool read_hop(struct reader *reader, struct scene_token *name)
 {
     struct reference *reference = &name->reference;
@@ -173,7 +174,7 @@ static bool read_sizes(struct reader *reader, size_t *dimensions, size_t *sizes)
     return true;
 }
 
-/* The rows may be left out; the array's elements are then not set. */
+/* The rows are optional. Without them the elements are not set. */
 bool array_read(struct reader *reader, struct scene_value *value)
 {
     struct scene_token at = reader->token;

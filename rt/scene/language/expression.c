@@ -1,4 +1,4 @@
-/* expression.c - reading floats and vectors.
+/* expression.c - a recursive-descent parser of floats and vectors.
  *
  *   full        relation { ("&" | "|") relation } [ "?" full ":" full ]
  *   relation    expression { ("=" "!=" "<" "<=" ">" ">=") expression }
@@ -9,9 +9,9 @@
  *   primary     number | name | "(" full ")" | "<" expression, ... ">"
  *               | function "(" full, ... ")"
  *
- * & and | are of one rank, left to right, as in POV-Ray.  A float meeting a
- * vector stands for as many equal components; of two vectors the shorter is
- * filled up with zeros.
+ * As in POV-Ray, & and | have the same precedence and associate to the left. In an
+ * operation of a float and a vector the float is expanded to equal components; the
+ * shorter of two vectors is filled with zeros.
  */
 #include "rt/scene/language/expression.h"
 
@@ -24,7 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One minus, or not, before a factor; false: there is none. */
+/* Reads a prefix operator. Fails if there is none. */
 static bool accept_prefix(struct reader *reader, char *prefix)
 {
     *prefix = reader->token.kind == TOKEN_SIGN && reader->token.sign < SIGN_UNEQUAL
@@ -87,7 +87,7 @@ typedef bool operand_reader(struct reader *reader, struct numbers *value);
 struct level {
     int signs[7];
     operand_reader *read;
-    bool floats; /* the operators take no vectors */
+    bool floats; /* the operators do not accept vectors */
 };
 
 static bool is_sign_of(const struct reader *reader, const struct level *level)
@@ -114,7 +114,7 @@ static bool apply(struct reader *reader, const struct scene_token *at, bool floa
     return operand_finite(reader, at, left);
 }
 
-/* Operators of one rank, from left to right. */
+/* Reads left-associative operators of one precedence. */
 static bool read_level(struct reader *reader, const struct level *level,
                        struct numbers *value)
 {
@@ -145,7 +145,7 @@ bool read_expression(struct reader *reader, struct numbers *value)
     return read_level(reader, &level, value);
 }
 
-/* Strings are compared by their bytes' order; "a" = "b" is a float. */
+/* Compares two strings by byte order; the result of "a" = "b" is a float. */
 static bool compare_strings(struct reader *reader, const char *left,
                             struct numbers *value)
 {

@@ -1,4 +1,4 @@
-/* fog.c - fog { ... }: constant fogs. */
+/* fog.c - parses fog { ... } and adds constant fogs to the scene. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 
@@ -54,7 +54,7 @@ static const struct keyword words[] = {
     { "blue", read_fog_color, 0 },    { NULL, NULL, 0 },
 };
 
-/* Words of a ground fog, and of a turbulence that is reported. */
+/* Words of ground fog, and of turbulence, which itself is reported. */
 static const struct keyword passed_over[] = {
     { "fog_alt", item_passed_over, 0 }, { "fog_offset", item_passed_over, 0 },
     { "lambda", item_passed_over, 0 },  { "octaves", item_passed_over, 0 },
@@ -71,7 +71,7 @@ static const struct grammar grammar = { "a word of fog",
                                         { words, passed_over, left_out },
                                         NULL };
 
-/* A colour that begins with no word of its own may stand first. */
+/* Reads a named colour at the start of the block. */
 static bool read_first_color(struct reader *reader, struct fog *fog)
 {
     struct numbers color;
@@ -104,7 +104,7 @@ bool fog_take(struct reader *reader, const struct fog_setting *setting,
         return true;
     }
     if (setting->fog.distance == 0)
-        return true; /* as in POV-Ray there is none */
+        return true; /* as in POV-Ray there is no fog */
     if (setting->fog.distance < 0) {
         reader_report(reader, at, "a fog with a distance below 0 is left out");
         return true;

@@ -1,4 +1,4 @@
-/* formula.c - formulas: compiled to postfix, and their values.
+/* formula.c - compiles functions to postfix code, and evaluates them.
  *
  *   full        both { "|" both }
  *   both        relation { "&" relation }
@@ -10,8 +10,8 @@
  *               | a function of floats "(" full, ... ")"
  *               | formula "(" full, ... ")" [ "." component ]
  *
- * As in POV-Ray comparisons are exact here, and & is stronger than |, neither of
- * which holds for expressions.
+ * As in POV-Ray, comparisons are exact here and & binds tighter than |. In expressions
+ * comparisons have a tolerance, and & and | have the same precedence.
  */
 #include "rt/scene/language/formula.h"
 
@@ -25,12 +25,12 @@
 #include <string.h>
 
 enum formula_step_kind {
-    FORMULA_NUMBER,    /* push it */
-    FORMULA_PARAMETER, /* push it */
-    FORMULA_OPERATOR,  /* of two floats, by its sign */
+    FORMULA_NUMBER,    /* push the constant */
+    FORMULA_PARAMETER, /* push the argument */
+    FORMULA_OPERATOR,  /* binary, by its sign */
     FORMULA_MINUS,
-    FORMULA_FUNCTION, /* of `count` floats */
-    FORMULA_CALL      /* of `count` floats; `term` of its value */
+    FORMULA_FUNCTION, /* applied to `count` floats */
+    FORMULA_CALL      /* of `count` floats; pushes the component `term` of the result */
 };
 
 struct formula_step {
@@ -46,12 +46,13 @@ struct formula_step {
 };
 
 struct formula {
-    const char *without; /* it cannot be called for want of this, or NULL */
+    const char *without; /* unsupported word that makes it impossible to call; NULL:
+                          * none */
     size_t parameter_count;
-    bool moves; /* a point, by: */
+    bool moves; /* it transforms a point by: */
     struct placement placement;
-    size_t nesting;           /* of calls, this one counted */
-    size_t step_count, depth; /* so many floats on the stack at most */
+    size_t nesting;           /* depth of nested calls, this one included */
+    size_t step_count, depth; /* depth: floats on the stack, at most */
     const struct formula_step *steps;
 };
 
@@ -68,10 +69,10 @@ struct compiler {
     struct formula *formula;
     struct formula_step *steps;
     size_t count, capacity;
-    size_t depth; /* floats on the stack here */
+    size_t depth; /* floats on the stack after the last step */
 };
 
-/* `takes` floats become one. */
+/* Appends a step that replaces the top `takes` floats by one. */
 static bool add_step(struct compiler *compiler, const struct formula_step *step,
                      size_t takes)
 {
@@ -91,7 +92,7 @@ static bool add_step(struct compiler *compiler, const struct formula_step *step,
 
 static bool read_whole(struct compiler *compiler);
 
-/* "(" full, ... ")" */
+/* Reads "(" full, ... ")". */
 static bool read_arguments(struct compiler *compiler, size_t least, size_t most,
                            size_t *count)
 {
@@ -127,7 +128,7 @@ static bool read_function(struct compiler *compiler, const struct function *func
            && add_step(compiler, &step, step.count);
 }
 
-/* Of the point that a transform makes. */
+/* Reads the component of a transformed point. */
 static bool read_term(struct reader *reader, size_t *term)
 {
     static const char names[] = "xyz";
@@ -144,7 +145,8 @@ static bool read_term(struct reader *reader, size_t *term)
     return true;
 }
 
-/* Any arguments, any component: there will be no value. */
+/* Reads a call of a function that cannot be evaluated. Any number of arguments and any
+ * component are accepted, because the result is not used. */
 static bool read_other_call(struct compiler *compiler, const struct formula *called)
 {
     struct reader *reader = compiler->reader;
@@ -245,7 +247,7 @@ static bool read_factor(struct compiler *compiler)
     return done;
 }
 
-/* The sign of them that is there, or 0. */
+/* Accepts one of the signs and returns it; 0: none is there. */
 static int accept_one_of(struct reader *reader, const int *signs)
 {
     for (; *signs; signs++)
@@ -254,7 +256,7 @@ static int accept_one_of(struct reader *reader, const int *signs)
     return 0;
 }
 
-/* Operators from the weakest; of one rank from left to right. */
+/* Reads left-associative operators; rank 0 has the lowest precedence. */
 static bool read_rank(struct compiler *compiler, size_t rank)
 {
     static const int signs[][7] = {
@@ -323,7 +325,7 @@ static bool read_parameters(struct compiler *compiler)
     return reader_expect_sign(reader, ')');
 }
 
-/* What no formula can do: its text is passed over. */
+/* Returns the word of a kind of function that is not supported, or NULL. */
 static const char *find_other(const struct reader *reader)
 {
     static const char *const words[] = { "internal", "pattern", "pigment", "spline" };
@@ -382,7 +384,7 @@ const struct formula *formula_read(struct reader *reader)
 
 /* ---- Values ------------------------------------------------------------- */
 
-/* A call, from which others may come. */
+/* A call, for errors in it and in nested calls. */
 struct formula_caller {
     struct reader *reader;
     const struct scene_token *at;
@@ -409,7 +411,7 @@ static double operate(int sign, double a, double b)
     }
 }
 
-/* `count` floats become one, where the first of them is. */
+/* Applies a function to `count` floats; the result replaces the first of them. */
 static void apply(const struct function *function, size_t count, double *arguments)
 {
     struct numbers taken[MAX_ARGUMENTS], result;
@@ -465,7 +467,8 @@ static bool take_steps(const struct formula_caller *call, const struct formula *
     return true;
 }
 
-/* Formulas of formulas may take very long, so that it counts as reading. */
+/* Evaluates a function. Its steps count as reading, because functions of functions may
+ * take exponential time. */
 static bool evaluate(const struct formula_caller *call, const struct formula *formula,
                      const double *arguments, double *value)
 {
@@ -488,7 +491,7 @@ static bool evaluate(const struct formula_caller *call, const struct formula *fo
     return done;
 }
 
-/* "(" floats ")" behind its name. */
+/* Reads "(" floats ")" after the name. */
 static bool take_arguments(struct reader *reader, size_t count, double *arguments)
 {
     reader_next(reader);

@@ -1,7 +1,7 @@
 /* function.c - the functions of expressions.
  *
- * Where a function has no value for its argument it makes a NaN or an
- * infinity; the reader of expressions turns these into errors.
+ * A function returns NaN or infinity for an argument outside of its domain; the
+ * expression parser turns these into errors.
  */
 #include "rt/scene/elementary.h"
 #include "rt/scene/language/expression.h"
@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define MAX_WHOLE 2147483648. /* POV-Ray's whole numbers are below */
+#define MAX_WHOLE 2147483648. /* limit of POV-Ray's integers */
 
 static double degrees(double radians)
 {
@@ -32,7 +32,8 @@ static void apply_atan2(const struct numbers *a, size_t n, struct numbers *r)
     give(r, elementary_atan2(a[0].n[0], a[1].n[0]));
 }
 
-/* Without a sign of 0, which the text of a number would show. */
+/* Truncates; adding 0 turns -0 into 0, whose sign would show in the text of the
+ * number. */
 static double whole(double value)
 {
     return trunc(value) + 0.0;
@@ -50,7 +51,7 @@ static void apply_mod(const struct numbers *a, size_t n, struct numbers *r)
     give(r, fmod(a[0].n[0], a[1].n[0]));
 }
 
-/* 0 to the power of 0 is an error, as in POV-Ray. */
+/* As in POV-Ray, 0 to the power of 0 is an error. */
 static void apply_pow(const struct numbers *a, size_t n, struct numbers *r)
 {
     bool none = a[0].n[0] == 0 && a[1].n[0] == 0;
@@ -73,7 +74,7 @@ static void apply_min(const struct numbers *a, size_t n, struct numbers *r)
         r->n[0] = fmin(r->n[0], a[i].n[0]);
 }
 
-/* The bits of whole numbers: what is behind the point is cut. */
+/* Returns the bits of a truncated value; 0 if it is out of range. */
 static long bits_of(const struct numbers *number)
 {
     double value = number->n[0];
@@ -108,7 +109,8 @@ static void apply_bitwise_xor(const struct numbers *a, size_t n, struct numbers 
     give(r, (double)bits);
 }
 
-/* select(A, B, C): B where A < 0, else C; with D: C only where A is 0. */
+/* select(A, B, C) is B if A < 0, else C. select(A, B, C, D) is B, C or D as A is below,
+ * equal to or above 0. */
 static void apply_select(const struct numbers *a, size_t n, struct numbers *r)
 {
     *r = a[a[0].n[0] < 0 ? 1 : a[0].n[0] > 0 && n > 3 ? 3 : 2];
@@ -142,7 +144,7 @@ static void apply_vlength(const struct numbers *a, size_t n, struct numbers *r)
     give(r, length3(a[0].n));
 }
 
-/* The zero vector stays as it is. */
+/* The zero vector is returned unchanged. */
 static void apply_vnormalize(const struct numbers *a, size_t n, struct numbers *r)
 {
     double length = length3(a[0].n);

@@ -1,4 +1,4 @@
-/* interior.c - interior { ... }: what is inside of a surface. */
+/* interior.c - parses interior { ... }. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 

@@ -1,4 +1,4 @@
-/* light.c - light_source. */
+/* light.c - parses light_source { ... }. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 
@@ -6,12 +6,12 @@
 
 #include "rt/scene/vector.h"
 
-/* Of a beam that is stronger at its edge; the kernels' powers have their
- * range. */
+/* A negative tightness brightens a beam towards its edge; the limit keeps the powers of
+ * the kernels in range. */
 enum { TIGHTNESS_LEAST = -100 };
 
-/* POV-Ray's: a light has one kind, the last that is named; but the rays of what
- * was a cylinder stay parallel. */
+/* As in POV-Ray a light has one kind, the last that is named. The rays of a former
+ * cylinder stay parallel. */
 static bool read_shadowless(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -36,7 +36,7 @@ static bool read_step(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-/* It casts no shadow, and as in POV-Ray all rays see it. */
+/* The object casts no shadow, and as in POV-Ray it is visible to all rays. */
 static bool read_looks_like(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -57,7 +57,7 @@ static bool read_looks_like(struct reader *reader, void *subject,
     return done;
 }
 
-/* .. with the edge that it has unless it is told; both measured. */
+/* Sets the kind of beam and its default edge; both are measured from POV-Ray. */
 static bool read_beam(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
@@ -101,7 +101,7 @@ static bool read_point_at(struct reader *reader, void *subject, const struct ite
     return true;
 }
 
-/* The keyword's detail is the member's offset. */
+/* detail: offset of the member */
 static bool read_fading(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
@@ -116,7 +116,7 @@ static bool read_fading(struct reader *reader, void *subject, const struct item 
     return true;
 }
 
-/* As in POV-Ray a beam is named before its measures. */
+/* As in POV-Ray the kind of beam is named before its measures. */
 static bool read_measure(struct reader *reader, void *subject, const struct item *item)
 {
     const struct scene_object *object = subject;
@@ -130,7 +130,7 @@ static bool read_measure(struct reader *reader, void *subject, const struct item
     return read_fading(reader, subject, item);
 }
 
-/* POV-Ray's: what is behind the decimal point is cut off. */
+/* As in POV-Ray the count is truncated. */
 static bool read_side(struct reader *reader, const struct item *item, size_t *size)
 {
     double number;
@@ -198,8 +198,8 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-/* Of what is not supported, which is reported, and how an area may be guessed at:
- * here all its points are asked. */
+/* Words about unsupported features, which are reported, and about adaptive sampling of
+ * areas: here all points of an area are used. */
 static const struct keyword passed_over[] = {
     { "adaptive", item_passed_over, 0 },
     { "media_attenuation", item_passed_over, 0 },
@@ -222,7 +222,7 @@ static const struct grammar grammar = { "a word of light_source",
 
 static bool read_point(struct reader *reader, struct scene_object *object)
 {
-    struct light light = { .point_at = { 0, 0, 1 } }; /* POV-Ray's */
+    struct light light = { .point_at = { 0, 0, 1 } }; /* POV-Ray's default */
 
     if (!read_vector(reader, light.position))
         return false;
@@ -232,7 +232,7 @@ static bool read_point(struct reader *reader, struct scene_object *object)
     return object_add_light(object, &light) || reader_no_memory(reader);
 }
 
-/* What has an axis, has a way to go. */
+/* A light with an axis must not be at the point that it points at. */
 static bool check_beams(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -255,7 +255,7 @@ static bool check_beams(struct reader *reader, const struct scene_object *object
     return true;
 }
 
-/* An error of POV-Ray's, too. */
+/* This is an error in POV-Ray too. */
 static bool check_areas(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -271,8 +271,8 @@ static bool check_areas(struct reader *reader, const struct scene_object *object
     return true;
 }
 
-/* POV-Ray gives parallel rays other shadows with an area than without, which are
- * not understood. */
+/* In POV-Ray an area changes the shadows of parallel rays in a way that is not
+ * understood, so it is ignored. */
 static void leave_out_areas(struct reader *reader, struct scene_object *object,
                             const struct scene_token *at)
 {

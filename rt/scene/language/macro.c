@@ -1,4 +1,4 @@
-/* macro.c - what a macro is, and its call. */
+/* macro.c - defines and calls macros. */
 #include "rt/scene/language/macro.h"
 
 #include "rt/scene/language/condition.h"
@@ -31,7 +31,7 @@ static bool read_parameter(struct reader *reader, struct scene_macro *macro)
     return true;
 }
 
-/* From "(" to the start of the body. */
+/* Reads from "(" to the start of the body. */
 static bool read_parameters(struct reader *reader, struct scene_macro *macro)
 {
     if (!reader_at_sign(reader, '('))
@@ -89,15 +89,15 @@ bool macro_define(struct reader *reader, void *subject, const struct item *item)
 /* ---- Call --------------------------------------------------------------- */
 
 struct argument {
-    struct reference reference; /* held; or no symbol: */
+    struct reference reference; /* held; if it has no symbol: */
     struct scene_value value;
 };
 
 struct call {
-    struct scene_macro macro; /* its own copy: an argument may redefine it */
+    struct scene_macro macro; /* a copy, because an argument may redefine the macro */
     struct scene_token at;
     size_t count;
-    struct argument arguments[]; /* as many as it has parameters */
+    struct argument arguments[]; /* one per parameter */
 };
 
 static bool is_alone(struct reader *reader)
@@ -139,7 +139,7 @@ static bool read_arguments(struct reader *reader, struct call *call)
     return reader_at_sign(reader, ')') || reader_expected(reader, "')'");
 }
 
-/* The parameters become names of the body's level. */
+/* Declares the parameters at the level of the body. */
 static bool bind(struct reader *reader, struct call *call)
 {
     const char *fault = NULL;
@@ -159,8 +159,8 @@ static bool bind(struct reader *reader, struct call *call)
     return reader_check(reader, &call->at, fault);
 }
 
-/* The token is the closing bracket: the body comes between it and what is
- * behind it. */
+/* Opens a frame for the body. The current token is the closing bracket, so that the
+ * body is read between it and the text after it. */
 static bool enter_body(struct reader *reader, struct call *call)
 {
     const struct scene_macro *macro = &call->macro;

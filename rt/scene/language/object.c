@@ -1,4 +1,4 @@
-/* object.c - solids, their primitives, and lights under construction. */
+/* object.c - builds the solids, primitives and lights of an object. */
 #include "rt/scene/language/object.h"
 
 #include "base/array.h"
@@ -12,7 +12,7 @@ void pigment_move(struct pigment *pigment, const struct placement *step)
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
-/* What moves before there is a normal does not move it: so POV-Ray. */
+/* A transform before the normal does not move it, as in POV-Ray. */
 static void bumps_move(struct bumps *bumps, const struct placement *step)
 {
     if (bumps->list)
@@ -50,7 +50,7 @@ static bool add_branch(struct scene_object *object, enum tree_operation operatio
     return true;
 }
 
-/* Branches of another, and the parts that are their leaves. */
+/* These append branches of another object, and the parts that are their leaves. */
 static bool add_branches(struct scene_object *object, const struct branch *branches,
                          size_t count)
 {
@@ -126,7 +126,7 @@ bool object_add(struct scene_object *object, const struct scene_object *child)
     return true;
 }
 
-/* A new root over all branches. */
+/* Inserts a root above all branches. */
 static bool add_root(struct scene_object *object, enum tree_operation operation)
 {
     size_t count = object->branch_count;
@@ -185,8 +185,8 @@ static bool is_clipped(const struct scene_object *object)
     return false;
 }
 
-/* Complements of an object's branches, under way: which part is the next leaf,
- * and what has been made. */
+/* The state of inverting a tree with clipped solids: the part of the next leaf, and the
+ * branches that have been made. */
 struct inverting {
     struct scene_object *object;
     size_t part;
@@ -201,8 +201,8 @@ static void invert_parts(struct inverting *inverting, size_t count)
 
 static bool invert_branch(struct inverting *inverting, size_t at);
 
-/* An intersection, which becomes a merge, or a merge; or what is clipped, which
- * stays where it is, and what clips, which stays as it is. */
+/* Inverts the children of an intersection or a merge, which turns into the other. Of a
+ * clipped solid only the first child is inverted; the clipping objects are copied. */
 static bool invert_children(struct inverting *inverting, size_t at)
 {
     const struct branch *from = inverting->object->branches;
@@ -224,8 +224,8 @@ static bool invert_children(struct inverting *inverting, size_t at)
     return true;
 }
 
-/* By de Morgan's rules: as in POV-Ray of a clipped solid only that is turned which
- * is clipped, and a mesh that is a surface stays as it is. */
+/* Inverts a branch by de Morgan's laws. As in POV-Ray, inverting a clipped solid does
+ * not invert its clipping objects, and a mesh without an inside stays unchanged. */
 static bool invert_branch(struct inverting *inverting, size_t at)
 {
     const struct branch *from = &inverting->object->branches[at];
@@ -237,7 +237,7 @@ static bool invert_branch(struct inverting *inverting, size_t at)
             return inverting->part++, add_branch(made, TREE_LEAF, 1);
         invert_parts(inverting, 1);
         return add_branch(made, TREE_NOT, 2) && add_branch(made, TREE_LEAF, 1);
-    case TREE_NOT: /* nothing below it is clipped, or such a mesh */
+    case TREE_NOT: /* its subtree has no clipping and no such mesh */
         invert_parts(inverting, count_leaves(from + 1, from->size - 1));
         return add_branches(made, from + 1, from->size - 1);
     case TREE_AND:
@@ -275,7 +275,7 @@ bool object_invert(struct scene_object *object)
     return true;
 }
 
-/* The solid of so many branches and parts, and behind it what clips it. */
+/* Appends a solid, given by its branches and parts, and its clipping objects. */
 static bool add_clipped(struct scene_object *object, const struct branch *branches,
                         size_t branch_count, const struct scene_part *parts,
                         size_t part_count, const struct scene_object *clip)
@@ -312,10 +312,10 @@ bool object_clip(struct scene_object *object, const struct scene_object *clip)
     return done;
 }
 
-/* What a branch contains, once what is empty is taken out below it. */
+/* The content of a branch, after empty parts below it have been removed. */
 enum content { CONTENT_NOTHING, CONTENT_ALL, CONTENT_SOME };
 
-/* In place: the next to be read, and how many are kept. */
+/* The state of pruning in place: the read cursors, and the numbers that are kept. */
 struct pruning {
     struct scene_object *object;
     size_t branch, part;
@@ -342,7 +342,7 @@ static enum content opposite(enum content content)
     return content == CONTENT_NOTHING ? CONTENT_ALL : CONTENT_NOTHING;
 }
 
-/* The root of a branch is kept at a place, if more than one child is. */
+/* Stores the root of a branch at its place, or removes it if it has a single child. */
 static void keep_root(struct pruning *pruning, struct branch root, size_t place,
                       size_t children)
 {
@@ -356,7 +356,8 @@ static void keep_root(struct pruning *pruning, struct branch root, size_t place,
     memmove(branches + place, branches + place + 1, (root.size - 1) * sizeof *branches);
 }
 
-/* One child can decide: nothing in an intersection, all in a merge. */
+/* Prunes a branch. A single child can decide: an empty one empties an intersection, and
+ * a complete one fills a merge. */
 static enum content prune_branch(struct pruning *pruning)
 {
     struct branch root = pruning->object->branches[pruning->branch++];
@@ -412,7 +413,7 @@ void object_show(struct scene_object *object)
             object->parts[i].primitive.hidden_from = 0;
 }
 
-/* As in POV-Ray it counts on the whole of a solid only. */
+/* As in POV-Ray no_shadow applies to whole solids only. */
 static void forget_no_shadow(struct scene_object *object)
 {
     for (size_t i = 0; i < object->part_count; i++)

@@ -1,4 +1,4 @@
-/* operand.c - constants, names, functions and what they are called with. */
+/* operand.c - parses constants, names, calls of functions and components. */
 #include "rt/scene/language/operand.h"
 
 #include "rt/scene/language/expression.h"
@@ -64,7 +64,8 @@ bool operand_found_vector(struct reader *reader, const struct scene_token *at,
                         value->count, plural((uint64_t)value->count));
 }
 
-/* Neither overflow nor the argument outside of a function's domain. */
+/* Rejects the result of an overflow, or of an argument outside of a function's
+ * domain. */
 bool operand_finite(struct reader *reader, const struct scene_token *at,
                     const struct numbers *value)
 {
@@ -78,7 +79,7 @@ bool operand_float(struct reader *reader, const struct scene_token *at,
     return value->count == 1 || operand_found_vector(reader, at, "a number", value);
 }
 
-/* "<" is read already. */
+/* Reads the components of a vector after "<". */
 static bool read_components(struct reader *reader, struct numbers *value)
 {
     size_t declared = reader->declared.brackets > 0;
@@ -112,7 +113,7 @@ static bool read_argument(struct reader *reader, char kind, struct numbers *argu
     return true;
 }
 
-/* The arguments of a function as its `takes` says; how many, or 0. */
+/* Reads arguments as described by `takes`. Returns their count; 0: an error. */
 static size_t read_arguments(struct reader *reader, const char *takes,
                              struct numbers *arguments)
 {
@@ -184,7 +185,7 @@ static bool take(struct reader *reader, struct numbers taken, struct numbers *va
     return true;
 }
 
-/* Names that are declared first, for there are the most of them. */
+/* Declared names come first because they are the most frequent. */
 static bool read_name(struct reader *reader, struct numbers *value)
 {
     const struct scene_token *token = &reader->token;
@@ -226,7 +227,7 @@ static bool read_primary(struct reader *reader, struct numbers *value)
     return read_name(reader, value);
 }
 
-/* The luminance of a colour, or of a vector of 3 as one; POV-Ray's weights. */
+/* Returns the grey value of a colour, or of a vector of 3, with POV-Ray's weights. */
 static double gray(const double rgb[3])
 {
     static const double weights[3] = { 0.297, 0.589, 0.114 };
@@ -234,7 +235,7 @@ static double gray(const double rgb[3])
     return dot3(weights, rgb);
 }
 
-/* "." is read already. */
+/* Reads a component after ".". */
 static bool read_component(struct reader *reader, struct numbers *value)
 {
     static const struct {

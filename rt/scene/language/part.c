@@ -1,3 +1,4 @@
+/* part.c - parses part { "NAME" ... }. */
 #include "rt/scene/language/part.h"
 
 #include <ctype.h>
@@ -10,7 +11,7 @@
 
 enum { MAX_NAME = 200 };
 
-/* A float of the part's name and the word's: Lid_Density. */
+/* Stores a float named after the part and the word, such as Lid_Density. */
 static bool read_value(struct reader *reader, void *subject, const struct item *item)
 {
     const char *part = subject, *word = item->keyword->word;

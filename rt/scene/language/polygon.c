@@ -1,13 +1,13 @@
-/* polygon.c - polygon: a flat outline of one part or more, which becomes the
+/* polygon.c - tessellates a polygon: a flat outline of one or more loops becomes the
  * triangles of a mesh.
  *
- * The outline is seen along the axis that is nearest to its normal.  Lines
- * across at the heights of all its points, and of those where two edges cross,
- * cut it into slabs, within which no edge ends and no two cross.  There, in
- * their order across, the first edge and the second have the inside between
- * them, the third and the fourth, and so on: what is covered twice is a hole,
- * as in POV-Ray.  What lies between the same two edges in slabs one upon the
- * other is one trapezoid: it is cut where an edge begins, ends or is crossed.
+ * The outline is projected along the axis that is closest to its normal. Horizontal
+ * lines through all points, and through all crossings of edges, divide it into slabs.
+ * Within a slab no edge ends and no two edges cross. In each slab the edges are sorted
+ * across. The inside is between the first and the second edge, between the third and
+ * the fourth, and so on: by this even-odd rule an area that is covered twice is a hole,
+ * as in POV-Ray. The area between the same two edges in adjacent slabs is one
+ * trapezoid; a new one starts only where an edge begins, ends or is crossed.
  */
 #include "rt/scene/language/polygon.h"
 
@@ -20,43 +20,45 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* POV-Ray's: of the squares of lengths and products that count as 0, of two
- * components that count as one, and of a point's way off the plane.  Of a polygon
- * that is smaller than 1 they are relative to its size. */
+/* POV-Ray's tolerances: below SQUARE_NONE the square of a length or product counts as
+ * 0; points closer than POINT_SAME in each component are the same; a point closer than
+ * PLANE_SAME to the plane is in it. For a polygon smaller than 1 they are relative to
+ * its size. */
 #define SQUARE_NONE 1e-10
 #define POINT_SAME 1e-10
 #define PLANE_SAME 1e-10
-/* Of the greatest component: what rounding makes of no length. */
+/* Relative to the greatest component: lengths that are due to rounding. */
 #define ROUNDING 1e-14
 
-/* CROSSING_COST: so that there is memory for all of them. */
+/* CROSSING_COST limits the memory for crossings. */
 enum { POINTS_LEAST = 3, MAX_POINTS = 100000, CROSSING_COST = 256 };
 
-/* From the lower end to the upper one; none is level. */
+/* An edge, directed upwards. Horizontal edges are dropped. */
 struct polygon_edge {
     const double *low, *high;
-    double from, to;            /* their heights */
-    double middle;              /* its place across, half-way up the slab */
-    struct polygon_edge *right; /* the inside is between the two, */
-    double since;               /* .. from here on */
+    double from, to;            /* heights of its ends */
+    double middle;              /* position across, at the middle of the slab */
+    struct polygon_edge *right; /* right side of the trapezoid whose left side this is;
+                                 * NULL: none */
+    double since;               /* height at which that trapezoid begins */
 };
 
 struct polygon {
     struct reader *reader;
     const struct scene_token *at;
-    struct arena arena; /* of what follows, without the triangles */
+    struct arena arena; /* storage of the arrays below, except the triangles */
     size_t count;
     double (*points)[3];
-    int across, up;  /* the axes that are seen */
-    double rounding; /* a length that counts as none */
-    double size;     /* along the axes, 1 at most */
+    int across, up;  /* the two axes of the projection */
+    double rounding; /* lengths below it count as 0 */
+    double size;     /* extent along the axes, at most 1 */
 
     size_t edge_count;
-    struct polygon_edge *edges; /* by their lower ends */
+    struct polygon_edge *edges; /* sorted by their lower ends */
     size_t height_count, height_room;
     double *heights;
-    size_t begun;        /* edges, up to this height */
-    size_t active_count; /* .. that have not ended, across */
+    size_t begun;        /* number of edges that begin at or below the current height */
+    size_t active_count; /* edges that have not ended yet, sorted across */
     struct polygon_edge **active;
 
     struct triangles triangles;
@@ -116,8 +118,9 @@ static bool read_points(struct polygon *polygon)
 
 /* ---- Its plane ----------------------------------------------------------- */
 
-/* As POV-Ray takes it: by the first point, the next one that is not the same,
- * and the next one not in a line with these.  False: there is none. */
+/* Sets the normal as POV-Ray does: from the first point, the next point that differs
+ * from it, and the next point that is not on a line with these. Fails if there are
+ * none. */
 static bool find_normal(const struct polygon *polygon, double normal[3])
 {
     double(*points)[3] = polygon->points, along[3] = { 0 }, way[3];
@@ -163,7 +166,7 @@ static void choose_axes(struct polygon *polygon, const double normal[3])
     polygon->up = (seen + 2) % 3;
 }
 
-/* What POV-Ray does not show, or NULL. */
+/* Returns why POV-Ray does not show the polygon, or NULL. */
 static const char *find_plane(struct polygon *polygon)
 {
     double normal[3];
@@ -193,7 +196,7 @@ static void add_edge(struct polygon *polygon, const double *a, const double *b)
     polygon->edge_count++;
 }
 
-/* The last part, of which the first point has not come again. */
+/* Closes the last loop if its first point is not repeated. */
 static bool close_part(struct polygon *polygon, size_t first)
 {
     if (first + 1 == polygon->count)
@@ -207,8 +210,8 @@ static bool close_part(struct polygon *polygon, size_t first)
     return true;
 }
 
-/* A part ends where its first point comes again; the next point begins the
- * next one. */
+/* Adds the edges of all loops. A loop ends where its first point is repeated; the next
+ * point begins the next loop. */
 static bool add_edges(struct polygon *polygon)
 {
     double(*points)[3] = polygon->points;
@@ -251,7 +254,7 @@ static bool make_edges(struct polygon *polygon)
     return true;
 }
 
-/* At its ends the point that was given. */
+/* Computes the point of an edge at a height; its ends are exact. */
 static void point_at(const struct polygon *polygon, const struct polygon_edge *edge,
                      double height, double point[3])
 {
@@ -290,8 +293,8 @@ static bool add_height(struct polygon *polygon, double height)
     return true;
 }
 
-/* Of two edges that change sides.  What only touches does so at a point of the
- * outline. */
+/* Adds the crossing of two edges that change sides. Edges that only touch do so at a
+ * point of the outline, which is a height already. */
 static bool add_crossing(struct polygon *polygon, const struct polygon_edge *a,
                          const struct polygon_edge *b)
 {
@@ -305,7 +308,7 @@ static bool add_crossing(struct polygon *polygon, const struct polygon_edge *a,
            && add_height(polygon, low + (high - low) * (below / (below - above)));
 }
 
-/* Of an edge with those whose lower ends are beside it. */
+/* Adds the crossings with all edges whose lower end is below the top of edge i. */
 static bool add_crossings(struct polygon *polygon, size_t i)
 {
     const struct polygon_edge *edges = polygon->edges;
@@ -324,7 +327,7 @@ static int compare_heights(const void *a, const void *b)
     return compare(*one, *other);
 }
 
-/* Each once. */
+/* Sorts the heights and removes duplicates. */
 static void sort_heights(struct polygon *polygon)
 {
     double *heights = polygon->heights;
@@ -372,7 +375,7 @@ static bool add_triangle(struct polygon *polygon, const double a[3], const doubl
     return true;
 }
 
-/* Where its edges meet a side is a point: that triangle is left out. */
+/* A trapezoid whose sides meet at an end is one triangle. */
 static bool add_trapezoid(struct polygon *polygon, double low[2][3], double high[2][3])
 {
     double near = polygon->rounding;
@@ -399,7 +402,7 @@ static bool end_trapezoid(struct polygon *polygon, struct polygon_edge *left,
     return add_trapezoid(polygon, low, high);
 }
 
-/* Edges that end here, and the trapezoids on their right. */
+/* Removes the edges that end here, and completes the trapezoids to their right. */
 static bool end_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;
@@ -425,7 +428,7 @@ static void begin_edges(struct polygon *polygon, double height)
         polygon->active[polygon->active_count++] = &edges[polygon->begun];
 }
 
-/* Of those in one place the same one is always the first. */
+/* Edges at the same position are ordered by address, so that the order is stable. */
 static int compare_places(const void *a, const void *b)
 {
     const struct polygon_edge *one = *(struct polygon_edge *const *)a;
@@ -446,7 +449,8 @@ static bool sort_active(struct polygon *polygon, double middle)
     return reader_spend(polygon->reader, TOKEN_COST * (count + 1));
 }
 
-/* Of the edges in their order every second one is a left side. */
+/* Pairs the edges: every second one is the left side of a trapezoid. A trapezoid is
+ * completed if its right side changes. */
 static bool pair_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge **active = polygon->active;
@@ -463,7 +467,7 @@ static bool pair_edges(struct polygon *polygon, double height)
     return true;
 }
 
-/* The slab above a height. */
+/* Processes the slab above height i. */
 static bool take_slab(struct polygon *polygon, size_t i)
 {
     double low = polygon->heights[i], high = polygon->heights[i + 1];

@@ -1,4 +1,4 @@
-/* primitive.c - the arguments of the primitives, as their descriptors tell. */
+/* primitive.c - parses the arguments of primitives, as their descriptors define. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 #include "rt/shapes/shape.h"
@@ -8,7 +8,7 @@
 
 /* ---- One argument -------------------------------------------------------- */
 
-/* A radius counts by its size. */
+/* Reads a radius; its absolute value is used. */
 static bool read_radius(struct reader *reader, double *radius)
 {
     if (!read_number(reader, radius))
@@ -26,7 +26,8 @@ static bool read_size(struct reader *reader, const char *what, double *size)
     return *size > 0 || reader_fault(reader, &at, "the %s is not above 0", what);
 }
 
-/* All of <..> are read, that their number can be told. */
+/* Reads `count` coefficients in <..>. Surplus ones are read too, so that the message
+ * has their number. */
 static bool read_terms(struct reader *reader, double *terms, size_t count)
 {
     struct scene_token at = reader->token;
@@ -66,7 +67,8 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
     return true;
 }
 
-/* Their number, then the points; of each two numbers stand. */
+/* Reads a count, then the points. A point is a vector, whose first two components are
+ * used. The array has twice the space, for handles between the points. */
 static bool read_path(struct reader *reader, size_t least, struct outline *path)
 {
     double vector[3];
@@ -86,9 +88,9 @@ static bool read_path(struct reader *reader, size_t least, struct outline *path)
     return true;
 }
 
-/* ---- All of them --------------------------------------------------------- */
+/* ---- All arguments -------------------------------------------------------- */
 
-/* How many doubles each takes. */
+/* Returns the number of doubles in one element of the argument. */
 static size_t width_of(const struct shape_field *field)
 {
     return field->takes == TAKES_VECTOR ? 3 : 1;
@@ -117,7 +119,7 @@ static bool read_one(struct reader *reader, const struct shape_field *field, dou
     return false;
 }
 
-/* Each behind a comma, but for the first argument of all. */
+/* Reads the elements of an argument; each but the very first follows a comma. */
 static bool read_row(struct reader *reader, const struct shape_field *field, bool first,
                      double *to)
 {
@@ -149,8 +151,8 @@ static bool read_word(struct reader *reader, const struct shape_field *field, bo
            || reader_fault(reader, &at, "'%s' is not supported", field->what);
 }
 
-/* What may be left out has its word before it; the comma before that word is
- * the one of the argument before. */
+/* Reads an argument. An optional one follows its word, and the comma before that word
+ * belongs to the argument before it. */
 static bool read_field(struct reader *reader, const struct shape_field *field,
                        bool first, struct primitive *primitive)
 {
@@ -170,7 +172,8 @@ static bool read_field(struct reader *reader, const struct shape_field *field,
     return read_row(reader, field, first, to);
 }
 
-/* It becomes a ball, which has an inside, as the empty set has. */
+/* The primitive becomes a sphere that is marked as empty: like the empty set, a sphere
+ * has an inside. */
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason)
 {
@@ -226,7 +229,7 @@ static bool read_order(struct reader *reader, int *order)
     return true;
 }
 
-/* So many coefficients has a polynomial of x, y and z. */
+/* Returns the number of coefficients of a polynomial in x, y and z. */
 static size_t terms_of(int order)
 {
     size_t n = (size_t)order;
@@ -234,8 +237,8 @@ static size_t terms_of(int order)
     return (n + 1) * (n + 2) * (n + 3) / 6;
 }
 
-/* Those of a lower order are in the order of a quartic's, without what is
- * beyond theirs. */
+/* The coefficients of a lower order are in the order of a quartic's, without the terms
+ * of higher degree. */
 static void make_quartic(const double *terms, int order, struct primitive *primitive)
 {
     double *quartic = primitive->shape.quartic.coefficients;
@@ -247,7 +250,8 @@ static void make_quartic(const double *terms, int order, struct primitive *primi
                 *quartic++ = x + y + z <= order ? *terms++ : 0;
 }
 
-/* x2 xy xz x y2 yz y z2 z 1, as quadrics have them. */
+/* Reorders x2 xy xz x y2 yz y z2 z 1 to the order of quadrics, x2 y2 z2 xy xz yz x y z
+ * 1. */
 static void make_quadric(const double *terms, struct primitive *primitive)
 {
     static const size_t places[QUADRIC_TERMS] = { 0, 3, 4, 6, 1, 5, 7, 2, 8, 9 };

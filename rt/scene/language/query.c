@@ -1,4 +1,4 @@
-/* query.c - what scenes ask for. */
+/* query.c - functions about strings, files, names, arrays and random numbers. */
 #include "rt/scene/language/query.h"
 
 #include "base/array.h"
@@ -104,7 +104,7 @@ static bool read_file_exists(struct reader *reader, double *value)
 
 /* ---- Names and arrays --------------------------------------------------- */
 
-/* A shape, or another word, that POV-Ray has not. */
+/* Whether the token is a shape or another word that POV-Ray does not have. */
 static bool is_own_word(const struct scene_token *token)
 {
     if (is_token(token, "part"))
@@ -116,8 +116,8 @@ static bool is_own_word(const struct scene_token *token)
     return false;
 }
 
-/* The words that this language has and POV-Ray's has not count as defined;
- * words of POV-Ray's own do not, as there. */
+/* Words that only this language has count as defined, so that a scene can test for
+ * them. POV-Ray's own words do not count, as in POV-Ray. */
 bool read_defined(struct reader *reader, double *value)
 {
     if (reader->token.kind != TOKEN_WORD)
@@ -133,7 +133,8 @@ bool read_defined(struct reader *reader, double *value)
     return true;
 }
 
-/* NULL: the token is no array, which is an error. */
+/* Returns the array at the current token. Reports an error and returns NULL if it is
+ * none. */
 static const struct array *expect_array(struct reader *reader)
 {
     const struct scene_value *value = reader_value_of(reader, VALUE_ARRAY);
@@ -154,7 +155,7 @@ static bool read_dimensions(struct reader *reader, double *value)
     return true;
 }
 
-/* 0 for a dimension that it has not. */
+/* A dimension that the array does not have yields 0. */
 static bool read_dimension_size(struct reader *reader, double *value)
 {
     const struct array *array = expect_array(reader);
@@ -176,7 +177,7 @@ static bool read_dimension_size(struct reader *reader, double *value)
 
 /* ---- Random numbers ----------------------------------------------------- */
 
-/* A new stream; its number. */
+/* Starts a new random stream and returns its index. */
 static bool read_seed(struct reader *reader, double *value)
 {
     double most = 2147483648.;
@@ -199,7 +200,7 @@ static bool read_seed(struct reader *reader, double *value)
     return true;
 }
 
-/* POV-Ray's generator: 32 bits, congruential. */
+/* POV-Ray's generator: linear congruential, modulo 2^32. */
 static bool read_rand(struct reader *reader, double *value)
 {
     struct scene_token at = reader->token;
@@ -225,9 +226,8 @@ void queries_free(struct reader *reader)
 
 static const struct query {
     const char *name;
-    bool (*read)(struct reader *reader, double *value); /* NULL: it is not
-                                                           supported */
-    bool raw; /* what is in its brackets is not to be called */
+    bool (*read)(struct reader *reader, double *value); /* NULL: not supported */
+    bool raw; /* its argument is read without calling macros */
 } queries[] = {
     { "asc", read_asc, false },
     { "defined", read_defined, true },

@@ -1,4 +1,4 @@
-/* settings.c - global_settings { ... }. */
+/* settings.c - parses global_settings { ... }. */
 #include "rt/scene/language/statement.h"
 
 #include "rt/scene/language/expression.h"
@@ -70,7 +70,8 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-/* Of noise, of iridescence, or of how POV-Ray works. */
+/* Words about noise, iridescence, or the internals of POV-Ray. They have no effect
+ * here. */
 static const struct keyword passed_over[] = {
     { "hf_gray_16", item_passed_over, 0 },
     { "irid_wavelength", item_passed_over, 0 },

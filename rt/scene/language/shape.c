@@ -1,4 +1,4 @@
-/* shape.c - solids made of others, objects and their modifiers. */
+/* shape.c - parses objects, solids made of objects, and their modifiers. */
 #include "rt/scene/language/part.h"
 #include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/blob.h"
@@ -78,7 +78,8 @@ static bool read_texture(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-/* pigment, finish and normal change the texture that the object has. */
+/* Returns the texture of the object, which pigment, finish and normal modify; it is the
+ * default texture at first. */
 static struct texture *own_texture(struct reader *reader, struct scene_object *object)
 {
     if (!object->textured)
@@ -128,7 +129,7 @@ static bool read_interior(struct reader *reader, void *subject, const struct ite
     return true;
 }
 
-/* Before all of an object becomes one solid. */
+/* Checks the size of an object before all of it becomes one solid. */
 static bool check_solid(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -180,7 +181,7 @@ static bool read_hidden(struct reader *reader, void *subject, const struct item 
     return true;
 }
 
-/* POV-Ray's choice of a root solver; ours needs none. */
+/* Ignores POV-Ray's choice of a root finder; the one used here has no such choice. */
 static bool read_sturm(struct reader *reader, void *subject, const struct item *item)
 {
     double ignored;
@@ -190,7 +191,7 @@ static bool read_sturm(struct reader *reader, void *subject, const struct item *
     return !starts_expression(reader) || read_number(reader, &ignored);
 }
 
-/* Of what the material has so far. */
+/* Transforms the texture that the material has so far. */
 static bool read_material_step(struct reader *reader, void *subject,
                                const struct item *item)
 {
@@ -265,8 +266,8 @@ static const struct keyword modifiers[] = {
     { NULL, NULL, 0 },
 };
 
-/* Of media, photons, radiosity and light groups, which are reported, or of how
- * POV-Ray works. */
+/* Words about media, photons, radiosity and light groups, which are reported elsewhere,
+ * or about the internals of POV-Ray. They have no effect here. */
 static const struct keyword modifiers_passed_over[] = {
     { "global_lights", item_passed_over, 0 },
     { "hierarchy", item_passed_over, 0 },
@@ -293,7 +294,7 @@ const struct grammar modifier_grammar = { "a word that changes the object",
                                             modifiers_left_out },
                                           NULL };
 
-/* As POV-Ray does. */
+/* Reports a surface in an intersection or difference, as POV-Ray does. */
 static void report_patches(struct reader *reader, const struct scene_object *child,
                            const struct scene_token *at)
 {
@@ -306,8 +307,9 @@ static void report_patches(struct reader *reader, const struct scene_object *chi
         }
 }
 
-/* POV-Ray hides any part of a merge from these rays, and from reflections a child of a
- * union that is part of a solid.  Here they are seen, which is reported. */
+/* Reports hidden parts of a solid. POV-Ray hides any part of a merge from these rays,
+ * and hides a child of a union inside a solid from reflections. Here they stay
+ * visible. */
 static void report_hidden(struct reader *reader, enum joining joining,
                           const struct scene_object *child,
                           const struct scene_token *at)
@@ -354,14 +356,15 @@ static const struct keyword children[] = {
     { NULL, NULL, 0 },
 };
 
-/* The children come first: a transform moves those before it. */
+/* Children come before modifiers, because a transform applies only to the children
+ * before it. */
 static const struct grammar solid_grammar = {
     "an object or a word that changes the solid",
     { children, unsupported_shapes },
     &modifier_grammar
 };
 
-/* The object that object { ... } begins with: a name, or a shape. */
+/* Reads the first word of object { ... }: the name of an object, or a shape. */
 static bool read_base(struct reader *reader, struct scene_object *object)
 {
     const struct scene_value *value = reader_use(reader, VALUE_OBJECT);
@@ -404,7 +407,7 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
     return block_items(reader, &block, &modifier_grammar, object, good);
 }
 
-/* Or triangles, of which one is made. */
+/* Whether the shape is a mesh, or triangles that become one. */
 static bool is_mesh(enum shape_word shape)
 {
     return shape == (enum shape_word)PRIMITIVE_MESH || shape >= SHAPE_TRIANGLE;
@@ -463,7 +466,7 @@ static bool read_first(struct reader *reader, struct scene_object *object,
            && shape_add(reader, object, &primitive, &item->at);
 }
 
-/* All of a union, merge, intersection or difference is read. */
+/* Completes a union, merge, intersection or difference after its block. */
 static bool finish_joined(struct reader *reader, struct scene_object *object,
                           const struct item *item)
 {

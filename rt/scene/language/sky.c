@@ -1,7 +1,7 @@
-/* sky.c - sky_sphere { ... }: what is seen where nothing is hit. */
+/* sky.c - parses sky_sphere { ... }, the background of rays without a hit. */
 #include "rt/scene/language/statement.h"
 
-/* Of several the first lies lowest, as in POV-Ray. */
+/* Of several pigments the first is the lowest layer, as in POV-Ray. */
 static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment pigment = reader->default_texture.pigment;
@@ -47,7 +47,7 @@ bool sky_read(struct reader *reader, struct sky_setting *sky)
            && block_items(reader, &block, &grammar, sky, true);
 }
 
-/* A sky of one colour is a background. */
+/* Puts a sky into the scene; one of a single colour becomes the background. */
 void sky_take(struct reader *reader, const struct sky_setting *sky,
               const struct scene_token *at)
 {

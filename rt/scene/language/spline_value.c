@@ -1,4 +1,4 @@
-/* spline_value.c - splines in the text, and their values.
+/* spline_value.c - parses splines and their calls.
  *
  *   spline { [NAME] [kind] t, value, ... }
  *   NAME(t [, kind])
@@ -23,7 +23,7 @@ static bool accept_kind(struct reader *reader, enum spline_kind *kind)
     return false;
 }
 
-/* t, value */
+/* Reads t, value. */
 static bool read_point(struct reader *reader, struct spline *spline)
 {
     struct numbers value;
@@ -93,7 +93,8 @@ static bool read_parameter(struct reader *reader, double *t, enum spline_kind *k
            && reader_expect_sign(reader, ')');
 }
 
-/* What the parameter reads may declare the name again. */
+/* Reads a call and evaluates it. The spline is held meanwhile, because a macro in the
+ * parameter may redeclare its name. */
 bool spline_call(struct reader *reader, struct numbers *value)
 {
     struct scene_token at = reader->token;

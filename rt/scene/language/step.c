@@ -1,4 +1,5 @@
-/* step.c - transforms: the steps of a block, in the order of the text. */
+/* step.c - parses transforms: the steps of a block are applied in the order of the
+ * text. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 
@@ -22,7 +23,7 @@ static bool read_scaling(struct reader *reader, const struct item *item,
     return true;
 }
 
-/* As in POV-Ray a column of zeros, which makes everything flat, gets a 1. */
+/* As in POV-Ray a column of zeros, which would make everything flat, gets a 1. */
 static void fill_columns(struct reader *reader, const struct item *item,
                          double values[12])
 {

@@ -1,4 +1,4 @@
-/* string_value.c - strings: quoted, named, and made by functions. */
+/* string_value.c - parses strings: quoted, named, and results of functions. */
 #include "rt/scene/language/string_value.h"
 
 #include "rt/scene/language/expression.h"
@@ -15,7 +15,7 @@ enum { MAX_FORMAT = 1000, MAX_PRINTED = 2 * MAX_FORMAT + 400 };
 struct made_string {
     char *text;
     size_t length;
-    bool full; /* too long, or no memory */
+    bool full; /* too long, or out of memory */
 };
 
 static void add(struct made_string *buffer, const char *text, size_t length)
@@ -37,7 +37,7 @@ static void add(struct made_string *buffer, const char *text, size_t length)
     grown[buffer->length] = '\0';
 }
 
-/* The text becomes the string, unless something went wrong. */
+/* Returns the built text as a string, or frees it after an error. */
 static bool give(struct reader *reader, const struct scene_token *at,
                  struct made_string *buffer, bool good, char **string)
 {
@@ -77,7 +77,7 @@ static int hex_digit(char c)
     return found ? (int)((found - digits) % 16) : -1;
 }
 
-/* XXXX of \uXXXX; 0: it is not one. */
+/* Decodes the XXXX of \uXXXX; 0: it is not valid. */
 static unsigned read_code(const char *text, size_t length)
 {
     unsigned code = 0;
@@ -93,7 +93,8 @@ static unsigned read_code(const char *text, size_t length)
     return code;
 }
 
-/* What follows a backslash; returns how many bytes, 0 if it is no escape. */
+/* Decodes the escape after a backslash. Returns its length in bytes; 0: it is not
+ * valid. */
 static size_t add_escape(struct made_string *buffer, const char *text, size_t length)
 {
     static const char names[] = "abfnrtv\\'\"";
@@ -149,8 +150,8 @@ static bool read_concat(struct reader *reader, struct made_string *buffer)
     return true;
 }
 
-/* ", L, P": a width, negative to fill with zeros, and the digits behind the
- * point, negative for 6. */
+/* Reads ", L, P": the width L, negative for zero padding, and the number P of decimals,
+ * negative for 6. */
 static bool read_format(struct reader *reader, int *width, int *digits)
 {
     struct scene_token at = reader->token;
@@ -262,7 +263,7 @@ static bool read_substr(struct reader *reader, struct made_string *buffer)
     return done;
 }
 
-/* The letters of one case become those of the other. */
+/* Changes the letters of one case to the other. */
 static bool read_cased(struct reader *reader, struct made_string *buffer, char first,
                        int change)
 {
@@ -290,7 +291,7 @@ static bool read_strupr(struct reader *reader, struct made_string *buffer)
 
 static const struct string_function {
     const char *name;
-    function_reader *read; /* what is between the brackets */
+    function_reader *read; /* reads the arguments */
 } functions[] = {
     { "chr", read_chr },       { "concat", read_concat }, { "str", read_str },
     { "strlwr", read_strlwr }, { "strupr", read_strupr }, { "substr", read_substr },
@@ -318,7 +319,7 @@ bool starts_string(const struct reader *reader)
            || reader_value_of(reader, VALUE_STRING);
 }
 
-/* Up to the closing bracket, which stays the token. */
+/* Reads a call up to its closing bracket, which stays the current token. */
 static bool read_call(struct reader *reader, const struct string_function *function,
                       struct made_string *buffer)
 {

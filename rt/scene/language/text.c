@@ -1,6 +1,5 @@
-/* text.c - text { ttf "font" "string" thickness, offset }: a prism for each
- * character, along z.
- */
+/* text.c - parses text { ttf "font" "string" thickness, offset }: one prism per
+ * character, along z. */
 #include "rt/scene/font.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
@@ -11,18 +10,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FONT_COST = 1 << 14 }; /* of opening one, in bytes that are read */
+enum { FONT_COST = 1 << 14 }; /* cost of opening a font, in bytes of reading */
 
 struct text_reading {
     struct reader *reader;
     struct scene_object *object;
     const struct scene_token *at;
     const struct font *font;
-    double thickness, offset[3]; /* from one character to the next */
+    double thickness, offset[3]; /* offset: between two characters */
     double position[3];
 };
 
-/* A prism lies along y, its path in x and z. */
+/* Maps the axes of a prism, which lies along y with its path in x and z, to a character
+ * that lies along z with its outline in x and y. */
 static struct placement to_character(const double position[3])
 {
     struct placement placement = placement_none;
@@ -33,7 +33,7 @@ static struct placement to_character(const double position[3])
     return placement;
 }
 
-/* Its edges are straight.  False: nothing is to be seen of it. */
+/* Makes a prism of straight edges. Fails if the glyph is invisible. */
 static bool make_prism(struct text_reading *text, const struct glyph *glyph,
                        struct primitive *prism)
 {
@@ -43,7 +43,8 @@ static bool make_prism(struct text_reading *text, const struct glyph *glyph,
     return shapes[PRIMITIVE_PRISM]->finish(prism) == NULL;
 }
 
-/* .. parabolas, of which nobody made a spline. */
+/* Makes a prism of parabolas. Its path is final already, since it comes from no spline.
+ * Fails if the glyph is invisible. */
 static bool make_quadratic_prism(struct text_reading *text, const struct glyph *glyph,
                                  struct primitive *prism)
 {
@@ -76,7 +77,7 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
     return done;
 }
 
-/* As in POV-Ray the ink of the first one begins at 0. */
+/* As in POV-Ray the ink of the first character begins at 0. */
 static bool add_character(struct text_reading *text, bool first, uint32_t before,
                           uint32_t character)
 {
@@ -94,12 +95,12 @@ static bool add_character(struct text_reading *text, bool first, uint32_t before
     if (glyph.count && !add_glyph(text, &glyph))
         return false;
     text->position[0] += glyph.advance;
-    for (int i = 0; i < 2; i++) /* POV-Ray passes over z */
+    for (int i = 0; i < 2; i++) /* POV-Ray ignores z */
         text->position[i] += text->offset[i];
     return reader_spend(reader, TOKEN_COST * (glyph.count + 1));
 }
 
-/* The next character of UTF-8; what is none counts as Latin-1. */
+/* Decodes the next UTF-8 character; an invalid byte counts as Latin-1. */
 static uint32_t next_character(const unsigned char **string)
 {
     const unsigned char *s = *string;
@@ -145,7 +146,7 @@ static bool read_extent(struct text_reading *text)
     return read_vector(reader, text->offset);
 }
 
-/* The strings are read already. */
+/* Reads the arguments after the strings, and adds the characters. */
 static bool read_with(struct text_reading *text, const struct scene_source *source,
                       const char *string)
 {

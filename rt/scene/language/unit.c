@@ -1,14 +1,14 @@
-/* unit.c - the unit of length in which a scene is traced.
+/* unit.c - chooses the unit of length in which a scene is traced.
  *
- * Rays start 1e-6 from what they leave, shadows 1e-3, and nothing farther than 1e12
- * is seen (rt/kernels/frame/records.s).  These lengths are right for a scene whose
- * objects are at distances from ORDINARY_LEAST to MAX_ORDINARY.  The lengths of any
- * other scene are divided by a power of two that brings the median of the distances
- * between 4 and 8.  A power of two rounds nothing.
+ * Rays start 1e-6 from their surface and shadow rays 1e-3, and nothing beyond 1e12 is
+ * visible (rt/kernels/frame/records.s). These lengths suit a scene whose objects are at
+ * distances from ORDINARY_LEAST to MAX_ORDINARY. The lengths of any other scene are
+ * divided by a power of two that brings the median of the distances between 4 and 8.
+ * Dividing by a power of two does not round.
  *
- * The distance of an object is that of its farthest point from the camera.  The median
- * ignores a few objects of another size, such as a sphere that is the ground or the
- * sky.  An object that is far and small keeps its size.
+ * The distance of an object is that of its farthest point from the camera. The median
+ * ignores a few objects of another size, such as a sphere for the ground or the sky. A
+ * scene that is far away and small keeps its size relative to the start distances.
  */
 #include "rt/scene/language/unit.h"
 
@@ -20,9 +20,10 @@
 
 #define ORDINARY_LEAST 0x1p-1
 #define MAX_ORDINARY 0x1p22
-/* An object that is farther is small for its distance, in its radius. */
+/* An object farther than this many radii counts as small for its distance. */
 #define SIGHT 64
-/* The square of a distance to a light is exact to a start distance of shadows. */
+/* Up to this distance the square of the distance to a light is exact to the start
+ * distance of shadow rays. */
 #define LIGHT_FARTHEST 1e10
 enum { MAX_SAMPLES = 1001, MAX_UNIT_LOG = 200 };
 
@@ -41,7 +42,8 @@ static int compare_reaches(const void *a, const void *b)
     return (one->distance > other->distance) - (one->distance < other->distance);
 }
 
-/* A plane is at its nearest point, and not nearer than the nearest light. */
+/* Returns the reach of a plane: its distance is that of its nearest point, but at least
+ * that of the nearest light. */
 static struct reach reach_plane(const struct primitive *primitive, const double from[3],
                                 double nearest)
 {
@@ -61,7 +63,8 @@ static struct reach reach_plane(const struct primitive *primitive, const double 
     return reach;
 }
 
-/* Of two corners of a mesh, since all of a large one take time. */
+/* Bounds a mesh from two of its corners only, because visiting all corners of a large
+ * mesh takes long. */
 static void bound_corners(const struct primitive *mesh, struct bound *bound)
 {
     const struct triangles *triangles = &mesh->shape.mesh.triangles;
@@ -73,7 +76,7 @@ static void bound_corners(const struct primitive *mesh, struct bound *bound)
     bound_about(mesh, first, length3(way), bound);
 }
 
-/* Distance 0: it is not known. */
+/* A distance of 0 means that it is not known. */
 static struct reach find_reach(const struct primitive *primitive, const double from[3],
                                double nearest)
 {
@@ -94,8 +97,8 @@ static struct reach find_reach(const struct primitive *primitive, const double f
     return reach;
 }
 
-/* Without an object of known size: the distance of the nearest light, or of the
- * origin, from the camera. */
+/* Returns the distance of the nearest light from the camera, or that of the origin. It
+ * is used if no object has a known size. */
 static double find_nearest(const struct scene *scene, const struct scene_object *world)
 {
     double nearest = length3(scene->camera.location);
@@ -111,7 +114,7 @@ static double find_nearest(const struct scene *scene, const struct scene_object 
     return nearest;
 }
 
-/* The median of the objects, of two the nearer one. */
+/* Returns the median of the objects; of two middle ones the nearer. */
 static struct reach find_size(const struct scene *scene,
                               const struct scene_object *world)
 {
@@ -159,7 +162,7 @@ static void scale_camera(struct camera *camera, double by)
     camera->focal_distance *= by;
 }
 
-/* Those that object_move leaves as they are. */
+/* Scales the lengths that object_move does not change. */
 static void scale_light(struct light *light, double by)
 {
     light->fade_distance *= by;
@@ -169,7 +172,8 @@ static void scale_light(struct light *light, double by)
     light->falloff *= by;
 }
 
-/* Roots of a quartic are found best where its own space is as large as the world. */
+/* The roots of a quartic are most accurate if its own space has the scale of the
+ * world. */
 static void place_quartic(struct primitive *primitive)
 {
     const double(*rows)[4] = (const double(*)[4])primitive->to_world.rows;
@@ -203,7 +207,7 @@ static void scale_world(struct scene *scene, struct scene_object *world, double 
 
 /* ---- Far lights ------------------------------------------------------------ */
 
-/* No square leaves the range of a double. */
+/* Computes a length without overflow or underflow of squares. */
 static double distance3(const double way[3])
 {
     double size = greatest3(way), unit[3];
@@ -219,7 +223,8 @@ static void shrink_about(const double center[3], double share, double point[3])
         point[i] = center[i] + (point[i] - center[i]) * share;
 }
 
-/* Towards the centre, from which all angles and ratios stay. */
+/* Moves a light towards the centre. Scaling about the centre keeps all angles and
+ * ratios. */
 static void bring_point(struct light *light, const double center[3])
 {
     double way[3], share;
@@ -235,7 +240,8 @@ static void bring_point(struct light *light, const double center[3])
     light->fade_distance *= share;
 }
 
-/* Along its rays.  A cylinder keeps its axis; it shrinks if that is as far. */
+/* Moves a parallel light along its rays. A cylinder keeps its axis; if the axis itself
+ * is too far away, it is scaled too. */
 static void bring_parallel(struct light *light, const double center[3])
 {
     double beside[3], axis[3], along, near, share;
@@ -262,7 +268,8 @@ static void bring_parallel(struct light *light, const double center[3])
         light->fade_distance *= near / along;
 }
 
-/* Points of an area that are as far are all in the direction of its axes. */
+/* Limits the axes of an area light: beyond the limit its points are all in the
+ * direction of the axes. */
 static void shrink_area(struct light *light)
 {
     for (int i = 0; i < 2; i++) {

@@ -1,4 +1,4 @@
-/* world.c - a scene from a file: its statements, and what they add up to. */
+/* world.c - parses the statements of a scene file and builds the scene. */
 #include "rt/scene/language/scene_read.h"
 
 #include "rt/scene/language/bicubic_patch.h"
@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* POV-Ray 3.7's own, in a scene of #version 3.7. */
+/* The defaults of POV-Ray 3.7 in a scene of #version 3.7. */
 static const struct texture texture_default = {
     .pigment = { .kind = PIGMENT_COLOR,
                  .to_local = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } },
@@ -31,7 +31,7 @@ static const struct texture texture_default = {
 enum { TRACE_LEVEL_DEFAULT = 5 };
 #define LANGUAGE_VERSION 3.7
 
-/* Normals go to the space of a bump and back. */
+/* Whether the space of the bumps has an inverse: normals are mapped to it and back. */
 static bool has_space(const struct bumps *bumps)
 {
     struct placement placement = { .to_local = bumps->to_local };
@@ -59,7 +59,8 @@ static bool check_part(struct reader *reader, const struct scene_part *part,
     return true;
 }
 
-/* What takes away leaves its texture on the surface alone. */
+/* Determines the material. Inverted parts do not count: they only leave their texture
+ * on a surface. */
 static void find_material(const struct scene_part *parts, size_t count,
                           struct world_object *object)
 {
@@ -76,7 +77,7 @@ static void find_material(const struct scene_part *parts, size_t count,
     }
 }
 
-/* What it is called, and what it is made of. */
+/* Records the name and the material of an object. */
 static bool note_object(struct reader *reader, size_t first,
                         const struct scene_object *object, const struct scene_token *at)
 {
@@ -95,7 +96,7 @@ static bool note_object(struct reader *reader, size_t first,
     return true;
 }
 
-/* What the machine has no numbers for. */
+/* Removes a primitive whose numbers are out of the machine's range. */
 static void leave_out_extremes(struct reader *reader, struct primitive *primitive,
                                const struct scene_token *at)
 {
@@ -110,7 +111,8 @@ static void leave_out_extremes(struct reader *reader, struct primitive *primitiv
     primitive_leave_out(reader, primitive, at, reason);
 }
 
-/* Patches are cut first, since that shows whether they are empty. */
+/* Removes empty parts. Patches are tessellated first, because that shows whether they
+ * are empty. */
 static bool prune(struct reader *reader, struct scene_object *object,
                   const struct scene_token *at)
 {
@@ -266,7 +268,7 @@ static bool take_primitives(struct reader *reader)
     return true;
 }
 
-/* The parts are the leaves, in their order. */
+/* The parts are the leaves, in order. */
 static void fill_nodes(struct scene *scene, const struct scene_object *world)
 {
     size_t leaf = 0;
@@ -311,7 +313,7 @@ static bool take_regions(struct reader *reader)
     return true;
 }
 
-/* ---- Floats that have names ---------------------------------------------- */
+/* ---- Named floats --------------------------------------------------------- */
 
 struct floats {
     struct reader *reader;
@@ -336,7 +338,8 @@ static bool take_floats(struct reader *reader)
     return !floats.failed || reader_no_memory(reader);
 }
 
-/* Which rays are within a body is not known here. */
+/* The parser does not know which rays are inside a body, so the difference to POV-Ray
+ * is reported for any clear body. */
 static void report_fogged_bodies(struct reader *reader)
 {
     const struct scene *scene = reader->scene;
@@ -457,7 +460,7 @@ static void cannot_read(struct diagnostics *reports, const char *path,
     diagnostics_add(reports, SEVERITY_ERROR, &position, reason);
 }
 
-/* One reader is too large for a caller's stack to be sure of. */
+/* The reader is on the heap because it is too large for the stack. */
 static struct scene *read_from(const char *name, const char *text,
                                const struct scene_options *options,
                                struct diagnostics *reports)
