@@ -1,6 +1,9 @@
-/* bicubic_patch.c - bicubic_patch: a Bezier patch of 4 x 4 points, cut into the
- * triangles of a mesh as POV-Ray cuts it, when it has come to its place in the
- * world: there its flatness counts.
+/* bicubic_patch.c - parses and tessellates bicubic_patch, a Bezier patch of 4 x 4
+ * points.
+ *
+ * The patch is divided as in POV-Ray: a piece is halved in u and in v until it is flat
+ * or has been halved often enough, and then becomes two triangles. Flatness is a
+ * distance in the world, so the patch is divided after its transform is final.
  */
 #include "rt/scene/language/bicubic_patch.h"
 
@@ -12,8 +15,8 @@
 
 #include <string.h>
 
-/* POV-Ray's: of two corners that count as one, and of the square of a product's
- * share of the squares of its factors that counts as 0. */
+/* POV-Ray's tolerances: corners closer than CORNER_SAME are the same; a cross product
+ * whose square is below NO_AREA times the squares of its factors counts as 0. */
 #define CORNER_SAME 1e-10
 #define NO_AREA 1e-10
 
@@ -24,7 +27,7 @@ enum patch_word { PATCH_TYPE, PATCH_FLATNESS, PATCH_U, PATCH_V, PATCH_WORDS };
 static const char *const patch_words[PATCH_WORDS] = { "type", "flatness", "u_steps",
                                                       "v_steps" };
 
-/* Rows go with u, columns with v. */
+/* at[i][j]: i is along u, j is along v. */
 struct patch_points {
     double at[4][4][3];
 };
@@ -35,17 +38,17 @@ struct bicubic_patch {
     struct patch_points points;
 };
 
-/* .. while it is cut. */
+/* The state of a tessellation. */
 struct patch_cutting {
     struct reader *reader;
     const struct scene_token *at;
     const struct bicubic_patch *patch;
     struct patch_points points; /* in the world */
     struct triangles triangles;
-    size_t capacity; /* for them */
+    size_t capacity; /* of the triangles */
 };
 
-/* A part of a patch: its points, and between which parameters it lies. */
+/* A piece of a patch: its control points and its range of parameters. */
 struct piece {
     struct patch_points points;
     double from[2], to[2]; /* u, v */
@@ -54,7 +57,7 @@ struct piece {
 
 /* ---- The surface --------------------------------------------------------- */
 
-/* The weights of four points at a parameter, and those of their three
+/* Computes the weights of the four points at t, and the weights of their three
  * differences in the derivative. */
 static void weigh(double t, double points[4], double differences[3])
 {
@@ -69,7 +72,7 @@ static void weigh(double t, double points[4], double differences[3])
     differences[2] = 3 * t * t;
 }
 
-/* False: the two are parallel, or one of them is 0. */
+/* Fails if the vectors are parallel or one of them is 0. */
 static bool unit_product(const double a[3], const double b[3], double product[3])
 {
     double square;
@@ -82,7 +85,7 @@ static bool unit_product(const double a[3], const double b[3], double product[3]
     return true;
 }
 
-/* Of length one; as in POV-Ray x where there is none. */
+/* Computes the unit normal; as in POV-Ray it is x where there is none. */
 static void patch_normal(const struct patch_points *points, double u, double v,
                          double normal[3])
 {
@@ -104,7 +107,7 @@ static void patch_normal(const struct patch_points *points, double u, double v,
         copy3(none, normal);
 }
 
-/* Whether no point is farther from the plane of three corners. */
+/* Whether all points are within this distance of the plane of three corners. */
 static bool is_flat(const struct patch_points *points, double flatness)
 {
     const double(*at)[4][3] = points->at;
@@ -125,9 +128,9 @@ static bool is_flat(const struct patch_points *points, double flatness)
     return true;
 }
 
-/* ---- Its pieces ---------------------------------------------------------- */
+/* ---- Pieces of a patch ----------------------------------------------------- */
 
-/* One of the four points of row or column `line` across an axis. */
+/* Returns point i of row or column `line`, along an axis. */
 static double *point_of(struct patch_points *points, int axis, int line, int i)
 {
     return axis == 0 ? points->at[i][line] : points->at[line][i];
@@ -139,8 +142,8 @@ static void middle(const double a[3], const double b[3], double between[3])
         between[i] = (a[i] + b[i]) / 2;
 }
 
-/* By de Casteljau: of points a b c d the lower half is a ab abc abcd, the upper
- * one abcd bcd cd d. */
+/* De Casteljau's algorithm at 1/2: points a b c d become a ab abc abcd (lower half) and
+ * abcd bcd cd d (upper half). */
 static void halve_line(struct patch_points *low, struct patch_points *high, int axis,
                        int line)
 {
@@ -159,7 +162,7 @@ static void halve_line(struct patch_points *low, struct patch_points *high, int 
     copy3(l[3], h[0]);
 }
 
-/* The piece becomes its lower half across an axis. */
+/* Halves a piece along an axis. The piece becomes the lower half; returns the upper. */
 static struct piece cut_off(struct piece *piece, int axis)
 {
     struct piece high = *piece;
@@ -171,7 +174,7 @@ static struct piece cut_off(struct piece *piece, int axis)
     return high;
 }
 
-/* ---- Its triangles ------------------------------------------------------- */
+/* ---- Triangles ------------------------------------------------------------- */
 
 static void put_corner(const struct patch_cutting *cutting, const struct piece *piece,
                        bool u, bool v, struct triangle *triangle, int k)
@@ -198,7 +201,8 @@ static bool add_triangle(struct patch_cutting *cutting, const struct triangle *t
     return true;
 }
 
-/* Two of them, with an edge from the least parameters to the greatest. */
+/* Adds two triangles, whose common edge leads from the least parameters to the
+ * greatest. */
 static bool add_leaf(struct patch_cutting *cutting, const struct piece *piece)
 {
     struct triangle triangle = { .smooth = true };
@@ -282,8 +286,8 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
     return true;
 }
 
-/* In any order; of the types, which say how much is kept of what is cut, all
- * show the same. */
+/* Reads the words, in any order. The types differ only in what POV-Ray stores between
+ * rays; all give the same picture. */
 static bool read_words(struct reader *reader, struct bicubic_patch *patch)
 {
     size_t word = 0;
@@ -313,7 +317,7 @@ static bool read_points(struct reader *reader, struct patch_points *points)
     return true;
 }
 
-/* Nothing is seen of it, wherever it is. */
+/* Whether all points are on a line; such a patch is invisible in any place. */
 static bool is_on_line(const struct patch_points *points)
 {
     const double *at = points->at[0][0];

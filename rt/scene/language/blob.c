@@ -1,5 +1,4 @@
-/* blob.c - blob { threshold .. }: balls and cylinders that melt into each
- * other, one primitive. */
+/* blob.c - parses blob { threshold .. }: spheres and cylinders in one primitive. */
 #include "rt/scene/language/blob.h"
 
 #include "base/array.h"
@@ -12,14 +11,14 @@
 #include <string.h>
 
 struct blob_reading {
-    struct scene_object object; /* first: what the modifiers are given */
+    struct scene_object object; /* first member: the subject of the modifiers */
     struct scene_token at;      /* its word */
-    struct blob_parts parts;    /* of array_grow, up to the end */
-    struct scene_token look_at; /* the first texture of a component; it is that
-                                   of the object's part */
+    struct blob_parts parts;    /* of array_grow, until the blob ends */
+    struct scene_token look_at; /* place of the first texture of a component, which
+                                 * becomes the texture of the object's part */
 };
 
-/* A component, and how it looks. */
+/* A component and its texture. */
 struct part_reading {
     struct blob_part part;
     struct texture texture;
@@ -134,7 +133,8 @@ static bool add_part(struct reader *reader, struct blob_reading *blob,
     return true;
 }
 
-/* POV-Ray mixes the textures of components; here the blob has one. */
+/* Records the texture of a component. POV-Ray blends the textures of components; here
+ * the blob has one. */
 static void take_look(struct blob_reading *blob, const struct part_reading *reading)
 {
     struct scene_part *part = blob->object.parts;
@@ -147,7 +147,7 @@ static void take_look(struct blob_reading *blob, const struct part_reading *read
     part->primitive.finish = reading->texture.finish;
 }
 
-/* The keyword's detail: whether it is a cylinder. */
+/* detail: whether it is a cylinder */
 static bool read_component(struct reader *reader, void *subject,
                            const struct item *item)
 {
@@ -168,7 +168,7 @@ static bool read_component(struct reader *reader, void *subject,
     return add_part(reader, subject, &reading.part, &item->at);
 }
 
-/* As POV-Ray once wrote them: strength, radius, centre. */
+/* Reads the old form of a component: strength, radius, centre. */
 static bool read_bare_component(struct reader *reader, void *subject,
                                 const struct item *item)
 {
@@ -220,7 +220,8 @@ static bool begin(struct reader *reader, struct blob_reading *blob,
     return shape_add(reader, &blob->object, &primitive, &item->at);
 }
 
-/* The same only if there is one. */
+/* Decides the texture of the blob. The result equals POV-Ray's only if the blob has a
+ * single component with a texture, and none of its own. */
 static void resolve_material(struct reader *reader, struct blob_reading *blob)
 {
     struct scene_part *part = blob->object.parts;
@@ -234,7 +235,7 @@ static void resolve_material(struct reader *reader, struct blob_reading *blob)
     part->textured = !own;
 }
 
-/* The scene keeps the components. */
+/* Copies the components to storage of the scene. */
 static bool keep(struct reader *reader, struct blob_reading *blob)
 {
     struct primitive *primitive = &blob->object.parts->primitive;

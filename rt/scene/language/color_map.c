@@ -1,4 +1,4 @@
-/* color_map.c - color_map { [value colour] .. }, the colours of a pattern. */
+/* color_map.c - parses color_map { [value colour] .. }, the colours of a pattern. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/vector.h"
@@ -6,12 +6,12 @@
 #include <string.h>
 
 enum { MAX_STOPS = 256 }; /* as in POV-Ray */
-#define MAX_COLOR 1e100   /* so that differences are numbers */
+#define MAX_COLOR 1e100   /* keeps differences finite */
 
 struct map_reading {
     struct color_map map;
     struct color_stop stops[MAX_STOPS];
-    struct numbers first; /* the first one's colour, all terms */
+    struct numbers first; /* colour of the first entry, with all terms */
 };
 
 static void put_stop(struct color_map *map, struct color_stop *stop, double at,

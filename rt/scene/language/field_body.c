@@ -1,12 +1,11 @@
-/* field_body.c - what lies below a field of heights: a body of triangles that
- * are not seen.
+/* field_body.c - builds the body below a height field, from invisible triangles.
  *
- * In POV-Ray a field is solid from its surface down without an end, as far as
- * its square goes, and where the water has taken the surface away from the
- * water's level down.  The body has two parts, both closed: over the lowest point
- * of the surface what is below each of its triangles, walls where it ends and a
- * ground; and a column from there down.  Where ground and column touch a ray
- * crosses both, and that is as if it crossed none.
+ * In POV-Ray a field is solid from its surface down without limit, over its whole
+ * square; where the water level cuts the surface off it is solid from that level down.
+ * The body has two closed parts. The upper one is below the triangles of the surface,
+ * down to the lowest point: it has walls at the border and a ground. The lower one is a
+ * column from there down. Where ground and column touch, a ray crosses both, which is
+ * equal to no crossing.
  */
 #include "rt/scene/language/field_body.h"
 
@@ -18,8 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define COLUMN_DEPTH 1e4 /* for without an end */
-#define GRAIN 0x1p-40    /* an edge that the water cuts is cut twice */
+#define COLUMN_DEPTH 1e4 /* instead of infinity */
+/* Grid of the corners. An edge at the water level is cut once for each of its triangles,
+ * and rounding to this grid makes the results equal. */
+#define GRAIN 0x1p-40
 enum { COLUMN_FACES = 12 };
 
 struct field_body {
@@ -46,7 +47,7 @@ static void below(const struct field_body *body, const double point[3], double f
 
 /* ---- Walls --------------------------------------------------------------- */
 
-/* The lesser end first. */
+/* The ends are in lexicographic order. */
 struct field_edge {
     const double *ends[2];
 };
@@ -94,7 +95,7 @@ static void add_wall(struct field_body *body, const struct field_edge *edge)
         add(body, a, b_foot, a_foot);
 }
 
-/* At edges of one triangle alone. */
+/* A border edge belongs to a single triangle. */
 static void add_walls(struct field_body *body, const struct field_edge *edges,
                       size_t count)
 {
@@ -135,7 +136,7 @@ static void add_ground(struct field_body *body, size_t count)
     }
 }
 
-/* A bit of a corner's number for each axis: 1 of x, 2 of y, 4 of z. */
+/* The bits of a corner's number are 1 for x, 2 for y and 4 for z. */
 static void column_corner(const struct field_body *body, int number, double corner[3])
 {
     corner[0] = number & 1;
@@ -172,7 +173,7 @@ static void fill(struct field_body *body, const struct triangles *surface,
     add_column(body);
 }
 
-/* Room for a wall of two at each edge. */
+/* Allocates space for two triangles of a wall at every edge. */
 static bool make_body(struct reader *reader, const struct triangles *surface,
                       struct field_body *body)
 {
@@ -190,7 +191,7 @@ static bool make_body(struct reader *reader, const struct triangles *surface,
     return good || reader_no_memory(reader);
 }
 
-/* The scene keeps as many as they are. */
+/* Copies the body to storage of the scene. */
 static bool keep_body(struct reader *reader, const struct field_body *body,
                       struct triangles *kept)
 {

@@ -1,9 +1,8 @@
-/* height_field.c - height_field: a field of heights, which becomes the
- * triangles of a mesh.
+/* height_field.c - parses height_field and converts it to the triangles of a mesh.
  *
- * The field fills the square from <0, 0, 0> to <1, 0, 1>, its heights are on
- * the points of a grid.  The diagonal from the greater x to the greater z
- * halves each cell:
+ * The field covers the square from <0, 0, 0> to <1, 0, 1>. Its heights are at the
+ * points of a grid. Each cell is divided by the diagonal from the greater x to the
+ * greater z:
  *
  *     z+1  *---*
  *          |\  |
@@ -12,7 +11,7 @@
  *      z   *---*
  *          x   x+1
  *
- * What is below the water level is cut off.
+ * The part below the water level is cut off.
  */
 #include "rt/scene/language/height_field.h"
 
@@ -26,7 +25,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* In POV-Ray the parts of a normal are whole numbers of so many steps. */
+/* In POV-Ray the components of a normal are integers, in this unit. */
 #define NORMAL_STEPS 32767.
 
 struct height_field {
@@ -42,11 +41,10 @@ struct field_point {
     double place[3], normal[3];
 };
 
-/* ---- Its points ---------------------------------------------------------- */
+/* ---- Points ---------------------------------------------------------------- */
 
-/* Of the triangle between a point and its neighbours along x and z, of length
- * one, where a step along the grid and one of the height are of the same
- * length. */
+/* Adds the unit normal of the triangle between a point and its neighbours along x and
+ * z. One step of the grid has the length of one step of the height. */
 static void add_normal(const struct heights *heights, size_t x, size_t z, int right,
                        int up, double sum[3])
 {
@@ -60,9 +58,9 @@ static void add_normal(const struct heights *heights, size_t x, size_t z, int ri
         sum[i] += normal[i] / length;
 }
 
-/* As POV-Ray has it: of the four triangles about a point, or those of them that
- * there are, whichever way the cells are halved; each part is cut to a whole
- * number.  Of no special length. */
+/* Computes the normal of a point as POV-Ray does: the sum of the normals of the
+ * triangles around it, up to four, regardless of how cells are divided. Each component
+ * is truncated to an integer. The length is arbitrary. */
 static void point_normal(const struct heights *heights, size_t x, size_t z,
                          double normal[3])
 {
@@ -95,9 +93,9 @@ static struct field_point point_of(const struct height_field *field, size_t x, s
     return point;
 }
 
-/* ---- Its triangles ------------------------------------------------------- */
+/* ---- Triangles ------------------------------------------------------------- */
 
-/* The half of a cell with the corner at the lesser x and z, or the other. */
+/* Sets the corners of the lower or the upper half of a cell. */
 static void take_corners(const struct height_field *field, size_t x, size_t z,
                          bool upper, struct field_point corners[3])
 {
@@ -106,7 +104,7 @@ static void take_corners(const struct height_field *field, size_t x, size_t z,
     corners[2] = point_of(field, x, z + 1);
 }
 
-/* Where the water meets an edge. */
+/* Computes the point where the water level cuts an edge. */
 static struct field_point shore(const struct height_field *field,
                                 const struct field_point *a,
                                 const struct field_point *b)
@@ -122,7 +120,8 @@ static struct field_point shore(const struct height_field *field,
     return point;
 }
 
-/* What of a triangle is not below the water: so many points, or none. */
+/* Clips a triangle at the water level. Returns the number of points above it; 0:
+ * none. */
 static size_t cut_triangle(const struct height_field *field,
                            const struct field_point corners[3],
                            struct field_point left[4])
@@ -155,7 +154,7 @@ static void put_triangle(struct height_field *field, const struct field_point *a
     field->triangles.count++;
 }
 
-/* Counts them only, as long as there is no room for them. */
+/* Adds the triangles of a half, or only counts them while there is no list. */
 static void add_half(struct height_field *field, size_t x, size_t z, bool upper)
 {
     struct field_point corners[3], left[4];
@@ -206,7 +205,7 @@ static void carry_normal(const struct transform *to_local, double normal[3])
     scale3(1 / length3(normal), normal);
 }
 
-/* Others of their own. */
+/* The part gets a list of its own: the old one may be shared with copies. */
 static bool place_triangles(struct reader *reader, const struct primitive *primitive,
                             struct triangles *triangles)
 {

@@ -1,15 +1,15 @@
-/* heights.c - rows of heights: what POV-Ray takes the pixels of an image, or
- * the values of a function, for.
+/* heights.c - reads heights from the pixels of an image, or from a function.
  *
- * A height is a whole number from 0 to 65535.  As in POV-Ray 3.7, by trial:
+ * A height is an integer from 0 to 65535. The rules are those of POV-Ray 3.7, found by
+ * experiment:
  *
  *     grey                  the share of white, times 65535
  *     grey, 8-bit PNG       the same, of .297 g + .589 g + .114 g in 32 bits
  *     colours, 8 bits       256 red + green
  *     colours, 16 bits      .297 red + .589 green + .114 blue, times 65535
- *     numbers of colours    256 times the number
+ *     indexed colours       256 times the index
  *
- * What is behind the point is cut.  TIFF is taken as of 8 bits.
+ * Fractions are truncated. TIFF is read as 8 bits.
  */
 #include "rt/scene/language/heights.h"
 
@@ -23,11 +23,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of a byte the 5 bits that are in a TGA file of 16 bits a pixel, which is told
- * there. */
+/* The 5 bits of a byte that a TGA file of 16 bits per pixel has. TGA_BITS is the offset
+ * of its number of bits per pixel. */
 enum { COARSE = 0xf8, TGA_BITS = 16 };
 
-#define MAX_FUNCTION 32000. /* beyond, POV-Ray's whole numbers are too small */
+#define MAX_FUNCTION 32000. /* limit of POV-Ray's integers */
 
 static bool allocate(struct reader *reader, struct heights *heights, size_t columns,
                      size_t rows)
@@ -44,7 +44,7 @@ double height_at(const struct heights *heights, size_t x, size_t z)
     return heights->list[z * heights->columns + x];
 }
 
-/* There must be a cell at least; of cells each has two triangles. */
+/* A field has at least one cell, and two triangles per cell. */
 static bool check_size(struct reader *reader, const struct scene_token *at,
                        double columns, double rows)
 {
@@ -69,8 +69,8 @@ static uint32_t brightness(const float color[3])
 
 struct pixels {
     enum raster_kind kind;
-    bool numbers; /* of colours */
-    bool coarse;  /* TGA with colours of 5 bits */
+    bool numbers; /* samples are indices of colours */
+    bool coarse;  /* TGA with 5 bits per colour */
     struct raster raster;
 };
 
@@ -117,7 +117,7 @@ static void cut_to_bytes(struct raster *raster)
     raster->most = UINT8_MAX;
 }
 
-/* The image's lowest row lies at z = 0. */
+/* The lowest row of the image is at z = 0. */
 static bool take_pixels(struct reader *reader, const struct scene_token *at,
                         struct pixels *pixels, struct heights *heights)
 {
@@ -137,7 +137,7 @@ static bool take_pixels(struct reader *reader, const struct scene_token *at,
 
 /* ---- Images -------------------------------------------------------------- */
 
-/* .. into pixels; the bytes may be changed. */
+/* Decodes an image; `bytes` may be modified. */
 static bool read_pixels(struct reader *reader, const struct image_file *file,
                         char *bytes, struct pixels *pixels)
 {
@@ -184,7 +184,7 @@ static bool read_image(struct reader *reader, struct heights *heights)
 
 /* ---- Functions ----------------------------------------------------------- */
 
-/* Beyond 0 to 1 POV-Ray keeps the lowest 16 bits. */
+/* Outside of 0 to 1 POV-Ray uses the lowest 16 bits of the integer. */
 static bool take_value(struct reader *reader, const struct scene_token *at,
                        double value, uint16_t *height)
 {
@@ -198,8 +198,8 @@ static bool take_value(struct reader *reader, const struct scene_token *at,
     return true;
 }
 
-/* x goes from 0 to 1 with the columns; y with the rows of an image, from the
- * greatest z down; z is 0. */
+/* Evaluates the function on the grid. x is from 0 to 1 along the columns; y is from 0
+ * to 1 along the rows of an image, starting at the greatest z; z is 0. */
 static bool take_values(struct reader *reader, const struct scene_token *at,
                         const struct formula *formula, struct heights *heights)
 {

@@ -1,11 +1,11 @@
-/* image_file.c - see image_file.h. */
+/* image_file.c - reads image files that a scene names. */
 #include "rt/scene/language/image_file.h"
 
 #include "rt/scene/language/string_value.h"
 
 #include <stdlib.h>
 
-/* The words for the kinds; those that are not supported have none. */
+/* The words of the kinds. RASTER_KINDS marks a kind that is not supported. */
 static const struct image_word {
     const char *word;
     enum raster_kind kind;
@@ -32,7 +32,7 @@ const char *image_kind_unsupported(const struct reader *reader)
     return word && word->kind == RASTER_KINDS ? word->word : NULL;
 }
 
-/* A word that says what the file is not is an error, as in POV-Ray. */
+/* As in POV-Ray a word that does not match the file is an error. */
 static bool find_file(struct reader *reader, const struct image_word *word,
                       const char *name, struct image_file *file)
 {

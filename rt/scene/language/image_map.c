@@ -1,4 +1,4 @@
-/* image_map.c - image_map { ... }: a pigment that is an image. */
+/* image_map.c - parses image_map { ... }, a pigment from an image. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/image_file.h"
 #include "rt/scene/language/pattern.h"
@@ -9,13 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A table of the scene, of what and how it was read: the same file is read so
- * once. */
+/* A table of the scene, with the file and the transfer function that it was decoded
+ * with. A file is decoded once per function. */
 struct kept_image {
     const struct kept_image *next;
     const struct scene_source *source;
     struct transfer_function transfer;
-    bool clear; /* light passes somewhere */
+    bool clear; /* some pixel is transparent */
     struct image_table table;
 };
 
@@ -47,7 +47,7 @@ static double *decode(struct reader *reader, const struct raster *raster,
     return light;
 }
 
-/* Grey ones have the same sample three times. */
+/* Grey pixels are stored with three equal samples. */
 static bool take_samples(struct reader *reader, const struct raster *raster,
                          struct kept_image *kept)
 {
@@ -67,7 +67,7 @@ static bool take_samples(struct reader *reader, const struct raster *raster,
     return true;
 }
 
-/* What is read again with each turn of a loop has an end, too. */
+/* Decoding counts as reading, because a loop may repeat it. */
 static bool check_size(struct reader *reader, const struct raster *raster,
                        const struct scene_token *at)
 {
@@ -148,7 +148,7 @@ static bool read_once(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-/* POV-Ray's numbers: 0, 1, 2 and 5. */
+/* The mappings are POV-Ray's numbers 0, 1, 2 and 5. */
 static bool read_type(struct reader *reader, void *subject, const struct item *item)
 {
     static const int types[IMAGE_MAPPINGS] = { 0, 1, 2, 5 };
@@ -206,7 +206,7 @@ static void report_opaque(struct reader *reader, const struct scene_token *at)
     reader_report(reader, at, "an image that lets light pass is drawn opaque");
 }
 
-/* filter, transmit: of one number of a colour, or of all. */
+/* Reads filter or transmit, of one palette index or of all. */
 static bool read_passing(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
@@ -236,7 +236,7 @@ static const struct grammar grammar = { "a word of image_map", { words }, NULL }
 
 /* ---- The pigment --------------------------------------------------------- */
 
-/* Outside of an image that is bounded it is clear. */
+/* The outside of a bounded image is clear. */
 static void show(const struct image_map *map, struct pigment *pigment)
 {
     const struct image_table *table = map->table;
@@ -251,8 +251,8 @@ static void show(const struct image_map *map, struct pigment *pigment)
     pigment->transmit[1] = image_is_bounded(map);
 }
 
-/* Before version 3.7 only a PNG file that states its gamma is decoded, and no
- * file while assumed_gamma is not given. */
+/* Before version 3.7 only a PNG file that states its gamma is decoded, and no file is
+ * decoded unless assumed_gamma is given. */
 static struct transfer_function default_transfer(const struct reader *reader,
                                                  const struct image_file *file)
 {
@@ -282,7 +282,7 @@ static bool take_image(struct reader *reader, struct image_reading *reading,
     return true;
 }
 
-/* In the oldest form a vector says which coordinates are those of the image. */
+/* In the oldest form a vector selects the axes of the image. */
 static bool read_way(struct reader *reader)
 {
     static const double usual[3] = { 1, -1, 0 };
@@ -301,7 +301,7 @@ static bool read_way(struct reader *reader)
     return true;
 }
 
-/* What is no file, or not of a kind that is read. */
+/* Skips a source of the image that is no file, or a file of a kind without support. */
 static bool leave_out(struct reader *reader, const struct block *block,
                       struct pigment *pigment, const char *what)
 {

@@ -1,4 +1,4 @@
-/* mesh.c - triangle, smooth_triangle and mesh: one primitive each. */
+/* mesh.c - parses triangle, smooth_triangle and mesh, one primitive each. */
 #include "rt/scene/language/mesh.h"
 
 #include "base/array.h"
@@ -9,13 +9,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* POV-Ray's EPSILON: of a normal that counts as 0, and of the squared distance
- * of two that count as the same. */
+/* POV-Ray's EPSILON: components below it make a normal 0, and a squared distance below
+ * it makes two normals equal. */
 #define NORMAL_SAME 1e-10
 
 /* ---- Normals ------------------------------------------------------------- */
 
-/* False: it is 0. */
+/* Normalises a vector. Fails if it is 0. */
 static bool make_unit(double normal[3])
 {
     double size = greatest3(normal);
@@ -28,7 +28,7 @@ static bool make_unit(double normal[3])
     return true;
 }
 
-/* As POV-Ray has it, which warns of that too. */
+/* POV-Ray replaces a zero normal in this way, and warns too. */
 void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3])
 {
     bool none = true;
@@ -43,7 +43,7 @@ void mesh_direct(struct reader *reader, const struct scene_token *at, double nor
     make_unit(normal);
 }
 
-/* As in POV-Ray one with equal normals is flat, whatever they are. */
+/* As in POV-Ray a triangle with equal normals is flat, whatever they are. */
 bool mesh_is_smooth(const struct triangle *triangle)
 {
     const double(*normals)[3] = triangle->normals;
@@ -70,7 +70,8 @@ static bool has_texture(const struct primitive *primitive,
 {
     const struct pigment *own = &primitive->pigment;
     const struct pigment *other = &texture->pigment;
-    size_t numbers = offsetof(struct pigment, color); /* up to the end */
+    size_t numbers = offsetof(struct pigment, color); /* color and all members after
+                                                       * it */
 
     return own->kind == other->kind
            && !memcmp(own->color, other->color, sizeof *own - numbers)
@@ -95,8 +96,9 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
     part->primitive.finish = texture->finish;
 }
 
-/* In POV-Ray a triangle's own texture goes before that of the mesh.  Here there
- * is one for all: that is the same only if all triangles have it. */
+/* Decides the texture of the mesh. In POV-Ray the texture of a triangle overrides that
+ * of the mesh. Here the mesh has one texture; the result is the same only if all
+ * triangles have the same texture. */
 static void resolve_material(struct reader *reader, struct mesh_reading *mesh)
 {
     struct scene_part *part = mesh->object.parts;
@@ -164,7 +166,7 @@ bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
     return true;
 }
 
-/* Nothing is seen of it, which is no error. */
+/* An invisible mesh is reported, but is no error. */
 static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
 {
     primitive_leave_out(reader, &mesh->object.parts->primitive, &mesh->at,
@@ -173,7 +175,7 @@ static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
     return true;
 }
 
-/* The scene keeps the triangles, as many as they are. */
+/* Copies the triangles to storage of the scene. */
 static bool keep(struct reader *reader, struct mesh_reading *mesh)
 {
     struct primitive *primitive = &mesh->object.parts->primitive;
@@ -245,7 +247,7 @@ bool mesh_pass_vectors(struct reader *reader, int count)
     return true;
 }
 
-/* They say where a texture's picture lies. */
+/* uv coordinates are not used. */
 static bool read_uv_vectors(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -264,7 +266,7 @@ static bool read_texture(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-/* Names, one for each corner. */
+/* Reads three names of textures, one per corner. */
 static bool read_names(struct reader *reader, struct mesh_reading *mesh,
                        const struct item *item)
 {
@@ -299,7 +301,7 @@ static const struct grammar triangle_grammar = { "a word of a mesh's triangle",
                                                  { triangle_words },
                                                  NULL };
 
-/* The keyword's detail: whether it is smooth. */
+/* detail: whether it is smooth */
 static bool read_triangle(struct reader *reader, void *subject, const struct item *item)
 {
     bool smooth = item->keyword->detail;
@@ -319,7 +321,7 @@ static bool read_triangle(struct reader *reader, void *subject, const struct ite
     return mesh_add(reader, mesh, &triangle, &item->at);
 }
 
-/* A mesh with one is solid; as in POV-Ray one of 0 is none. */
+/* A mesh with an inside_vector is solid; as in POV-Ray a zero vector does not count. */
 bool read_inside_vector(struct reader *reader, void *subject, const struct item *item)
 {
     struct mesh_reading *mesh = subject;
@@ -345,7 +347,7 @@ static const struct grammar mesh_grammar = {
 
 /* ---- The statements ------------------------------------------------------ */
 
-/* Alone it keeps equal normals: so does POV-Ray. */
+/* A single triangle with equal normals stays smooth, as in POV-Ray. */
 static bool read_lone(struct reader *reader, struct mesh_reading *mesh, bool smooth)
 {
     struct triangle triangle;

@@ -1,4 +1,5 @@
-/* mesh2.c - mesh2: lists of vectors and textures, and faces that name them. */
+/* mesh2.c - parses mesh2: lists of vectors and textures, and faces that refer to
+ * them. */
 #include "rt/scene/language/mesh.h"
 
 #include "base/array.h"
@@ -9,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Its blocks; those of vectors come first. */
+/* The sections of mesh2; those with vectors come first. */
 enum section {
     SECTION_VERTICES,
     SECTION_NORMALS,
     SECTION_UVS,
-    SECTION_VECTORS, /* so many have them */
+    SECTION_VECTORS, /* number of sections with vectors */
     SECTION_TEXTURES = SECTION_VECTORS,
     SECTION_FACES,
     SECTION_UV_INDICES,
@@ -28,15 +29,15 @@ struct section_vectors {
 };
 
 struct mesh2_reading {
-    struct mesh_reading mesh; /* first: what the modifiers are given */
+    struct mesh_reading mesh; /* first member: the subject of the modifiers */
     struct section_vectors vectors[SECTION_VECTORS];
     size_t texture_count;
     struct texture *textures;
 
     bool given[SECTIONS];
-    int rank;         /* of the last one in the order, */
-    const char *last; /* .. and its word */
-    bool faulty;      /* one was not read well: what is named may be missing */
+    int rank;         /* of the last section, in the required order */
+    const char *last; /* word of the last section */
+    bool faulty;      /* a section had an error, so elements may be missing */
 };
 
 typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh, size_t row);
@@ -99,7 +100,7 @@ static bool read_texture(struct reader *reader, struct mesh2_reading *mesh, size
 
 /* ---- Faces --------------------------------------------------------------- */
 
-/* As in POV-Ray what is behind the point does not count. */
+/* As in POV-Ray indices are truncated. */
 static bool take_index(struct reader *reader, const struct mesh2_reading *mesh,
                        const struct scene_token *at, const char *what, double number,
                        size_t count, size_t *index)
@@ -131,7 +132,8 @@ static bool read_indices(struct reader *reader, const struct mesh2_reading *mesh
     return true;
 }
 
-/* As POV-Ray tells it from the next face: by its first word. */
+/* Like POV-Ray this distinguishes a texture index from the next face by its first
+ * token. */
 static bool at_float(const struct reader *reader)
 {
     const struct scene_value *value = reader_value_of(reader, VALUE_NUMBERS);
@@ -156,7 +158,7 @@ static bool read_look(struct reader *reader, struct mesh2_reading *mesh)
     return true;
 }
 
-/* None, one, or one for each corner. */
+/* Reads the textures of a face: none, one, or one per corner. */
 static bool read_looks(struct reader *reader, struct mesh2_reading *mesh)
 {
     int count = 0;
@@ -180,8 +182,8 @@ static void take_normals(const struct mesh2_reading *mesh, const size_t indices[
     triangle->smooth = mesh_is_smooth(triangle);
 }
 
-/* As many normals as vertices: they belong to each other, unless
- * normal_indices say something else. */
+/* Reads a face. If there are as many normals as vertices they have the same indices,
+ * unless normal_indices overrides them. */
 static bool read_face(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
     const struct section_vectors *vertices = mesh->vectors + SECTION_VERTICES;
@@ -203,7 +205,7 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh, size_t 
     return read_looks(reader, mesh) && mesh_add(reader, &mesh->mesh, &triangle, &at);
 }
 
-/* Without uv_vectors there is one, for POV-Ray. */
+/* Without uv_vectors POV-Ray assumes a single one. */
 static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
     size_t count = mesh->vectors[SECTION_UVS].count, ignored[3];
@@ -212,7 +214,7 @@ static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh, siz
     return read_indices(reader, mesh, "uv vector", count ? count : 1, ignored);
 }
 
-/* POV-Ray lets the last faces be without: they are flat. */
+/* As in POV-Ray the last faces may have no normals: they are flat. */
 static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh,
                               size_t row)
 {
@@ -229,13 +231,13 @@ static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh,
 
 /* ---- Sections ------------------------------------------------------------ */
 
-/* In the order of enum section.  A rank is its place among the others. */
+/* In the order of enum section. `rank` is the place in the required order. */
 static const struct section_rule {
     const char *word;
     row_reader *row;
     int rank;
-    int least;          /* rows */
-    enum section after; /* what must be before it; itself: nothing */
+    int least;          /* minimum of rows */
+    enum section after; /* section that must come before; itself: none */
 } rules[SECTIONS] = {
     { "vertex_vectors", read_vertex, 0, 1, SECTION_VERTICES },
     { "normal_vectors", read_normal, 0, 0, SECTION_NORMALS },
@@ -247,7 +249,8 @@ static const struct section_rule {
 };
 enum { RANK_INSIDE = 4 };
 
-/* POV-Ray's order; of two sections of vectors it would take the second. */
+/* Checks the order that POV-Ray requires. POV-Ray would use the second of two sections
+ * of vectors; here a repetition is an error. */
 static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at)
 {
@@ -265,7 +268,7 @@ static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                            rules[rule->after].word, rule->word);
 }
 
-/* Of indices there are as many as faces; of normals' there may be fewer. */
+/* Checks the count: uv_indices are one per face, normal_indices at most that. */
 static bool check_count(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at,
                         size_t count)
@@ -338,7 +341,7 @@ static bool read_block(struct reader *reader, struct mesh2_reading *mesh,
            && mesh_close(reader, &block, read_rows(reader, mesh, section));
 }
 
-/* The keyword's detail is the section. */
+/* detail: the section */
 static bool read_section(struct reader *reader, void *subject, const struct item *item)
 {
     enum section section = (enum section)item->keyword->detail;
@@ -377,7 +380,7 @@ static const struct grammar grammar = { "a word of mesh2 or one that changes the
 
 /* ---- The statement ------------------------------------------------------- */
 
-/* Vectors that are not those of the vertices need indices of their own. */
+/* Vectors that are not one per vertex need indices of their own. */
 static bool check_indices(struct reader *reader, const struct mesh2_reading *mesh,
                           enum section of, enum section indices, size_t most)
 {

@@ -1,10 +1,10 @@
-/* normal.c - normals: bumps by a pattern without noise, and what changes them. */
+/* normal.c - parses normals: bumps by patterns without noise, and their modifiers. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 
 #include <string.h>
 
-/* POV-Ray's; no pattern yet, and so no bumps. */
+/* POV-Ray's defaults; without a pattern there are no bumps. */
 static const struct bump bump_default = {
     .pattern = { .kind = PIGMENT_COLOR, .pattern = { .frequency = 1, .exponent = 1 } },
     .amount = .5,
@@ -21,7 +21,7 @@ void normal_begin(struct normal_reading *reading, const struct bumps *bumps)
     reading->unscaled = bumps->unscaled;
 }
 
-/* What a pattern may be followed by. */
+/* Reads the optional amount after a pattern. */
 static bool read_amount(struct reader *reader, struct normal_reading *reading)
 {
     reader_comma(reader);
@@ -29,7 +29,8 @@ static bool read_amount(struct reader *reader, struct normal_reading *reading)
            || read_number(reader, &reading->list.bump.amount);
 }
 
-/* Of a list each place has its normal, or its number is a height. */
+/* Reads a pattern. In a pattern with a list each cell has its own normal, or its index
+ * is a height. */
 static bool read_function(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
@@ -84,7 +85,7 @@ static bool read_quilted(struct reader *reader, void *subject, const struct item
     return read_amount(reader, reading);
 }
 
-/* The keyword's detail is which. */
+/* detail: the index of the control */
 static bool read_control(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
@@ -92,7 +93,7 @@ static bool read_control(struct reader *reader, void *subject, const struct item
     return read_number(reader, &reading->list.bump.controls[item->keyword->detail]);
 }
 
-/* What is quilted has no values for a map. */
+/* A quilted normal has no values, so maps do not apply. */
 static void finish_quilted(struct reader *reader, struct bump_list *list,
                            const struct scene_token *at)
 {
@@ -106,7 +107,7 @@ static void finish_quilted(struct reader *reader, struct bump_list *list,
     list->count = 0;
 }
 
-/* Nothing of this normal is drawn, whatever else it says. */
+/* Ignores the whole normal. */
 static bool read_unsupported(struct reader *reader, void *subject,
                              const struct item *item)
 {
@@ -192,7 +193,7 @@ static const struct grammar grammar = {
     "a word of normal", { words, left_out, pattern_words, pattern_words_left_out }, NULL
 };
 
-/* It may begin with the name of a normal. */
+/* A normal may begin with the name of a normal. */
 bool normal_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_NORMAL);

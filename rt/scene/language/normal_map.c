@@ -1,5 +1,10 @@
-/* normal_map.c - the maps of a normal: slope_map { [value <height, slope>] .. },
- * normal_map { [value normal] .. }, and the normals of a list. */
+/* normal_map.c - parses the maps of a normal.
+ *
+ *   slope_map { [value <height, slope>] .. }
+ *   normal_map { [value normal] .. }
+ *
+ * and the normals of a list.
+ */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 
@@ -27,7 +32,7 @@ static bool has_room(struct reader *reader, size_t count)
                            MAX_ENTRIES);
 }
 
-/* Entries are in the order of their places. */
+/* Reads the value of an entry, which is raised to that of the entry before it. */
 static bool read_place(struct reader *reader, size_t count, double before, double *at)
 {
     if (!read_number(reader, at))
@@ -97,7 +102,7 @@ static bool read_slopes(struct reader *reader, struct bump *bump)
     return block_finish(reader, &block) && good;
 }
 
-/* POV-Ray's: a list has no maps. */
+/* As in POV-Ray a list has no maps. */
 static bool has_place(struct reader *reader, const struct normal_reading *reading,
                       const struct item *item)
 {
@@ -127,7 +132,8 @@ bool slope_map_read(struct reader *reader, struct bumps *bumps)
 
 /* ---- normal_map ---------------------------------------------------------- */
 
-/* Of a normal that is several itself the first one. */
+/* Stores an entry. If its normal is a list or a map, the first entry of that is
+ * used. */
 static void take_entry(struct reader *reader, const struct normal_reading *from,
                        const struct scene_token *at, struct bump *bump)
 {
@@ -151,7 +157,7 @@ static void begin_entry(const struct reader *reader, struct normal_reading *read
     normal_begin(reading, &reader->default_texture.bumps);
 }
 
-/* Of an average the number may be missing. */
+/* In an average the number is optional. */
 static bool read_entry(struct reader *reader, struct bump_list *list,
                        struct bump_entry *entries)
 {
@@ -236,7 +242,8 @@ bool normal_map_read(struct reader *reader, struct bumps *bumps)
     struct normal_reading reading;
 
     normal_begin(&reading, bumps);
-    reading.list.average = true; /* perhaps: numbers may be missing */
+    reading.list.average = true; /* it may be used for an average, so numbers are
+                                  * optional */
     return read_normals(reader, &reading.list) && normal_keep(reader, &reading, bumps);
 }
 

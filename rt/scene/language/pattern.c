@@ -1,13 +1,13 @@
-/* pattern.c - patterns of pigments: which function, its waves, its bricks. */
+/* pattern.c - parses the patterns of pigments, their waves and their lists. */
 #include "rt/scene/language/pattern.h"
 
 #include "rt/scene/language/expression.h"
 #include "rt/scene/vector.h"
 
 
-enum { EXPONENT_LEAST = -100 }; /* the kernels' powers have their range */
+enum { EXPONENT_LEAST = -100 }; /* keeps the powers of the kernels in range */
 
-/* POV-Ray's, unless they are given: mortar and brick, two cubes, three hexagons. */
+/* POV-Ray's defaults: mortar and brick, two cubes, three hexagons. */
 static const double brick_size[3] = { 8, 3, 4.5 };
 static const struct numbers bricks[MAX_LISTED] = { { .n = { .5, .5, .5 } },
                                                    { .n = { .6, .15, .15 } } };
@@ -41,8 +41,8 @@ void pattern_begin(struct pigment *pigment, enum pattern_function function)
     }
 }
 
-/* Its waves are those of the pattern whose place it takes, as in POV-Ray; after a
- * list that is frequency 0: values stay as they are. */
+/* Reads a pattern. As in POV-Ray it keeps the wave and frequency of the pattern that it
+ * replaces. A list sets the frequency to 0, which leaves its values unchanged. */
 bool pattern_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment *pigment = subject;
@@ -77,7 +77,7 @@ static bool read_wave(struct reader *reader, void *subject, const struct item *i
            || reader_fault(reader, &item->at, "an exponent below %d", EXPONENT_LEAST);
 }
 
-/* The keyword's detail is the member's offset. */
+/* detail: offset of the member */
 static bool read_amount(struct reader *reader, void *subject, const struct item *item)
 {
     struct pattern *pattern = &((struct pigment *)subject)->pattern;
@@ -131,7 +131,7 @@ static void finish_checker(struct pigment *pigment)
     }
 }
 
-/* What a map lets pass is not seen. */
+/* Filter and transmit of a map are ignored. */
 bool pattern_finish(struct reader *reader, struct pigment *pigment,
                     const struct scene_token *at)
 {

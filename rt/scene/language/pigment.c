@@ -1,4 +1,4 @@
-/* pigment.c - pigments: a colour, a checker of two, patterns of a map, images. */
+/* pigment.c - parses pigments: colours, checkers, patterns with maps, and images. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/vector.h"
@@ -7,7 +7,7 @@
 
 static const double black[COLOR_TERMS];
 
-/* POV-Ray shows it where it hurries. */
+/* POV-Ray uses quick_color at low quality only. */
 static bool read_quick_color(struct reader *reader, void *subject,
                              const struct item *item)
 {
@@ -135,7 +135,7 @@ bool gradient_read(struct reader *reader, void *subject, const struct item *item
     return true;
 }
 
-/* Another pattern: the first of its colours. */
+/* Reads a pattern that is not supported; its first colour is used. */
 static bool read_pattern(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment *pigment = subject;
@@ -159,8 +159,8 @@ static bool read_pattern(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-/* In the oldest form of maps an entry has two numbers; those of an average
- * may have none. */
+/* Reads the first entry of a map. In the oldest form of maps an entry has two numbers;
+ * an entry of an average may have none. */
 static bool read_entry(struct reader *reader, body_reader *body, void *subject)
 {
     struct block entry;
@@ -260,7 +260,7 @@ static const struct grammar grammar = { "a word of pigment",
                                           pattern_words_left_out },
                                         NULL };
 
-/* It may begin with the name of a pigment or of a colour. */
+/* A pigment may begin with the name of a pigment or of a colour. */
 bool pigment_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_PIGMENT);

@@ -1,4 +1,4 @@
-/* texture.c - finish, and textures of a pigment, a normal and a finish. */
+/* texture.c - parses finishes, and textures of a pigment, a normal and a finish. */
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/pattern.h"
 
@@ -20,8 +20,7 @@ static bool read_emission(struct reader *reader, void *subject, const struct ite
     return read_rgb(reader, finish->emission);
 }
 
-/* How metallic something is: a number, or none for 1.  The keyword's detail is
- * the member's offset. */
+/* Reads a number, which is 1 if it is missing; detail: offset of the member. */
 static bool read_metallic(struct reader *reader, void *subject, const struct item *item)
 {
     double *amount = (double *)((char *)subject + item->keyword->detail);
@@ -30,11 +29,11 @@ static bool read_metallic(struct reader *reader, void *subject, const struct ite
     return !starts_expression(reader) || read_number(reader, amount);
 }
 
-/* The finish, as the words of `reflection` change it.  As in POV-Ray what they do not
- * name stays as a `reflection` before has left it. */
+/* A finish while `reflection` modifies it. As in POV-Ray a parameter that is not given
+ * keeps its value from an earlier `reflection`. */
 struct mirror_reading {
     struct finish finish;
-    bool fresnel; /* said here */
+    bool fresnel; /* set in this block */
 };
 
 static bool read_fresnel(struct reader *reader, void *subject, const struct item *item)
@@ -74,7 +73,7 @@ static const struct grammar reflection_grammar = {
     "a word of reflection", { reflection_words, reflection_left_out }, NULL
 };
 
-/* One colour, seen from everywhere. */
+/* Reads one reflectivity for all angles. */
 static bool read_mirror(struct reader *reader, struct finish *finish)
 {
     bool good = read_rgb(reader, finish->reflection);
@@ -83,7 +82,7 @@ static bool read_mirror(struct reader *reader, struct finish *finish)
     return good;
 }
 
-/* .. or two of them. */
+/* Reads one reflectivity, or two: perpendicular and grazing. */
 static bool read_mirrors(struct reader *reader, struct finish *finish, bool *two)
 {
     if (!read_mirror(reader, finish))
@@ -109,12 +108,12 @@ static bool read_reflection(struct reader *reader, void *subject,
                         read_mirrors(reader, &mirror.finish, &two)))
         return false;
     *finish = mirror.finish;
-    if (mirror.fresnel && !two) /* black, straight on */
+    if (mirror.fresnel && !two) /* 0 perpendicular to the surface */
         memset(finish->reflection, 0, sizeof finish->reflection);
     return true;
 }
 
-/* The keyword's detail is the member's offset. */
+/* detail: offset of the member */
 static bool read_amount(struct reader *reader, void *subject, const struct item *item)
 {
     void *amount = (char *)subject + item->keyword->detail;
@@ -238,7 +237,7 @@ static bool read_step(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-/* The texture of a pattern's first entry stands for all. */
+/* The texture of the first entry replaces the map. */
 bool texture_map_read(struct reader *reader, struct texture *texture)
 {
     return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture, sizeof *texture);
@@ -268,7 +267,7 @@ static bool read_pattern(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-/* tiles { texture tile2 texture } */
+/* Reads tiles { texture tile2 texture }. */
 static bool read_tiles(struct reader *reader, void *subject, const struct item *item)
 {
     struct block block;
@@ -331,7 +330,7 @@ bool texture_read(struct reader *reader, struct texture *texture)
     return block_open(reader, &block, '{') && texture_body(reader, &block, texture);
 }
 
-/* What is not clear hides all below it. */
+/* An opaque layer hides all layers below it. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture)
 {

@@ -7,8 +7,9 @@
  * Dividing by a power of two does not round.
  *
  * The distance of an object is that of its farthest point from the camera. The median
- * ignores a few objects of another size, such as a sphere for the ground or the sky. A
- * scene that is far away and small keeps its size relative to the start distances.
+ * ignores a few objects of another size, such as a sphere for the ground or the sky. If
+ * the median object is far away and small, its radius decides instead, so that the
+ * start distances stay small for it.
  */
 #include "rt/scene/language/unit.h"
 
