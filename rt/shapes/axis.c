@@ -1,10 +1,12 @@
+/* axis.c - computes the frames of shapes about an axis. */
 #include "rt/shapes/axis.h"
 
 #include <stddef.h>
 
 #include "rt/scene/vector.h"
 
-/* Two unit vectors square to the unit vector w and to each other. */
+/* Computes two unit vectors that are perpendicular to the unit vector w and to each
+ * other. */
 static void frame_about(const double *w, double *u, double *v)
 {
     double axis[3] = { 0, 0, 0 };

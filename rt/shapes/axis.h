@@ -1,5 +1,4 @@
-/* axis.h - shapes about an axis, cylinders and cones, and across one: planes and
- * discs. */
+/* axis.h - frames of shapes about an axis or across one. */
 #ifndef RT_AXIS_H
 #define RT_AXIS_H
 
@@ -7,11 +6,11 @@
 
 #define AXIS_IS_POINT "both ends of the axis are the same"
 
-/* To words: the middle of an axis 3, and the unit frame u 3, v 3, w 3 about
- * it, w along.  Returns the axis's length. */
+/* Writes words: the midpoint of an axis 3, and an orthonormal frame u 3, v 3, w 3 with
+ * w along the axis. Returns the length of the axis. */
 double axis_words(const double base[3], const double cap[3], double *words);
 bool axis_is_point(const double base[3], const double cap[3]);
-/* A normal gets the length one.  Returns what is wrong with it, or NULL. */
+/* Normalises a normal. Returns what is wrong with it, or NULL. */
 const char *axis_make_normal(double normal[3]);
 
 #endif

@@ -1,3 +1,4 @@
+/* blob.c - the descriptor of blobs. */
 #include "rt/shapes/blob.h"
 
 #include <math.h>
@@ -7,12 +8,12 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/shape.h"
 
-/* rt/scene/language/blob.c reads what is in its braces. */
+/* rt/scene/language/blob.c reads the arguments. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* What has no strength adds nothing. */
+/* Components without strength or radius add nothing, and are removed. */
 static const char *finish(struct primitive *primitive)
 {
     struct blob_parts *parts = &primitive->shape.blob.parts;
@@ -34,9 +35,10 @@ static const char *finish(struct primitive *primitive)
                                         "threshold");
 }
 
-/* ---- Its bound ----------------------------------------------------------- */
+/* ---- Bound ---------------------------------------------------------------- */
 
-/* About a ball of a part's space, which is placed so. */
+/* Bounds a sphere in the space of a component; `placed` leads from there to the
+ * world. */
 static void bound_ball(const double center[3], double radius,
                        const struct transform *placed, struct bound *bound)
 {
@@ -62,7 +64,8 @@ static void bound_part(const struct blob_part *part, const struct transform *pla
     bound_enclose(ends, 2, bound);
 }
 
-/* What adds to the field; the rest only takes from it. */
+/* Bounds the components that add to the field. Components of negative strength only
+ * shrink the surface. */
 static void bound_parts(const struct primitive *primitive,
                         const struct transform *placed, struct bound *bound)
 {
@@ -89,7 +92,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_parts(primitive, &primitive->to_world, bound);
 }
 
-/* ---- How often a ray crosses it ------------------------------------------ */
+/* ---- Crossings of a ray --------------------------------------------------- */
 
 static bool takes_away(const struct blob_parts *parts)
 {
@@ -99,9 +102,10 @@ static bool takes_away(const struct blob_parts *parts)
     return false;
 }
 
-/* A ray enters and leaves a ball, and a cylinder passes from one of its three
- * pieces to the next.  Between two of all these places the field is a quartic: it
- * has one maximum, or two if it may bend downwards at its ends. */
+/* Counts the events of a ray: it enters and leaves each component, and in a cylinder
+ * passes twice more between its three pieces. Between two successive events the field
+ * is a quartic. It has one maximum, or two if it may be concave at its ends, so it is
+ * above the threshold in one segment, or two. */
 static size_t segments(const struct primitive *primitive)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
@@ -135,9 +139,9 @@ size_t blob_pieces_most(const struct scene *scene)
     return most;
 }
 
-/* ---- Its words ----------------------------------------------------------- */
+/* ---- Words and table ------------------------------------------------------ */
 
-/* The rows of its table are told in records.s. */
+/* A row of the table, as records.s defines it. */
 enum {
     ROW_KIND,
     ROW_CENTER,
@@ -150,7 +154,7 @@ enum {
 };
 enum part_kind { BALL, ELLIPSOID, CYLINDER };
 
-/* Its own centre, and how far it reaches from there. */
+/* Bounds the blob in its own space. */
 static void find_center(const struct primitive *primitive, struct bound *bound)
 {
     bound_parts(primitive, &placement_none.to_world, bound);
@@ -171,7 +175,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 7;
 }
 
-/* Does it only shift? */
+/* Whether the transform is a translation. */
 static bool keeps_balls(const struct transform *transform)
 {
     for (int i = 0; i < 3; i++)
@@ -181,7 +185,7 @@ static bool keeps_balls(const struct transform *transform)
     return true;
 }
 
-/* Three unit vectors, the last along the axis of a cylinder. */
+/* Computes three orthogonal unit vectors; the last is along the axis of a cylinder. */
 static void put_axes(const struct blob_part *part, double axes[3][3])
 {
     int across;
@@ -201,8 +205,9 @@ static void put_axes(const struct blob_part *part, double axes[3][3])
     cross3(axes[1], axes[2], axes[0]);
 }
 
-/* To where the part has the radius one, its base is the origin, and the axis of a
- * cylinder goes along z: from points told from the blob's centre. */
+/* Computes the map from points relative to the centre of the blob to the normalised
+ * space of the component: its radius is 1, its base the origin, and the axis of a
+ * cylinder along z. */
 static void put_matrix(const struct blob_part *part, const double center[3],
                        double *matrix)
 {

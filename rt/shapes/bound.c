@@ -1,3 +1,4 @@
+/* bound.c - computes bounding spheres and boxes. */
 #include "rt/shapes/bound.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 #include "rt/shapes/shape.h"
 #include "rt/shapes/singular.h"
 
-/* Beyond this the square of a sum of distances may tell nothing. */
+/* Beyond this distance squares of sums are not accurate enough. */
 #define GREATEST 1e12
 
 const struct bound bound_none = {
@@ -28,7 +29,7 @@ static bool is_sound(const struct bound *bound)
     return bound->radius <= GREATEST && length3(bound->center) <= GREATEST;
 }
 
-/* --- about others -------------------------------------------------------- */
+/* ---- Bounds of bounds ------------------------------------------------------ */
 
 static double distance_to(const double *from, const struct bound *part)
 {
@@ -43,7 +44,7 @@ double bound_reach(const struct bound *bound, const double from[3])
     return distance_to(from, bound) + bound->radius;
 }
 
-/* The part that reaches farthest from a point; how far. */
+/* Returns the part that reaches farthest from a point, and sets how far. */
 static const struct bound *farthest(const struct bound *parts, size_t count,
                                     const double *from, double *reach)
 {
@@ -61,7 +62,7 @@ static const struct bound *farthest(const struct bound *parts, size_t count,
     return found;
 }
 
-/* The middle of the box about all parts. */
+/* Computes the midpoint of the box around all parts. */
 static void middle(const struct bound *parts, size_t count, double *center)
 {
     for (int axis = 0; axis < 3; axis++) {
@@ -87,8 +88,9 @@ void bound_box(const struct bound *parts, size_t count, struct bound *whole)
     }
 }
 
-/* To the farthest point, by shorter and shorter steps; the best centre on the
- * way is taken.  Source: Badoiu and Clarkson 2003. */
+/* Moves the centre towards the farthest part by decreasing steps, and keeps the best
+ * centre on the way. The exact minimum is not needed. Source: Badoiu and Clarkson
+ * 2003. */
 void bound_enclose(const struct bound *parts, size_t count, struct bound *whole)
 {
     enum { STEPS = 24 };
@@ -127,7 +129,7 @@ void bound_common(const struct bound *parts, size_t count, struct bound *whole)
         }
 }
 
-/* --- hulls --------------------------------------------------------------- */
+/* ---- Hulls ----------------------------------------------------------------- */
 
 void hull_point(struct hull *hull, const struct primitive *primitive,
                 const double point[3])
@@ -141,7 +143,7 @@ void hull_point(struct hull *hull, const struct primitive *primitive,
     copy3(added->center, added->high);
 }
 
-/* A polygon about the circle: its points stand a little farther out. */
+/* The points are the corners of a regular polygon around the circle. */
 void hull_ring(struct hull *hull, const struct primitive *primitive,
                const double center[3], const double axis[3], double radius)
 {
@@ -184,7 +186,7 @@ void bound_hull_box(const struct hull *hull, struct bound *bound)
     bound_box(hull->points, hull->count, bound);
 }
 
-/* --- how far a shape reaches --------------------------------------------- */
+/* ---- Extents of shapes ----------------------------------------------------- */
 
 double bound_stretch(const struct primitive *primitive, double x, double y, double z)
 {
@@ -216,9 +218,9 @@ void bound_without(const struct primitive *primitive, struct bound *bound)
     *bound = bound_none;
 }
 
-/* A part in a thousand, what a ray from far away may lose, and what an event
- * is looked at from (twice k_delta, docs/solids.md): a solid that is left out is
- * on neither side of an event. */
+/* Adds 1/1000 of the radius, the rounding error of a ray that comes from far away, and
+ * the distance from which an event is examined (twice k_delta, docs/solids.md): a solid
+ * whose bound is missed must be on neither side of the event. */
 static void add_margin(struct bound *bound)
 {
     double margin = .001 * bound->radius + 1e-9 * length3(bound->center) + 2e-7;

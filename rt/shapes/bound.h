@@ -1,67 +1,70 @@
-/* bound.h - a sphere and a box that nothing of a shape reaches beyond.
+/* bound.h - bounding spheres and boxes of shapes.
  *
- * A bound only spares work: a ray that misses it would miss the shape.  So it
- * is made larger than what the machine's roundings could need.
+ * A bound only saves work: a ray that misses it also misses the shape. It is therefore
+ * enlarged by more than the rounding errors of the machine.
  */
 #ifndef RT_BOUND_H
 #define RT_BOUND_H
 
 #include "rt/shapes/primitive.h"
 
-/* The radius of what has no bound: beyond every scene, as k_big. */
+/* The radius of an unbounded shape, beyond every scene, as k_big. */
 #define BOUND_NONE 1e30
 
 struct bound {
     double center[3], radius;
-    double low[3], high[3]; /* of the box, along the world's axes */
+    double low[3], high[3]; /* of the box, along the axes of the world */
 };
 
 extern const struct bound bound_none;
 bool bound_is_none(const struct bound *bound);
 
-/* How far a point is from the farthest of a bound. */
+/* Returns the distance of a point from the farthest point of the bounding sphere. */
 double bound_reach(const struct bound *bound, const double from[3]);
-/* About others: a sphere little greater than the least, and the least box. */
+/* Encloses other bounds, in a sphere that is little greater than the minimum, and in
+ * the minimal box. */
 void bound_enclose(const struct bound *parts, size_t count, struct bound *whole);
-/* What lies within all of them: the least of the spheres, and what the boxes have
- * in common. */
+/* Bounds the intersection of other bounds: the smallest of their spheres, and the
+ * intersection of their boxes. */
 void bound_common(const struct bound *parts, size_t count, struct bound *whole);
-/* A primitive in the world.  Planes, quadrics and quartics have none. */
+/* Bounds a primitive in the world, with a margin. Planes, quadrics and quartics are
+ * unbounded. */
 void bound_primitive(const struct primitive *primitive, struct bound *bound);
 
 /* ---- For the descriptors of shapes --------------------------------------- */
 
-/* Points whose hull a shape does not leave, in the world. */
+/* Points in the world whose convex hull contains a shape. */
 enum { RING = 16, MAX_HULL = 2 * RING };
 struct hull {
     size_t count;
     struct bound points[MAX_HULL];
 };
 
-/* A point of the primitive's own space. */
+/* Adds a point, which is given in the primitive's own space. */
 void hull_point(struct hull *hull, const struct primitive *primitive,
                 const double point[3]);
-/* Points about a circle: RING of them, a little farther out. */
+/* Adds RING points of a polygon around a circle. */
 void hull_ring(struct hull *hull, const struct primitive *primitive,
                const double center[3], const double axis[3], double radius);
-/* Circles about both ends of an axis. */
+/* Adds polygons around circles at both ends of an axis. */
 void hull_rings(struct hull *hull, const struct primitive *primitive,
                 const double base[3], double base_radius, const double cap[3],
                 double cap_radius);
 void bound_hull(const struct hull *hull, struct bound *bound);
-/* .. the box alone. */
+/* Sets the box of the bound only. */
 void bound_hull_box(const struct hull *hull, struct bound *bound);
-/* The box about others. */
+/* Encloses the boxes of other bounds. */
 void bound_box(const struct bound *parts, size_t count, struct bound *whole);
 
-/* How much the way to the world stretches a vector at most, of those with
- * components at most as long as the weights are. */
+/* Returns the greatest length in the world of a vector whose components, divided by the
+ * weights, form a vector of length 1. */
 double bound_stretch(const struct primitive *primitive, double x, double y, double z);
-/* About a point of the primitive's own space, so far in the world. */
+/* Bounds a sphere around a point of the primitive's own space; reach is in the
+ * world. */
 void bound_about(const struct primitive *primitive, const double center[3],
                  double reach, struct bound *bound);
 
-/* Of a shape that has none. */
+/* The bound of an unbounded shape. */
 void bound_without(const struct primitive *primitive, struct bound *bound);
 
 #endif

@@ -1,3 +1,4 @@
+/* box.c - the descriptor of boxes. */
 #include "rt/shapes/shape.h"
 
 #include <math.h>
@@ -50,7 +51,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 12;
 }
 
-/* Across axis i, at its greater end or its lesser one. */
+/* Adds the face across axis i, at its greater or its lesser end. */
 static void emit_face(const double (*corner)[3], int i, int end,
                       struct emitter *emitter)
 {

@@ -1,13 +1,13 @@
-/* coincident.c - see coincident.h.
+/* coincident.c - finds coincident surfaces and computes the yields of regions.
  *
- * Two surfaces may coincide if both have a flat face in the same plane, or a face of
- * the same quadric, or if they are equal shapes in the same place; and if the boxes
- * about them overlap.  Two flat faces that only touch along an edge do not coincide,
- * nor do the faces of two bodies that no ray enters, one on each side.
+ * Two surfaces may coincide if their bounding boxes overlap and they have a flat face
+ * in the same plane, or a face of the same quadric, or are equal shapes at the same
+ * place. Two flat faces that only touch along an edge do not coincide. Two faces of
+ * bodies that no ray enters do not coincide if the bodies are on opposite sides.
  *
- * The yield of a region is its depth divided by one more than the greatest depth.  The
- * depth is the length of the longest chain of regions, each later in the scene than
- * the one before and perhaps coincident with it, that begins with the region.
+ * The yield of a region is its depth divided by one more than the greatest depth. The
+ * depth is the length of the longest chain of regions that begins with the region: each
+ * is later in the scene than the one before, and may coincide with it.
  */
 #include "rt/shapes/coincident.h"
 
@@ -22,7 +22,7 @@
 #include "rt/shapes/quadric_face.h"
 #include "rt/shapes/shape.h"
 
-/* Boxes without bound are compared up to this distance. */
+/* Unbounded boxes are compared up to this distance. */
 #define FAR 1e4
 
 struct face_pair {
@@ -32,10 +32,10 @@ struct face_pair {
 struct pair_list {
     size_t count;
     struct face_pair *pairs;
-    bool failed; /* no memory */
+    bool failed; /* out of memory */
 };
 
-/* What two boxes have in common; false if that is less than a face. */
+/* Computes the intersection of two boxes. Fails if it is less than a face. */
 static bool overlap(const struct face *a, const struct face *b, double low[3],
                     double high[3])
 {
@@ -114,11 +114,11 @@ static int compare_places(const void *a, const void *b)
     return (one->low[0] > other->low[0]) - (one->low[0] < other->low[0]);
 }
 
-/* A face is compared with no more others than these whose boxes overlap with its own: of
- * thousands of things in one place all pairs would take minutes. */
+/* The limit of faces with overlapping boxes that a face is compared with: for thousands
+ * of objects at one place all pairs would take minutes. */
 enum { COMPARED_MAX = 64 };
 
-/* Faces of one key, from left to right. */
+/* Pairs the faces of one key, sorted by their left ends. */
 static void pair_group(struct pair_list *pairs, struct face *faces, size_t count)
 {
     qsort(faces, count, sizeof *faces, compare_places);
@@ -159,7 +159,8 @@ static int compare_pairs(const void *a, const void *b)
     return (one->earlier < other->earlier) - (one->earlier > other->earlier);
 }
 
-/* The last regions first: yields are depths until the greatest is known. */
+/* Computes the yields. Pairs are in descending order of the earlier region, so that the
+ * depth of each later region is final when it is used. The depths are then divided. */
 static void put_yields(const struct pair_list *list, struct region *regions,
                        size_t count)
 {

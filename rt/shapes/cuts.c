@@ -1,3 +1,4 @@
+/* cuts.c - finds the best split of a list of boxes. */
 #include "rt/shapes/cuts.h"
 
 #include <math.h>
@@ -57,7 +58,7 @@ static void fill_bins(const struct cutting *cutting, const size_t *row, size_t c
     }
 }
 
-/* The best place on one axis, if it is better than any before. */
+/* Tries all splits along one axis, and keeps the best. */
 static void try_axis(const struct cutting *cutting, const size_t *row, size_t count,
                      const struct box *whole, struct cut cut, struct cut *best)
 {
@@ -81,7 +82,7 @@ static void try_axis(const struct cutting *cutting, const size_t *row, size_t co
 
 /* ---- Cuts ---------------------------------------------------------------- */
 
-/* On an axis, from the least place to the greatest. */
+/* Divides the range of the points along an axis into bins. */
 static struct cut cut_along(const struct cutting *cutting, const size_t *row,
                             size_t count, int axis)
 {

@@ -1,9 +1,8 @@
-/* cuts.h - where a row of boxes is cut in two: what hierarchies of bounds are
- * made by.
+/* cuts.h - splits a list of boxes in two, for building hierarchies of bounds.
  *
- * The surface-area heuristic over bins: the row is cut where what is expected
- * of both parts costs least; who builds a hierarchy says what a part costs.
- * Source: Goldsmith and Salmon 1987; bins: Wald 2007.
+ * The surface-area heuristic over bins: the list is split where the expected cost of
+ * both parts is least. The builder of the hierarchy defines the cost of a part. Source:
+ * Goldsmith and Salmon 1987; bins: Wald 2007.
  */
 #ifndef RT_CUTS_H
 #define RT_CUTS_H
@@ -17,13 +16,13 @@ struct box {
 extern const struct box box_empty;
 void box_join(struct box *box, const struct box *other);
 
-/* A thing with a box, and the place by which it belongs to a bin. */
+/* An object with its box, and the point that assigns it to a bin. */
 struct boxed {
     struct box box;
     double place[3];
 };
 
-/* Of the things that a row names. */
+/* Returns the box around the objects of a list. */
 struct box box_about(const struct boxed *things, const size_t *row, size_t count);
 
 struct cut_part {
@@ -33,23 +32,24 @@ struct cut_part {
 
 struct cutting {
     const struct boxed *things;
-    /* Of a part of a row that has the box `whole`. */
+    /* Returns the cost of a part of a list with the box `whole`. */
     double (*cost)(const struct cut_part *part, const struct box *whole);
-    size_t *other; /* room for a row while it is cut */
+    size_t *other; /* scratch space for a list */
 };
 
-/* Between bins of an axis. */
+/* A split between two bins along an axis. */
 struct cut {
-    int axis; /* below 0: nowhere */
+    int axis; /* below 0: no split */
     double low, width;
-    size_t bin; /* the first of the upper part */
+    size_t bin; /* first bin of the upper part */
     double cost;
 };
 
-/* The best one of those that cost less than that. */
+/* Returns the best split whose cost is below `cost`. */
 struct cut cut_find(const struct cutting *cutting, const size_t *row, size_t count,
                     const struct box *whole, double cost);
-/* The lower part first, each in its order; how many it has. */
+/* Partitions the list, lower part first, preserving the order in each part. Returns the
+ * size of the lower part. */
 size_t cut_row(const struct cutting *cutting, size_t *row, size_t count,
                const struct cut *cut);
 

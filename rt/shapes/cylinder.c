@@ -1,3 +1,4 @@
+/* cylinder.c - the descriptor of cylinders. */
 #include "rt/shapes/axis.h"
 #include "rt/shapes/shape.h"
 
@@ -43,8 +44,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 16;
 }
 
-/* The plane across the axis through a point of it, as p . X + q = 0; p points
- * along the axis, or against it. */
+/* Writes the plane across the axis through a point, as p . X + q = 0. p has the
+ * direction of the axis, or the opposite one if `along` is -1. */
 static void put_end(double along, const double axis[3], const double point[3],
                     double *plane)
 {
@@ -58,7 +59,7 @@ static size_t put_historical_words(const struct primitive *primitive, double *wo
     const double *base = primitive->shape.cylinder.base;
     const double *cap = primitive->shape.cylinder.cap;
     double frame[12];
-    const double *axis = frame + 9; /* along it */
+    const double *axis = frame + 9; /* its unit vector */
 
     axis_words(base, cap, frame);
     copy3(base, words);

@@ -1,3 +1,4 @@
+/* disc.c - the descriptor of discs. */
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector.h"
@@ -30,7 +31,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_hull(&hull, bound);
 }
 
-/* Those of its plane first. */
+/* The words of its plane come first. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     double radius = primitive->shape.disc.radius, hole = primitive->shape.disc.hole;
@@ -43,7 +44,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 9;
 }
 
-/* From its edge inwards, about an axis of any length. */
+/* A frustum of height 0 from the outer to the inner edge, about an axis of any
+ * length. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     const double *center = primitive->shape.disc.center;

@@ -1,3 +1,4 @@
+/* elliptical_torus.c - the descriptor of elliptical tori. */
 #include "rt/shapes/shape.h"
 
 #include "rt/shapes/tori.h"

@@ -1,3 +1,4 @@
+/* emitter.c - builds the pieces that the kernels of emission sample. */
 #include "rt/shapes/emitter.h"
 
 #include <stdlib.h>
@@ -26,7 +27,7 @@ bool emitter_begin(struct emitter *emitter, const char *kernel, size_t most,
     return emitter->pieces && emitter->areas;
 }
 
-/* Where the words of the next piece go. */
+/* Returns the words of the next piece. */
 static double *next_piece(struct emitter *emitter, double area)
 {
     emitter->areas[emitter->piece_count] = area;
@@ -68,7 +69,7 @@ void emitter_add_triangle(struct emitter *emitter, const double a[3], const doub
     copy3(normal, words + 9);
 }
 
-/* ---- Shapes that have much in common -------------------------------------- */
+/* ---- Common shapes --------------------------------------------------------- */
 
 enum { MAX_FRUSTA = 3 };
 

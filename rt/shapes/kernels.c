@@ -1,3 +1,4 @@
+/* kernels.c - the lists of the shapes' kernels, from shapes.def. */
 #include "rt/shapes/kernels.h"
 
 #include <stddef.h>

@@ -5,7 +5,7 @@
  *   shapes/every_normal_scalar.s  shapes/normal_NAME_scalar.s
  *   shapes/every_normal_vector.s  shapes/normal_NAME_vector.s
  *
- * So a row without its kernels does not assemble.
+ * A row without its kernels therefore fails to assemble.
  */
 #ifndef RT_KERNELS_H
 #define RT_KERNELS_H

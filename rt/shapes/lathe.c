@@ -1,3 +1,4 @@
+/* lathe.c - the descriptor of lathes. */
 #include "rt/scene/elementary.h"
 #include "rt/shapes/shape.h"
 
@@ -5,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Points so near to each other are one. */
+/* Points closer than this count as one. */
 #define CLOSED 1e-10
 
 static const struct shape_field fields[] = {
@@ -24,8 +25,8 @@ static bool is_near(const double a[2], const double b[2])
     return fabs(a[0] - b[0]) < CLOSED && fabs(a[1] - b[1]) < CLOSED;
 }
 
-/* Without the points that repeat the one before; an end at the beginning is
- * exactly there. */
+/* Removes points that repeat the one before. A last point near the first becomes equal
+ * to it. */
 static void drop_repeated(struct outline *path)
 {
     double(*points)[2] = path->points;
@@ -55,20 +56,21 @@ static const char *finish(struct primitive *primitive)
                : NULL;
 }
 
-/* What closes a path that is not: level to the least radius, there to the
- * height of its beginning, level back to that.  So POV-Ray has it, where only
- * what is not nearer to the axis than the path can be inside. */
+/* The points that close an open path: a level segment to the least radius, an upright
+ * one to the height of the first point, and a level one to the first point. POV-Ray
+ * closes it in this way, so only points that are not closer to the axis than the path
+ * can be inside. */
 enum { CLOSING = 3 };
 
 struct closed {
     const struct outline *path;
     double closing[CLOSING][2];
-    size_t count; /* of the points, with those that close */
+    size_t count; /* points of the path and of its closing */
 };
 
-/* A segment that is in what closes the path would be no face of the solid,
- * so that nothing of it were seen in others: that is moved by so much of the
- * radius. */
+/* A segment of the path that coincided with the closing would be no face of the solid,
+ * and would be invisible in other solids. The closing is therefore moved by this share
+ * of the radius. */
 #define ASIDE 1e-4
 
 static const double *point_of(const struct closed *closed, size_t i)
@@ -90,7 +92,7 @@ static void add_closing(struct closed *closed, double radius, double height)
     closed->count++;
 }
 
-/* Where the path is closed upright. */
+/* Returns the radius of the upright closing segment. */
 static double closing_radius(const struct outline *path)
 {
     double least = INFINITY;
@@ -103,7 +105,8 @@ static double closing_radius(const struct outline *path)
     return stands ? least * (1 - ASIDE) : least;
 }
 
-/* Where it is closed level, at an end whose neighbour is there, too. */
+/* Returns the height of a level closing segment, at an end of the path. It is moved if
+ * the segment to the end's neighbour is level too. */
 static double closing_height(const double *end, const double *neighbour)
 {
     return end[1] == neighbour[1] && neighbour[0] < end[0] ? end[1] + ASIDE * end[0]
@@ -131,7 +134,7 @@ static bool is_open(const struct primitive *primitive)
     return close_path(primitive).count > primitive->shape.lathe.path.count;
 }
 
-/* ---- Its bound ----------------------------------------------------------- */
+/* ---- Bound ---------------------------------------------------------------- */
 
 struct cylinder_about {
     double low, high, radius;
@@ -159,7 +162,7 @@ static void hull_at(struct hull *hull, const struct primitive *primitive, double
     hull_ring(hull, primitive, center, axis, radius);
 }
 
-/* Circles about the ends, as wide as the path is. */
+/* Bounds circles at both ends of the height, with the greatest radius. */
 static void bound_cylinder(const struct primitive *primitive, struct bound *bound)
 {
     struct cylinder_about about = cylinder_of(primitive);
@@ -170,7 +173,7 @@ static void bound_cylinder(const struct primitive *primitive, struct bound *boun
     bound_hull(&hull, bound);
 }
 
-/* Circles about all points. */
+/* Bounds circles at all points. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct outline *path = &primitive->shape.lathe.path;
@@ -190,13 +193,13 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     free(points);
 }
 
-/* ---- How often a ray crosses it ------------------------------------------ */
+/* ---- Crossings of a ray --------------------------------------------------- */
 
-/* Segments, one after another, that bulge away from the axis: each turns from
- * the one before towards the axis, and all rise or all fall. */
+/* A run of segments that is convex away from the axis: each turns towards the axis,
+ * relative to the one before, and all rise or all fall. */
 struct bulge {
-    double along[2]; /* the last of them */
-    int sense;       /* 1: they rise, -1: they fall, 0: all are level */
+    double along[2]; /* direction of the last segment */
+    int sense;       /* 1: rising, -1: falling, 0: all level so far */
     bool begun;
 };
 
@@ -217,8 +220,9 @@ static bool bulges_on(const struct bulge *bulge, const double along[2])
     return turn * sense >= 0;
 }
 
-/* A line is a hyperbola beside the axis, and what is beyond it convex: each
- * bulge is crossed twice at most, one that is level once. */
+/* Returns the limit of segments inside. In the plane of radius and height a ray is a
+ * hyperbola, beyond which the area is convex. It crosses a run at most twice, and a
+ * level run once. */
 static size_t segments(const struct primitive *primitive)
 {
     struct closed closed = close_path(primitive);
@@ -245,10 +249,10 @@ static size_t segments(const struct primitive *primitive)
     return (crossings + 1) / 2;
 }
 
-/* ---- Its words ----------------------------------------------------------- */
+/* ---- Words and table ------------------------------------------------------ */
 
-/* Of segments that a level line, or one along the axis, from a point outwards
- * meets, that one left out: is their number odd? */
+/* Whether a point on a segment is inside: a ray from it, along the radius or the axis,
+ * crosses an odd number of the other segments. */
 static bool is_inside(const struct closed *closed, size_t segment,
                       const double point[2], int across)
 {
@@ -270,7 +274,7 @@ static bool is_inside(const struct closed *closed, size_t segment,
 
 enum { ROW = 16 };
 
-/* In the order of rt/kernels/frame/records.s. */
+/* The order is that of rt/kernels/frame/records.s. */
 enum lathe_word {
     SQUARE,
     HEIGHT,
@@ -295,7 +299,7 @@ static void put_corner(const double *point, double middle, double *row)
     row[RADIUS] = point[0];
 }
 
-/* Across a segment, away from the axis; of a level one upwards. */
+/* Computes the normal away from the axis; upwards for a level segment. */
 static void put_normal(const double along[2], double length, double *normal)
 {
     double sign = along[1] < 0 ? -1 : 1;
@@ -304,7 +308,7 @@ static void put_normal(const double along[2], double length, double *normal)
     normal[1] = along[1] == 0 ? 1 : -sign * along[0] / length;
 }
 
-/* The segment back to the point before. */
+/* Writes the segment from point i back to point i - 1. */
 static void put_segment(const struct closed *closed, size_t i, double middle,
                         double *row)
 {
@@ -337,10 +341,10 @@ static double middle_of(const struct primitive *primitive)
     return (about.low + about.high) / 2;
 }
 
-/* What a point of its surface is within, whatever is rounded, of its size. */
+/* Points this close to the surface, relative to its size, count as on it. */
 #define NEAR 1e-3
 
-/* The radius is a little greater, and the half height, than could matter. */
+/* Radius and half height are enlarged by more than rounding errors. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     struct cylinder_about about = cylinder_of(primitive);

@@ -1,3 +1,4 @@
+/* mesh.c - the descriptor of meshes. */
 #include "rt/shapes/mesh.h"
 #include "rt/shapes/shape.h"
 
@@ -9,15 +10,15 @@
 #include "rt/shapes/mesh_hierarchy.h"
 #include "rt/shapes/screen_bounds.h"
 
-/* rt/scene/language/mesh.c and mesh2.c read what is in its braces. */
+/* rt/scene/language/mesh.c and mesh2.c read the arguments. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* ---- What is read -------------------------------------------------------- */
+/* ---- Settling -------------------------------------------------------------- */
 
-/* Height to length; told in its own size, for products of small edges may be
- * beyond a double. */
+/* Compares the height of a triangle with its length. The edges are scaled first,
+ * because products of small edges may underflow. */
 static bool has_area(const struct triangle *triangle)
 {
     double edges[2][3], normal[3], size;
@@ -25,7 +26,7 @@ static bool has_area(const struct triangle *triangle)
     for (int k = 0; k < 2; k++)
         subtract3(triangle->corners[1 + k], triangle->corners[0], edges[k]);
     size = fmax(greatest3(edges[0]), greatest3(edges[1]));
-    if (size == 0 || !isfinite(size)) /* that is an error of its own */
+    if (size == 0 || !isfinite(size)) /* not finite: reported elsewhere */
         return size != 0;
     scale3(1 / size, edges[0]);
     scale3(1 / size, edges[1]);
@@ -39,7 +40,7 @@ static bool has_normals(const struct triangle *triangle)
            && length3(triangle->normals[1]) > 0 && length3(triangle->normals[2]) > 0;
 }
 
-/* As in POV-Ray triangles without an area go. */
+/* As in POV-Ray triangles without area are removed. */
 static const char *finish(struct primitive *primitive)
 {
     struct triangles *triangles = &primitive->shape.mesh.triangles;
@@ -63,7 +64,8 @@ static bool has_body(const struct primitive *primitive)
 
 /* ---- In the world -------------------------------------------------------- */
 
-/* One of length one gets what length the transform gives it. */
+/* Transforms a normal; one of unit length gets the length that the transform gives
+ * it. */
 static void carry_normal(const struct primitive *primitive, double normal[3])
 {
     double length = length3(normal);
@@ -127,7 +129,7 @@ static double reach_of(const struct triangle *triangle, const double center[3])
     return reach;
 }
 
-/* About the middle of the box, as far as the farthest corner. */
+/* The centre is that of the box, the radius reaches to the farthest corner. */
 static void bound_many(const struct primitive *primitive,
                        const struct triangles *triangles, struct bound *bound)
 {
@@ -146,7 +148,8 @@ static void bound_many(const struct primitive *primitive,
     }
 }
 
-/* Of few the least sphere; a body has all of the surface. */
+/* Bounds the mesh; few triangles get a smaller sphere. A body contains the whole
+ * surface. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct triangles *triangles = has_body(primitive)
@@ -163,19 +166,19 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_hull(&hull, bound);
 }
 
-/* ---- Its words ----------------------------------------------------------- */
+/* ---- Words and table ------------------------------------------------------ */
 
-/* The table, whose rows are told in records.s: a row that stands for the end of a
- * walk, of zeros but for what tells of the eyes; the nodes, and the triangles as the
- * leaves have them; behind all the windows of the eyes.  A row is told by how many words
- * are before it. */
+/* The table, whose rows are defined in records.s: the end row, which is the end of the
+ * traversal and is zero except for the words about eyes; the nodes; the triangles in
+ * the order of the leaves; at the end the windows of the eyes. A row is identified by
+ * its offset in words. */
 enum {
     NODE_ROW = 25,
-    NODE_LINKS = 6, /* from here on they are integers */
+    NODE_LINKS = 6, /* from here on integers */
     DIRECTIONS = 8, /* signs of a ray's direction: 1 of x, 2 of y, 4 of z */
     NODE_FIRST = NODE_LINKS + 2 * DIRECTIONS,
     NODE_COUNT,
-    EYES_FIRST = NODE_FIRST, /* in the first row */
+    EYES_FIRST = NODE_FIRST, /* in the end row */
     EYES_COUNT = NODE_COUNT,
     FLAT_ROW = 13,
     SMOOTH_ROW = 21
@@ -203,9 +206,9 @@ static double node_place(size_t node)
 
 struct mesh_table {
     const struct mesh_hierarchy *hierarchy;
-    size_t row;    /* words of a triangle's */
-    double margin; /* of the boxes: more than what is rounded */
-    double *nodes; /* rows, from the first on */
+    size_t row;    /* words of a triangle */
+    double margin; /* of the boxes: more than rounding errors */
+    double *nodes; /* rows, from the first node on */
 };
 
 static void put_node(const struct mesh_table *table, size_t node)
@@ -222,7 +225,7 @@ static void put_node(const struct mesh_table *table, size_t node)
     row[NODE_COUNT] = (double)from->count;
 }
 
-/* Of the plane, of length one. */
+/* Computes the unit normal of the plane. */
 static void plane_normal(const struct triangle *triangle, double normal[3])
 {
     double edges[2][3], size;
@@ -236,7 +239,8 @@ static void plane_normal(const struct triangle *triangle, double normal[3])
     scale3(1 / length3(normal), normal);
 }
 
-/* How the share of corner k, the others being a and b, grows with the point. */
+/* Computes the gradient of the barycentric coordinate of corner k; a and b are the
+ * other corners. */
 static void share_gradient(const struct triangle *triangle, int k, int a, int b,
                            double gradient[3])
 {
@@ -250,7 +254,7 @@ static void share_gradient(const struct triangle *triangle, int k, int a, int b,
     scale3(1 / dot3(gradient, gradient), gradient);
 }
 
-/* That at the first corner, and how it grows from there: three rows. */
+/* Writes the normal at the first corner, and its gradient in three rows. */
 static void put_smooth(const struct triangle *triangle, double *row)
 {
     double shares[2][3];
@@ -275,8 +279,8 @@ static void turn_up(const struct primitive *primitive, double normal[3])
         scale3(-1, normal);
 }
 
-/* One that has lost its area on the way to the world has any normal; above a body
- * they point away from it, upwards. */
+/* Writes a triangle. One that has lost its area in the world gets an arbitrary normal.
+ * Normals above a body point away from it, upwards. */
 static void put_triangle(const struct primitive *primitive,
                          const struct triangles *triangles, size_t i, double *row)
 {
@@ -293,7 +297,7 @@ static void put_triangle(const struct primitive *primitive,
         turn_up(primitive, row + 9);
 }
 
-/* Rays whose directions have the same signs go one way. */
+/* Rays with the same signs of direction share one set of links. */
 static void put_links(const struct mesh_table *table, size_t direction,
                       unsigned char *ways)
 {
@@ -357,7 +361,7 @@ static bool plan(const struct primitive *primitive, const struct triangles *tria
     return good;
 }
 
-/* Words before the triangles, and all. */
+/* Return the words before the triangles, and of the whole table. */
 static size_t nodes_size(const struct triangles *triangles)
 {
     return NODE_ROW * (mesh_hierarchy_nodes(triangles->count) + 1);
@@ -388,7 +392,7 @@ static bool put_windows(const struct primitive *primitive,
     return good;
 }
 
-/* The windows of eyes begin at place. */
+/* Writes the nodes and triangles; the windows are at the offset `place`. */
 static bool put_hierarchy(const struct primitive *primitive,
                           const struct triangles *triangles,
                           const struct viewpoints *viewpoints, size_t place,
@@ -421,7 +425,7 @@ size_t mesh_row(const struct primitive *mesh, size_t words)
     return (words - nodes_size(&mesh->shape.mesh.triangles)) / row_size(mesh);
 }
 
-/* .. of what the eyes see. */
+/* Returns the size of the windows of the visible triangles. */
 static size_t windows_size(const struct primitive *primitive,
                            const struct viewpoints *viewpoints, size_t *seeing)
 {
@@ -432,7 +436,7 @@ static size_t windows_size(const struct primitive *primitive,
                               seeing);
 }
 
-/* Behind what is seen and the body. */
+/* Returns the offset of the windows, after the visible triangles and the body. */
 static size_t eyes_place(const struct primitive *primitive)
 {
     const struct triangles *body = &primitive->shape.mesh.body;
@@ -441,7 +445,7 @@ static size_t eyes_place(const struct primitive *primitive)
            + (body->count > 0 ? table_size(primitive, body) : 0);
 }
 
-/* What is seen, the body, what the eyes see.  Returns 0 without memory. */
+/* Writes the visible triangles, the body and the windows. Returns 0 without memory. */
 static size_t put_table(const struct primitive *primitive,
                         const struct viewpoints *viewpoints, double *table)
 {
@@ -458,7 +462,7 @@ static size_t put_table(const struct primitive *primitive,
     return place + windows_size(primitive, viewpoints, &seeing);
 }
 
-/* What the triangles are made of; boxes are between their corners. */
+/* Checks the words of the triangles; boxes are between their corners. */
 static bool is_finite(const struct primitive *primitive)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
@@ -474,7 +478,7 @@ static bool is_finite(const struct primitive *primitive)
     return true;
 }
 
-/* Words of a node, behind its box. */
+/* Marks the links of the nodes, which follow their boxes. */
 static void mark_links(const struct triangles *triangles, bool *marks)
 {
     size_t size = nodes_size(triangles);
@@ -498,8 +502,8 @@ static void mark_integers(const struct primitive *primitive,
                        marks + eyes_place(primitive));
 }
 
-/* A line crosses each triangle once at most, and where that comes to an odd
- * number it begins inside. */
+/* A line crosses each triangle at most once. If that number is odd, the line begins
+ * inside, which adds one. */
 static size_t even(size_t count)
 {
     return count + count % 2;
@@ -529,7 +533,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 4;
 }
 
-/* Its words are told in the world from the start. */
+/* Its words are always in the world. */
 static bool carry(const struct primitive *primitive, double *words)
 {
     (void)primitive;

@@ -1,9 +1,10 @@
+/* mesh_hierarchy.c - builds the bounding volume hierarchy of a mesh. */
 #include "rt/shapes/mesh_hierarchy.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* As deep as this a row is cut in halves. */
+/* From this depth on lists are halved, which bounds the recursion. */
 enum { HALVED_FROM = 64 };
 
 struct mesh_build {
@@ -11,8 +12,8 @@ struct mesh_build {
     struct mesh_hierarchy *hierarchy;
 };
 
-/* Half of the surface of a box, to which the number of rays that come near it is in
- * proportion. */
+/* Returns half of the surface of a box. The number of rays that hit the box is
+ * proportional to it. */
 static double surface_of(const struct box *box)
 {
     double x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
@@ -21,16 +22,16 @@ static double surface_of(const struct box *box)
     return x * y + y * z + z * x;
 }
 
-/* Triangles that rays are expected to meet. */
+/* Returns the expected number of triangles that rays test in a part. */
 static double part_cost(const struct cut_part *part, const struct box *whole)
 {
     (void)whole;
     return (double)part->count * surface_of(&part->box);
 }
 
-/* ---- Parts --------------------------------------------------------------- */
+/* ---- Splits ---------------------------------------------------------------- */
 
-/* The least of the upper part joins the lower one. */
+/* Moves the least triangle of the upper part to the lower part. */
 static void lift(const struct boxed *things, size_t *row, size_t count, size_t lower,
                  int axis)
 {
@@ -44,7 +45,7 @@ static void lift(const struct boxed *things, size_t *row, size_t count, size_t l
     row[lower] = kept;
 }
 
-/* Whole leaves in the lower part. */
+/* Splits a list so that the lower part has complete leaves. */
 static size_t cut_leaves(const struct cutting *cutting, size_t *row, size_t count,
                          const struct cut *cut)
 {
@@ -64,7 +65,7 @@ static size_t half_of(size_t count)
 
 /* ---- Nodes --------------------------------------------------------------- */
 
-/* Where a row is cut: the triangles of its lower part, and the axis. */
+/* Splits the list of a node. Returns the size of its lower part, and sets the axis. */
 static size_t split(const struct mesh_build *build, size_t *row, size_t count,
                     size_t depth, struct mesh_node *node)
 {
@@ -77,7 +78,7 @@ static size_t split(const struct mesh_build *build, size_t *row, size_t count,
     return lower > 0 ? lower : half_of(count);
 }
 
-/* The node of triangles first .. first + count of the order, all below it. */
+/* Builds the subtree of the triangles first .. first + count - 1 of the order. */
 static void build_node(const struct mesh_build *build, size_t first, size_t count,
                        size_t depth)
 {
@@ -98,11 +99,11 @@ static void build_node(const struct mesh_build *build, size_t first, size_t coun
     node->next = hierarchy->node_count;
 }
 
-/* ---- Tests --------------------------------------------------------------- */
+/* ---- Tests ----------------------------------------------------------------- */
 
-/* A test spares the two below it where a ray passes by: that pays only if more than
- * half of the rays do which come near the last box asked above.  The first node is
- * asked. */
+/* Plans which nodes are tested. A test saves the two tests of the children if the ray
+ * misses the node. It pays only if more than half of the rays that hit the last tested
+ * ancestor miss this node. The root is always tested. */
 static void plan_tests(struct mesh_node *nodes, size_t number, double above)
 {
     struct mesh_node *node = &nodes[number];
@@ -117,7 +118,7 @@ static void plan_tests(struct mesh_node *nodes, size_t number, double above)
     plan_tests(nodes, nodes[number + 1].next, surface);
 }
 
-/* ---- Links --------------------------------------------------------------- */
+/* ---- Links ----------------------------------------------------------------- */
 
 struct threading {
     const struct mesh_node *nodes;
@@ -135,7 +136,7 @@ static bool upper_first(const struct threading *threading, size_t node)
     return threading->ways[node] & MESH_UPPER_FIRST;
 }
 
-/* The first node at which rays are asked, of it and those below it. */
+/* Returns the first node of a subtree that is tested. */
 static size_t first_asked(const struct threading *threading, size_t node)
 {
     while (threading->ways[node] & MESH_PASSED)
@@ -144,7 +145,7 @@ static size_t first_asked(const struct threading *threading, size_t node)
     return node;
 }
 
-/* From a node and all below it: those that do not come near go to `miss`. */
+/* Stores the links of a subtree; rays that miss its root continue at `miss`. */
 static void put_links(const struct threading *threading, size_t node, double miss)
 {
     const struct mesh_node *nodes = threading->nodes;
@@ -175,7 +176,7 @@ void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
     put_links(&threading, 0, 0);
 }
 
-/* ---- The whole ----------------------------------------------------------- */
+/* ---- Interface --------------------------------------------------------------- */
 
 size_t mesh_hierarchy_nodes(size_t triangles)
 {

@@ -1,3 +1,4 @@
+/* moving_planes.c - computes the moving planes of a Steiner patch from a null space. */
 #include "rt/shapes/moving_planes.h"
 
 #include <string.h>
@@ -5,14 +6,15 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/singular.h"
 
-/* Values of the decomposition below this share of the greatest are 0. */
+/* Singular values below this share of the greatest count as 0. */
 #define NOTHING 1e-9
 
-/* The parameters whose product is monomial m of degree two: their numbers. */
+/* The two parameters whose product is quadratic monomial m. */
 static const int factors[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
                                    { 0, 1 }, { 1, 2 }, { 2, 0 } };
 
-/* Number of the cubic monomial p_i p_j p_k: the exponents of s and t tell. */
+/* Returns the index of the cubic monomial p_i p_j p_k, from the exponents of s and
+ * t. */
 static size_t cubic_monomial(int i, int j, int k)
 {
     static const size_t numbers[4][4] = {
@@ -24,7 +26,8 @@ static size_t cubic_monomial(int i, int j, int k)
     return numbers[s][t];
 }
 
-/* The unknowns are the twelve entries of L, row by row. */
+/* Sets up the linear system: the unknowns are the twelve entries of L, row by row; each
+ * cubic monomial is one equation. */
 static void set_up(const double points[6][4], struct singular *equations)
 {
     memset(equations, 0, sizeof *equations);
@@ -39,7 +42,7 @@ static void set_up(const double points[6][4], struct singular *equations)
         }
 }
 
-/* The column of the least value that is not taken yet. */
+/* Returns the column of the least value, except the column `taken`. */
 static size_t least_column(const struct singular *singular, size_t taken)
 {
     size_t least = taken == 0 ? 1 : 0;
@@ -50,7 +53,7 @@ static size_t least_column(const struct singular *singular, size_t taken)
     return least;
 }
 
-/* The point that all planes of both families pass through. */
+/* Computes the common point of all planes of both families. */
 static void find_triple(struct moving_planes *planes)
 {
     struct singular singular = { .rows = 6, .columns = 4 };
@@ -64,7 +67,7 @@ static void find_triple(struct moving_planes *planes)
         planes->triple[i] = singular.right[i][column];
 }
 
-/* L H(p), a row of coefficients of the parameters. */
+/* Computes L H(p), a row of coefficients of the parameters. */
 static void plane_at(const double points[6][4], const double l[3][4], const double p[3],
                      double row[3])
 {
@@ -78,7 +81,7 @@ static void plane_at(const double points[6][4], const double l[3][4], const doub
     }
 }
 
-/* Do all points lie in one plane? */
+/* Whether all points are in one plane. */
 static bool is_flat(const double points[6][4])
 {
     struct singular singular = { .rows = 6, .columns = 4 };
@@ -89,8 +92,8 @@ static bool is_flat(const double points[6][4])
     return singular_nullity(&singular, NOTHING) > 0;
 }
 
-/* Is p ~ (L1 H) x (L2 H)?  Not where two parameters share a point: where they
- * all do, the surface is a quadric covered twice. */
+/* Whether p   (L1 H) x (L2 H) at some point. This fails at points that two parameters
+ * share; if it fails everywhere, the surface is a quadric covered twice. */
 static bool is_simple(const double points[6][4], const struct moving_planes *planes)
 {
     static const double places[][3] = { { .5, .3, .2 },

@@ -1,8 +1,8 @@
-/* opaque_faces.c - see opaque_faces.h.
+/* opaque_faces.c - collects the faces of opaque surfaces, with their solid sides.
  *
- * Where one closed opaque body rests on another, the common face is within both
- * together, and no ray from outside reaches it.  A face has a side if all rays of the
- * camera start outside of its body.
+ * If one closed opaque body rests on another, the common face is inside their union,
+ * and no ray from outside reaches it. A face has a side only if all rays of the camera
+ * start outside of its body.
  */
 #include "rt/shapes/opaque_faces.h"
 
@@ -17,16 +17,16 @@
 #include "rt/shapes/quadric_face.h"
 #include "rt/shapes/shape.h"
 
-/* Rounding of a coordinate, beside its size. */
+/* Rounding error of a coordinate, relative to its size. */
 #define ROUNDING 1e-12
 
 struct face_search {
     const struct scene *scene;
     struct face_list *list;
-    size_t region; /* whose faces are added */
+    size_t region; /* the region whose faces are added */
     const struct primitive *primitive;
     bool sealed;        /* the region is a body that no ray enters */
-    struct bound limit; /* the box about the region */
+    struct bound limit; /* the box around the region */
 };
 
 static struct face *add_face(struct face_search *search, enum face_sort sort,
@@ -56,7 +56,8 @@ static struct face *add_face(struct face_search *search, enum face_sort sort,
     return face;
 }
 
-/* Numbers that no plane or point of a scene is likely to lie along. */
+/* A linear combination whose coefficients are unlikely to match the planes and points
+ * of a scene. */
 static double mix3(const double numbers[3])
 {
     return .5377 * numbers[0] + .6413 * numbers[1] + .5473 * numbers[2];
@@ -64,7 +65,8 @@ static double mix3(const double numbers[3])
 
 /* ---- Flat faces ---------------------------------------------------------- */
 
-/* The normal is the primitive's own, of any length; box bounds the face. */
+/* Adds a face. The normal is in the primitive's own space, of any length; `box` bounds
+ * the face. */
 static void add_flat(struct face_search *search, const double normal[3],
                      const double point[3], bool outward, const struct bound *box)
 {
@@ -89,7 +91,7 @@ static void add_flat(struct face_search *search, const double normal[3],
     face->key = face->plane[3] + mix3(way);
 }
 
-/* A face that is the hull of points, whose first is on it. */
+/* Adds a face that is bounded by the hull of points and contains `point`. */
 static void add_hull(struct face_search *search, const double normal[3],
                      const double point[3], bool outward, const struct hull *hull)
 {
@@ -200,8 +202,8 @@ static void add_sides(struct face_search *search)
     }
 }
 
-/* Whether a lathe is solid above a level edge: the number of edges above its middle is
- * odd.  Its axis closes the path. */
+/* Whether a lathe is solid above a level edge: the number of edges above the middle of
+ * that edge is odd. The axis closes the path. */
 static bool is_solid_above(const struct outline *path, size_t edge)
 {
     double radius = (path->points[edge][0] + path->points[edge + 1][0]) / 2;
@@ -218,7 +220,7 @@ static bool is_solid_above(const struct outline *path, size_t edge)
     return solid;
 }
 
-/* Rings across the axis. */
+/* Adds the rings across the axis. */
 static void add_rings(struct face_search *search)
 {
     const struct outline *path = &search->primitive->shape.lathe.path;
@@ -286,7 +288,7 @@ double face_middle(const double low[3], const double high[3], double center[3])
     return length3(half);
 }
 
-/* Triangles of one plane become one face. */
+/* Merges triangles of the same plane into one face. */
 static void join_triangles(struct face_search *search, size_t first)
 {
     struct face *faces = search->list->faces;
@@ -372,7 +374,7 @@ static void add_swept(struct face_search *search)
     }
 }
 
-/* One without height has no inside, so it cannot be traced as a solid. */
+/* A prism without height has no inside, so it cannot be traced as a solid. */
 static bool is_flat_prism(const struct primitive *primitive)
 {
     switch (primitive->kind) {
@@ -403,7 +405,7 @@ static bool is_opaque(const struct primitive *primitive)
     return !primitive->unseen && !pigment_is_clear(&primitive->pigment);
 }
 
-/* Whether a point outside of all primitives is in the solid at a node. */
+/* Whether a point outside of all primitives is inside the solid at a node. */
 static bool is_endless(const struct scene *scene, size_t node)
 {
     const struct tree_node *solid = &scene->nodes[node];
@@ -423,7 +425,8 @@ static bool is_endless(const struct scene *scene, size_t node)
     }
 }
 
-/* The camera's rays start within a ball. */
+/* Whether the rays of the camera, which start within a sphere, start outside of a
+ * primitive. */
 static bool starts_outside(const struct camera *camera,
                            const struct primitive *primitive)
 {
@@ -448,7 +451,7 @@ static bool starts_outside(const struct camera *camera,
     return false;
 }
 
-/* A lathe whose ends are nearly on the axis is closed, too. */
+/* A lathe whose ends are nearly on the axis counts as closed. */
 static bool is_closed(const struct primitive *primitive)
 {
     const struct shape_kernels *kernels = shape_kernels_of(primitive);
@@ -460,8 +463,8 @@ static bool is_closed(const struct primitive *primitive)
     return kernels->segments > 0 && !kernels->state;
 }
 
-/* A solid is within those of its primitives that are not taken away.  No ray enters
- * it if all of it is closed, seen and opaque. */
+/* Bounds a solid by its primitives that are not subtracted. No ray enters it if all its
+ * primitives are closed, visible and opaque, and the camera is outside. */
 static void find_limit(struct face_search *search, const struct region *region)
 {
     const struct primitive *first = &search->scene->primitives[region->first_primitive];

@@ -1,4 +1,4 @@
-/* opaque_faces.h - the faces of the opaque surfaces of a region. */
+/* opaque_faces.h - collects the faces of the opaque surfaces of a region. */
 #ifndef RT_OPAQUE_FACES_H
 #define RT_OPAQUE_FACES_H
 
@@ -6,40 +6,41 @@
 
 enum face_sort { FACE_FLAT, FACE_QUADRIC, FACE_SHAPE };
 
-/* Two faces that coincide have nearly the same key. */
+/* A face. Faces that coincide have nearly the same key. */
 struct face {
     enum face_sort sort;
     double key;
     size_t region;
     const struct primitive *primitive;
-    double plane[4]; /* of a flat one: its normal of length one, distance */
-    int side;        /* of a body that no ray enters: 1 if what is below the plane, or
-                        inside of the quadric, is solid, -1 if the rest is; else 0 */
+    double plane[4]; /* of a flat face: its unit normal, and its distance */
+    int side;        /* of a body that no ray enters: 1 if the solid is below the plane
+                      * or inside the quadric, -1 if it is on the other side; else 0 */
     double low[3], high[3];
 };
 
-/* Begins with zero; the faces are to be freed. */
+/* A list of faces. It is initialised with zeros; the caller frees the faces. */
 struct face_list {
     size_t count;
     struct face *faces;
-    bool failed; /* no memory */
+    bool failed; /* out of memory */
 };
 
-/* Appends the faces of the region with a number in the scene.  Prisms without height
+/* Appends the faces of a region, given by its index in the scene. Prisms without height
  * have none. */
 void opaque_faces_add(struct face_list *list, const struct scene *scene, size_t region);
 
-/* The order of qsort: by sort, key, left end, region. */
+/* Compares two faces for qsort: by sort, key, left end, region. */
 int face_compare(const void *a, const void *b);
 
-/* Whether the keys of two faces in that order may be those of equal surfaces. */
+/* Whether two faces, which are adjacent in that order, may have keys of equal
+ * surfaces. */
 bool face_is_near(const struct face *a, const struct face *b);
 
-/* Whether the planes of two flat faces are one within a reach about a point. */
+/* Whether the planes of two flat faces are equal within a reach of a point. */
 bool face_same_plane(const struct face *a, const struct face *b, const double at[3],
                      double reach);
 
-/* The center of a box, and the distance from there to its corners. */
+/* Sets the centre of a box; returns the distance from it to the corners. */
 double face_middle(const double low[3], const double high[3], double center[3]);
 
 #endif

@@ -1,4 +1,4 @@
-/* patch.c - quadratic triangular patches. */
+/* patch.c - tests quadratic triangular patches for area. */
 #include "rt/shapes/patch.h"
 
 #include "rt/scene/vector.h"
@@ -24,12 +24,13 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
     return sum;
 }
 
-/* The three rows are the last triangle of de Casteljau's rule, which lies in
- * the tangent plane: are its corners off one line?  Told in its own size, for
- * products of small edges may be beyond a double. */
+/* Whether the patch has a tangent plane at p. The three rows are the last triangle of
+ * de Casteljau's algorithm, which is in the tangent plane; the patch is regular if its
+ * corners are not on a line. The edges are scaled to the size of the triangle, because
+ * products of small edges may underflow. */
 static bool is_regular(const struct primitive *patch, const double p[3])
 {
-    double least = 1e-12; /* of height to length */
+    double least = 1e-12; /* height relative to length */
     struct homogeneous rows[3];
     double edges[2][3], normal[3], size = 0;
 
@@ -47,8 +48,8 @@ static bool is_regular(const struct primitive *patch, const double p[3])
     return length3(normal) > least;
 }
 
-/* The rows' determinants are of degree three in s, t, u: they vanish
- * everywhere if they do so at the ten points of a grid of thirds. */
+/* The determinant of the rows is a cubic in s, t, u. It vanishes everywhere if it
+ * vanishes at the ten points of a grid of thirds. */
 bool patch_has_area(const struct primitive *patch)
 {
     for (int i = 0; i <= 3; i++)

@@ -1,4 +1,4 @@
-/* path.c - see path.h. */
+/* path.c - walks over paths, bounds them and counts crossings. */
 #include "rt/shapes/path.h"
 
 #include <math.h>
@@ -40,7 +40,7 @@ bool path_next(struct path_walk *walk)
 
 /* ---- Bounds -------------------------------------------------------------- */
 
-/* A circle about the path, at both ends. */
+/* A circle around the path, at both ends. */
 void path_bound(const struct primitive *primitive, const struct outline *path,
                 double low_end, double high_end, struct bound *bound)
 {
@@ -64,9 +64,9 @@ void path_bound(const struct primitive *primitive, const struct outline *path,
     bound_hull(&hull, bound);
 }
 
-/* ---- How often a line crosses one ---------------------------------------- */
+/* ---- Crossings of a line ---------------------------------------------------- */
 
-/* On which side of a direction an edge goes; 0: along it, or nearly. */
+/* Returns the side of a direction that an edge turns to; 0: nearly parallel. */
 static int side_of(const struct path_walk *edge, const double direction[2])
 {
     double x = edge->to[0] - edge->from[0], z = edge->to[1] - edge->from[1];
@@ -79,17 +79,16 @@ static int side_of(const struct path_walk *edge, const double direction[2])
                         : -1;
 }
 
-/* How often edges, one after another, may change sides: those along the
- * direction go to either. */
+/* Counts how often consecutive edges may change sides. Edges parallel to the direction
+ * may be on either side. */
 struct changes {
-    int first, last;        /* the side of the first edge that has one, and of
-                                 the last */
-    size_t before, between; /* edges along it before the first, since the
-                                 last */
+    int first, last;        /* side of the first edge that is not parallel, and of the
+                             * last */
+    size_t before, between; /* parallel edges before the first, and since the last */
     size_t count;
 };
 
-/* Between two sides with so many edges along it. */
+/* Returns the changes between two sides with `along` parallel edges in between. */
 static size_t changes_between(int a, int b, size_t along)
 {
     return along + 1 - ((along + 1) % 2 != (size_t)(a != b));
@@ -111,7 +110,7 @@ static void add_edge(struct changes *changes, int side)
     changes->between = 0;
 }
 
-/* Round the loop, from the last edge to the first. */
+/* Closes the loop, from the last edge to the first. */
 static size_t close_changes(const struct changes *changes)
 {
     if (changes->last == 0)
@@ -121,8 +120,7 @@ static size_t close_changes(const struct changes *changes)
                              changes->between + changes->before);
 }
 
-/* A line crosses each run of edges on one side of its direction once at most.
- */
+/* A line crosses each run of edges on one side of its direction at most once. */
 static size_t crossings_along(const struct outline *path, size_t apart,
                               const double direction[2])
 {
@@ -140,7 +138,8 @@ static size_t crossings_along(const struct outline *path, size_t apart,
     return count + close_changes(&changes);
 }
 
-/* The number of runs changes only where a line turns past an edge. */
+/* The number of runs changes only at directions that are parallel to an edge, so only
+ * these directions are tried. */
 size_t path_crossings(const struct outline *path, size_t apart)
 {
     struct path_walk walk = { .path = path, .apart = apart };

@@ -1,3 +1,4 @@
+/* plane.c - the descriptor of planes. */
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/transform.h"
@@ -10,13 +11,13 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* The distance is along the normal of length one. */
+/* The distance is measured along the unit normal. */
 static const char *finish(struct primitive *primitive)
 {
     return axis_make_normal(primitive->shape.plane.normal);
 }
 
-/* A plane is carried into the world here: P^T n' with P the way back. */
+/* A plane is transformed to the world here: P^T n' with P the inverse map. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     const struct transform *back = &primitive->to_local;

@@ -1,3 +1,4 @@
+/* prism.c - the descriptor of prisms with straight edges. */
 #include "rt/scene/elementary.h"
 #include "rt/shapes/path.h"
 #include "rt/shapes/shape.h"
@@ -23,9 +24,10 @@ static const struct shape_field fields[] = {
 
 /* ---- The path ------------------------------------------------------------ */
 
-/* Behind the loop that begins at first: points without the ones that repeat
- * the one before, the last of them the first again.  As many as are left stand
- * from kept on; a loop of less than three edges encloses nothing and goes. */
+/* Copies a loop that begins at `first`, without points that repeat the one before, and
+ * ends it with its exact first point. The result is appended at *kept; a loop of fewer
+ * than three edges encloses nothing and is dropped. Returns the index after the
+ * loop. */
 static size_t close_loop(struct outline *path, size_t first, double closeness,
                          size_t *kept)
 {
@@ -76,7 +78,7 @@ static const char *finish(struct primitive *primitive)
                     : shape_empty(primitive, "the path of the prism encloses nothing");
 }
 
-/* ---- Its bound ----------------------------------------------------------- */
+/* ---- Bound ---------------------------------------------------------------- */
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
@@ -91,10 +93,9 @@ static size_t segments(const struct primitive *primitive)
     return (path_crossings(&primitive->shape.prism.path, 1) + 1) / 2;
 }
 
-/* ---- Its words ----------------------------------------------------------- */
+/* ---- Words and table ------------------------------------------------------ */
 
-/* Does what the ray crosses from a point of an edge on, that edge left out,
- * come to an odd number? */
+/* Whether a ray from a point of an edge crosses an odd number of the other edges. */
 static bool is_inside(const struct outline *path, size_t edge, const double point[2],
                       const double direction[2])
 {
@@ -118,8 +119,8 @@ static bool is_inside(const struct outline *path, size_t edge, const double poin
 
 enum { ROW = 8 };
 
-/* x, z; 1 where a loop begins, and then no more.  Of the edge back to the point
- * before: its direction, length, outward normal. */
+/* Writes a row. The first row of a loop has x, z and a 1. Every other row has x and z,
+ * and the edge back to the point before: its direction, length and outward normal. */
 static void put_edge(const struct path_walk *edge, size_t number, double *row)
 {
     double x = edge->from[0] - edge->to[0], z = edge->from[1] - edge->to[1];

@@ -1,3 +1,4 @@
+/* quadratic_prism.c - the descriptor of prisms with parabolic edges. */
 #include "rt/shapes/path.h"
 #include "rt/shapes/shape.h"
 
@@ -18,11 +19,11 @@ static const struct shape_field fields[] = {
 
 /* ---- The path ------------------------------------------------------------ */
 
-/* The spline as it is written: points, of which so many are used. */
+/* The spline as written; `used` of its points have been read. */
 struct spline_points {
     const double (*points)[2];
     size_t count, used;
-    double closeness; /* of its points (path.h) */
+    double closeness; /* tolerance of its points (path.h) */
 };
 
 static void add_point(struct outline *path, const double point[2])
@@ -30,8 +31,8 @@ static void add_point(struct outline *path, const double point[2])
     memcpy(path->points[path->count++], point, sizeof *path->points);
 }
 
-/* From here to the next point by POV-Ray's rule: at its beginning it goes the
- * way from the point before to the next. */
+/* Appends the parabola from `here` to `next`, by POV-Ray's rule: its initial direction
+ * is that from the point before to the next point. */
 static void add_parabola(struct outline *path, const double before[2],
                          const double here[2], const double next[2])
 {
@@ -44,8 +45,8 @@ static void add_parabola(struct outline *path, const double before[2],
     add_point(path, next);
 }
 
-/* A point that only gives the first direction, then the loop, up to where it
- * comes back to its own first.  False: it does not. */
+/* Appends a loop. Its first point only gives the initial direction; the loop starts at
+ * the second point and ends where that is repeated. Fails if it is not. */
 static bool add_loop(struct outline *path, struct spline_points *spline)
 {
     const double(*points)[2] = spline->points;
@@ -69,8 +70,8 @@ static bool add_loop(struct outline *path, struct spline_points *spline)
     return false;
 }
 
-/* In place, from the upper half of its room: there are less than twice as many
- * points with the handles. */
+/* Converts the spline in place, after copying it to the upper half of the array: with
+ * handles there are fewer than twice as many points. */
 static const char *make_parabolas(struct outline *path)
 {
     struct spline_points spline = { (const double(*)[2])path->points + path->count,
@@ -113,13 +114,13 @@ static size_t segments(const struct primitive *primitive)
     return (path_crossings(&primitive->shape.quadratic_prism.path, 2) + 1) / 2;
 }
 
-/* ---- One parabola -------------------------------------------------------- */
+/* ---- One parabola ---------------------------------------------------------- */
 
-/* from + (bend w + 2 lead) w, w from 0 to 1. */
+/* The point at w, from 0 to 1, is from + (bend w + 2 lead) w. */
 struct parabola {
     const double *from, *to;
     double bend[2], lead[2];
-    bool begins; /* a loop */
+    bool begins; /* the first of a loop */
 };
 
 static bool next_parabola(struct path_walk *walk, struct parabola *parabola)
@@ -155,7 +156,7 @@ static double along(const struct parabola *parabola, int k, double w)
     return (parabola->bend[k] * w + 2 * parabola->lead[k]) * w;
 }
 
-/* Is a point of it, which is at w, ahead in a direction? */
+/* Whether the point at w is ahead of `point` in a direction. */
 static bool is_ahead(const struct parabola *parabola, double w, const double point[2],
                      const double direction[2])
 {
@@ -165,9 +166,9 @@ static bool is_ahead(const struct parabola *parabola, double w, const double poi
     return dot(direction, way) > 0;
 }
 
-/* How often the ray from a point crosses it, told by the sides of its ends as
- * in quadratic_prism_vector.s; own: the point is its middle, which does not
- * count. */
+/* Returns how often the ray from a point crosses the parabola. The sides of its ends
+ * decide, as in quadratic_prism_vector.s. If `own` is true, the point is the middle of
+ * this parabola, and that crossing is not counted. */
 static size_t crossings_ahead(const struct parabola *parabola, bool own,
                               const double point[2], const double direction[2])
 {
@@ -204,11 +205,11 @@ static bool is_inside(const struct outline *path, size_t number, const double po
     return count % 2 != 0;
 }
 
-/* ---- Its words ----------------------------------------------------------- */
+/* ---- Words and table ------------------------------------------------------ */
 
 enum { ROW = 16 };
 
-/* In the order of rt/kernels/frame/records.s. */
+/* The order is that of rt/kernels/frame/records.s. */
 enum quadratic_word {
     POINT,
     BEGINS = POINT + 2,
@@ -221,12 +222,12 @@ enum quadratic_word {
     OUTWARD = SHARE + 2
 };
 
-/* What is so little bent, beside its length, counts as straight where normals
- * are worked out. */
+/* For normals an edge counts as straight below this curvature relative to its
+ * length. */
 #define STRAIGHT 1e-8
 
-/* As the normal wants it: of what is straight the whole of its line, which may
- * go beyond the ends and come back. */
+/* Writes the words for the normal of a straight edge: the whole line that it covers,
+ * which may extend beyond the ends. */
 static void put_straight(const struct parabola *parabola, double *row)
 {
     const double *lead = parabola->lead, *bend = parabola->bend;
@@ -306,7 +307,7 @@ static void put_rows(const struct outline *path, double *table)
     }
 }
 
-/* A loop of n parabolas has 2 n + 1 points, and n + 1 rows. */
+/* A loop of n parabolas has 2 n + 1 points and n + 1 rows. */
 static size_t count_rows(const struct outline *path)
 {
     struct path_walk walk = { .path = path, .apart = 2 };

@@ -1,3 +1,4 @@
+/* quadric.c - the descriptor of quadrics. */
 #include "rt/shapes/shape.h"
 
 #include "rt/shapes/singular.h"
@@ -16,8 +17,9 @@ static const char *finish(struct primitive *primitive)
                         QUADRIC_TERMS);
 }
 
-/* X A X + 2 g X + k about the centre: A c = -g, the nearest such point to the
- * origin or, where there is none, to being one. */
+/* Writes X A X + 2 g X + k about the centre c, which solves A c = -g. If there are many
+ * centres, the closest to the origin is used; if there is none, the least-squares
+ * solution. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     enum { CENTER = 0, MATRIX = 3, LINEAR = 9, CONSTANT = 12 };

@@ -1,4 +1,4 @@
-/* quadric_face.c - see quadric_face.h. */
+/* quadric_face.c - compares quadrics by their matrices in the world. */
 #include "rt/shapes/quadric_face.h"
 
 #include <math.h>
@@ -6,10 +6,10 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/coincident.h"
 
-/* Rounding, beside the greatest element of a matrix. */
+/* Rounding error, relative to the greatest element of a matrix. */
 #define ROUNDING 1e-12
 
-/* A row of homogeneous coordinates: its product with a point. */
+/* A linear form in homogeneous coordinates. */
 typedef double row[4];
 
 static void add_product(double weight, const row a, const row b, row *sum)
@@ -19,8 +19,8 @@ static void add_product(double weight, const row a, const row b, row *sum)
             sum[i][j] += weight * (a[i] * b[j] + b[i] * a[j]) / 2;
 }
 
-/* |X - base|^2 - along ((X - base) . axis)^2 - 2 rise (X - base) . axis - square,
- * in the world; the axis has length one. */
+/* Computes the matrix of |X - base|^2 - along ((X - base) . axis)^2 - 2 rise (X - base)
+ * . axis - square in the world; the axis has length one. */
 static void round_matrix(const struct primitive *primitive, const double base[3],
                          const double axis[3], double along, double rise, double square,
                          row *matrix)
@@ -74,7 +74,7 @@ static void quadric_matrix(const struct primitive *primitive, row *matrix)
     }
 }
 
-/* False: the primitive has no face of a quadric. */
+/* Fails if the primitive has no face of a quadric. */
 static bool matrix_of(const struct primitive *primitive, row *matrix)
 {
     static const double up[3] = { 0, 1, 0 };
@@ -102,8 +102,8 @@ static bool matrix_of(const struct primitive *primitive, row *matrix)
     }
 }
 
-/* Where the origin is `at` and the unit of length `unit`; the greatest element is
- * 1, or -1. */
+/* Moves the origin to `at` and changes the unit of length to `unit`. The element of
+ * greatest absolute value is then 1 or -1. */
 static void move_matrix(row *matrix, const double at[3], double unit)
 {
     row moved[4] = { { 0 } };

@@ -1,15 +1,16 @@
-/* quadric_face.h - the faces of spheres, cylinders, cones and quadrics as quadrics of
- * the world. */
+/* quadric_face.h - compares the faces of spheres, cylinders, cones and quadrics, as
+ * quadrics of the world. */
 #ifndef RT_QUADRIC_FACE_H
 #define RT_QUADRIC_FACE_H
 
 #include "rt/shapes/primitive.h"
 
 bool quadric_face_is_there(const struct primitive *primitive);
-/* Two that are nearly the same have nearly the same key. */
+/* Returns a key; faces that are nearly the same have nearly the same key. */
 double quadric_face_key(const struct primitive *primitive);
-/* Within reach of a point: 1: they are the same but for COINCIDENT, 0: they differ,
- * -1: they are the same and what is inside of one is outside of the other. */
+/* Compares two faces within reach of a point. Returns 1: they are the same within
+ * COINCIDENT, 0: they differ, -1: they are the same, and the inside of one is the
+ * outside of the other. */
 int quadric_face_compare(const struct primitive *a, const struct primitive *b,
                          const double at[3], double reach);
 

@@ -1,3 +1,4 @@
+/* quartic.c - the descriptor of quartics, and the checks of polynomial surfaces. */
 #include "rt/shapes/shape.h"
 
 #include <math.h>
@@ -25,7 +26,8 @@ static const char *finish(struct primitive *primitive)
                         QUARTIC_TERMS);
 }
 
-/* x^a y^b z^c of x / 2^log, and all terms 2^(4 log) times as large. */
+/* Each term x^a y^b z^c is that of x / 2^log, and all terms are multiplied by 2^(4
+ * log). */
 void quartic_enlarge(struct primitive *quartic, int log)
 {
     double *coefficient = quartic->shape.quartic.coefficients;
@@ -43,7 +45,7 @@ void quartic_enlarge(struct primitive *quartic, int log)
         }
 }
 
-/* The bound is POV-Ray's: it looks no farther. */
+/* POV-Ray has the same limit of distance. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     (void)primitive;

@@ -1,3 +1,4 @@
+/* screen_bounds.c - computes the windows of a mesh's nodes from viewpoints. */
 #include "rt/shapes/screen_bounds.h"
 
 #include <math.h>
@@ -5,7 +6,7 @@
 
 #include "rt/scene/vector.h"
 
-/* A row of an eye, and of a node: EYE and WINDOW of records.s. */
+/* The rows of an eye and of a node: EYE and WINDOW of records.s. */
 enum {
     EYE_PLACE,
     EYE_AXIS = 3,
@@ -19,33 +20,33 @@ enum {
     WINDOW_LOW_V,
     WINDOW_HIGH_V,
     WINDOW_NEAR,
-    WINDOW_LINKS, /* from here on they are integers */
+    WINDOW_LINKS, /* from here on integers */
     WINDOW_FIRST = WINDOW_LINKS + 2,
     WINDOW_COUNT,
     WINDOW_ROW
 };
 
-/* ---- Eyes ---------------------------------------------------------------- */
+/* ---- Eyes ----------------------------------------------------------------- */
 
-/* In sizes of the greatest coordinate: windows are wider by MARGIN, where their corners
- * are, which is eight times what is rounded of a ray that comes from no farther than
- * MAX_FAR, and of a triangle that it meets.  An eye that is nearer than NEAR_LEAST would
- * see little else than that. */
+/* Relative to the greatest coordinate. Windows are enlarged by MARGIN, at the depth of
+ * their corners. That is eight times the rounding error of a ray that starts within
+ * MAX_FAR, and of a triangle that it hits. An eye closer than NEAR_LEAST would see
+ * little beyond this margin. */
 #define MARGIN 0x1p-31
 #define NEAR_LEAST 0x1p-20
 enum { MAX_FAR = 512 };
-/* Points stand no farther beside the eye's axis, in depths. */
+/* The limit of the slope of points relative to the eye's axis. */
 enum { MAX_SLOPE = 64 };
-/* Words of an eye's windows: more would not stay in the real memory of the machine, and
- * each ray would wait for pages. */
+/* The limit of words for the windows of an eye. Larger tables would not stay in the
+ * real memory of the machine, and each ray would cause page faults. */
 enum { MAX_WINDOWS = 1 << 20 };
 
 struct viewpoint {
     const double *place;
     int axis;
     double sign;
-    double size; /* the greatest coordinate, of the box and its own */
-    double near; /* the least z, of the box */
+    double size; /* greatest coordinate of the box and of the eye */
+    double near; /* least z of the box */
 };
 
 static double greatest_side(const struct box *box, const double place[3])
@@ -57,7 +58,7 @@ static double greatest_side(const struct box *box, const double place[3])
     return most;
 }
 
-/* False: it is within the box, or so near that little would be seen. */
+/* Fails if the point is inside the box, or too close to it. */
 static bool eye_find(const double place[3], const struct box *whole,
                      struct viewpoint *viewpoint)
 {
@@ -92,7 +93,7 @@ size_t screen_bounds_size(const struct viewpoints *viewpoints, const struct box 
     return *seeing * (EYE_ROW + words);
 }
 
-/* ---- What is seen from one ------------------------------------------------ */
+/* ---- Windows -------------------------------------------------------------- */
 
 struct mesh_window {
     double low[2], high[2], near;
@@ -125,7 +126,7 @@ static struct mesh_window window_of(const struct viewpoint *viewpoint,
     return window;
 }
 
-/* Nodes are before those below them. */
+/* The loop is backwards because the children of a node come after it. */
 static void find_windows(const struct screen_bounds *of,
                          const struct viewpoint *viewpoint, struct mesh_window *bounds)
 {
@@ -146,21 +147,24 @@ static void find_windows(const struct screen_bounds *of,
     }
 }
 
-/* ---- What it costs ---------------------------------------------------------- */
+/* ---- Costs ---------------------------------------------------------------- */
 
-/* Clocks of a vector program for a ray, about, as its instructions come to: where it is asked
- * at a box, at a window, where it meets a triangle.  A guess, which chooses and changes no frame. */
+/* Clocks of a vector program per ray, estimated from its instructions: a test of a box,
+ * a test of a window, a test of a triangle. The estimate only selects the method; no
+ * frame depends on it. */
 enum { BOX_CLOCKS = 25, WINDOW_CLOCKS = 14, TRIANGLE_CLOCKS = 60 };
 
-/* Of all rays from the eye so many come near something as the area says that it has in
- * the plane where z is 1.  Each asks the two nodes below one, or meets a leaf's triangles. */
+/* Returns the cost of the rays that hit a node. Their number is proportional to the
+ * node's area in the plane z = 1. Each tests both children, or the triangles of a
+ * leaf. */
 static double cost_below(const struct mesh_node *node, double area, int clocks)
 {
     return area
            * (node->count > 0 ? TRIANGLE_CLOCKS * (double)node->count : 2. * clocks);
 }
 
-/* Of a box that is small, as seen from there; for the others it need not be right. */
+/* Returns the projected area of a small box. For large boxes the value need not be
+ * accurate. */
 static double silhouette(const struct box *box, const struct viewpoint *viewpoint)
 {
     double away[3], size[3], z, area = 0;
@@ -180,7 +184,7 @@ static double area_of(const struct mesh_window *window)
     return (window->high[0] - window->low[0]) * (window->high[1] - window->low[1]);
 }
 
-/* Whether rays from the eye are asked less by windows than by boxes. */
+/* Whether windows cost less than boxes for rays through the eye. */
 static bool windows_pay(const struct screen_bounds *of,
                         const struct viewpoint *viewpoint,
                         const struct mesh_window *bounds)
@@ -196,9 +200,9 @@ static bool windows_pay(const struct screen_bounds *of,
     return by_windows <= by_boxes;
 }
 
-/* ---- Ways ---------------------------------------------------------------- */
+/* ---- Traversal ------------------------------------------------------------ */
 
-/* Who looks from an eye sees the half of a node on its own side first. */
+/* Whether the second child of a node is on the eye's side of the split. */
 static bool upper_is_first(const struct mesh_node *nodes, size_t node,
                            const struct viewpoint *viewpoint)
 {
@@ -209,10 +213,10 @@ static bool upper_is_first(const struct mesh_node *nodes, size_t node,
     return viewpoint->place[axis] > lower->high[axis] / 2 + upper->low[axis] / 2;
 }
 
-/* A test of one of these spares the two below it: as plan_tests of boxes, but a
- * window is passed over at a greater share, as it costs less to be asked (of
- * .4 to .7 a count of the nodes asked was least at .6, for rays of a camera to a ball of
- * 100,352 triangles). */
+/* Plans which nodes are tested, as plan_tests does for boxes. The threshold of the
+ * share is higher, since a test of a window is cheaper. Measured for camera rays and a
+ * ball of 100,352 triangles: of the thresholds .4 to .7 the number of tests is least at
+ * .6. */
 static void plan_ways(const struct mesh_node *nodes, size_t node,
                       const struct viewpoint *viewpoint,
                       const struct mesh_window *bounds, double above,
@@ -233,9 +237,9 @@ static void plan_ways(const struct mesh_node *nodes, size_t node,
     plan_ways(nodes, nodes[node + 1].next, viewpoint, bounds, above, ways);
 }
 
-/* ---- Its words ----------------------------------------------------------- */
+/* ---- Words ---------------------------------------------------------------- */
 
-/* Depth counts for as much less. */
+/* The margin is divided by the least depth. */
 static void put_window(const struct screen_bounds *of,
                        const struct viewpoint *viewpoint,
                        const struct mesh_window *window, size_t node, double *row)
@@ -264,13 +268,13 @@ static void put_eye(const struct viewpoint *viewpoint, double bounds, double *ro
     row[EYE_WINDOWS] = bounds;
 }
 
-/* What one eye sees of all nodes; rows from that of zeros on. */
+/* Working storage of one eye: its windows, and the traversal of all nodes. */
 struct view {
     struct mesh_window *bounds;
     unsigned char *ways;
 };
 
-/* False: they do not pay, and there are none. */
+/* Writes the windows of an eye. Fails if they do not pay; then there are none. */
 static bool put_view(const struct screen_bounds *of, const struct viewpoint *viewpoint,
                      const struct view *view, double *rows)
 {

@@ -1,8 +1,8 @@
-/* shape.h - what all of the house knows of a sort of primitive.
+/* shape.h - the descriptor of a kind of primitive.
  *
- * Each has one descriptor, in its own file: what is read of it, its bound, its
- * words for the machine, its routines among the kernels.  rt/shapes/shapes.def
- * lists them; a row without its descriptor does not link.
+ * Each kind has one descriptor, in its own file: its arguments in the scene language,
+ * its bound, its words for the machine, and its routines among the kernels.
+ * rt/shapes/shapes.def lists the kinds; a row without its descriptor fails to link.
  */
 #ifndef RT_SHAPE_H
 #define RT_SHAPE_H
@@ -12,134 +12,131 @@
 #include "rt/shapes/viewpoints.h"
 #include "rt/shapes/primitive.h"
 
-/* How closely roots are found, beside the size of the shape. */
+/* The accuracy of roots, relative to the size of the shape. */
 #define ROOT_RESOLUTION 0x1p-44
 
-/* ---- What is in its braces ------------------------------------------- */
+/* ---- Arguments ------------------------------------------------------------ */
 
-/* Its arguments, one after another, with commas between them that may be left
- * out.  Messages say what it is. */
+/* The kinds of arguments. Arguments are in order; the commas between them are
+ * optional. */
 enum shape_takes {
     TAKES_END,
     TAKES_NUMBER,
     TAKES_VECTOR,
-    TAKES_RADIUS, /* counts by its size */
+    TAKES_RADIUS, /* its absolute value is used */
     TAKES_SIZE,   /* a number above 0 */
-    TAKES_MORE,   /* a number that may be left out */
+    TAKES_MORE,   /* an optional number */
     TAKES_TERMS,  /* numbers in < > */
-    TAKES_WORD,   /* may be there: a bool says whether it does */
-    TAKES_USUAL,  /* a word that may be there and says what is so anyway */
-    TAKES_OTHER,  /* a word of POV-Ray's that is not supported */
-    TAKES_PATH,   /* a number of points, count at least, and the points,
-                     to a struct outline; there is room for twice as many */
+    TAKES_WORD,   /* an optional word: a bool records whether it is there */
+    TAKES_USUAL,  /* an optional word that states the default */
+    TAKES_OTHER,  /* a word of POV-Ray that is not supported */
+    TAKES_PATH,   /* a number of points, at least count, and the points, into a struct
+                   * outline with space for twice as many */
 };
 
 struct shape_field {
     enum shape_takes takes;
-    size_t offset;      /* where it goes, within struct primitive */
+    size_t offset;      /* of the destination within struct primitive */
     const char *what;   /* its name in messages; the word itself */
-    size_t count;       /* of them; 0: one */
-    const char *behind; /* they may be left out, and are behind this word */
+    size_t count;       /* of elements; 0: one */
+    const char *behind; /* word before them, if they are optional; else NULL */
 };
-/* Where a member of shape.name stands. */
+/* The offset of a member of shape.name. */
 #define SHAPE_AT(name, member) offsetof(struct primitive, shape.name.member)
 
-/* ---- Its routines -------------------------------------------------------- */
+/* ---- Routines ------------------------------------------------------------- */
 
-/* Names among the kernels, the same in both forms of the program. */
+/* Names of kernels, which are the same in both forms of the program. */
 struct shape_kernels {
-    const char *kernel; /* the crossing of a ray that it meets first */
+    const char *kernel; /* the first crossing of a ray */
     const char *normal;
-    size_t segments;               /* of a ray, inside, at most; 0: a surface,
-                               that has no inside */
-    const char *solid;             /* of one that is in a tree: all crossings;
-                               NULL: the first routine finds them all */
-    const char *state;             /* in a tree, of an open shape: the segments
-                               inside of the closed one; else NULL */
-    const char *inside;            /* in a tree, of one that may be a surface or a
-                               solid: the segments of a solid; else NULL */
-    const char *body;              /* .. or may have a body that is not seen: what
-                               is inside of that */
+    size_t segments;               /* limit of a ray's segments inside; 0: a surface,
+                                    * which has no inside */
+    const char *solid;             /* in a tree: all crossings; NULL: kernel finds all
+                                    * of them */
+    const char *state;             /* in a tree, for an open shape: the segments inside
+                                    * of the closed shape; else NULL */
+    const char *inside;            /* in a tree, for a shape that may be a surface or a
+                                    * solid: the segments of the solid; else NULL */
+    const char *body;              /* in a tree, for a shape that may have an invisible
+                                    * body: the segments inside of that */
     const char *historical;        /* the kernel of 1984 */
-    const char *historical_normal; /* where that notes what a normal needs:
-                                      two parameters of a hit; else NULL */
+    const char *historical_normal; /* kernel of the normal with `historical`, if that
+                                    * needs two parameters of a hit; else NULL */
 };
 
-/* ---- The descriptor ------------------------------------------------------ */
+/* ---- Descriptor ----------------------------------------------------------- */
 
 enum { MAX_SHAPE_WORDS = 16, MAX_PATH = 2000 };
 
 struct shape {
-    /* Up to TAKES_END; of a mesh, for which the language has a file, none. */
+    /* Ends with TAKES_END. A shape that has its own parser has none before it. */
     const struct shape_field *fields;
-    /* What is read becomes what is traced.  Returns what is wrong with it, or
-     * NULL; shape_empty of the reason if nothing is seen of it. */
+    /* Converts the arguments to the form that is traced. Returns what is wrong, or
+     * NULL; the result of shape_empty if the shape is invisible. */
     const char *(*finish)(struct primitive *primitive);
-    const char *povray; /* its name in POV-Ray; NULL: it has none */
+    const char *povray; /* its name in POV-Ray; NULL: none */
 
-    /* A sphere in the world that nothing of it reaches beyond, or
-     * bound_none. */
+    /* Bounds the shape in the world, or sets bound_none. */
     void (*bound)(const struct primitive *primitive, struct bound *bound);
-    bool endless; /* its inside, which trees ask for, reaches beyond that */
+    bool endless; /* its inside, as trees use it, extends beyond the bound */
 
-    /* What a set-up program would work out once: reciprocals, axes, the words
-     * of P_SHAPE in the order of rt/kernels/frame/records.s.  Returns how
-     * many. */
+    /* Writes the words of P_SHAPE in the order of rt/kernels/frame/records.s: values
+     * that can be computed once, such as reciprocals and axes. Returns their number. */
     size_t (*words)(const struct primitive *primitive, double *words);
-    /* Any number of further words, to which the record has an address: how
-     * many, and, if table is not NULL, the words, or 0 if there is no memory
-     * to work them out.  What is asked of it may be planned by where many
-     * rays go through; eyes may be NULL.  NULL: none. */
+    /* Writes further words, whose address is in the record, unless table is NULL.
+     * Returns their number, or 0 without memory. The table may depend on the viewpoints
+     * that many rays pass through; eyes may be NULL. NULL: no table. */
     size_t (*table)(const struct primitive *primitive,
                     const struct viewpoints *viewpoints, double *table);
-    /* Which of them are integers: marks these where no mark is.  NULL: all are
-     * numbers. */
+    /* Sets the marks of the words of the table that are integers; all marks are clear
+     * before. NULL: all are floating-point numbers. */
     void (*mark_integers)(const struct primitive *primitive,
                           const struct viewpoints *viewpoints, bool *marks);
-    /* Whether all are finite, if that is told sooner than by working them
-     * out; or NULL. */
+    /* Whether all words are finite, if there is a faster way than to compute them;
+     * NULL: none. */
     bool (*is_finite)(const struct primitive *primitive);
-    /* Whether it needs no space of its own: its words are told, or are told
-     * again, in the world.  NULL: it needs one. */
+    /* Whether the shape needs no space of its own: its words are in the world, or are
+     * converted to it. NULL: it needs one. */
     bool (*carry)(const struct primitive *primitive, double *words);
 
-    /* Where it is not kernels.segments; NULL: it is. */
+    /* Returns the limit of segments; NULL: it is kernels.segments. */
     size_t (*segments)(const struct primitive *primitive);
-    /* Whether it has such a body.  NULL: it has none. */
+    /* Whether the primitive has an invisible body. NULL: none has. */
     bool (*has_body)(const struct primitive *primitive);
-    /* A hit has a triangle: all of a ray's crossings, of which there are so many
-     * at most, have theirs.  NULL: it has none. */
+    /* Returns the limit of crossings of a ray, each of which has a triangle. NULL: hits
+     * have no triangle. */
     size_t (*crossings)(const struct primitive *primitive);
-    const char *region; /* of the accounts, in which its kernels run */
-    /* Of kernels that are assembled for scenes with such a shape alone: it is 1
-     * there.  NULL: they always are. */
+    const char *region; /* of the accounts, for its kernels */
+    /* A symbol that is 1 in scenes with this shape; its kernels are assembled only
+     * then. NULL: they always are. */
     const char *symbol;
     struct shape_kernels kernels;
-    /* Some have two sorts: when it is the other one (or NULL), and the
-     * routines of that. */
+    /* Whether a primitive uses the second set of routines, and that set. NULL: there is
+     * one set only. */
     bool (*is_other)(const struct primitive *primitive);
     struct shape_kernels other;
-    /* Whether the kernel of 1984 can trace it; NULL: where there is one. */
+    /* Whether the kernel of 1984 supports the primitive; NULL: if there is one. */
     bool (*is_historical)(const struct primitive *primitive);
-    /* Its words, as above; NULL: the same. */
+    /* The words of that kernel; NULL: the same as `words`. */
     size_t (*historical_words)(const struct primitive *primitive, double *words);
-    /* How points are spread over its surface; what it has is freed by who
-     * asks.  Returns why there is nothing of the kind, or NULL.  NULL: its
-     * surface is found by lines alone. */
+    /* Describes how points are distributed over the surface; the caller frees the
+     * emitter. Returns why this is not possible, or NULL. NULL: the surface is sampled
+     * by lines only. */
     const char *(*emit)(const struct primitive *primitive, struct emitter *emitter);
 };
 
 #define SHAPE(KIND, name, ...) extern const struct shape shape_##name;
 #include "rt/shapes/shapes.def"
 
-/* By PRIMITIVE_.. */
+/* By primitive_kind. */
 extern const struct shape *const shapes[PRIMITIVE_KINDS];
 const struct shape *shape_of(const struct primitive *primitive);
-/* Those of its sort. */
+/* Returns the set of routines that the primitive uses. */
 const struct shape_kernels *shape_kernels_of(const struct primitive *primitive);
-/* Has it no inside? */
+/* Whether the primitive has no inside. */
 bool shape_is_surface(const struct primitive *primitive);
-/* Marks it as one of which nothing is seen.  Returns the reason. */
+/* Marks the primitive as invisible. Returns the reason. */
 const char *shape_empty(struct primitive *primitive, const char *reason);
 
 #endif

@@ -1,3 +1,4 @@
+/* shape_words.c - collects the data of a primitive for its kernels. */
 #include "rt/shapes/shape_words.h"
 
 #include <math.h>
@@ -25,7 +26,7 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
         words->state = kernels->body;
     else if (kernels->inside && words->segments > 0)
         words->solid = kernels->inside;
-    if (primitive->unseen) { /* as an open shape, nothing of which is there */
+    if (primitive->unseen) { /* treated as an open shape without any surface */
         words->state = words->state ? words->state : words->solid;
         words->solid = "unseen";
         words->events = words->on_mesh ? 2 : words->events;

@@ -1,4 +1,4 @@
-/* shapes.c - the descriptors by their kinds, and what they all mean. */
+/* shapes.c - the descriptors of shapes by kind, and queries of them. */
 #include "rt/shapes/shape.h"
 
 const struct shape *const shapes[PRIMITIVE_KINDS] = {

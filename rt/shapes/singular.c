@@ -1,3 +1,4 @@
+/* singular.c - the one-sided Jacobi method. */
 #include "rt/shapes/singular.h"
 
 #include <float.h>
@@ -25,7 +26,7 @@ static void turn(singular_matrix matrix, size_t rows, size_t p, size_t q, double
     }
 }
 
-/* Turn two columns square to each other; false when they were already. */
+/* Rotates two columns to be orthogonal. Returns false if they already were. */
 static bool make_square(struct singular *singular, size_t p, size_t q)
 {
     double pp = column_product(singular, p, p);

@@ -1,3 +1,4 @@
+/* sphere.c - the descriptor of spheres. */
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/vector.h"
@@ -15,8 +16,8 @@ static const char *finish(struct primitive *primitive)
                : shape_empty(primitive, "the radius is 0");
 }
 
-/* An ellipsoid in the world: along each axis it reaches as far as that axis's row
- * of the matrix is long. */
+/* In the world the sphere is an ellipsoid: its extent along each axis is the length of
+ * that row of the matrix, times the radius. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     double r = primitive->shape.sphere.radius;
@@ -41,8 +42,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 5;
 }
 
-/* Does the transform keep every sphere a sphere?  Then it is carried
- * into the world here. */
+/* Whether the transform maps spheres to spheres. The words are then those of the sphere
+ * in the world. */
 static bool carry(const struct primitive *primitive, double *words)
 {
     const double(*rows)[4] = primitive->to_world.rows;
@@ -67,7 +68,7 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
-/* The unit sphere, so many times as large. */
+/* The unit sphere, scaled by the radius. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     emitter->kernel = "emit_sphere";

@@ -1,3 +1,4 @@
+/* steiner.c - computes the polynomials of a Steiner patch. */
 #include "rt/shapes/steiner.h"
 
 #include <string.h>
@@ -6,8 +7,8 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/shape.h"
 
-/* Control points as x y z w, told from the centre, in the order of struct
- * primitive: b200 b020 b002 b110 b011 b101. */
+/* Control points as x y z w, relative to the centre, in the order of struct primitive:
+ * b200 b020 b002 b110 b011 b101. */
 struct patch {
     double point[STEINER_POINTS][4];
     double center[3], bound;
@@ -28,9 +29,9 @@ bool steiner_is_polynomial(const struct primitive *primitive)
     return true;
 }
 
-/* The weights with those of the corners made one, which s, t, u each times a
- * factor do: the patch stays what it is, and no part of it shrinks into a
- * corner of the parameters.  Then told from the greatest. */
+/* Computes weights that are 1 at the corners, which corresponds to scaling s, t and u
+ * by one factor each. The patch stays the same, and no part of it is compressed into a
+ * corner of the parameters. The weights are then divided by the greatest. */
 static void read_weights(const struct primitive *primitive, double *weights)
 {
     static const int ends[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
@@ -49,7 +50,7 @@ static void read_weights(const struct primitive *primitive, double *weights)
         weights[i] /= greatest;
 }
 
-/* With weights above 0 the patch lies in the hull of its control points. */
+/* With weights above 0 the patch is inside the hull of its control points. */
 static void read_patch(const struct primitive *primitive, struct patch *patch)
 {
     const double(*points)[3] = primitive->shape.steiner_patch.points;
@@ -72,7 +73,7 @@ static void read_patch(const struct primitive *primitive, struct patch *patch)
     }
 }
 
-/* The same patch with the corner first as s, the next one as t. */
+/* Rotates the corners so that `first` is s and the next one t. */
 static void turn_patch(const struct patch *patch, int first, struct patch *turned)
 {
     *turned = *patch;
@@ -102,7 +103,7 @@ static void form_polynomials(const struct patch *patch,
     }
 }
 
-/* The turn with the greatest second difference, and its polynomials. */
+/* Selects the rotation with the greatest second difference, and its polynomials. */
 static void read_best(const struct primitive *primitive, struct patch *best,
                       struct patch_polynomials *polynomials)
 {
@@ -122,7 +123,8 @@ static void read_best(const struct primitive *primitive, struct patch *best,
     }
 }
 
-/* Square to K5: out of the first of the others that is not along it. */
+/* Computes a vector perpendicular to K5, from the first of the other K that is not
+ * parallel to it. */
 static bool square_to_last(const double (*k)[3], double *square)
 {
     static const int order[] = { 2, 4, 1, 3, 0 };
@@ -137,9 +139,9 @@ static bool square_to_last(const double (*k)[3], double *square)
     return false;
 }
 
-/* Planes through a ray along K5 and this vector tell the curves s = const
- * apart: it is square to K5 and K2 or, where K2 is along K5, to K4.  Of a
- * patch without K5 any ray wants it: it is square to K2, in the plane of the
+/* Computes a vector that separates the curves s = const by planes through it and a ray
+ * along K5. It is perpendicular to K5 and K2 or, if K2 is parallel to K5, to K4. For a
+ * patch without K5 every ray uses it: it is perpendicular to K2, in the plane of the
  * patch. */
 static void other_plane(const struct patch_polynomials *polynomials, double bound,
                         double *other)
@@ -175,7 +177,8 @@ void steiner_shape(const struct primitive *primitive, double *shape)
     shape[6] = ROOT_RESOLUTION * patch.bound;
 }
 
-/* L1, L2 and T, then the forms Qx Qy Qz Qw; found in the size of the patch. */
+/* Writes L1, L2 and T, then the forms Qx Qy Qz Qw; computed with the patch scaled to
+ * size 1. */
 static size_t put_implicit(const struct patch *patch, double *table)
 {
     struct moving_planes planes;

@@ -1,3 +1,4 @@
+/* steiner_patch.c - the descriptor of Steiner patches. */
 #include "rt/shapes/shape.h"
 
 #include <string.h>
@@ -12,7 +13,7 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* Weights that are not given are one. */
+/* Weights that are not given are 1. */
 static const char *finish(struct primitive *primitive)
 {
     double *weights = primitive->shape.steiner_patch.weights;
@@ -23,7 +24,7 @@ static const char *finish(struct primitive *primitive)
                                      : shape_empty(primitive, "the patch has no area");
 }
 
-/* With weights above 0 a patch lies in the hull of its control points. */
+/* With weights above 0 the patch is inside the hull of its control points. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     struct hull hull = { .count = 0 };
@@ -51,13 +52,13 @@ static size_t put_table(const struct primitive *primitive,
     return count;
 }
 
-/* The implicit way wants a surface of the fourth degree. */
+/* The implicit form exists for surfaces of degree four. */
 static bool is_historical(const struct primitive *primitive)
 {
     return put_table(primitive, NULL, NULL) > STEINER_TABLE;
 }
 
-/* The polynomials K0 .. K5 axis by axis, those of the squares twice. */
+/* The polynomials K0 .. K5, axis by axis; those of the squares are doubled. */
 static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };

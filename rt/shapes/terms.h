@@ -1,14 +1,14 @@
-/* terms.h - surfaces that a polynomial's coefficients tell. */
+/* terms.h - surfaces that are given by the coefficients of a polynomial. */
 #ifndef RT_TERMS_H
 #define RT_TERMS_H
 
 #include "rt/shapes/primitive.h"
 
-/* A surface needs a coefficient besides the last, the constant.  As a shape's
- * settle. */
+/* Checks that some coefficient other than the last, the constant, is not 0. The result
+ * is that of a shape's settle. */
 const char *terms_finish(struct primitive *primitive, const double *coefficients,
                          size_t count);
-/* A quartic in a space that is 2^log times as large: the same surface in the world. */
+/* Enlarges the space of a quartic by 2^log; its surface in the world stays the same. */
 void quartic_enlarge(struct primitive *quartic, int log);
 
 #endif

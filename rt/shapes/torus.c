@@ -1,3 +1,4 @@
+/* torus.c - the descriptor of tori. */
 #include "rt/shapes/shape.h"
 
 #include <math.h>
@@ -26,7 +27,7 @@ static const char *finish(struct primitive *primitive)
     return NULL;
 }
 
-/* A circle about y, and from there the tube; its box is that of two circles. */
+/* Bounds a circle about y, enlarged by the tube. The box is that of two circles. */
 void torus_bound(const struct primitive *primitive, double major, double radial,
                  double axial, struct bound *bound)
 {
@@ -49,8 +50,8 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     torus_bound(primitive, primitive->shape.torus.major, minor, minor, bound);
 }
 
-/* (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2), and a sphere and two planes
- * about it that rounding cannot reach. */
+/* Writes the coefficients of (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2), and a
+ * bounding sphere and two planes with a margin for rounding. */
 size_t torus_words(double major, double radial, double axial, double *words)
 {
     double bound = 1.001 * (major + fmax(radial, axial));

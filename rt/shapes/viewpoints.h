@@ -1,10 +1,11 @@
-/* viewpoints.h - the points through which many rays go: where a camera is, and lights. */
+/* viewpoints.h - viewpoints that many rays pass through: the positions of cameras and
+ * lights. */
 #ifndef RT_EYES_H
 #define RT_EYES_H
 
 #include <stddef.h>
 
-/* The first ones of a scene; for each a large mesh takes room in memory. */
+/* The first ones of a scene are used; a large mesh has a table for each. */
 enum { MAX_VIEWPOINTS = 4 };
 
 struct viewpoints {

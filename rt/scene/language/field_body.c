@@ -18,8 +18,8 @@
 #include <string.h>
 
 #define COLUMN_DEPTH 1e4 /* instead of infinity */
-/* Grid of the corners. An edge at the water level is cut once for each of its triangles,
- * and rounding to this grid makes the results equal. */
+/* Grid of the corners. An edge at the water level is cut once for each of its
+ * triangles; rounding to this grid makes the results equal. */
 #define GRAIN 0x1p-40
 enum { COLUMN_FACES = 12 };
 
