@@ -36,10 +36,11 @@ void font_close(struct font *font);
  * not have. Fails without memory or if the font is broken. */
 bool font_glyph(const struct font *font, uint32_t character, struct arena *arena,
                 struct glyph *glyph);
-/* Rotates a loop so that it begins at a corner where it does not touch itself; a loop
- * that began at such a corner would be taken for two loops. The last point of the loop
- * is not yet a copy of its first. A loop that touches itself in all of its first 100
- * corners is not changed. `apart` is the step between corners. */
+/* Rotates a loop so that it does not begin at a corner where it touches itself. Without
+ * this it would be taken for two loops, because a loop ends where its first corner is
+ * repeated. The last point of the loop is not yet a copy of its first. A loop that
+ * touches itself in all of its first 100 corners is not changed. `apart` is the step
+ * between corners. */
 void font_turn_loop(double (*points)[2], size_t count, size_t apart);
 /* Returns the kerning of two adjacent characters: below 0 if they are closer than their
  * advance. */

@@ -12,7 +12,7 @@
 #include "base/diagnostic.h"
 #include "rt/scene/scene_internal.h"
 
-/* The quantity that the values are of. */
+/* The quantity of the values, such as the density. */
 struct value_kind {
     const char *name;   /* "density" */
     const char *ending; /* suffix of floats of the scene: "_Density" */

@@ -277,9 +277,9 @@ struct scene {
     struct region *regions;        /* in file order */
     size_t object_count;           /* objects that statements put into the world */
     struct world_object *objects;  /* owned by the scene */
-    size_t float_count;            /* their values at the end of the file */
-    struct declared_float *floats; /* floats with names, with their values at the end of
+    size_t float_count;            /* floats with names, with their values at the end of
                                     * the file */
+    struct declared_float *floats; /* owned by the scene */
     bool every_crossing;           /* queries return all crossings of a ray instead of
                                     * the first hit: no region counts as simple */
     struct arena kept;             /* storage that primitives point to */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Points ------------------------------------------------------------- */
+/* ---- Points -------------------------------------------------------------- */
 
 size_t spline_find(const struct spline *spline, double t)
 {
@@ -83,7 +83,7 @@ void spline_release(struct spline *spline)
     free(spline);
 }
 
-/* ---- Values ------------------------------------------------------------- */
+/* ---- Values -------------------------------------------------------------- */
 
 /* Returns the slope of a term between a point and the next. */
 static double slope(const struct spline_point *point, int term)

@@ -35,7 +35,7 @@ static const char *finish(struct primitive *primitive)
                                         "threshold");
 }
 
-/* ---- Bound ---------------------------------------------------------------- */
+/* ---- Bound --------------------------------------------------------------- */
 
 /* Bounds a sphere in the space of a component; `placed` leads from there to the
  * world. */
@@ -92,7 +92,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_parts(primitive, &primitive->to_world, bound);
 }
 
-/* ---- Crossings of a ray --------------------------------------------------- */
+/* ---- Crossings of a ray -------------------------------------------------- */
 
 static bool takes_away(const struct blob_parts *parts)
 {
@@ -139,7 +139,7 @@ size_t blob_pieces_most(const struct scene *scene)
     return most;
 }
 
-/* ---- Words and table ------------------------------------------------------ */
+/* ---- Words and table ----------------------------------------------------- */
 
 /* A row of the table, as records.s defines it. */
 enum {

@@ -29,7 +29,7 @@ static bool is_sound(const struct bound *bound)
     return bound->radius <= GREATEST && length3(bound->center) <= GREATEST;
 }
 
-/* ---- Bounds of bounds ------------------------------------------------------ */
+/* ---- Bounds of bounds ---------------------------------------------------- */
 
 static double distance_to(const double *from, const struct bound *part)
 {
@@ -129,7 +129,7 @@ void bound_common(const struct bound *parts, size_t count, struct bound *whole)
         }
 }
 
-/* ---- Hulls ----------------------------------------------------------------- */
+/* ---- Hulls --------------------------------------------------------------- */
 
 void hull_point(struct hull *hull, const struct primitive *primitive,
                 const double point[3])
@@ -186,7 +186,7 @@ void bound_hull_box(const struct hull *hull, struct bound *bound)
     bound_box(hull->points, hull->count, bound);
 }
 
-/* ---- Extents of shapes ----------------------------------------------------- */
+/* ---- Extents of shapes --------------------------------------------------- */
 
 double bound_stretch(const struct primitive *primitive, double x, double y, double z)
 {

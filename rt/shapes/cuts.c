@@ -58,7 +58,8 @@ static void fill_bins(const struct cutting *cutting, const size_t *row, size_t c
     }
 }
 
-/* Tries all splits along one axis, and keeps the best. */
+/* Tries all splits along one axis, and keeps the best. above[i] is the union of the
+ * bins from i on, so each split costs two evaluations. */
 static void try_axis(const struct cutting *cutting, const size_t *row, size_t count,
                      const struct box *whole, struct cut cut, struct cut *best)
 {

@@ -15,7 +15,7 @@ void emitter_free(struct emitter *emitter)
     emitter->pieces = emitter->areas = NULL;
 }
 
-/* ---- Pieces --------------------------------------------------------------- */
+/* ---- Pieces -------------------------------------------------------------- */
 
 bool emitter_begin(struct emitter *emitter, const char *kernel, size_t most,
                    size_t words)
@@ -69,7 +69,7 @@ void emitter_add_triangle(struct emitter *emitter, const double a[3], const doub
     copy3(normal, words + 9);
 }
 
-/* ---- Common shapes --------------------------------------------------------- */
+/* ---- Common shapes ------------------------------------------------------- */
 
 enum { MAX_FRUSTA = 3 };
 

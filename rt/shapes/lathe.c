@@ -134,7 +134,7 @@ static bool is_open(const struct primitive *primitive)
     return close_path(primitive).count > primitive->shape.lathe.path.count;
 }
 
-/* ---- Bound ---------------------------------------------------------------- */
+/* ---- Bound --------------------------------------------------------------- */
 
 struct cylinder_about {
     double low, high, radius;
@@ -193,7 +193,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     free(points);
 }
 
-/* ---- Crossings of a ray --------------------------------------------------- */
+/* ---- Crossings of a ray -------------------------------------------------- */
 
 /* A run of segments that is convex away from the axis: each turns towards the axis,
  * relative to the one before, and all rise or all fall. */
@@ -249,7 +249,7 @@ static size_t segments(const struct primitive *primitive)
     return (crossings + 1) / 2;
 }
 
-/* ---- Words and table ------------------------------------------------------ */
+/* ---- Words and table ----------------------------------------------------- */
 
 /* Whether a point on a segment is inside: a ray from it, along the radius or the axis,
  * crosses an odd number of the other segments. */
@@ -341,7 +341,8 @@ static double middle_of(const struct primitive *primitive)
     return (about.low + about.high) / 2;
 }
 
-/* Points this close to the surface, relative to its size, count as on it. */
+/* A computed hit is within this distance of its surface, relative to the size of the
+ * lathe. */
 #define NEAR 1e-3
 
 /* Radius and half height are enlarged by more than rounding errors. */

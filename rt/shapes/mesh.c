@@ -15,10 +15,10 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-/* ---- Settling -------------------------------------------------------------- */
+/* ---- Settling ------------------------------------------------------------ */
 
-/* Compares the height of a triangle with its length. The edges are scaled first,
- * because products of small edges may underflow. */
+/* Whether the triangle has an area: its height is compared with its length. The edges
+ * are scaled first, because products of small edges may underflow. */
 static bool has_area(const struct triangle *triangle)
 {
     double edges[2][3], normal[3], size;
@@ -166,7 +166,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     bound_hull(&hull, bound);
 }
 
-/* ---- Words and table ------------------------------------------------------ */
+/* ---- Words and table ----------------------------------------------------- */
 
 /* The table, whose rows are defined in records.s: the end row, which is the end of the
  * traversal and is zero except for the words about eyes; the nodes; the triangles in

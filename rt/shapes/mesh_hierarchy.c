@@ -29,7 +29,7 @@ static double part_cost(const struct cut_part *part, const struct box *whole)
     return (double)part->count * surface_of(&part->box);
 }
 
-/* ---- Splits ---------------------------------------------------------------- */
+/* ---- Splits -------------------------------------------------------------- */
 
 /* Moves the least triangle of the upper part to the lower part. */
 static void lift(const struct boxed *things, size_t *row, size_t count, size_t lower,
@@ -99,7 +99,7 @@ static void build_node(const struct mesh_build *build, size_t first, size_t coun
     node->next = hierarchy->node_count;
 }
 
-/* ---- Tests ----------------------------------------------------------------- */
+/* ---- Tests --------------------------------------------------------------- */
 
 /* Plans which nodes are tested. A test saves the two tests of the children if the ray
  * misses the node. It pays only if more than half of the rays that hit the last tested
@@ -118,7 +118,7 @@ static void plan_tests(struct mesh_node *nodes, size_t number, double above)
     plan_tests(nodes, nodes[number + 1].next, surface);
 }
 
-/* ---- Links ----------------------------------------------------------------- */
+/* ---- Links --------------------------------------------------------------- */
 
 struct threading {
     const struct mesh_node *nodes;
@@ -176,7 +176,7 @@ void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
     put_links(&threading, 0, 0);
 }
 
-/* ---- Interface --------------------------------------------------------------- */
+/* ---- Interface ----------------------------------------------------------- */
 
 size_t mesh_hierarchy_nodes(size_t triangles)
 {

@@ -30,7 +30,7 @@ struct mesh_hierarchy {
     size_t *order; /* indices of the triangles, in the order of the leaves */
 };
 
-/* Returns the number of nodes for at least one triangle. */
+/* Returns the number of nodes. There must be at least one triangle. */
 size_t mesh_hierarchy_nodes(size_t triangles);
 /* Builds a hierarchy. The points of the triangles may have any scale. Fails without
  * memory. */

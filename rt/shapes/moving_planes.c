@@ -92,8 +92,9 @@ static bool is_flat(const double points[6][4])
     return singular_nullity(&singular, NOTHING) > 0;
 }
 
-/* Whether p   (L1 H) x (L2 H) at some point. This fails at points that two parameters
- * share; if it fails everywhere, the surface is a quadric covered twice. */
+/* Whether p is proportional to (L1 H) x (L2 H) at some point. This fails at points that
+ * two parameters share; if it fails everywhere, the surface is a quadric covered
+ * twice. */
 static bool is_simple(const double points[6][4], const struct moving_planes *planes)
 {
     static const double places[][3] = { { .5, .3, .2 },

@@ -64,7 +64,7 @@ void path_bound(const struct primitive *primitive, const struct outline *path,
     bound_hull(&hull, bound);
 }
 
-/* ---- Crossings of a line ---------------------------------------------------- */
+/* ---- Crossings of a line ------------------------------------------------- */
 
 /* Returns the side of a direction that an edge turns to; 0: nearly parallel. */
 static int side_of(const struct path_walk *edge, const double direction[2])

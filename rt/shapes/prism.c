@@ -78,7 +78,7 @@ static const char *finish(struct primitive *primitive)
                     : shape_empty(primitive, "the path of the prism encloses nothing");
 }
 
-/* ---- Bound ---------------------------------------------------------------- */
+/* ---- Bound --------------------------------------------------------------- */
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
@@ -93,7 +93,7 @@ static size_t segments(const struct primitive *primitive)
     return (path_crossings(&primitive->shape.prism.path, 1) + 1) / 2;
 }
 
-/* ---- Words and table ------------------------------------------------------ */
+/* ---- Words and table ----------------------------------------------------- */
 
 /* Whether a ray from a point of an edge crosses an odd number of the other edges. */
 static bool is_inside(const struct outline *path, size_t edge, const double point[2],

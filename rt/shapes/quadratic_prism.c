@@ -114,7 +114,7 @@ static size_t segments(const struct primitive *primitive)
     return (path_crossings(&primitive->shape.quadratic_prism.path, 2) + 1) / 2;
 }
 
-/* ---- One parabola ---------------------------------------------------------- */
+/* ---- One parabola -------------------------------------------------------- */
 
 /* The point at w, from 0 to 1, is from + (bend w + 2 lead) w. */
 struct parabola {
@@ -205,7 +205,7 @@ static bool is_inside(const struct outline *path, size_t number, const double po
     return count % 2 != 0;
 }
 
-/* ---- Words and table ------------------------------------------------------ */
+/* ---- Words and table ----------------------------------------------------- */
 
 enum { ROW = 16 };
 

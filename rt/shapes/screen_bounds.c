@@ -26,12 +26,12 @@ enum {
     WINDOW_ROW
 };
 
-/* ---- Eyes ----------------------------------------------------------------- */
+/* ---- Eyes ---------------------------------------------------------------- */
 
-/* Relative to the greatest coordinate. Windows are enlarged by MARGIN, at the depth of
- * their corners. That is eight times the rounding error of a ray that starts within
- * MAX_FAR, and of a triangle that it hits. An eye closer than NEAR_LEAST would see
- * little beyond this margin. */
+/* Relative to the greatest coordinate. Windows are enlarged by MARGIN, measured at the
+ * depth of their corners. That is eight times the rounding error of a ray that starts
+ * within MAX_FAR, and of a triangle that it hits. An eye closer than NEAR_LEAST would
+ * see little beyond this margin. */
 #define MARGIN 0x1p-31
 #define NEAR_LEAST 0x1p-20
 enum { MAX_FAR = 512 };
@@ -93,7 +93,7 @@ size_t screen_bounds_size(const struct viewpoints *viewpoints, const struct box 
     return *seeing * (EYE_ROW + words);
 }
 
-/* ---- Windows -------------------------------------------------------------- */
+/* ---- Windows ------------------------------------------------------------- */
 
 struct mesh_window {
     double low[2], high[2], near;
@@ -147,7 +147,7 @@ static void find_windows(const struct screen_bounds *of,
     }
 }
 
-/* ---- Costs ---------------------------------------------------------------- */
+/* ---- Costs --------------------------------------------------------------- */
 
 /* Clocks of a vector program per ray, estimated from its instructions: a test of a box,
  * a test of a window, a test of a triangle. The estimate only selects the method; no
@@ -200,7 +200,7 @@ static bool windows_pay(const struct screen_bounds *of,
     return by_windows <= by_boxes;
 }
 
-/* ---- Traversal ------------------------------------------------------------ */
+/* ---- Traversal ----------------------------------------------------------- */
 
 /* Whether the second child of a node is on the eye's side of the split. */
 static bool upper_is_first(const struct mesh_node *nodes, size_t node,
@@ -237,7 +237,7 @@ static void plan_ways(const struct mesh_node *nodes, size_t node,
     plan_ways(nodes, nodes[node + 1].next, viewpoint, bounds, above, ways);
 }
 
-/* ---- Words ---------------------------------------------------------------- */
+/* ---- Words --------------------------------------------------------------- */
 
 /* The margin is divided by the least depth. */
 static void put_window(const struct screen_bounds *of,

@@ -15,7 +15,7 @@
 /* The accuracy of roots, relative to the size of the shape. */
 #define ROOT_RESOLUTION 0x1p-44
 
-/* ---- Arguments ------------------------------------------------------------ */
+/* ---- Arguments ----------------------------------------------------------- */
 
 /* The kinds of arguments. Arguments are in order; the commas between them are
  * optional. */
@@ -44,7 +44,7 @@ struct shape_field {
 /* The offset of a member of shape.name. */
 #define SHAPE_AT(name, member) offsetof(struct primitive, shape.name.member)
 
-/* ---- Routines ------------------------------------------------------------- */
+/* ---- Routines ------------------------------------------------------------ */
 
 /* Names of kernels, which are the same in both forms of the program. */
 struct shape_kernels {
@@ -65,7 +65,7 @@ struct shape_kernels {
                                     * needs two parameters of a hit; else NULL */
 };
 
-/* ---- Descriptor ----------------------------------------------------------- */
+/* ---- Descriptor ---------------------------------------------------------- */
 
 enum { MAX_SHAPE_WORDS = 16, MAX_PATH = 2000 };
 
@@ -116,7 +116,8 @@ struct shape {
      * one set only. */
     bool (*is_other)(const struct primitive *primitive);
     struct shape_kernels other;
-    /* Whether the kernel of 1984 supports the primitive; NULL: if there is one. */
+    /* Whether the kernel of 1984 supports the primitive; NULL: it does if there is
+     * one. */
     bool (*is_historical)(const struct primitive *primitive);
     /* The words of that kernel; NULL: the same as `words`. */
     size_t (*historical_words)(const struct primitive *primitive, double *words);

@@ -128,7 +128,7 @@ static bool is_flat(const struct patch_points *points, double flatness)
     return true;
 }
 
-/* ---- Pieces of a patch ----------------------------------------------------- */
+/* ---- Pieces of a patch --------------------------------------------------- */
 
 /* Returns point i of row or column `line`, along an axis. */
 static double *point_of(struct patch_points *points, int axis, int line, int i)
@@ -174,7 +174,7 @@ static struct piece cut_off(struct piece *piece, int axis)
     return high;
 }
 
-/* ---- Triangles ------------------------------------------------------------- */
+/* ---- Triangles ----------------------------------------------------------- */
 
 static void put_corner(const struct patch_cutting *cutting, const struct piece *piece,
                        bool u, bool v, struct triangle *triangle, int k)
@@ -286,8 +286,8 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
     return true;
 }
 
-/* Reads the words, in any order. The types differ only in what POV-Ray stores between
- * rays; all give the same picture. */
+/* Reads the words, in any order. The types differ in how much of the subdivision
+ * POV-Ray stores; all give the same picture. */
 static bool read_words(struct reader *reader, struct bicubic_patch *patch)
 {
     size_t word = 0;

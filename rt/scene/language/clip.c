@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* ---- Objects in the braces ------------------------------------------------ */
+/* ---- Objects in the braces ----------------------------------------------- */
 
 /* The objects that have been read, one solid each. */
 struct clipping {
@@ -16,7 +16,7 @@ struct clipping {
     bool as_said; /* bounded_by { clipped_by }, which has no effect of its own */
 };
 
-/* Checks that each point is inside or outside of the object. */
+/* Checks that the object has an inside. */
 static bool check_inside(struct reader *reader, const struct scene_object *object,
                          const struct scene_token *at)
 {

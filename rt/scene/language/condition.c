@@ -12,7 +12,7 @@ static const char *const openers[] = { "for",   "if",     "ifdef", "ifndef",
 const char *const skip_to_end[] = { "end", NULL };
 static const char *const to_other[] = { "else", "elseif", "end", NULL };
 
-/* ---- The stack ---------------------------------------------------------- */
+/* ---- The stack ----------------------------------------------------------- */
 
 static bool unclosed(struct reader *reader, const struct scene_token *at)
 {
@@ -102,7 +102,7 @@ void conditions_close(struct reader *reader)
     }
 }
 
-/* ---- #if ---------------------------------------------------------------- */
+/* ---- #if ----------------------------------------------------------------- */
 
 bool condition_holds(double value)
 {
@@ -238,7 +238,7 @@ bool condition_end(struct reader *reader, void *subject, const struct item *item
     return true;
 }
 
-/* ---- #break ------------------------------------------------------------- */
+/* ---- #break -------------------------------------------------------------- */
 
 /* Returns the innermost loop or #switch of this frame, or NULL. */
 static struct scene_condition *breakable(struct reader *reader)

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- #fopen, #fclose ---------------------------------------------------- */
+/* ---- #fopen, #fclose ----------------------------------------------------- */
 
 static bool read_name(struct reader *reader, char **name)
 {
@@ -117,7 +117,7 @@ bool data_file_close(struct reader *reader, void *subject, const struct item *it
     return true;
 }
 
-/* ---- #read -------------------------------------------------------------- */
+/* ---- #read --------------------------------------------------------------- */
 
 /* A value that is being read. The lexer is in the file, one token ahead. */
 struct datum {
@@ -294,7 +294,7 @@ bool data_file_read(struct reader *reader, void *subject, const struct item *ite
     return done;
 }
 
-/* ---- #write ------------------------------------------------------------- */
+/* ---- #write -------------------------------------------------------------- */
 
 static bool read_written(struct reader *reader)
 {

@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* ---- Values ------------------------------------------------------------- */
+/* ---- Values -------------------------------------------------------------- */
 
 static bool declare_object(struct reader *reader, void *subject,
                            const struct item *item)
@@ -318,7 +318,7 @@ bool name_expected(struct reader *reader, const struct scene_token *token)
                         (int)name.length, name.text);
 }
 
-/* ---- #declare, #local, #undef ------------------------------------------- */
+/* ---- #declare, #local, #undef -------------------------------------------- */
 
 /* Reads from after "=" to after the ";", which is required after numbers. The text
  * after any other value is not read yet, because its meaning may depend on the name. */

@@ -8,7 +8,7 @@
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/expression.h"
 
-/* ---- Elements ----------------------------------------------------------- */
+/* ---- Elements ------------------------------------------------------------ */
 
 /* Reads a size or an index from "[" to "]". The "]" stays the current token, so that
  * the text after it is not interpreted yet. As in POV-Ray the value is truncated. */
@@ -119,7 +119,7 @@ bool element_read(struct reader *reader)
     return true;
 }
 
-/* ---- Arrays ------------------------------------------------------------- */
+/* ---- Arrays -------------------------------------------------------------- */
 
 static bool read_row(struct reader *reader, struct array *array, size_t dimension,
                      size_t *element);

@@ -56,7 +56,7 @@ struct formula {
     const struct formula_step *steps;
 };
 
-/* ---- Reading ------------------------------------------------------------ */
+/* ---- Reading ------------------------------------------------------------- */
 
 struct name {
     const char *text;
@@ -382,7 +382,7 @@ const struct formula *formula_read(struct reader *reader)
     return compiler.formula;
 }
 
-/* ---- Values ------------------------------------------------------------- */
+/* ---- Values -------------------------------------------------------------- */
 
 /* A call, for errors in it and in nested calls. */
 struct formula_caller {

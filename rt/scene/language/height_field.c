@@ -41,7 +41,7 @@ struct field_point {
     double place[3], normal[3];
 };
 
-/* ---- Points ---------------------------------------------------------------- */
+/* ---- Points -------------------------------------------------------------- */
 
 /* Adds the unit normal of the triangle between a point and its neighbours along x and
  * z. One step of the grid has the length of one step of the height. */
@@ -93,7 +93,7 @@ static struct field_point point_of(const struct height_field *field, size_t x, s
     return point;
 }
 
-/* ---- Triangles ------------------------------------------------------------- */
+/* ---- Triangles ----------------------------------------------------------- */
 
 /* Sets the corners of the lower or the upper half of a cell. */
 static void take_corners(const struct height_field *field, size_t x, size_t z,

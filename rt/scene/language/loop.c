@@ -38,7 +38,7 @@ static bool may_go_on(struct reader *reader, struct scene_condition *loop)
     return reader->reports->errors == loop->errors;
 }
 
-/* ---- #while ------------------------------------------------------------- */
+/* ---- #while -------------------------------------------------------------- */
 
 static bool begin_turn(struct reader *reader, struct scene_condition *loop)
 {
@@ -59,7 +59,7 @@ bool loop_while(struct reader *reader, void *subject, const struct item *item)
     return begin_turn(reader, loop);
 }
 
-/* ---- #for --------------------------------------------------------------- */
+/* ---- #for ---------------------------------------------------------------- */
 
 static bool set_variable(struct reader *reader, const struct scene_token *name,
                          double number)
@@ -155,7 +155,7 @@ static bool next_turn(struct reader *reader, struct scene_condition *loop)
     return good && !is_past(loop, value + loop->step);
 }
 
-/* ---- End of a loop --------------------------------------------------------- */
+/* ---- End of a loop ------------------------------------------------------- */
 
 bool loop_end(struct reader *reader, struct scene_condition *loop)
 {

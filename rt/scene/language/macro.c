@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Definition --------------------------------------------------------- */
+/* ---- Definition ---------------------------------------------------------- */
 
 static bool read_parameter(struct reader *reader, struct scene_macro *macro)
 {
@@ -86,7 +86,7 @@ bool macro_define(struct reader *reader, void *subject, const struct item *item)
     return add_macro(reader, &name, macro);
 }
 
-/* ---- Call --------------------------------------------------------------- */
+/* ---- Call ---------------------------------------------------------------- */
 
 struct argument {
     struct reference reference; /* held; if it has no symbol: */

@@ -174,7 +174,7 @@ static void report_all(struct deduplicated_warnings *book, struct notes *notes)
     }
 }
 
-/* ---- Notes of a value or of the scene -------------------------------------- */
+/* ---- Notes of a value or of the scene ------------------------------------ */
 
 static void write_down(struct deduplicated_warnings *book, struct note *note,
                        struct notes *used)

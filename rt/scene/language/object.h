@@ -67,8 +67,8 @@ void texture_move(struct texture *texture, const struct placement *step);
 bool object_add_primitive(struct scene_object *object,
                           const struct primitive *primitive);
 bool object_add_light(struct scene_object *object, const struct light *light);
-/* Adds the solids of another object. Parts without texture or interior get those of the
- * child, if it has them, and all parts inherit its hidden_from. */
+/* Adds the solids of a child. Parts without texture or interior get those of the child,
+ * if it has them; all its parts are hidden from the rays that it is hidden from. */
 bool object_add(struct scene_object *object, const struct scene_object *child);
 /* Adds a child as the object's joining requires: one solid of it, or its complement. */
 bool object_add_child(struct scene_object *object, struct scene_object *child);

@@ -428,7 +428,8 @@ static void begin_edges(struct polygon *polygon, double height)
         polygon->active[polygon->active_count++] = &edges[polygon->begun];
 }
 
-/* Edges at the same position are ordered by address, so that the order is stable. */
+/* Edges at the same position are ordered by their index, so that the order never
+ * changes. */
 static int compare_places(const void *a, const void *b)
 {
     const struct polygon_edge *one = *(struct polygon_edge *const *)a;

@@ -88,7 +88,7 @@ static bool read_path(struct reader *reader, size_t least, struct outline *path)
     return true;
 }
 
-/* ---- All arguments -------------------------------------------------------- */
+/* ---- All arguments ------------------------------------------------------- */
 
 /* Returns the number of doubles in one element of the argument. */
 static size_t width_of(const struct shape_field *field)

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Strings ------------------------------------------------------------ */
+/* ---- Strings ------------------------------------------------------------- */
 
 typedef double string_measure(const char *string);
 
@@ -102,7 +102,7 @@ static bool read_file_exists(struct reader *reader, double *value)
     return true;
 }
 
-/* ---- Names and arrays --------------------------------------------------- */
+/* ---- Names and arrays ---------------------------------------------------- */
 
 /* Whether the token is a shape or another word that POV-Ray does not have. */
 static bool is_own_word(const struct scene_token *token)
@@ -175,7 +175,7 @@ static bool read_dimension_size(struct reader *reader, double *value)
     return true;
 }
 
-/* ---- Random numbers ----------------------------------------------------- */
+/* ---- Random numbers ------------------------------------------------------ */
 
 /* Starts a new random stream and returns its index. */
 static bool read_seed(struct reader *reader, double *value)
@@ -222,7 +222,7 @@ void queries_free(struct reader *reader)
     free(reader->seeds);
 }
 
-/* ---- All ---------------------------------------------------------------- */
+/* ---- All ----------------------------------------------------------------- */
 
 static const struct query {
     const char *name;

@@ -1,4 +1,10 @@
-/* semicolon.c - looks ahead for the ';' of a declaration. */
+/* semicolon.c - looks ahead for the ';' of a declaration.
+ *
+ * Whether a value has ended can depend on text that a directive or a macro inserts. The
+ * lookahead therefore scans the tokens after the value without executing anything: it
+ * skips the heads of directives and the arguments of macros, and stops at the first
+ * other token. At the end of a frame it continues in the frame below.
+ */
 #include "rt/scene/language/semicolon.h"
 
 #include "rt/scene/language/expression.h"
@@ -153,7 +159,7 @@ static bool frame_below_leads_on(struct reader *reader)
     return possible;
 }
 
-/* ---- Insertion ------------------------------------------------------------ */
+/* ---- Insertion ----------------------------------------------------------- */
 
 void semicolon_missing(struct reader *reader)
 {

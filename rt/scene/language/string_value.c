@@ -10,7 +10,7 @@
 
 enum { MAX_FORMAT = 1000, MAX_PRINTED = 2 * MAX_FORMAT + 400 };
 
-/* ---- Text under construction -------------------------------------------- */
+/* ---- Text under construction --------------------------------------------- */
 
 struct made_string {
     char *text;
@@ -56,7 +56,7 @@ static bool give(struct reader *reader, const struct scene_token *at,
     return good;
 }
 
-/* ---- Quoted strings ----------------------------------------------------- */
+/* ---- Quoted strings ------------------------------------------------------ */
 
 static void add_utf8(struct made_string *buffer, unsigned code)
 {
@@ -134,7 +134,7 @@ static bool add_quoted(struct reader *reader, const struct scene_token *token,
     return true;
 }
 
-/* ---- Functions ---------------------------------------------------------- */
+/* ---- Functions ----------------------------------------------------------- */
 
 typedef bool function_reader(struct reader *reader, struct made_string *buffer);
 
@@ -306,7 +306,7 @@ static const struct string_function *find(const struct scene_token *token)
     return NULL;
 }
 
-/* ---- Strings ------------------------------------------------------------ */
+/* ---- Strings ------------------------------------------------------------- */
 
 bool is_string_word(const struct scene_token *token)
 {

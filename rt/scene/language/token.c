@@ -372,7 +372,7 @@ struct scene_token lexer_next(struct lexer *lexer)
     return token;
 }
 
-/* ---- Tests of tokens ------------------------------------------------------ */
+/* ---- Tests of tokens ----------------------------------------------------- */
 
 bool token_is_text(const struct scene_token *token, const char *word)
 {

@@ -57,7 +57,7 @@ struct scene_token {
     size_t length;
     double number;
     int sign;
-    const char *fault; /* of TOKEN_BAD, or of a number that is out of range */
+    const char *fault; /* of TOKEN_BAD, or of a number that is too long or too large */
 
     /* The value of a word, after the reader has looked it up; else NULL. */
     struct reference reference;

@@ -28,7 +28,7 @@
 #define LIGHT_FARTHEST 1e10
 enum { MAX_SAMPLES = 1001, MAX_UNIT_LOG = 200 };
 
-/* ---- The size of a scene -------------------------------------------------- */
+/* ---- The size of a scene ------------------------------------------------- */
 
 struct reach {
     double distance;  /* of the farthest point from the camera */
@@ -98,8 +98,8 @@ static struct reach find_reach(const struct primitive *primitive, const double f
     return reach;
 }
 
-/* Returns the distance of the nearest light from the camera, or that of the origin. It
- * is used if no object has a known size. */
+/* Returns the least distance from the camera to a light or the origin, ignoring 0. It
+ * is used for planes, and for scenes without an object of known size. */
 static double find_nearest(const struct scene *scene, const struct scene_object *world)
 {
     double nearest = length3(scene->camera.location);
@@ -150,7 +150,7 @@ static int unit_of(const struct reach *size)
                                     : log - 3;
 }
 
-/* ---- All lengths ---------------------------------------------------------- */
+/* ---- All lengths --------------------------------------------------------- */
 
 static void scale_camera(struct camera *camera, double by)
 {
@@ -206,7 +206,7 @@ static void scale_world(struct scene *scene, struct scene_object *world, double 
     scale_camera(&scene->camera, by);
 }
 
-/* ---- Far lights ------------------------------------------------------------ */
+/* ---- Far lights ---------------------------------------------------------- */
 
 /* Computes a length without overflow or underflow of squares. */
 static double distance3(const double way[3])

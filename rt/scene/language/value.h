@@ -24,7 +24,7 @@ bool numbers_are_finite(const struct numbers *numbers);
 struct camera_setting {
     struct camera camera;
     double sky[3];
-    bool spanned; /* orthographic, and its size was derived from the view */
+    bool spanned; /* an orthographic camera whose extent is final */
 };
 
 /* The lowest pigment of a sky_sphere. */

@@ -313,7 +313,7 @@ static bool take_regions(struct reader *reader)
     return true;
 }
 
-/* ---- Named floats --------------------------------------------------------- */
+/* ---- Named floats -------------------------------------------------------- */
 
 struct floats {
     struct reader *reader;
@@ -338,8 +338,8 @@ static bool take_floats(struct reader *reader)
     return !floats.failed || reader_no_memory(reader);
 }
 
-/* The parser does not know which rays are inside a body, so the difference to POV-Ray
- * is reported for any clear body. */
+/* The parser does not know which rays are inside a body, so any clear body in a scene
+ * with fog is reported. */
 static void report_fogged_bodies(struct reader *reader)
 {
     const struct scene *scene = reader->scene;
