@@ -1,5 +1,7 @@
-; adaptive_1984.s - more rays for some pixels (adaptive.s), by the scalar program;
-; samples go into queues one after another.  Called by link_kernel.
+; adaptive_1984.s - adaptive sampling (adaptive.s) in kernels mode.
+;
+; The scalar program visits the pixels and computes the means. Samples form
+; queues in the order of the list. Called by link_kernel.
 
         .macro  by_scalar_program routine
         to_scalar

@@ -1,12 +1,14 @@
-; adaptive_scalar.s - more rays for some pixels (adaptive.s), pixel by pixel.  The
-; same operations in the same order as in adaptive_vector.s, whose visits are
-; done in another order with the same result.
+; adaptive_scalar.s - adaptive sampling (adaptive.s), pixel by pixel.
 ;
-; fine_begin: In: the planes of the first rays.  Out: powers, distances.
-; fine_next: Out: fine_rays, to be traced as the pixels of a band.
-; fine_average: In: their planes.  Out: means, their distances.
-; fine_end: Out: the planes at scene_picture.
-; All are called by link; nothing of a subroutine's registers is wanted any more.
+; The operations and their order are those of adaptive_vector.s. The vector form
+; visits pixels in another order with the same result.
+;
+; fine_begin:    In: the planes of the first rays.  Out: powers, differences.
+; fine_next:     Out: fine_rays, to be traced as the pixels of a band.
+; fine_average:  In: the planes of these rays.  Out: means, their differences.
+; fine_end:      Out: the planes at scene_picture.
+;
+; All are called by link, and may overwrite the registers of subroutines.
 
         .share  local
         .regs   r32, fine_plane, fine_stride, fine_row_step, fine_pixel
@@ -23,8 +25,8 @@
         load_at scene_fine, 1, fine_plane
         .endm
 
-; The distance of what has the three powers from fine_at on from the pixel at
-; fine_there, in planes step apart; it goes to fine_distance_at.
+; Stores at fine_distance_at the difference of the three powers at fine_at,
+; whose planes have the distance `step`, from those of the pixel at fine_there.
         .macro  find_distance step
         RTOR    m_zero, fine_sum
         .rept   3
@@ -80,7 +82,7 @@ fine_distance:
         IBXNE   fine_pixel, r0, fine_end_at, fine_distance
         BIM     0, link
 
-; ---- The visits ----------------------------------------------------------------
+; ---- The visits --------------------------------------------------------------
 
         .share  local
         .regs   r43, visit_refined, visit_across, visit_down, visit_row_end
@@ -88,8 +90,8 @@ fine_distance:
         .regs   r51, visit_two, visit_block
         .endshare
 
-; Hold the pixel that is visited against a neighbour back from it: in another
-; block if within is 0.
+; Compares the visited pixel with the neighbour at the distance `back` before
+; it. `within` is 0 if the neighbour is in another block.
         .macro  visit_neighbour back, which, within
         SUBX    fine_pixel, \back, fine_word
         of_plane fine_word, FINE_REFINED, fine_at
@@ -146,7 +148,7 @@ visit_in_block:
 visit_in_rows:
         IBXNE   fine_pixel, r0, fine_end_at, visit_row
 
-; What is refined and has no mean.
+; Lists the refined pixels that have no mean.
         of_plane fine_plane, FINE_REFINED, fine_at
         ADDX    fine_at, fine_stride, fine_end_at
         of_plane fine_plane, FINE_TRACED, fine_there
@@ -172,9 +174,9 @@ visit_unwanted:
         IX      fine_at, 64
         IBXNE   fine_at, r0, fine_end_at, visit_wanted
 
-; As many of the list as there is room for the samples of.
+; Takes up to scene_sampled_pixels pixels of the list.
 fine_chunk:
-        load_at fine_list, 2, visit_list        ; and how many were traced last
+        load_at fine_list, 2, visit_list        ; and the number traced last
         SHIFTI  visit_place, 6, visit_place
         ADDX    visit_list, visit_place, visit_list
         load_at scene_sampled_pixels, 1, visit_place
@@ -195,7 +197,7 @@ fine_some:
         STO     [fine_at], fine_word
         BIM     0, link
 
-; ---- Means ---------------------------------------------------------------------
+; ---- Means -------------------------------------------------------------------
 
         .share  local
         .regs   r43, mean_list, mean_left, mean_share, mean_sampled, mean_step
@@ -207,7 +209,7 @@ fine_some:
 mean_powers:    .space 3
         .code
 
-; A mean's distance from the pixel so far away.
+; Computes the difference of a mean from the pixel at the distance `away`.
         .macro  mean_distance away, which
         EX      fine_at, mean_powers
         ADDX    fine_pixel, \away, fine_there
@@ -265,7 +267,7 @@ fine_mean_sample:
         IBXNE   mean_left, m_index_minus_one, r0, fine_mean, mean_left
         BIM     0, link
 
-; ---- The picture ---------------------------------------------------------------
+; ---- The picture -------------------------------------------------------------
 
         .share  local
         .regs   r43, show_refined, show_first, show_picture, show_planes_left

@@ -1,24 +1,27 @@
-; adaptive_vector.s - more rays for some pixels (adaptive.s), in vectors.
+; adaptive_vector.s - adaptive sampling (adaptive.s), in vectors.
 ;
 ; In, out: as in adaptive_scalar.s.
 ;
-; The visits of a row depend on one another: whether pixel x, when it is visited,
-; is refined (c) follows from whether the one to its left was.  With the bits
+; The visits of a row depend on each other: whether pixel x is refined at its
+; visit, c(x), depends on whether its left neighbour was refined. Let
 ;
-;   d, e   it differs from the one to its left: from that one's first ray, mean
-;   t      it differs from the one above it, as that is shown by now
+;   d, e   x differs from its left neighbour's first ray, from its mean
+;   t      x differs from the pixel above it, as that pixel is shown by now
 ;
-; c(x) = t(x) or (e(x) if c(x - 1), else d(x)), where a block begins d(x) in any case.
-; That is a function of one bit, held as its two values a0 = t or d, a1 = t or e; to
-; go on from x - n to x is
+; Then c(x) = t(x) or (e(x) if c(x - 1), else d(x)). The first pixel of a block
+; always uses d(x). As a function of the bit c(x - 1), c(x) has two values, a0 =
+; t or d and a1 = t or e, which are stored. Composing the functions of x - n and
+; x gives
 ;
-;   a0(x) := a1(x) if a0(x - n), else a0(x)     a1(x) := a1(x) if a1(x - n), else a0(x)
+;   a0(x) := a1(x) if a0(x - n), else a0(x)
+;   a1(x) := a1(x) if a1(x - n), else a0(x)
 ;
-; and with n = 1, 2, 4, 8, 16 each pixel's depends on nothing before its block any
-; more.  The one above is shown by its mean if c, or if the one to the right of it
-; differed from it.  So a row of any length takes some thirty instructions on bits.
-; Source: the recurrence by doubling is Kogge and Stone's (1973); derived here for
-; this rule.
+; After n = 1, 2, 4, 8, 16 no function depends on a pixel before its block. The
+; pixel above is shown by its mean if its c is set, or if its right neighbour
+; differed from it. A row of any length takes about thirty bit string
+; instructions.
+; Source: recurrences by doubling are due to Kogge and Stone (1973). Their use
+; for this rule is derived here.
 
         .share  scratch
         .regs   r233, fine_plane, fine_stride, fine_row_step, fine_at, fine_there
@@ -34,7 +37,8 @@
         load_word scene_fine, fine_plane
         .endm
 
-; h := as many of those that are left as a queue has; to done if there are none.
+; Sets h to the number of elements left, at most QUEUE. Branches to `done` if
+; none are left.
         .macro  some_of left, done
         IBXEQ   \left, r0, r0, \done
         EX      s2, QUEUE
@@ -48,7 +52,7 @@ some_of\@:
 some_as_before\@:
         .endm
 
-; [distance] = |here - there| summed up over the three powers.
+; [distance] = |here - there|, summed over the three powers.
         .macro  begin_distance distance
         VTOV    r0, [\distance]
         .endm
@@ -59,7 +63,8 @@ some_as_before\@:
         ADDNV   [\distance], [v5], [\distance]
         .endm
 
-; The distances of h pixels from those so far behind them, in two planes.
+; Stores in two planes the differences of h pixels from those at the distance
+; `behind`.
         .macro  first_distance behind, which
         ADDLEN  fine_at, h, s3
         ADDX    s3, \behind, s4
@@ -120,7 +125,7 @@ fine_distance:
 fine_begun:
         BIM     0, link
 
-; ---- The visits ----------------------------------------------------------------
+; ---- The visits --------------------------------------------------------------
 
         .share  scratch
         .regs   r241, visit_row, visit_columns, visit_down, visit_limit
@@ -131,7 +136,8 @@ fine_begun:
         .regs   r142, visit_b0, visit_b1, visit_right, visit_shown
         .endshare
 
-; Strings as long as a row has pixels, with zeros before and behind them.
+; Allocates bit strings as long as a row of pixels, with zeros before and after
+; each string.
         .macro  strings_begin
         of_plane fine_plane, FINE_PLANES, s3
         IX      s3, 64
@@ -146,7 +152,8 @@ fine_begun:
         ADDX    s3, s4, s3
         .endm
 
-; Which of a row's pixels differ from their neighbours, by the distances at from.
+; Marks the pixels of a row whose difference, in the plane at `from`, reaches
+; the limit.
         .macro  far_apart from, bits
         ADDLEN  \from, visit_columns, \from
         CMPGEV  [\from], visit_limit, [\bits]
@@ -179,7 +186,7 @@ fine_next:
         string  visit_right
         string  visit_shown
         RTOR    s3, visit_first
-        ADDLEN  s3, one_index, s3               ; where the next row begins, too
+        ADDLEN  s3, one_index, s3               ; also the start of the next row
         ES      s4, FINE_BLOCK
         MRKO    one_index, s4, [s3]
         of_plane fine_plane, FINE_REFINED, visit_refined
@@ -231,7 +238,7 @@ fine_in_rows:
         ADDX    fine_plane, fine_stride, s2
         IBXNE   fine_at, r0, s2, fine_row
 
-; What is refined and has no mean.
+; Lists the refined pixels that have no mean.
         of_plane fine_plane, FINE_PLACES, fine_there
         EX      s2, fine_list
         STO     [s2], fine_there
@@ -266,11 +273,11 @@ fine_unwanted:
 fine_listed:
         RTOR    visit_columns, fine_left_over
 
-; As many of the list as there is room for the samples of.
+; Takes up to scene_sampled_pixels pixels of the list.
 fine_chunk:
         EX      s2, fine_list
         ELEN    s2, 2
-        SWAP    [s2], s3, [r0]                  ; and how many were traced last
+        SWAP    [s2], s3, [r0]                  ; and the number traced last
         SHIFTI  s4, 6, s4
         ADDX    s3, s4, s3
         load_word scene_sampled_pixels, s4
@@ -293,15 +300,15 @@ fine_some:
         STO     [s2], r0
         BIM     0, link
 
-; ---- Means ---------------------------------------------------------------------
+; ---- Means -------------------------------------------------------------------
 
         .share  scratch
         .regs   r241, mean_list, mean_sampled, mean_step, mean_share, mean_samples
         .regs   r246, mean_samples_left, mean_first, mean_planes_left, mean_near, mean_places
         .endshare
 
-; A plane of the means of h pixels adds its part to their distances from the pixels
-; so far away.
+; Adds the part of one plane to the differences of h means from the pixels at
+; the distance `away`.
         .macro  mean_distance away, distance
         ADDX    mean_near, \away, s3
         VXTOV   [mean_places], [s3], [v6]
@@ -371,7 +378,7 @@ fine_mean_sample:
 fine_averaged:
         BIM     0, link
 
-; ---- The picture ---------------------------------------------------------------
+; ---- The picture -------------------------------------------------------------
 
         .share  scratch
         .regs   r241, show_columns, show_picture, show_mean, show_refined

@@ -1,5 +1,6 @@
-; average_1984.s - the pixels of a band from their samples, by the scalar
-; program.  Called by link_kernel.
+; average_1984.s - averages the samples of a band in kernels mode.
+;
+; The scalar program does the work. Called by link_kernel.
 
         .kernel frame
 average_1984:

@@ -1,9 +1,10 @@
-; average_scalar.s - the pixels of a band from their samples (samples.s), one
-; after another, plane by plane.  The same operations in the same order as in
-; average_vector.s.
+; average_scalar.s - averages the samples (samples.s) of each pixel of a band.
 ;
-; In:  the band's planes.  Out: those at scene_picture.  Called by link; nothing
-; of a subroutine's registers is wanted any more.
+; Works plane by plane, pixel by pixel. The operations and their order are those
+; of average_vector.s.
+;
+; In:  the band's planes.  Out: the planes at scene_picture.
+; Called by link; may overwrite the registers of subroutines.
 
         .share  local
         .regs   r32, samples, sample_plane, plane_end, sample_row, sample_at

@@ -1,7 +1,8 @@
-; average_vector.s - the pixels of a band from their samples (samples.s), row by
-; row of each plane, as many pixels at a time as a queue has rays.
+; average_vector.s - averages the samples (samples.s) of each pixel of a band.
 ;
-; In:  the band's planes.  Out: those at scene_picture.
+; Works row by row of each plane, up to QUEUE pixels at a time.
+;
+; In:  the band's planes.  Out: the planes at scene_picture.
 
         .share  scratch
         .regs   r233, samples, sample_plane, plane_end, sample_row, sample_at

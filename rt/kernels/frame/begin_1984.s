@@ -1,6 +1,8 @@
-; begin_1984.s - the scalar program's registers as all loops find them:
-; constants.  The loops' own registers; those from r155 on are of one loop after
-; another (.share loop).  Called by link_kernel.
+; begin_1984.s - prepares the scalar program's registers for the loops.
+;
+; Each loop loads this state, which holds the constants. The registers below
+; belong to the loops; those from r155 on are shared by successive loops (.share
+; loop). Called by link_kernel.
 
         .regs   r13, loop_index, loop_count, loop_at, loop_work
         .regs   r17, loop_place

@@ -1,6 +1,7 @@
-; begin_vector.s - what the queues need before the first one: constants in
-; registers, the camera, vectors that never change.  Called by link_walk.
-
+; begin_vector.s - prepares what all queues use, before the first queue.
+;
+; It loads constants into registers, computes the camera and fills the vectors
+; that never change. Called by link_walk.
         .kernel frame
 begin_queues:
         EX      s0, constants

@@ -1,16 +1,15 @@
-; bound_scalar.s - does a ray come near a bounding sphere?
+; bound_scalar.s - tests whether a ray comes near a bounding sphere.
 ;
-; Centre C, radius R, limit of the ray.  With L = C - O, b = L . D:
+; With centre C, radius R, L = C - O and b = L . D:
 ;
 ;   near:  L . L - b^2 <= R^2   and   b + R > 0   and   b - R < limit
 ;
-; The radius has been enlarged by the host, and L.L counts for a little less, as
-; in bound_vector.s; so what is near enough to be hit is near.  R = big: no
-; bound.  The products do not wait for each other; the distance, which takes
-; longest, is asked last.
+; The host has enlarged the radius, and L.L is reduced slightly, as in
+; bound_vector.s, so no hit is missed. R = big: no bound. The products do not
+; depend on each other. The distance takes longest, so it is tested last.
 ;
-; The ray, the limit and the work are in the registers of those that walk
-; through the regions.
+; The ray, the limit and the temporaries are in the registers of the routines
+; that walk through the regions.
 ; Source: bound_vector.s.
 
         .share  local
@@ -32,7 +31,7 @@
         .endshare
         .equ    WALK_REGISTERS, 57
 
-; A leaf's part in its tree, in the place of its bound.
+; A leaf's fields in its tree, in the registers of its bound.
         .share  local
         .regs   r62, l_state_kernel, l_state_inner, l_at_hand, l_segments
         .regs   r66, l_events, l_first_state, l_first_event
@@ -64,7 +63,7 @@
 near\@:
         .endm
 
-; Does it pass a region's box, too (miss_box_vector.s)?
+; Tests the ray against a region's box as well (miss_box_vector.s).
         .share  local
         .regs   r62, b_cx, b_cy, b_cz, b_hx, b_hy, b_hz, b_dx, b_dy, b_dz
         .reg    b_lost, r71
@@ -108,8 +107,9 @@ near\@:
         skip_beside_axis b_cx, b_cy, w_dx, w_dy, b_hx, b_hy, b_dx, b_dy, \beside
         .endm
 
-; Where a region that is not simple alone goes on: a tree, or beside its box, or
-; simple in its box; what remains is a tree in its box.
+; Branches for a region that is not only simple: to `tree` if it has no box, to
+; `beside` if the ray misses the box, to `simple` if it is simple with a box.
+; Otherwise continues: a tree in its box.
         .macro  meet_box tree, simple, beside
         IBXEQ   w_way, r0, r0, \tree
         skip_beside \beside

@@ -1,25 +1,25 @@
-; bound_vector.s - which rays come near a bounding sphere, and those alone.
+; bound_vector.s - selects the rays that come near a bounding sphere.
 ;
 ; With centre C, radius R, L = C - O:
 ;
 ;   b = L . D                         near:  L . L - b^2 <= R^2
 ;                                            b + R > 0,  b - R < limit
 ;
-; The sphere is larger than what it bounds, and what L.L - b^2 loses where the
-; sphere is small and far is given back: L.L counts for a little less.  So a
-; ray is never left out that hits.  Rays that start at one point have L, L.L in
-; common, and what lies behind them is left to their kernels.  So have the rays
-; of a queue that goes to a light P, a point told from P instead:
+; The sphere is larger than its contents. L.L is reduced slightly to compensate
+; for the rounding error of L.L - b^2 for small distant spheres, so no ray that
+; hits is excluded. Rays with one origin have L and L.L in common. For them,
+; spheres before the start (b + R <= 0) are left to the kernels. The rays of a
+; queue towards a light P have L and L.L in common too, relative to P:
 ;
 ;   L = C - P,  b = L . D             near:  b < R,  limit + b + R > 0
 ;
-; test_queue_bound: of rays of the queue under their own limits.  test_bound: of
-; others, whose limits may be nearer than the light: what lies behind them is then
-; left to the kernel.
+; test_queue_bound is for rays of the queue under their own limits. test_bound
+; is for other rays, whose limits may be nearer than the light. Spheres before
+; the start of a ray are then left to the kernel.
 ;
-; In:  ox .. dz, s8 = their number, s9 = the descriptor of their limits; the
+; In:  ox .. dz, s8 = number of rays, s9 = descriptor of their limits; the
 ;      sphere in bound_x ..
-; Out: near_bits, as many; s0 = the count of its ones.
+; Out: near_bits, s8 long; s0 = the count of its ones.
 ; Source: derived here; the project's notes on ray tracing, 4.1.
 
         .share  shape
@@ -31,7 +31,7 @@
 
         .data
 bound_bit_store: .space QUEUE_BIT_WORDS
-queue_origin:   .space 3                ; where all rays start, if they do
+queue_origin:   .space 3                ; the common origin, if there is one
         .align  64
 bound_store:    .space 4 * QUEUE
         .code
@@ -42,7 +42,7 @@ bound_store:    .space 4 * QUEUE
         MPYSV   [bound_g0], [bound_g0], [\square]
         .endm
 
-; The test's vectors, s8 long.
+; Makes the vectors of the test, s8 long.
         .macro  set_bound
         describe bound_g0, bound_store, s8
         RTOR    bound_g0, bound_g1
@@ -56,7 +56,7 @@ bound_store:    .space 4 * QUEUE
         load_word bound_less, s7
         .endm
 
-; The point that s0 has the address of is that of all rays.
+; Tests the sphere relative to the point at address s0, which all rays share.
         .macro  bound_common
         ELEN    s0, 3
         SWAP    [s0], s3, [r0]
@@ -76,7 +76,7 @@ bound_store:    .space 4 * QUEUE
         CMPGEV  [bound_g0], s3, [near_bits]
         .endm
 
-; To there if the rays all go to one light's place.
+; Branches to `there` if all rays go to one point light.
         .macro  if_to_point there, work
         .if     BEAMS
         IBXEQ   shadows, r0, r0, not_to_point\@
@@ -153,7 +153,7 @@ bound_to_light:
         CNTOB   [near_bits], s0
         BIM     bound_tested
 
-; The s8 rays of a set are all at hand: ox .. dz, their limits in s9.
+; Makes all s8 rays of a set current: ox .. dz, their limits in s9.
 take_all:
         set_near s8
         RTOR    ox, wox
@@ -168,7 +168,7 @@ take_all:
         LOD     [s1], place
         BIM     take_least
 
-; So few of all that it is shorter to gather them than to compress.
+; Gathering is faster than compressing if 4 count + GATHER_LESS is below all.
         .equ    GATHER_LESS, 64
 
         .macro  few_to_gather count, all, work, few
@@ -178,13 +178,14 @@ take_all:
         IBXLT   \work, r0, \all, \few
         .endm
 
-; .. or those of near_bits, s6 of them.
+; Compresses a vector to the s6 rays of near_bits.
         .macro  take_near vector, into, store, number
         EX      \into, \store + 64 * QUEUE * \number
         CPSV    [\vector], [\into] ? [near_bits]
         .endm
 
-; .. or those of bits, and the vector is theirs from now on.
+; Compresses `vector` to the rays of `bits`, and makes the result the new
+; `vector`.
         .macro  leave_only vector, store, number, bits
         EX      s3, \store + 64 * QUEUE * \number
         CPSV    [\vector], [s3] ? [\bits]
@@ -213,7 +214,7 @@ take_some:
         take_near oz, woz, world_store, 2
         BIM     take_least
 
-; So few that they are gathered, from the queue.
+; Gathers few rays from the queue.
 take_fewer:
         gather_near nearest, near_limit, place_store, 1
         gather_near adx, wdx, world_store, 3
@@ -250,7 +251,7 @@ take_lengthen:
         BIM     0, link_inner
 
         .if     INTERIORS
-; Rays that passed a clear surface of a later region hit what lies at their start.
+; Rays that passed a clear surface of a later region hit what is at their start.
 take_passed:
         RTOR    region, s0
         IX      s0, 64 * R_FIRST

@@ -1,26 +1,27 @@
-; camera.s - from the camera to the ray of any pixel (once a frame, scalar).
+; camera.s - computes the view, from which the ray of any pixel follows.
 ;
-; The ray through the picture at u, v starts at the location and has the
-; direction  direction + u right + v up,  u = (column + 1/2)/width - 1/2,
-; v = 1/2 - (row + 1/2)/height.  That is linear in column and row:
+; It runs once per frame, on the scalar unit. The ray through the point u, v of
+; the picture starts at the location. Its direction is direction + u right + v
+; up, with u = (column + 1/2)/width - 1/2 and v = 1/2 - (row + 1/2)/height. This
+; is linear in column and row:
 ;
 ;   per column = right / width          per row = -(up / height)
 ;   base = direction + (1/2 per column - 1/2 right)
 ;                    + (1/2 per row + 1/2 up)
 ;
-; The rays of an orthographic camera (ORTHOGRAPHIC = 1) start at
-; location + u right + v up, in one direction: so location has the place of
+; The rays of an orthographic camera (ORTHOGRAPHIC = 1) start at location + u
+; right + v up and have one direction. Here location takes the place of
 ; direction above, and the direction, of length one, that of location.
 ;
-; Of a lens (LENS = 1, lens.s) at a distance F from what is sharp there is also
-; focus = |direction| / F, or 1 / F.
+; A camera with a lens (LENS = 1, lens.s) that is focused at distance F also has
+; focus = |direction| / F, or 1 / F if it is orthographic.
 ;
 ; In: scene_camera, scene_width, scene_height.  Out: view.
-; Source: POV-Ray's cameras; that in perspective is shared by every tracer.
+; Source: POV-Ray's cameras. The perspective camera is common to all tracers.
 ;
-; It is called once, from the main program, with its registers its own.
+; The main program calls it once, while its registers are free.
 
-        .share                          ; once, before anything stands there
+        .share                          ; runs once, before they are used
         .regs   r32, cam_at, view_at, size_at
         .regs   r36, cam_locx, cam_locy, cam_locz, cam_dirx, cam_diry
         .regs   r41, cam_dirz, cam_rightx, cam_righty, cam_rightz, cam_upx

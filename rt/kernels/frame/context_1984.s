@@ -1,10 +1,10 @@
-; context_1984.s - the vector program and the scalar one share a machine.
+; context_1984.s - lets the vector and the scalar program share one machine.
 ;
-; Both have their registers from r7 on: one SWAP changes them.  r1-r6 (links,
-; the lengths of the queue) stay as they are in both.  What a scalar loop needs
-; of the vector program's registers is handed over in memory.
+; Both use the registers from r7 on, and one SWAP exchanges them. r1-r6 (links,
+; lengths of the queue) are common to both. Values of the vector program's
+; registers that a scalar loop needs are passed in memory.
 ;
-; Included where the names of registers are still the vector program's.
+; This file is included while register names are those of the vector program.
 
         .reg    link_queue, link        ; of the vector program
         .equ    CONTEXT, 249
@@ -30,7 +30,7 @@ operands:       .space OPERANDS
         SWAP    [s0], r7, [r0]
         .endm
 
-; Register, and those behind it, become operands from place number on.
+; Passes `number` registers, from `register` on, as operands from `place` on.
         .macro  hand_over register, number=1, place=0, into=operands
         EX      s0, \into + 64 * \place
         ELEN    s0, \number

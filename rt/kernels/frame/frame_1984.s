@@ -1,10 +1,9 @@
-; frame_1984.s - a frame as in 1984: queues of rays are met with the
-; primitives by vector kernels, all else is done ray by ray.
+; frame_1984.s - computes a frame as in 1984: only intersections are vectors.
 ;
-; Rays, queues, levels and kernels are those of the vector form, with bounding
-; spheres; making rays, what is visible, shading, shadows and new rays are loops
-; on the scalar unit over the scalar form's routines.  So the frame is that of
-; both, bit for bit.
+; Rays, queues, levels, bounding spheres and kernels are those of the vector
+; form. Ray generation, visible surfaces, shading, shadows and spawned rays are
+; loops on the scalar unit that call the scalar form's routines. The frame
+; equals that of both forms, bit for bit.
 ; Source: the paper: "the ray/primitive intersections were vectorized".
 
         .include "frame/records.s"
@@ -15,7 +14,7 @@
         .include "light/power_constants.s"
         .reg    link_walk, r133
 
-        .equ    VALUE_SIZE, 1           ; of a tree's, in words
+        .equ    VALUE_SIZE, 1           ; words of a tree's value
 
         .entry  frame
         .kernel frame
@@ -42,8 +41,8 @@ frame:
         .include "solids/levels_vector.s"
         .include "solids/unseen_vector.s"
 
-; From here on registers have the names of the scalar program, which has them to
-; itself (context_1984.s).
+; The register names below are those of the scalar program, which has all
+; registers to itself (context_1984.s).
         .include "frame/context_1984.s"
         .share
         .include "frame/linkage.s"

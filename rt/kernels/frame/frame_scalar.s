@@ -1,8 +1,8 @@
-; frame_scalar.s - a frame, ray by ray: the scalar form of the tracer.
+; frame_scalar.s - computes a frame ray by ray: the scalar form of the tracer.
 ;
-; For each pixel of the band: make its ray, trace it, store what came of it.
-; The same operations in the same order as the vector form, so that both give
-; the same frame bit for bit.
+; For each pixel of the band it generates the ray, traces it and stores the
+; result. Operations and their order are those of the vector form, so both forms
+; give the same frame, bit for bit.
 
         .include "frame/records.s"
         .if     ADAPTIVE
@@ -13,13 +13,13 @@
         .include "frame/vectors_scalar.s"
         .include "light/power_constants.s"
 
-; Room that the host leaves for each crossing of a tree, each value of one, in
-; words; for a level of reflection in levels_scalar.s.
+; Words that the host reserves for each crossing and each value of a tree.
+; levels_scalar.s has those of a level of reflection.
         .equ    CROSSING_SIZE, 1
         .equ    VALUE_SIZE, 1
 
-; Registers of the main program, besides those of linkage.s and levels_scalar.s: of levels
-; of reflection, where kernels see them, too; its own.
+; Registers of the main program in addition to those of linkage.s and
+; levels_scalar.s: levels of reflection, which kernels see too, then its own.
         .regs   r13, level, levels_left, first_level, trace_link
         .regs   r156, column, width, row, last_row, hit_id, plane_size
         .reg    plane_at, r162
@@ -58,7 +58,7 @@ generate_list:  .descriptor 2, pixel
                 .descriptor VIEW_SIZE, view
 generate_place: .word 0
         .if     ADAPTIVE
-frame_sample_number: .word 0            ; of those that are traced
+frame_sample_number: .word 0            ; number of the sample that is traced
         .endif
         .code
 

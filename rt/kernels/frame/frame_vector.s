@@ -1,10 +1,10 @@
-; frame_vector.s - a frame, queue by queue: the vector form of the tracer.
+; frame_vector.s - computes a frame in queues: the vector form of the tracer.
 ;
-; The host asks for a band of the frame, some of its rows.  For each queue of
-; QUEUE rays (the last may be shorter): make the rays, find what each of them
-; meets first, shade; what is reflected and refracted makes rays of the next
-; level, and so on (levels_vector.s).  The host has filled the scene (records.s)
-; and reads the band's planes afterwards.
+; The host requests a band of rows of the frame. For each queue of QUEUE rays
+; (the last may be shorter), the program generates the rays, finds the nearest
+; hits and shades them. Reflected and refracted rays are appended to the list of
+; the next level (levels_vector.s). The host fills the scene (records.s) before
+; and reads the planes of the band afterwards.
 
         .include "frame/records.s"
         .if     ADAPTIVE
@@ -12,8 +12,8 @@
         .endif
         .include "frame/queue.s"
         .include "light/power_constants.s"
-; Of pairs_vector.s: so many pairs are taken at a time; the rays of sets of which
-; they are made, at most.
+; pairs_vector.s: number of pairs that are processed together, and the largest
+; set of rays that is turned into pairs.
         .if     QUEUE < 512
         .equ    PAIRS, 64
         .equ    PAIR_SET, 16
@@ -23,7 +23,7 @@
         .endif
         .reg    link_walk, r133
 
-; Of a tree's values before and after an event, in words.
+; Words of a tree's values before and after an event.
         .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
 
         .entry  frame

@@ -1,4 +1,4 @@
-; generate_1984.s - the queue's rays, one after another.
+; generate_1984.s - generates the queue's rays one after another.
 ;
 ; In, out: as in generate_vector.s.
 

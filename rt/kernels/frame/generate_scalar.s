@@ -1,10 +1,9 @@
-; generate_scalar.s - the ray of one pixel.
+; generate_scalar.s - generates the ray of one pixel.
 ;
 ;       CALL GENERATE_RAY (PIXEL, VIEW, RAY)
 ;
-; PIXEL = column, row (2 words, normalised); VIEW as camera.s leaves it; RAY =
-; O, D (6 words).  Formulas and order of the operations as in
-; generate_vector.s.
+; PIXEL = column, row (2 words, normalised). VIEW as computed by camera.s.
+; RAY = O, D (6 words). Formulas and order of operations: generate_vector.s.
 
         .share  local
         .regs   r32, g_pixel, g_view, g_ray, g_column, g_row

@@ -1,17 +1,17 @@
-; generate_vector.s - the queue's rays.
+; generate_vector.s - generates the queue's rays.
 ;
-; Pixel k of the frame lies in row floor(k / width) and column
-; k - width row; its ray is  base + column per_column + row per_row  (see
-; camera.s), brought to length one.  k / width is cut towards zero, never up,
-; so that its floor is the row for every k.  They start at one point, which is
-; in aox aoy aoz all the time; those of an orthographic camera have one direction,
-; and start there, and those through a lens in many points (lens.s).
+; Pixel k of the frame is in row floor(k / width) and column k - width row. Its
+; ray is base + column per_column + row per_row (camera.s), normalised. The
+; division k / width truncates towards zero, so its floor is the row for every
+; k. Perspective rays start at one point, which stays in aox aoy aoz.
+; Orthographic rays have one direction and start at the computed points. Rays
+; through a lens have many origins (lens.s).
 ;
-; A queue by tiles: order_vector.s.
+; Queues of tiles: order_vector.s.
 ;
-; In:  position (the first k, from the band's first pixel on), n; view.
-; Out: adx ady adz; if EYES_APART aox aoy aoz.
-; Source: camera.s for the formula; derived here for vectors of any length.
+; In:  position (the first k, relative to the band's first pixel), n; view.
+; Out: adx ady adz; if EYES_APART also aox aoy aoz.
+; Source: camera.s for the formula. Vectors of any length are derived here.
 
         .share  scratch
         .regs   r233, basex, basey, basez, colx, coly, colz, rowx, rowy, rowz

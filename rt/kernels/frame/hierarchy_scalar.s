@@ -1,16 +1,16 @@
-; hierarchy_scalar.s - from the regions that stand under no node of the hierarchy
-; to those under nodes that a ray comes near.
+; hierarchy_scalar.s - walks through the hierarchy of regions, for one ray.
 ;
-; The nodes that are left stand in a stack, the next one on top, 0 at its bottom.
-; Of two nodes below another the one that lies ahead is looked at first, for its
-; hits shorten the way to the other.  A leaf with one region is not tested, for
-; the region is.
+; The walk starts with the regions outside the hierarchy and continues with
+; those below nodes that the ray comes near. Nodes to be visited are on a stack,
+; with 0 at its bottom. Of two child nodes the nearer one along the ray is
+; visited first, because its hits limit the other. A leaf with one region is not
+; tested, because the region is.
 ;
-; Parts of those that walk, as macros.  What they find does not depend on the
-; order (regions_scalar.s, shadow_scalar.s).
+; These macros are parts of the walks. The results do not depend on the order of
+; the regions (regions_scalar.s, shadow_scalar.s).
 ; Source: derived here; the project's notes on ray tracing, 4.1.
 
-; A node, while no tree is met.
+; A node. It uses registers of the trees, which are free here.
         .share  local
         .regs   r62, h_cx, h_cy, h_cz, h_radius, h_square
         .regs   r67, h_regions, h_region_count, h_wayx, h_wayy, h_wayz
@@ -30,7 +30,8 @@ hierarchy_stack: .space HIERARCHY_DEPTH + 2
         IX      w_stack, 64
         .endm
 
-; The regions of the next leaf, to region; to done if there are no more.
+; Branches to `region` with the regions of the next leaf, or to `done` without
+; one.
         .macro  next_leaf region, done
 leaf_pop\@:
         IX      w_stack, -64

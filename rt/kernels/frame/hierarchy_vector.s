@@ -1,43 +1,45 @@
-; hierarchy_vector.s - the regions that rays of a queue come near, found by a
-; walk through a hierarchy of bounding spheres.
+; hierarchy_vector.s - walks through the hierarchy of regions, for sets of rays.
 ;
-; At a node the rays at hand are tested against its sphere under their limits.
-; None near: all that is below it is passed over.  Few: these make a set of their
-; own, which both nodes below go on with; else they use the set as it is.  The
-; node below that is nearer along a ray from the middle of the set goes first, so
-; that what it has limits the other, which waits on a stack.
+; The current rays are tested against the sphere of a node, under their limits.
+; If no ray is near, everything below the node is skipped. If few rays are near,
+; they form a new set, with which both child nodes continue. Otherwise the set
+; continues as it is. The child that is nearer along a ray from the middle of
+; the set is visited first, so that its hits limit the other, which waits on a
+; stack.
 ;
-; A set has descriptors of its rays, their places in the queue and limits.  The
-; first is the queue itself.  The others stand one behind the other in an arena,
-; each behind the one that it was taken from: what is tried next after a node
-; belongs to a set further down, and all above that is free again.  Each has
-; less than FEW / FEW_OF of the rays of the one below, 3/4, so all that stand at
-; a time have fewer than n (3/4 + 9/16 + ..) = 3 n; a ray has 8 words.
+; A set has descriptors of its rays, of their positions in the queue and of
+; their limits. The first set is the queue itself. The others are stored
+; consecutively in an arena, each after its parent. The next node to visit
+; belongs to an earlier set, and the memory after that set is free. Each set has
+; less than FEW / FEW_OF = 3/4 of the rays of its parent, so all sets together
+; have fewer than n (3/4 + 9/16 + ..) = 3 n rays. A ray has 8 words.
 ;
-; The limits of a set are those of its rays when it was taken; they are gathered
-; again when a region has been met since that took hits (walk_last).
+; The limits of a set are those of its rays when it was formed. They are
+; gathered again after a region has received hits (walk_last).
 ;
-; walk_pop: the next node that waits, or if there is none, of shadows, the next
-;   of the regions with clear parts.  What they let pass is a product in the
-;   order of the scene: so the walk only marks them.
-; load_set: Out: ox .. dz, s8 = how many, s9 = the descriptor of their limits.
+; The walk only marks regions with clear parts for shadow rays, because the
+; share of light that they transmit is a product in the order of the scene.
+;
+; walk_pop: continues with the next waiting node.  If there is none, it
+;           continues, for shadow rays, with the next marked region.
+; load_set: Out: ox .. dz, s8 = number of rays, s9 = descriptor of their limits.
 ; Source: the order: Kay and Kajiya 1986; sets of rays: derived here.
 
         .record SET
-        .field  SET_RAY, 6              ; descriptors: origins, directions,
-        .field  SET_PLACE               ; places in the queue
+        .field  SET_RAY, 6              ; descriptors: origins, directions
+        .field  SET_PLACE               ; positions in the queue
         .field  SET_LIMIT
-        .field  SET_COUNT               ; how many rays, an integer
+        .field  SET_COUNT               ; number of rays, an integer
         .field  SET_LAST                ; walk_last when the limits were taken
-        .field  SET_END                 ; address of what is behind it
+        .field  SET_END                 ; address after the set
         .endrecord
         .equ    SET_VECTORS, 8
 
-; Fewer regions are met without a walk.
+; With fewer regions the hierarchy is not used.
         .equ    HIERARCHY_FROM, 12
         .equ    NODE_OF_REGIONS, H_SPHERES + 1
 
-; Of a node, while its bound is tested.
+; A node, while its bound is tested.
         .share  shape
         .regs   r61, hierarchy_regions, hierarchy_count
         .regs   r63, hierarchy_wayx, hierarchy_wayy, hierarchy_wayz
@@ -45,29 +47,29 @@
         .endshare
 
         .data
-walk_top:       .word 0                 ; address behind the last node that waits
-walk_set:       .word 0                 ; .. of the set at hand
-walk_last:      .word 0                 ; .. of the last region that took hits, or a
-                                        ; number of such pairs
-walk_clear:     .word 0                 ; .. of the next word of scene_clear
+walk_top:       .word 0                 ; address after the last waiting node
+walk_set:       .word 0                 ; address of the current set
+walk_last:      .word 0                 ; address of the last region with hits,
+                                        ; or number of the last hits of pairs
+walk_clear:     .word 0                 ; address of the next scene_clear word
 walk_clear_left: .word 0                ; words from there on
-walk_stack:     .space 2 * HIERARCHY_DEPTH ; nodes that wait, each with its set
+walk_stack:     .space 2 * HIERARCHY_DEPTH ; waiting nodes, each with its set
 queue_set:      .space SET_SIZE
-        .align  64 * 512                ; what takes turns with other memory is
-                                ; on pages of its own
+        .align  64 * 512                ; memory that is not always in use has
+                                        ; pages of its own
 set_arena:      .space 3 * SET_VECTORS * QUEUE + HIERARCHY_DEPTH * SET_SIZE
         .align  64 * 512
         .code
 
-; Region has changed limits.
+; Records that region has changed limits.
         .macro  region_took_hits
         EX      s0, walk_last
         STO     [s0], region
         .endm
 
         .kernel bound
-; The queue is the first set; the regions under no node are the first to be
-; met, the first node of the hierarchy waits.
+; The queue is the first set. Regions outside the hierarchy are visited first,
+; and the first node waits.
 begin_walk:
         EX      s2, queue_set
         ELEN    s2, 6
@@ -93,7 +95,7 @@ begin_stack:
         load_word scene_hierarchy, s0
         IBXEQ   s0, r0, r0, begin_state
         load_word scene_region_total, s1
-        SUBX    s1, regions_left, s2            ; those under nodes
+        SUBX    s1, regions_left, s2            ; regions in the hierarchy
         ES      s8, HIERARCHY_FROM
         IBXLT   s2, r0, s8, begin_flat
         STO     [s3], s0
@@ -106,7 +108,7 @@ begin_state:
         SWAP    [r0], s3, [s2]
         BIM     0, link_inner
 
-; So few that their own bounds are tested instead.
+; With few regions their own bounds are tested instead.
 begin_flat:
         RTOR    s1, regions_left
         BIM     begin_state
@@ -143,7 +145,7 @@ walk_pop:
         EX      s2, walk_top
         STO     [s2], s1
         ELEN    s1, 2
-        SWAP    [s1], region, [r0]              ; and regions_left
+        SWAP    [s1], region, [r0]              ; region, regions_left
         EX      s2, walk_set
         STO     [s2], regions_left
 walk_node:
@@ -195,7 +197,7 @@ walk_leaf:
         RTOR    hierarchy_regions, region
         BIM     walk_next
 
-; The s6 rays of near_bits become a set; s8 of them were tried.
+; Makes a set of the s6 rays of near_bits, out of s8 rays.
         .macro  set_take vector
         CPSV    [\vector], [s5] ? [near_bits]
         RTOR    s5, \vector
@@ -266,11 +268,11 @@ walk_end:
         BSAVE   link_inner, [target]
         .endif
 
-; The next region that is marked, of those with clear parts: against the queue.
+; Intersects the queue with the next marked region with clear parts.
 walk_next_clear:
         EX      s1, walk_clear
         ELEN    s1, 2
-        SWAP    [s1], s2, [r0]                  ; and s3
+        SWAP    [s1], s2, [r0]                  ; s2, s3
         IBXEQ   s3, r0, r0, walk_done
         EX      s4, 65535
         IBXLE   s3, r0, s4, walk_search
@@ -302,6 +304,6 @@ walk_searched:
         ES      regions_left, 1
         ELEN    region, REGION_WORDS
         SWAP    [region], bound_x, [r0]
-        ES      region_shadow, 1                ; not to be marked again
+        ES      region_shadow, 1                ; prevents another mark
         BIM     walk_bound
         .endkernel

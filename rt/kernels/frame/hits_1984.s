@@ -1,29 +1,30 @@
-; hits_1984.s - the scalar program's shading, a hit at a time.
+; hits_1984.s - the scalar program's shading of one hit.
 ;
 ;       CALL SURFACE (HIT)
 ;       CALL TOWARDS (HIT, LIGHT)
 ;       CALL SHINE (HIT, LIGHT)
 ;
-; HIT = a record of what is known of it (HIT_SIZE words, below); LIGHT = its
-; record, for SHINE with the colour that reaches the point (7 words).
-; SURFACE finds point, normal and pigment and begins the colour with the ambient
-; light; TOWARDS finds the way to a light, N . L = 0 if that shines from behind;
-; SHINE adds its light.  Formulas in surface_scalar.s, light_scalar.s.
+; HIT is the record of a hit (HIT_SIZE words, below). LIGHT is the record of a
+; light; for SHINE it contains the colour that reaches the point (7 words).
+; SURFACE computes point, normal and pigment and initialises the colour with the
+; ambient light. TOWARDS computes the direction to a light, with N . L = 0 if
+; the light is on the other side of the surface. SHINE adds its light. Formulas:
+; surface_scalar.s, light_scalar.s.
 
         .record HIT
         .field  HIT_RAY, 6              ; O, D
         .field  HIT_DISTANCE
-        .field  HIT_PRIMITIVE           ; its record
-        .field  HIT_PLACE               ; of its ray in the queue
-        .field  HIT_SAMPLE, SAMPLE_SIZE ; as SHADE gives it
+        .field  HIT_PRIMITIVE           ; address of its record
+        .field  HIT_PLACE               ; position of its ray in the queue
+        .field  HIT_SAMPLE, SAMPLE_SIZE ; as in SHADE
         .field  HIT_LIGHT, 3            ; L
         .field  HIT_NDOTL               ; N . L, D . L, distance
         .field  HIT_DDOTL
         .field  HIT_WAY
         .field  HIT_PIGMENT, 3
-        .field  HIT_DIM                 ; of a beam
+        .field  HIT_DIM                 ; dimming by a beam
         .if     BUMPS
-        .at     35              ; odd, for the banks
+        .at     35              ; odd, against bank conflicts
         .else
         .at     32
         .endif
@@ -81,7 +82,7 @@ surface:
         store_hit HIT_PIGMENT, 3, color0r
         leave_hit SURFACE_REGISTERS
 
-; The others need less room.
+; TOWARDS and SHINE need fewer registers.
         .share  local
         .regs   r32, a_hit, a_light, a_primitive, t0, t1, here
         .regs   r38, red, green, blue, nx, ny, nz, facing, outward, cell
@@ -94,7 +95,7 @@ surface:
         .endif
         .endshare
 
-; The ray, in place of the beam until there is light.
+; The ray. Its registers hold the beam until the light is known.
         .share  local
         .regs   r63, ox, oy, oz, dx, dy, dz, hit_distance, hit_primitive
         .regs   r71, color0r, color0g, color0b
@@ -107,7 +108,7 @@ surface:
         .regs   r67, beam_x, beam_y, beam_z, beam_narrow, beam_low, beam_steep
         .regs   r73, beam_tightness, beam_fade, beam_power
         .regs   r76, beam_off, beam_q, beam_three
-        .reg    dim, r33                ; a_light's, when that is loaded
+        .reg    dim, r33                ; register of a_light, free once loaded
         .endshare
         .equ    TOWARDS_REGISTERS, 47
         .else

@@ -1,6 +1,7 @@
-; intersect_vector.s - the kernels by which a queue of rays meets primitives, for
-; the frame in vector form and for that of 1984: the way to the rays that come
-; near, each shape, the root solver.
+; intersect_vector.s - includes the kernels that intersect queues of rays.
+;
+; They select the rays that come near a region, intersect shapes and solve for
+; roots. The vector form and the kernels mode use them.
 
         .include "frame/bound_vector.s"
         .include "frame/regions_vector.s"

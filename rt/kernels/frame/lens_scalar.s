@@ -1,9 +1,8 @@
-; lens_scalar.s - a ray through a lens: lens.s for the formulas, the operations
-; of lens_vector.s.
+; lens_scalar.s - computes a ray through a lens (lens.s), like lens_vector.s.
 ;
-; In:  g_column, g_row; g_dx g_dy g_dz, not yet of length one; of an
-;      orthographic camera g_ox g_oy g_oz, of another one g_lx g_ly g_lz, its location.
-; Out: g_dx g_dy g_dz, not of length one; g_ox g_oy g_oz.
+; In:  g_column, g_row; g_dx g_dy g_dz, not normalised; g_ox g_oy g_oz of an
+;      orthographic camera, or g_lx g_ly g_lz, the location of another camera.
+; Out: g_dx g_dy g_dz, not normalised; g_ox g_oy g_oz.
 
         .share  local
         .regs   r58, g_across, g_table, g_place, g_plane

@@ -1,15 +1,15 @@
-; lens_vector.s - rays through a lens (lens.s), in vectors.
+; lens_vector.s - computes rays through a lens (lens.s), in vectors.
 ;
-; In:  w0, w1 = columns and rows of samples; adx ady adz, not yet of length one;
+; In:  w0, w1 = columns and rows of samples; adx ady adz, not normalised;
 ;      aox aoy aoz of an orthographic camera.
-; Out: adx ady adz, not of length one; aox aoy aoz.
+; Out: adx ady adz, not normalised; aox aoy aoz.
 
         .share  scratch
         .regs   r244, lens_across, lens_table, lens_focus, lens_locx, lens_locy
         .regs   r249, lens_locz
         .endshare
 
-; Where samples stand in their pixel, across or down.
+; Computes the position of samples within their pixel, across or down.
         .macro  within_pixel place, into
         LINKV
         DIVSV   [\place], lens_across, [\into]

@@ -1,22 +1,21 @@
-; linkage.s - how the scalar program's subroutines are called.
+; linkage.s - the calling convention of the scalar program's subroutines.
 ;
-; The way of a FORTRAN compiler for this machine, as far as it is known (S):
-; arguments stay in memory.  The caller puts the address of a list of
-; descriptors into arguments and branches by BSAVE; the subroutine saves the
-; registers it is going to use and loads its constants in one SWAP, loads the
-; list, then what it points at, stores its results, and swaps back.  A call
-; costs 200 to 300 clocks so, of which LINPACK shows 260 to 295 (D; see
-; docs/timing.md).
+; It is that of a FORTRAN compiler for this machine, as far as known (S):
+; arguments stay in memory. The caller loads the address of a list of
+; descriptors into arguments and branches by BSAVE. The subroutine saves the
+; registers that it uses and loads its constants in one SWAP, loads the list and
+; the data it refers to, stores its results, and swaps back. Such a call costs
+; 200 to 300 clocks. LINPACK shows 260 to 295 (D; see docs/timing.md).
 ;
-; A kernel is called with the address of another one in inner, for shapes that
-; stand in a space of their own (transform_scalar.s).
+; For shapes with an object space (transform_scalar.s), the address of a second
+; kernel is in inner.
 ;
-; Registers: r7-r31 belong to the linkage and the main program; r32-r155 are
-; local to each subroutine, as many as it says (.share local): it saves what it
-; finds there.  r200-r238 are those of power, r240-r252 the main program's, r253
-; and r254 scratch.
+; Registers: r7-r31 belong to the linkage and the main program. r32-r155 are
+; local to each subroutine, which saves those that it declares (.share local).
+; r200-r238 belong to power, r240-r252 to the main program, r253 and r254 are
+; scratch.
 
-; 1: there are rays to lights (light/shadow_scalar.s).
+; 1: there are shadow rays (light/shadow_scalar.s).
         .ifndef CASTS_SHADOWS
         .equ    CASTS_SHADOWS, 0
         .endif
@@ -27,18 +26,18 @@
         .endshare
         .regs   r253, third, fourth               ; scratch, never saved
 
-; The main program's constants, in the order of records.s, and some more; all
-; subroutines may use them; a main program that calls none of these subroutines
-; may have others there.
+; The main program's constants, in the order of records.s, and some more. All
+; subroutines may use them. A main program that calls none of these subroutines
+; may use the registers for others.
         .share  main
         .regs   r18, m_one, m_half, m_two, m_big, m_minus_big, m_tiny, m_tmin
         .regs   r25, m_checker_shift
         .regs   r26, m_minus_one, m_index_one, m_index_minus_one, m_zero
         .endshare
 
-; The local registers of the kernels: constants, arguments, the ray, the segment
-; found, work, and behind the work that a kernel needs the words of its shape
-; (shape_from).  A kernel begins with the first constant that it needs.
+; Local registers of the kernels: constants, arguments, the ray, its segment,
+; temporaries. The words of the shape follow the temporaries that a kernel needs
+; (shape_from). A kernel saves registers from its first constant on.
         .share  local
         .regs   r32, one, tiny, index_one, big, minus_big
         .regs   r37, a_ray, a_primitive, a_segment
@@ -52,7 +51,7 @@
         .regs   \register, sh0, sh1, sh2, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, sh12, sh13, sh14
         .endshare
         .endm
-        shape_from r58                  ; behind all of the work
+        shape_from r58                  ; after all temporaries
 
         .data
 ; The constants, as in records.s.
@@ -71,14 +70,14 @@ image_minus_big: .word -1e30
         BSAVE   link, [target]
         .endm
 
-; Load number registers from first on from the words at label.
+; Loads the words at `label` into `number` registers from `first` on.
         .macro  load_at label, number, first
         EX      image_at, \label
         ELEN    image_at, \number
         SWAP    [image_at], \first, [r0]
         .endm
 
-; .. the word there.
+; Loads the word at `label`.
         .macro  load_of label, register
         EX      \register, \label
         LOD     [\register], \register
@@ -92,8 +91,8 @@ image_minus_big: .word -1e30
         ADDN    r0, r0, m_zero
         .endm
 
-; Save number local registers from first on, load as many of them as there are
-; constants in the image.
+; Saves `number` local registers from `first` on, and loads the first
+; `constants` of them from the image.
         .macro  enter image, constants, save, number, first=r32
         EX      image_at, \image
         ELEN    image_at, \constants
@@ -109,8 +108,8 @@ image_minus_big: .word -1e30
         BIM     0, link
         .endm
 
-; Enter a kernel that calls nothing: its constants from first on, its arguments,
-; the ray, number words of the shape.
+; Enters a kernel that calls nothing: loads its constants from `first` on, its
+; arguments, the ray, and `shape_words` words of the shape.
         .macro  enter_kernel save, registers, shape_words, first=one
         enter   image_\first, KERNEL_CONSTANTS - (image_\first - kernel_image) / 64, \save, \registers, \first
         ELEN    arguments, 3
@@ -126,7 +125,7 @@ image_minus_big: .word -1e30
         STO     [a_segment, index_one], tout
         .endm
 
-; Give back tin, tout.  save_at is as it was.
+; Returns tin, tout. save_at is unchanged.
         .macro  leave_kernel first=one
         give_segment
         SWAP    [save_at], \first, [r0]

@@ -1,25 +1,27 @@
-; miss_box_vector.s - which of the rays at hand meet a region's box, and those alone.
+; miss_box_vector.s - selects the rays that come near the box of a region.
 ;
-; A sphere about a long thing or a flat one holds mostly nothing.  The box stands
-; along the axes of the world: about C, with half sides H.  With L = C - O the line
-; along D meets it if it passes no edge on the outer side:
+; The bounding sphere of a long or flat object is mostly empty. The box is
+; aligned with the world's axes, with centre C and half sides H. Let L = C - O.
+; The line along D hits the box if it passes no edge on the outer side:
 ;
-;   |L_y D_z - L_z D_y| <= H_y |D_z| + H_z |D_y|      and so with z, x and x, y
+;   |L_y D_z - L_z D_y| <= H_y |D_z| + H_z |D_y|,  also for z, x and x, y
 ;
-; H counts for more by |L| / 2^40, which is more than the products lose; the host
-; has made the box larger by what the kernels may lose.  Where a line through the
-; box is left is decided by the sphere alone (bound_vector.s).  Rays that start at
-; one point, or go to one light's, have L in common.
+; H is enlarged by |L| / 2^40, which exceeds the rounding error of the products.
+; The host has enlarged the box by the error of the kernels. The test applies to
+; the whole line. Only the sphere test (bound_vector.s) excludes objects before
+; the start or after the limit of a ray. Rays with one origin, or towards one
+; point light, have L in common.
 ;
-; In:  region; the rays at hand, near of them: wox .. wdz, near_limit, place.
-; Out: the same of those that meet it, s6 of them.
+; In:  region; the near current rays: wox .. wdz, near_limit, place.
+; Out: the same for the rays that come near the box, s6 of them.
 ; Source: separating axes of a line and a box: Gottschalk, Lin and Manocha 1996.
 
         .share  scratch
         .regs   r233, box_x, box_y, box_z, box_hx, box_hy, box_hz, box_lost
         .endshare
 
-; Pairs are linked where L and H are in registers: of vectors they would read three.
+; Products and sums are linked if L and H are in registers. With vectors, a link
+; would read three.
         .macro  beside_axis c1, c2, d1, d2, h1, h2, a1, a2, bits, vectors
         MPYSV   \c1, [\d2], [w9]
         MPYSV   \h1, [\a2], [w11]

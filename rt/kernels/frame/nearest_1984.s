@@ -1,20 +1,24 @@
-; nearest_1984.s - what the rays of a queue meet first, ray by ray from
-; what the kernels have found.
+; nearest_1984.s - finds the nearest hits of a queue in kernels mode.
 ;
-; find_nearest: In: the queue's rays.  Out: nearest, met = the
-;   primitive's record (0: none); hit_s, hit_t on patches.
-; simple_met: In: the segments of the rays at hand in a simple region, in
-;   found_store.
-; walk_tree: In: the crossings of the rays at hand in a region's primitives.
-;   Both: the same; for a ray to a light nearest = minus_big if it is stopped,
-;   in light_left what comes through.
-; Methods as in regions_scalar.s, shadow_scalar.s and trees_1984.s.
+; The vector kernels compute the crossings. The rest is done ray by ray.
+;
+; find_nearest: In: the queue's rays.  Out: nearest, met = the primitive's
+;               record (0: none); hit_s, hit_t on patches.
+; simple_met:   In: the segments of the current rays in a simple region, in
+;               found_store.
+; walk_tree:    In: the crossings of the current rays with a region's
+;               primitives.
+;
+; simple_met and walk_tree update the results of find_nearest. For a shadow ray
+; they set nearest = minus_big if it is blocked, and light_left to the
+; transmitted light. Methods as in regions_scalar.s, shadow_scalar.s and
+; trees_1984.s.
 
         .include "frame/trees_1984.s"
 
         .data
         .align 64
-light_left:     .space 3 * QUEUE        ; of each ray to a light
+light_left:     .space 3 * QUEUE        ; transmitted light of each shadow ray
         .code
 
         .macro  load_segment index
@@ -30,7 +34,8 @@ light_left:     .space 3 * QUEUE        ; of each ray to a light
         .endif
         .endm
 
-; Nearer than what is at the ray's place, or as near and on a lesser primitive?
+; Accepts a hit that is nearer than the ray's hit, or equally near and on an
+; earlier primitive.
         .macro  take_nearer distance, taken
         CFPLT   \distance, loop_work, \taken
         CFPNE   \distance, loop_work, tree_skip
@@ -68,7 +73,7 @@ simple_next:
         RTOR    next_out, segment_out
         RTOR    next_limit, ray_limit
         ADDX    loop_index, m_index_one, loop_work
-        load_segment loop_work                  ; the next ray's, meanwhile
+        load_segment loop_work                  ; loads the next ray's early
         .if     INTERIORS
         LOD     [from_least, loop_index], w_lower
         .endif

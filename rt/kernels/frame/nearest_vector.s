@@ -1,20 +1,22 @@
-; nearest_vector.s - what the rays of a queue meet first.
+; nearest_vector.s - finds the nearest hits of a queue.
 ;
-; Of a simple region the crossing is tin if that lies ahead of the ray's least
-; distance, else tout; it counts if it is ahead and before the ray's limit.  Of
-; the others the crossings are looked at in turn (visible_vector.s).
+; In a simple region, the crossing is tin if that is beyond the ray's least
+; distance, else tout. It is a hit if it is beyond the least distance and before
+; the ray's limit. In other regions the crossings are examined in order
+; (visible_vector.s).
 ;
-; find_nearest: In: the queue's rays.  Out: nearest, met (0: none);
-;   hit_s, hit_t on patches.
-; simple_met: In: tin, tout of the rays at hand, and for a ray to a light its
-;   limit; found, of the others.  Out: the same; for a ray to a light nearest =
-;   minus_big.
+; find_nearest: In: the queue's rays.  Out: nearest, met (0: none); hit_s,
+;               hit_t on patches.
+; simple_met:   In: tin, tout of the current rays, and of a shadow ray its
+;               limit; found, of other rays.  Out: as find_nearest; for a
+;               shadow ray nearest = minus_big.
 ; Source: the paper.
 
-; With KEYS nearest holds the least key so far, the distance of a hit plus P_YIELD
-; times k_delta, and depth_store the distance of that hit (docs/solids.md).
+; With KEYS, nearest holds the least key so far: the distance of a hit plus
+; P_YIELD times k_delta. depth_store holds the distance of this hit
+; (docs/solids.md).
 
-; Where a hit goes: places, distances, primitives.
+; Hits: positions in the queue, distances, primitives.
         .share  crossings
         .regs   r107, taken_at, taken_distance, taken_met
         .if     KEYS
@@ -23,7 +25,7 @@
         .endshare
 
         .data
-first_met:      .word 1                 ; address of the look that was met last, or 1
+first_met:      .word 1                 ; address of the material hit last, or 1
         .if     KEYS
 taken_store:    .space 4 * QUEUE
         .else
@@ -44,9 +46,9 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
         .endif
         .endm
 
-; Rays of the queue have met the primitive, so its look is on the list.
+; Adds the primitive's material to the list of those that rays of the queue hit.
         .macro  mark_met
-        load_record P_MATERIAL, 2, s2               ; and P_TESTED
+        load_record P_MATERIAL, 2, s2               ; P_MATERIAL, P_TESTED
         IBXEQ   s2, r0, primitive, mark_own\@
         RTOR    s2, s3
         IX      s3, 64 * P_SHARED
@@ -112,7 +114,7 @@ simple_nearer:
         VTOVX   [taken_at], [taken_distance], [hit_t]
         BIM     walk_skip
 
-; The rays at hand are all of the queue.
+; All rays of the queue are current.
 simple_all:
         mark_met
         VTOV    [w0], [nearest] ? [bits0]
@@ -126,7 +128,7 @@ simple_all:
         VTOV    [patch_t], [hit_t] ? [bits0]
         BIM     walk_skip
 
-; Rays to a light are stopped.
+; Blocks shadow rays.
 simple_stops:
         CMPLTV  [w0], [near_limit], [bits1]
         ANDB    [bits0], [bits1], [bits0]

@@ -1,24 +1,24 @@
-; order.s - which pixels a queue's rays go through: by rows, or by tiles.
+; order.s - the order in which pixels form queues: rows or tiles.
 ;
-; By rows the pixels of a band go into queues row after row.  By tiles the band
-; is cut into strips, about as high as QUEUE pixels make a square, and within a
-; strip pixels are counted column by column: then a queue is a tile of the
-; picture, nearly square, and its rays meet the same things.
+; In order of rows, the pixels of a band form queues row after row. In order of
+; tiles, the band is cut into strips, about as high as a square of QUEUE pixels.
+; Within a strip, pixels are counted column by column, so a queue is a nearly
+; square tile of the picture and its rays hit the same objects.
 ;
-;   strips = floor(rows / sqrt(QUEUE) + 1/2), 1 at least
+;   strips = floor(rows / sqrt(QUEUE) + 1/2), at least 1
 ;   strip t, from 0 on, begins with row floor(t rows / strips)
-;   place k of a strip h rows high:  column floor(k / h), row k - h column
+;   pixel k of a strip h rows high:  column floor(k / h), row k - h column
 ;
-; A queue goes on in the next strip where one ends.  A pixel's place in the
-; band's planes does not depend on the order: of a queue of the first level
-; queue_order has a list of these places, or 0 if they follow one another.
+; A queue continues in the next strip. The position of a pixel in the band's
+; planes does not depend on the order. For a queue of the first level,
+; queue_order is a list of these positions, or 0 if they are consecutive.
 ;
 ; In:  scene_tiles, scene_band, half.  Out: strip_count.
-; Source: derived here; that neighbours' rays meet the same things is known to
-; every tracer.
+; Source: derived here. All tracers know that neighbouring rays hit the same
+; objects.
 
         .data
-scene_tiles:    .word 0                 ; 1: by tiles, written by the host
+scene_tiles:    .word 0                 ; 1: tiles, written by the host
 queue_order:    .word 0                 ; descriptor: places in the planes, or 0
 strips_done:    .word 0                 ; rows above the strip in which the last
                                         ; queue begins, for the host
@@ -29,13 +29,13 @@ strip_count:    .word 0                 ; a number
 order_store:    .space QUEUE
         .code
 
-; On to the next strip.  rows: of the band, a number.
+; Advances to the next strip. `rows` is the number of rows of the band.
         .macro  next_strip rows, count, work
         ADDX    strip_row, strip_height, strip_row
         IX      strip_number, 1
         ADDN    strip_number, r0, \work
         MPYS    \work, \rows, \work
-        DIVS    \work, \count, \work    ; cut, never up
+        DIVS    \work, \count, \work    ; truncates towards zero
         FLR     \work, \work
         SUBX    \work, strip_row, strip_height
         ES      strip_at, 0

@@ -1,7 +1,7 @@
-; order_1984.s - the pixels of a queue by tiles (order.s), one after another.
+; order_1984.s - the pixels of a queue by tiles (order.s), one by one.
 ;
-; Part of the loop that makes rays: tiles_begin, then, for each ray, tile_pixel;
-; tiles_end.
+; These macros are parts of the loop that generates rays: first tiles_begin,
+; then tile_pixel for each ray, then tiles_end.
 
         .share  loop
         .regs   r163, column, row, width
@@ -10,8 +10,8 @@
         .regs   r174, tile_row, tile_end, tile_place, tile_places
         .endshare
 
-; tile_row, tile_end: the strip's first row in the frame, the row behind its
-; last, numbers.
+; Sets tile_row and tile_end to the strip's first row in the frame and the row
+; after its last, as numbers.
         .macro  strip_rows
         ADDN    strip_row, r0, tile_row
         ADDN    strip_height, r0, tile_end
@@ -19,7 +19,7 @@
         ADDN    tile_row, tile_end, tile_end
         .endm
 
-; The first pixel: its column, its row, its place in the planes.
+; Computes the first pixel: its column, its row, its position in the planes.
         .macro  tiles_begin
         EX      loop_at, strip_state
         ELEN    loop_at, 5
@@ -49,7 +49,7 @@ tiles_strip:
         ADDX    tile_place, loop_work, tile_place
         .endm
 
-; The place of this ray's pixel; on to the next one.
+; Stores the position of this ray's pixel and advances to the next pixel.
         .macro  tile_pixel next
         STO     [tile_places, loop_index], tile_place
         IX      strip_at, 1

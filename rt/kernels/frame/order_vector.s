@@ -1,10 +1,11 @@
 ; order_vector.s - the pixels of a queue by tiles (order.s), in vectors.
 ;
-; blank_planes: the band's planes as where nothing is hit: the background, and
-;   zeros.  A queue by tiles writes what it hits and nothing else.
-; tile_queue: In: n, w0 .. n long; width.  Out: w0 = columns, w1 = rows of the
-;   frame, numbers; order_store = places in the band's planes, integers.
-; Formulas: order.s; k / h is cut towards zero, never up, so that its floor is
+; blank_planes: sets the band's planes to the background and zeros.  A queue
+;               in order of tiles writes only its hits.
+; tile_queue:   In: n, w0 .. n long; width.  Out: w0 = columns, w1 = rows of
+;               the frame, numbers; order_store = positions in the band's
+;               planes, integers.
+; Formulas: order.s. The division k / h truncates towards zero, so its floor is
 ; the column for every k.
 
         .share  scratch
@@ -12,7 +13,7 @@
         .regs   r249, tile_left, tile_count, columns, band_row, band_rows
         .endshare
 
-; The part of a vector that the strip at hand fills, from base on.
+; Makes the part of a vector that the current strip fills, starting at `base`.
         .macro  tile_part base, into
         RTOR    \base, \into
         ADDLEN  \into, tile_count, \into
@@ -49,7 +50,7 @@ blank_planes:
 blank_none:
         BIM     0, link
 
-; s4 words from s5 on become s6; s5 goes behind them.
+; Sets s4 words from s5 on to s6, and s5 to the address after them.
 blank:
         RTOR    s4, s7
 blank_next:

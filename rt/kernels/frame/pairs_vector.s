@@ -1,31 +1,33 @@
-; pairs_vector.s - small spheres, many of them: pairs of a ray and a node.
+; pairs_vector.s - intersects many small spheres, as pairs of a ray and a node.
 ;
-; Where a node has many spheres below it for the rays that come near, each
-; sphere is met by a ray or two, and vectors of one node's rays are short.
-; So the rays of a set of PAIR_SET or less go into a pool of pairs with the nodes
-; below, where these have spheres alone: each pair has its own place of a ray and
-; its own node, and pairs of all sorts of nodes are tested by one stream; what the
-; nodes hold is gathered.  A pair that is near makes two, for the nodes below, or
-; if its node is a leaf goes to the list of those that meet a sphere; these are
-; met all at once as well, with a centre and radius for each.
+; Below a node with many spheres, each sphere is hit by one or two rays, and the
+; vectors of a node's rays are short. So at a node that has only spheres below
+; it, the rays of a set of at most PAIR_SET are added to a pool of pairs with
+; its child nodes. Each pair has its own ray and its own node. One stream tests
+; pairs of different nodes and gathers the fields of the nodes. A pair whose ray
+; is near makes two pairs with the child nodes. At a leaf it is added to a list
+; of pairs with spheres, which are also intersected together, with a centre and
+; a radius for each pair.
 ;
-; The pool is a stack, of which the PAIRS on top are taken at a time.  Rays come
-; in only while it has no more than PAIRS afterwards.  Say all in it have
-; label D then, the depth of the hierarchy, and what comes of those that are
-; taken the greatest label among them less one; so labels fall towards the top,
-; and those of one label all come of one taking, for what is taken down to the
-; label above has all of them in it.  One taking makes 2 PAIRS, of which PAIRS
-; are gone before there is a lower label: no more than PAIRS (D + 2) are ever
-; in it.
+; The pool is a stack. Up to PAIRS pairs are taken from its top at a time. Rays
+; are added only if the pool then has at most PAIRS pairs. Its size has a bound:
+; give all pairs the label D at that time, the depth of the hierarchy, and give
+; the pairs made from a batch the greatest label in the batch, minus one. Labels
+; decrease towards the top. All pairs of one label come from one batch, because
+; a batch that reaches the next higher label contains all pairs of this label. A
+; batch makes 2 PAIRS pairs, and PAIRS of them are taken before a lower label
+; appears. So the pool never has more than PAIRS (D + 2) pairs.
 ;
-; A ray may be in several pairs that are met at once.  Its nearest hit is found
-; by scattering all that are better than what it has, looking which still are,
-; and so on until none is: each time the one that was stored last drops out.
+; A ray may be in several pairs of a batch. Its nearest hit is found by
+; scattering all hits that improve on its current hit, then those that still
+; improve on it, until none does. Each step eliminates the hit that was stored
+; last.
+;
 ; The bits are those of bound_vector.s and sphere_vector.s, operation by
-; operation, and so is what is nearest.
+; operation, and the nearest hits are the same.
 ;
-; add_pairs: In: region, a node with spheres alone, s8 rays of walk_set.
-; drain_pairs: takes from the pool until pairs_room are left at most.
+; add_pairs:   In: region, a node with only spheres, s8 rays of walk_set.
+; drain_pairs: processes the pool until at most pairs_room are left.
 ; Source: derived here.
 
         .share  hits
@@ -39,10 +41,10 @@
 
         .data
 pool_count:     .word 0
-sphere_count:   .word 0                 ; pairs that meet a sphere
-pairs_room:     .word 0
-pair_stamp:     .word 0                 ; of the last hits, for walk_last
-pair_order:     .space PAIRS            ; of the pool, to mix it; made when first used
+sphere_count:   .word 0                 ; pairs with spheres
+pairs_room:     .word 0                 ; pairs that may be left in the pool
+pair_stamp:     .word 0                 ; number of the last hits, for walk_last
+pair_order:     .space PAIRS            ; permutation, made at its first use
 pair_bit_store: .space 3 * PAIR_LIST / 64
         .align  64
 pool_places:    .space PAIRS * (HIERARCHY_DEPTH + 2)
@@ -72,13 +74,13 @@ pair_store:     .space 12 * PAIR_LIST
         describe pair_tie, pair_bit_store + 2 * PAIR_LIST, \count
         .endm
 
-; [into] = the field of records that [at] has in words.
+; [into] = the field of the records whose word addresses are in [at].
         .macro  pair_field at, field, into
         EX      s0, 64 * (\field)
         VXTOV   [\at], [s0], [\into]
         .endm
 
-; [into] = addresses of such a field, in words.
+; [into] = word addresses from an address field of the records.
         .macro  pair_address at, field, into
         pair_field \at, \field, \into
         ES      s0, -6
@@ -99,7 +101,7 @@ pair_from\@:
         .endm
 
         .kernel bound
-; region's two nodes below, each with all rays of the set.
+; Adds pairs of all rays of the set with each child of region.
 add_pairs:
         load_word pool_count, s0
         ADDX    s8, s8, s1
@@ -139,7 +141,7 @@ add_after:
         BSAVE   link_kernel, [target]
         BIM     walk_node
 
-; All that are left, in the end.
+; Processes all remaining pairs.
 finish_pairs:
         EX      s3, pairs_room
         STO     [s3], r0
@@ -149,9 +151,9 @@ finish_pairs:
         BSAVE   link_kernel, [target]
         BIM     0, link_inner
 
-; Neighbours in the pool have come of one node: what it holds would be asked of
-; one bank again and again.  They are put at PAIR_STRIDE, which is odd, from each
-; other.
+; Permutes the pool. Neighbouring pairs belong to one node, whose fields would
+; be gathered from one bank repeatedly. The permutation moves neighbours
+; PAIR_STRIDE apart, which is odd.
 mix_pairs:
         load_word pool_count, s8
         ES      s1, 64
@@ -238,7 +240,8 @@ pairs_some:
         CPSV    [pair_place], [pair_place] ? [pair_bits]
         CPSV    [pair_node], [pair_node] ? [pair_bits]
 
-; The regions of leaves go to the list, the first of each, then the others.
+; Adds the regions of leaves to the list: first the first region of each leaf,
+; then the others.
         set_pairs s8
         pair_field pair_node, H_REGION_COUNT, pair_x
         CMPNEV  [pair_x], r0, [pair_bits]
@@ -288,7 +291,8 @@ pairs_no_leaf:
         IBXEQ   s8, r0, r0, drain_pairs
         pair_vector pair_x, 0, s8
 
-; The nodes below the others go back to the pool, where these stood and behind.
+; Returns the child nodes of the other pairs to the pool, from the position of
+; these pairs on.
 pairs_below:
         SHIFTI  s8, 6, s5
         RTOR    pair_place, s3
@@ -310,14 +314,15 @@ pairs_drained:
         BIM     0, link_kernel
         .endkernel
 
-; The crossing of a sphere that counts, and if it is farther than the least distance.
+; Selects the crossing of a sphere, and tests whether it is beyond the least
+; distance.
         .macro  spheres_ahead least
         CMPLTV  \least, [pair_in], [pair_bits]
         MASKV   [pair_in], [pair_out], [pair_hit] ? [pair_bits]
         CMPLTV  \least, [pair_hit], [pair_bits]
         .endm
 
-; The spheres of the list, by all their rays.
+; Intersects the pairs of the list.
         .kernel sphere
 meet_spheres:
         load_word sphere_count, pair_count
@@ -372,7 +377,8 @@ spheres_found:
         CPSV    [pair_node], [pair_node] ? [pair_bits]
         set_pairs pair_count
 
-; Their looks: each once where it stands several times in a row.
+; Lists the materials of the hits. A material that is repeated in consecutive
+; pairs is processed once.
         pair_field pair_node, P_MATERIAL, pair_x
 spheres_look:
         LOD     [pair_x], s2
@@ -396,7 +402,7 @@ spheres_listed:
         ADDX    pair_x, s1, pair_x
         BIM     spheres_look
 
-; The nearest of each ray.
+; Finds the nearest hit of each ray.
 spheres_nearest:
         pair_field pair_node, P_ID, pair_y
         ES      pair_left, 0
@@ -432,7 +438,7 @@ spheres_scatter:
         VTOVX   [pair_place], [pair_y], [met]
         BIM     spheres_better
 
-; Rays to a light are stopped.
+; Blocks shadow rays.
 spheres_stop:
         CMPLTV  [pair_hit], [pair_limit], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]

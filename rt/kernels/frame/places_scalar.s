@@ -1,5 +1,4 @@
-; places_scalar.s - where a ray goes through the frame: the operations of
-; places_vector.s.
+; places_scalar.s - positions of rays in the frame, as in places_vector.s.
 
         .share  local
         .regs   r32, place_step, place_first, place_squared, place_row, place_whole
@@ -21,7 +20,7 @@
         SUBN    \number, \rest, \rest
         .endm
 
-; Ray number at, an integer, of the samples.
+; Computes the position of the sample ray with the number `at`, an integer.
         .macro  through_sample at, column, row
         load_place_steps
         MPYS    place_step, place_step, place_squared
@@ -44,7 +43,7 @@
         SUBN    \row, place_step, \row
         .endm
 
-; .. of the first ray of a column or row.
+; Computes the position of the first ray of a column or row.
         .macro  through_middle number, place
         MPYS    \number, place_step, \place
         ADDN    \place, place_first, \place

@@ -1,11 +1,13 @@
-; places_vector.s - where the queue's rays go through the frame, in places of
-; samples (adaptive.s).
+; places_vector.s - positions of rays in the frame, in units of samples.
 ;
-; through_middles: In: w0, w1 = columns and rows of the first rays.  Out: the same
-;   of samples.
-; through_samples: In: position, n; width.  Out: w0, w1.  Ray k is of sample
-;   s = k - samples^2 floor(k / samples^2) of the pixel whose place is number
-;   floor(k / samples^2) in fine_list; s is in row floor(s / samples).
+; See adaptive.s for the units.
+;
+; through_middles: In: w0, w1 = columns and rows of the first rays.
+;                  Out: w0, w1 = columns and rows of samples.
+; through_samples: In: position, n; width.  Out: w0, w1.
+;
+; Let p = floor(k / samples^2). Ray k belongs to sample s = k - samples^2 p of
+; the pixel at entry p of fine_list. Sample s is in row floor(s / samples).
 
         .share  scratch
         .regs   r244, place_step, place_first, place_squared, place_row
@@ -27,7 +29,7 @@
         ADDNV   [w1], place_first, [w1]
         .endm
 
-; [whole] = floor([numbers] / by), [rest] = what remains; whole is written first.
+; [whole] = floor([numbers] / by), [rest] = the remainder. Writes whole first.
         .macro  divide_places numbers, by, whole, rest
         LINKV
         DIVSV   [\numbers], \by, [\whole]

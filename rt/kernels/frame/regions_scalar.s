@@ -1,24 +1,29 @@
-; regions_scalar.s - what one ray meets first.
+; regions_scalar.s - finds the nearest hit of one ray.
 ;
 ;       CALL NEAREST (RAY, HIT)
 ;
-; RAY = O, D, the least distance that counts, and the same enlarged, to be
-; scaled (8 words), with INTERIORS the rank of what it has passed (CHILD_PASSED);
-; HIT = distance, address of the primitive's record (0: none).  With HIDDEN another
-; argument: CLASS = IMAGE_RAYS or REFLECTED_RAYS; regions hidden from it are skipped.
+; RAY = O, D, the least distance, and the least distance enlarged, to be scaled
+; (8 words). With INTERIORS the rank of the surface that it passed follows
+; (CHILD_PASSED). HIT = distance, address of the primitive's record (0: none).
+; With HIDDEN there is a third argument: CLASS = IMAGE_RAYS or REFLECTED_RAYS.
+; Regions hidden from this class are skipped.
 ;
-; Region by region (hierarchy_scalar.s) the nearer wins, of equals the first of
-; the scene, in whatever order they are met.  Of a simple region the hit is tin
-; if it lies beyond the least distance, else tout.  The crossings of a tree are
-; collected (nodes_scalar.s) and searched by VISIBLE, a little farther than the
-; nearest so far, for another may be as near.  Where a ray does not come near,
-; nothing more is done.
-; With KEYS the least key wins, a distance and P_YIELD times k_delta; w_limit is the
-; least key so far, w_depth the distance of that hit.  With INTERIORS a ray that has
-; passed a clear surface hits regions of a lesser rank from -k_delta on
-; (docs/solids.md).
-; On a patch the parameters are left in the primitive's P_PATCH_POINT; in a tree
-; they are those of its first crossing within delta of that distance.
+; The ray is tested against one region after another (hierarchy_scalar.s). The
+; nearest hit wins; of equal hits, the first in the scene wins, for any order of
+; the regions. In a simple region the hit is tin if that is beyond the least
+; distance, else tout. The crossings of a tree are collected (nodes_scalar.s)
+; and searched by VISIBLE, slightly farther than the nearest hit so far, because
+; another may be equally near. Regions that the ray does not come near cost only
+; the test.
+;
+; With KEYS the least key wins: a distance plus P_YIELD times k_delta. w_limit
+; is the least key so far, w_depth the distance of that hit. With INTERIORS a
+; ray that has passed a clear surface hits regions of a lower rank from -k_delta
+; on (docs/solids.md).
+;
+; The parameters of a hit on a patch are stored in the primitive's
+; P_PATCH_POINT. In a tree they are those of the first crossing within delta of
+; the distance.
 
         .share  local
         .if     KEYS
@@ -70,7 +75,7 @@ kernel_primitive: .word 0
         leave   \save, \registers
         .endm
 
-; The next region, as long as there are any.
+; Branches to `again` for the next region while there is one.
         .macro  next_region again
         IX      w_region, 64 * R_SIZE
         IBXNE   w_regions_left, m_index_minus_one, r0, \again, w_regions_left
@@ -82,13 +87,13 @@ kernel_primitive: .word 0
         SWAP    [w_at], w_cx, [r0]
         .endm
 
-; The segment of a simple region: the crossing that counts in w_in, to near if it
-; is before the limit, to miss if there is none.
+; Sets w_in to the hit in a simple region. Branches to `near` if it is before
+; the limit, to `miss` if there is none.
         .macro  meet_simple near, miss
         EX      w_at, kernel_primitive
         STO     [w_at], w_first
         ELEN    w_first, 2
-        SWAP    [w_first], target, [r0]         ; and inner
+        SWAP    [w_first], target, [r0]         ; target, inner
         EX      arguments, kernel_list
         BSAVE   link, [target]
         EX      w_at, segment
@@ -103,8 +108,9 @@ simple_ahead\@:
         CFPLT   w_in, w_limit, \near
         .endm
 
-; The parameters of the crossing at w_in, seen on w_leaf (and w_out), of a tree: to its
-; P_PATCH_POINT, if it is a patch or a mesh; then to done.
+; Stores the parameters of the crossing at w_in on w_leaf (and w_out), in a
+; tree, in its P_PATCH_POINT, if it is a patch or a mesh. Then branches to
+; `done`.
         .macro  note_point done
         RTOR    w_out, w_at
         IX      w_at, 64 * P_ON_PATCH
@@ -129,7 +135,7 @@ point_crossing\@:
         CFPLT   w_t2, w_t3, point_crossing\@
         CFPLT   w_t4, w_t2, point_crossing\@
         ELEN    w_at, 2
-        SWAP    [w_at], w_t0, [r0]              ; and w_t1
+        SWAP    [w_at], w_t0, [r0]              ; w_t0, w_t1
         RTOR    w_leaf, w_at
         IX      w_at, 64 * P_PATCH_POINT
         ELEN    w_at, 2
@@ -137,18 +143,18 @@ point_crossing\@:
         BIM     \done
 
         .if     MESH_CROSSINGS
-; On which triangle of a mesh, and 1 if the ray leaves there: of a solid where each
-; second crossing is.
+; Stores the triangle of a mesh, and 1 if the ray leaves there. Every second
+; crossing leaves a solid.
 point_triangle\@:
         RTOR    w_leaf, w_at
         IX      w_at, 64 * (P_SHAPE + 1)
         LOD     [w_at], w_t5
-        FLR     w_t5, w_t5                      ; triangles stand so far behind
+        FLR     w_t5, w_t5                      ; offset of the triangles
         IX      w_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
         LOD     [w_at], w_t6
         ES      w_t2, 2
         IBXEQ   w_t0, r0, w_t2, point_sided\@
-        RTOR    r0, w_t6                        ; its normals tell
+        RTOR    r0, w_t6                        ; its normals show the side
 point_sided\@:
         EX      w_t2, k_delta
         LOD     [w_t2], w_t2
@@ -176,7 +182,7 @@ point_enters\@:
         .endif
         .endm
 
-; w_t0 = how far a hit at w_in on w_out counts.
+; Sets w_t0 to the key of a hit at w_in on w_out.
         .macro  count_hit
         RTOR    w_out, w_at
         IX      w_at, 64 * P_YIELD
@@ -286,7 +292,7 @@ nearest_seen:
         note_point nearest_skip
 
         .if     INTERIORS
-; The ray passed a clear surface: a region of a lesser rank may be hit at its start.
+; The ray passed a clear surface. It hits regions of a lower rank at its start.
 nearest_passed:
         RTOR    w_first, w_at
         IX      w_at, 64 * P_RANK

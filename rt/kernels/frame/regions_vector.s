@@ -1,24 +1,26 @@
-; regions_vector.s - what the rays of a queue meet, region by region.
+; regions_vector.s - intersects the rays of a queue with each region.
 ;
-; A region is a primitive or a Boolean tree of them (records.s).  The rays that
-; come near it are compressed, unless they are most of the queue, and again those
-; that meet its box, if it has one (miss_box_vector.s); its kernels give the segments
-; inside its primitives.
+; A region is a primitive or a Boolean tree of primitives (records.s). Rays that
+; come near it are compressed, unless they are most of the queue. If the region
+; has a box, the rays near the box are compressed again (miss_box_vector.s). The
+; kernels compute the segments inside the region's primitives.
 ;
-; What they mean is decided elsewhere: of a simple region by simple_met, of the
-; others by walk_tree; both go on at walk_skip.
+; simple_met processes the segments of a simple region, walk_tree those of
+; others. Both continue at walk_skip.
 ;
 ; In:  the queue's rays, their limits in nearest, shadows.
-; In a hierarchy they stand below its nodes (hierarchy_vector.s); those that stand
-; below none come first, in the order of the scene.  Of hits at one distance the
-; one on the least primitive is the nearest, in whatever order they are found.
-; Source: the paper's queue, one thing against all rays in turn; the project's
+;
+; Regions of the hierarchy are below its nodes (hierarchy_vector.s). The other
+; regions come first, in the order of the scene. Of hits at one distance, the
+; one on the primitive with the lowest number is the nearest, for any order of
+; the regions.
+; Source: the paper's queue, one object against all rays in turn; the project's
 ; notes on ray tracing, 4.1.
 
-; With HIDDEN rays skip the regions that are hidden from their class (R_HIDDEN_FROM);
-; rays to a light skip none.
+; With HIDDEN, rays skip the regions that are hidden from their class
+; (R_HIDDEN_FROM). Shadow rays skip none.
 
-; Of a region, while its bound is tested.
+; A region, while its bound is tested.
         .share  shape
         .regs   r61, region_way, region_shadow, region_nodes
         .regs   r64, region_nodes_end, region_first
@@ -29,12 +31,13 @@
 
         .if     HIDDEN
         .data
-hidden_class:   .word 0                 ; the class of rays that do not see the region, an
-                                ; integer; 0: all do
+hidden_class:   .word 0                 ; class of rays that do not see the
+                                        ; region, an integer; 0: all rays see it
         .code
         .endif
 
-; More rays than so many in FEW_OF are no few: compressing does not pay.
+; Rays are compressed if they are fewer than FEW / FEW_OF of all. With more rays
+; compressing does not pay.
         .equ    FEW, 3
         .equ    FEW_OF, 4
 
@@ -48,7 +51,7 @@ hidden_class:   .word 0                 ; the class of rays that do not see the 
 
         .macro  call_kernel
         ELEN    shape_at, 2
-        SWAP    [shape_at], target, [r0]        ; and inner_kernel
+        SWAP    [shape_at], target, [r0]        ; target, inner_kernel
         BSAVE   link_kernel, [target]
         .endm
 
@@ -117,7 +120,7 @@ walk_done:
         BIM     0, link_walk
 
         .if     HIDDEN
-; A region that no ray of the queue sees is skipped.
+; Skips a region that no ray of the queue sees.
 walk_hidden:
         RTOR    region, s0
         IX      s0, 64 * R_HIDDEN_FROM
@@ -129,8 +132,8 @@ walk_hidden:
         IBXEQ   s2, r0, s1, walk_skip
         BIM     walk_bound
 
-; In a queue of both classes the rays of one class do not see the region.  The other rays
-; that come near it are compressed.
+; In a queue of both classes, compresses the rays that come near the region and
+; are of the class that sees it.
 walk_compress:
         load_word hidden_class, s1
         IBXEQ   s1, r0, r0, walk_take

@@ -1,24 +1,24 @@
-; transform_scalar.s - a primitive that stands in a space of its own.
+; transform_scalar.s - intersects a primitive in its object space.
 ;
 ;       CALL TRANSFORMED (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in transform_vector.s.  The ray is
-; carried over into own_ray, with its least distance, and the primitive's
-; kernel in its own space, whose address inner holds, called with it.  SEGMENT is
-; as long as it has crossings.  Neighbours in one space are met by a ray that is
-; carried over once: who takes a new ray clears own_space.
+; Arguments as in sphere_scalar.s, method as in transform_vector.s. The ray and
+; its least distance are transformed into own_ray. The kernel for object space,
+; whose address is in inner, is called with this ray. The length of SEGMENT is
+; the number of crossings. For neighbouring primitives in one space, the ray is
+; transformed once. The caller clears own_space for each new ray.
 
         .share  local
         .regs   r68, own_ox, own_oy, own_oz, own_dx, own_dy, own_dz
         .regs   r74, own_lower, own_scale, link_saved
         .endshare
-        shape_from r56                  ; the rows of the matrix, behind t7
+        shape_from r56                  ; rows of the matrix, after t7
         .equ    TRANSFORM_REGISTERS, 45
 
         .data
 transform_save: .space TRANSFORM_REGISTERS
-own_ray:        .space 8                ; and 1/s
-own_space:      .word 0                 ; the space it is in; 0: none yet
+own_ray:        .space 8                ; the last word is 1/s
+own_space:      .word 0                 ; number of the ray's space; 0: none yet
 own_segment:    .space MAX_CROSSINGS
 own_arguments:
         .descriptor 6, own_ray

@@ -1,16 +1,20 @@
-; transform_vector.s - a primitive that stands in a space of its own.
+; transform_vector.s - intersects a primitive in its object space.
 ;
-; Its kernel sees the rays at hand carried into that space by the matrix M
-; (P_LOCAL):  O' = M O + m,  D' = M D / s,  s = |M D|.  The distances it finds
-; are s times too long, and all that are numbers of a place (not big, not
-; minus_big) are multiplied by lscale = 1/s.  What counts there is beyond
-; s tmin; a little more, so that what lies beyond that lies beyond tmin here, too.
-; Neighbours in one space are met by rays that are carried over once.
+; The kernel gets the current rays in object space, transformed by the matrix M
+; (P_LOCAL):
+;
+;   O' = M O + m,  D' = M D / s,  s = |M D|
+;
+; The distances that it returns are s times too long, so all of them except big
+; and minus_big are multiplied by lscale = 1/s. The least distance in object
+; space is slightly more than s tmin, so that a hit beyond it is beyond tmin in
+; world space. For neighbouring primitives in one space, rays are transformed
+; once.
 ;
 ; In:  wox .. wdz, near long; the primitive's record; inner_kernel;
 ;      segments_wanted.
 ; Out: tin, tout and so on (world).
-; Source: textbook; D' is of length one again, as the kernels ask for.
+; Source: textbook. D' is normalised, as the kernels require.
 
         .macro  scale_back t
         CMPLTV  |[\t]|, big, [bits0]
@@ -80,7 +84,7 @@ transformed_passed:
         BIM     transformed_carried
         .endif
 
-; One segment is a miss or has two ends, of whatever shape that can be carried.
+; A single segment of any transformed shape is a miss or has two finite ends.
 transformed_segment:
         CMPGEV  [tout], [tin], [bits0]
         MPYSV   [tin], [lscale], [tin] ? [bits0]

@@ -1,25 +1,24 @@
-; trees_1984.s - what the rays of a queue see of a region's tree, ray by ray from what
-; the kernels have found.
+; trees_1984.s - finds the visible crossings of a region's tree in kernels mode.
 ;
-; The kernels met all rays at hand with a leaf that any of them comes near; so before
-; VISIBLE is called for a ray its leaves are looked at once: P_AT_HAND chains those that
-; it meets, and those that are needed narrow its span (span_scalar.s), as in
-; nodes_scalar.s.
+; The vector kernels intersected all current rays with each leaf that any of
+; them comes near. Before VISIBLE is called for a ray, its leaves are examined
+; once: P_AT_HAND chains those that it hits, and required leaves narrow its span
+; (span_scalar.s), as in nodes_scalar.s.
 ;
-; Who includes it says what becomes of a crossing:
+; The including file processes the crossings:
 ;
 ;   walk_tree:
-;           walk_rays               ; w_in, w_out = where one is seen, and on what;
-;           ..                      ; loop_place = the ray's place in the queue
-;           rays_end                ; has tree_skip: the next ray, and the next region
+;           walk_rays       ; w_in, w_out = distance, primitive of a crossing;
+;           ..              ; loop_place = position of the ray in the queue
+;           rays_end        ; has tree_skip: the next ray, then the next region
 ;
-; What it wants of the loop's own registers it loads in a macro that it names,
+; The argument of walk_rays is a macro that loads its own registers of the loop,
 ; once for a region.
 ;
-; In: the crossings of the rays at hand in a region's primitives.
-; begin_span, node_met: nothing; each ray is looked at by itself.
+; In: the crossings of the current rays with a region's primitives. begin_span
+; and node_met do nothing, because each ray is examined separately.
 
-; What is handed over.
+; Operands from the vector program.
         .share  loop
         .regs   r156, to_nearest, to_met, to_hit_s, to_hit_t, from_place
         .regs   r161, from_limit, from_patch_s, from_patch_t, from_least
@@ -35,8 +34,8 @@
         .regs   r185, next_in, next_out, next_limit
         .reg    its_patch, r155
 
-; A leaf at hand: the words of its record in the list; where it stands there, and
-; the end.
+; The current leaf: the words of its record in the list, its address there, and
+; the end of the list.
         .regs   r188, leaf_primitive, leaf_segments, leaf_events
         .regs   r191, leaf_first_state, leaf_first_event, leaf_value, leaf_needed
         .regs   r195, its_leaf, first_leaf, leaves_last, chain_at, apart, point_at
@@ -51,7 +50,7 @@
         hand_over shadows, 1, 10
         .endm
 
-; The place in the queue of the ray at hand.
+; Sets loop_place to the position of the current ray in the queue.
         .macro  find_place
         RTOR    loop_index, loop_place
         IBXEQ   near, r0, n, found_place\@
@@ -65,7 +64,7 @@ found_place\@:
         LOD     [loop_at], its_patch
         .endm
 
-; The ray at hand, where crossings are found for normals and for light.
+; Loads the current ray, for crossings that serve normals and light.
         .macro  load_ray
         LOD     [from_ox, loop_place], w_ox
         LOD     [from_oy, loop_place], w_oy
@@ -91,7 +90,7 @@ found_place\@:
         EX      stride, STRIDE
         EX      apart, CROSSING_SIZE
         load_two_delta
-        load_at scene_leaves, 2, first_leaf     ; and leaves_last
+        load_at scene_leaves, 2, first_leaf     ; first_leaf, leaves_last
         IBXEQ   first_leaf, r0, leaves_last, tree_end
         EX      loop_at, branches_end
         LOD     [loop_at], loop_work
@@ -130,8 +129,9 @@ tree_leaf_next:
         find_place
         .endm
 
-; segment_in, segment_out = on which point of a patch or triangle of a mesh, and if the
-; ray leaves there; or to none.  w_out is lost.
+; Sets segment_in, segment_out to the parameters of a patch, or to the triangle
+; of a mesh and whether the ray leaves there. Branches to `none` for other
+; shapes. Overwrites w_out.
         .macro  find_point none
         find_patch w_out
         IBXEQ   its_patch, r0, r0, \none
@@ -167,7 +167,8 @@ tree_end:
 
 
         .if     MESH_CROSSINGS
-; On which triangle of a mesh, and if the ray leaves there, as in regions_scalar.s.
+; Finds the triangle of a mesh, and whether the ray leaves there, as in
+; regions_scalar.s.
 tree_triangle:
         RTOR    its_patch, next_limit
         RTOR    w_out, loop_at

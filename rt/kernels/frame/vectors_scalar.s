@@ -1,6 +1,7 @@
-; vectors_scalar.s - three-dimensional vectors of the scalar program.  Results
-; take five clocks, so independent products stand before the sums that wait
-; for them.
+; vectors_scalar.s - three-dimensional vectors of the scalar program.
+;
+; Results take five clocks, so independent products precede the sums that depend
+; on them.
 
 ; sum = x . u, in the order (x1 u1 + x0 u0) + x2 u2.
         .macro  dot x0, x1, x2, u0, u1, u2, sum, work
@@ -11,7 +12,7 @@
         ADDN    third, \sum, \sum
         .endm
 
-; Three such sums at a time, a, b, c of x with the rows a, b, c: nothing waits.
+; Computes three such sums of x with the rows a, b, c at a time, without waits.
         .macro  dot_rows x0, x1, x2, a0, a1, a2, b0, b1, b2, c0, c1, c2, a, b, c, w0, w1, w2, w3
         MPYS    \x0, \a0, \a
         MPYS    \x0, \b0, \b
@@ -39,7 +40,7 @@
         MPYS    \x2, \work, \x2
         .endm
 
-; .. where one without a length is taken for x.
+; Like normalise_by, but a vector without length becomes (1, 0, 0).
         .macro  direction_by unit, x0, x1, x2, length, work
         normalise_by \unit, \x0, \x1, \x2, \length, \work
         CFPNE   \length, r0, direction\@
@@ -49,7 +50,7 @@
 direction\@:
         .endm
 
-; As queue.s has it.
+; Like renormalise in queue.s.
         .macro  renormalise_by unit, half, x0, x1, x2, scale, work
         dot     \x0, \x1, \x2, \x0, \x1, \x2, \scale, \work
         SUBN    \unit, \scale, \scale
