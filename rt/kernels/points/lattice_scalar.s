@@ -1,25 +1,25 @@
-; lattice_scalar.s - points of a shifted rank-1 lattice, up to six coordinates in
-; (0, 1) each; one point at a time.
+; lattice_scalar.s - points of a shifted rank-1 lattice, one point at a time.
 ;
-; Coordinate j of point i of N = 2^m, m = 0 .. 20, under the shift number k of
-; a seed:
+; A point has up to six coordinates, each in (0, 1). Coordinate j of point i of
+; N = 2^m points, m = 0 .. 20, with shift number k of a seed, is
 ;
 ;   y = (i z_j 2^(47-m) + shift_kj) mod 2^47
 ;   u = y 2^-47
 ;
-; z is the generating vector.  The shifts are numbers t of the random stream, made
-; odd: then y is odd, u the middle of one of 2^46 cells, and its mean over all
-; shifts exactly 1/2.  Shift k of the seed s takes six positions of the stream
-; before the seed's ray 0:
+; z is the generating vector. The shifts are numbers t of the random stream with
+; the lowest bit set. Therefore y is odd, u is the middle of one of 2^46 cells,
+; and its mean over all shifts is exactly 1/2. Shift k of the seed s takes six
+; positions of the stream before the seed's ray 0:
 ;
 ;   p = s G - 7 (k + 1) + j + 1.
 ;
-; An estimate by N points is as good as its spread over some shifts, which are
-; independent, says.
+; Different shifts are independent, so the spread of the estimates over some
+; shifts gives the error of an estimate by N points.
 ;
-; Source of z: R. Cools, F. Y. Kuo, D. Nuyens, "Constructing embedded lattice rules
-; for multivariate integration" (2006), their file of 3,600 dimensions for 2^10 to
-; 2^20 points; of random shifts: R. Cranley, T. N. L. Patterson (1976).
+; Source of z: R. Cools, F. Y. Kuo, D. Nuyens, "Constructing embedded lattice
+; rules for multivariate integration" (2006), their file of 3,600 dimensions for
+; 2^10 to 2^20 points. Source of random shifts: R. Cranley, T. N. L. Patterson
+; (1976).
 
         .ifndef lattice_registers
 
@@ -32,12 +32,12 @@ lattice_vector:
         .word   1, 182667, 469891, 498753, 110745, 446247
         .code
 
-; The registers of the lattice, from first on: z 2^(47-m), the shifts, 2^47 - 1.
+; Registers of the lattice, from first on: z 2^(47-m), the shifts, 2^47 - 1.
         .macro  lattice_registers first
         .regs   \first, lattice_z0, lattice_z1, lattice_z2, lattice_z3, lattice_z4, lattice_z5, lattice_shift0, lattice_shift1, lattice_shift2, lattice_shift3, lattice_shift4, lattice_shift5, lattice_mask
         .endm
 
-; Loads all of them, for N = 2^m points and the shift k of a seed.  work0 .. work5
+; Loads all of them for N = 2^m points and the shift k of a seed. work0 .. work5
 ; are scratch.
         .macro  lattice_load m, seed, k, work
         EX      lattice_mask, X'7FFF FFFF FFFF'
@@ -62,7 +62,7 @@ lattice_vector:
         .endr
         .endm
 
-; word\+ := the first so many y of point i, an integer.
+; Sets word\+ to the first `count` coordinates y of point i, an integer.
         .macro  lattice_words i, count, word
         .rept   \count
         MPYL    lattice_z\+, \i, \word

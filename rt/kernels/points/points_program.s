@@ -1,17 +1,17 @@
-; points_program.s - what the two programs of points have in common, which make
-; POINTS points and lay them out coordinate by coordinate.
+; points_program.s - the common part of the two programs that generate points.
 ;
-; Constants that may be defined:
+; They generate POINTS points and store them coordinate by coordinate. These
+; constants may be defined:
 ;
-;   QUEUE       points at a time, of the vector form; 2000
-;   POINTS      1 .. 65535; 2000
-;   LATTICE     1: of the lattice, 0: draws of the random stream; 0
-;   COORDINATES of a point, of the lattice: 1 .. 6, of the stream: 5; 5
-;   NUMBERS     1: numbers in (0, 1), 0: the integers of 47 bits that they are made
-;               of; 1
+;   QUEUE        points at a time, in the vector form (2000)
+;   POINTS       1 .. 65535 (2000)
+;   LATTICE      1: points of the lattice, 0: draws of the random stream (0)
+;   COORDINATES  of a point: 1 .. 6 of the lattice, 5 of the stream (5)
+;   NUMBERS      1: numbers in (0, 1), 0: the 47-bit integers that they are
+;                made of (1)
 ;
-; In:  points_seed, points_first, the number of the first ray or point, and, of the
-;      lattice, points_m and points_shift: N = 2^m points, the shift k; integers.
+; In:  points_seed; points_first, the number of the first ray or point; for the
+;      lattice points_m and points_shift: N = 2^m points, the shift k; integers.
 ; Out: points_made, POINTS words for each coordinate.
 
         .ifndef QUEUE
@@ -39,21 +39,23 @@ points_shift:   .word 0
 points_made:    .space POINTS * COORDINATES
         .code
 
-; What comes after the points: who goes on with them has a macro of his own.
+; Runs after the points. A program that continues with them defines its own
+; macro.
         .ifndef points_done
         .macro  points_done
         EXIT
         .endm
         .endif
 
-        .regs   r10, points_s, points_i, points_log, points_k ; what is given
+        .regs   r10, points_s, points_i, points_log, points_k ; arguments
         .regs   r14, points_at, points_left
         .regs   r20, made0, made1, made2, made3, made4, made5
         .regs   r26, work0, work1, work2, work3, work4, work5
         stream_registers r32
         lattice_registers r48
 
-; What is given, the constants; of the stream, points_x: the state of the first ray.
+; Loads arguments and constants. For the stream, sets points_x to the state of
+; the first ray.
         .macro  points_begin
         EX      points_at, points_given
         ELEN    points_at, 4

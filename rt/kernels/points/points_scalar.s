@@ -1,9 +1,9 @@
-; points_scalar.s - the points of points_program.s, one after the other.
+; points_scalar.s - generates the points of points_program.s one by one.
 
         .include "points/lattice_scalar.s"
         .include "points/points_program.s"
 
-        .reg    points_x, r16           ; the state of the ray
+        .reg    points_x, r16           ; state of the ray
         .regs   r40, plane0, plane1, plane2, plane3, plane4, plane5
 
         .entry  points_scalar

@@ -1,4 +1,4 @@
-; points_vector.s - the points of points_program.s, in queues.
+; points_vector.s - generates the points of points_program.s in queues.
 
         .include "points/lattice_vector.s"
         .include "points/points_program.s"
@@ -8,7 +8,7 @@
         .regs   r63, plane, points_now, points_queue, points_work
 
         .data
-points_states:  .space QUEUE            ; of rays, or the numbers of points
+points_states:  .space QUEUE            ; states of rays, or numbers of points
 points_scratch: .space 1
         .code
 

@@ -1,8 +1,7 @@
-; stream_scalar.s - the random stream: five numbers for every ray, which depend on
-; the seed, the ray's number and nothing else; one ray at a time.
+; stream_scalar.s - the random stream: five numbers for each ray, ray by ray.
 ;
-; Draw d = 0 .. 4 of ray r of the seed s is the number at the position p of one
-; sequence:
+; The numbers depend only on the seed and the number of the ray. Draw d = 0 .. 4
+; of ray r of the seed s is the number at position p of one sequence:
 ;
 ;   p = s G + 5 r + d + 1                   G = 2^45 / golden ratio, odd
 ;   x = a^p mod 2^47                        a = 44485709377909
@@ -11,20 +10,21 @@
 ;   t = t xor (t >> 24)
 ;   u = t 2^-47
 ;
-; x is odd, and the steps from x to t can be undone, so no t is 0 and u lies in
-; (0, 1).  a = 5 mod 8, so positions count modulo 2^45.  Rays are an odd number of
-; draws apart: with a power of two between them the low bits of their x would be
-; alike.  Of N seeds in a row the nearest two begin at least 2^45 / (2.7 N) draws
-; apart, as multiples of the golden ratio lie (three distances).
+; x is odd and the steps from x to t are invertible, so t is never 0 and u is in
+; (0, 1). a = 5 mod 8, so positions are modulo 2^45. The number of draws per ray
+; is odd: with a power of two, the low bits of x would be similar for all rays.
+; Of N consecutive seeds the nearest two begin at least 2^45 / (2.7 N) draws
+; apart, because multiples of the golden ratio are well spaced (three-distance
+; theorem).
 ;
-; Scalar operations come in stages, all draws of one after those of the other, so
-; that none waits for a result.
+; Scalar operations are grouped by stage, each stage for all draws, so that no
+; operation waits for a result.
 ;
-; Sources: a is that of RANF on CYBER 170s and Crays, modulo 2^48 there (Knuth, TAOCP
-; 2, 3.3.4); the output mixed by shifts and a product as in O'Neill, "PCG" (2014);
-; skips by binary powers, Brown, "Random number generation with arbitrary strides"
-; (1994).  c is the upper 48 bits of MMIX's multiplier 6364136223846793005 (Knuth); G is
-; derived here.
+; Sources: a is the multiplier of RANF on the CYBER 170 and Cray machines, there
+; modulo 2^48 (Knuth, TAOCP 2, 3.3.4). The output is mixed by shifts and a
+; product as in O'Neill, "PCG" (2014). Skips by binary powers: Brown, "Random
+; number generation with arbitrary strides" (1994). c is the upper 48 bits of
+; MMIX's multiplier 6364136223846793005 (Knuth). G is derived here.
 
         .ifndef stream_registers
 
@@ -40,7 +40,7 @@ stream_constants:
         .equ    STREAM_CONSTANTS, 4
         .code
 
-; The registers of the stream, from first on: c, 2^-47, 1, a .. a^5.
+; Registers of the stream, from first on: c, 2^-47, 1, a .. a^5.
         .macro  stream_registers first
         .regs   \first, stream_mix, stream_to_unit, stream_one, stream_ahead0, stream_ahead1, stream_ahead2, stream_ahead3, stream_ahead4
         .endm
@@ -55,7 +55,8 @@ stream_constants:
         MPYL    stream_ahead2, stream_ahead1, stream_ahead4
         .endm
 
-; power := a^exponent mod 2^47, exponent an integer in [0, 2^47), which ends as 0.
+; `power` := a^exponent mod 2^47, for an integer `exponent` in [0, 2^47), which
+; becomes 0.
         .macro  stream_power exponent, power, square, bit
         ES      \power, 1
         RTOR    stream_ahead0, \square
@@ -71,10 +72,10 @@ enough\@:
         IBXNE   \exponent, r0, r0, raise\@
         .endm
 
-; state := x of the position s G + number draws: of ray `number` under the seed s where
-; each takes 5 draws.  seed, in [0, 2^45), and number are registers with integers,
-; draws an integer; number and draws may be negative.  position, square and bit are
-; scratch.
+; `state` := x of the position s G + number draws: the state of ray `number`
+; under the seed s if each ray takes `draws` numbers. `seed`, in [0, 2^45), and
+; `number` are registers with integers, `draws` is an integer. `number` and
+; `draws` may be negative. `position`, `square` and `bit` are scratch.
         .macro  stream_state seed, number, draws, state, position, square, bit
         EX      \position, STREAM_SEED_APART
         MPYL    \position, \seed, \position
@@ -85,8 +86,8 @@ enough\@:
         stream_power \position, \state, \square, \bit
         .endm
 
-; [word] := t of x, and u := word 2^-47, of so many at a time: names that end in \+
-; stand for as many registers, x\+ for x0, x1 .. work is scratch.
+; [word] := t of x, and u := word 2^-47, for `count` registers each: x\+ means
+; x0, x1 and so on. work\+ is scratch.
         .macro  stream_mixed count, x, word, work, mix=stream_mix
         .rept   \count
         SHIFTI  \x, -23, \work
@@ -114,8 +115,8 @@ enough\@:
         .endr
         .endm
 
-; word\+ := the t of the ray's five draws; state, that of the ray, becomes that of
-; the next one.  work\+ is scratch.
+; word\+ := the t of the ray's five draws. `state` advances to the next ray.
+; work\+ is scratch.
         .macro  stream_words state, word, work
         .rept   STREAM_DRAWS
         MPYL    \state, stream_ahead\+, \word

@@ -1,19 +1,19 @@
-; stream_vector.s - the random stream (stream_scalar.s has the formulas), a queue
-; of rays at a time: the same numbers, bit for bit, wherever the queues are cut.
+; stream_vector.s - the random stream (stream_scalar.s), in queues of rays.
 ;
-; A vector of states, x one position before each ray's first draw, is made once by
-; doubling,
+; The numbers are those of the scalar form, bit for bit, for any division into
+; queues. A vector of states, x one position before each ray's first draw, is
+; made once by doubling:
 ;
-;   x_r .. x_r+k-1  times  a^(5 k)  =  x_r+k .. x_r+2k-1,
+;   x_r .. x_r+k-1  times  a^(5 k)  =  x_r+k .. x_r+2k-1
 ;
-; and goes on to the next queue by one product.  A draw leaves it as it is, so the
-; five can be taken in any order, of all rays or of those that are left.
+; One product advances it to the next queue. A draw does not change the states,
+; so the five draws can be taken in any order, for all rays or for some.
 
         .ifndef stream_seeds
 
         .include "points/stream_scalar.s"
 
-; Registers beside those of the scalar form, from first on: the shifts.
+; Registers in addition to those of the scalar form, from first on: the shifts.
         .macro  stream_vector_registers first
         .regs   \first, stream_first_shift, stream_second_shift
         .endm
@@ -23,9 +23,9 @@
         ES      stream_second_shift, -24
         .endm
 
-; The words from the address at on := the states of count rays, of which the
-; first one's is state.  at is without length and stays; state, done, left, factor,
-; from and into are scratch.
+; Stores the states of `count` rays at the address `at`. `state` is that of the
+; first ray. `at` has no length and is not changed. `state`, `done`, `left`,
+; `factor`, `from` and `into` are scratch.
         .macro  stream_seeds at, count, state, done, left, factor, from, into
         STO     [\at], \state
         ES      \done, 1
@@ -47,15 +47,15 @@ last\@:
 sown\@:
         .endm
 
-; leap := a^(5 rays), by which states times [states] go on by so many rays.
+; `leap` := a^(5 rays). Multiplied by it, [states] advance by the number `rays`.
         .macro  stream_leap rays, leap, exponent, square, bit
         ES      \exponent, STREAM_DRAWS
         MPYL    \exponent, \rays, \exponent
         stream_power \exponent, \leap, \square, \bit
         .endm
 
-; [words] := t of the x in [states], which may be the same vector.  work is another one,
-; as long as words, in which nothing is stored.
+; [words] := t of the x in [states]. Both may be the same vector. `work` is
+; another vector of this length, in which nothing is stored.
         .macro  stream_mixed_vector states, words, work
         LINKV
         SHIFTV  [\states], stream_first_shift, [\work]
@@ -66,7 +66,7 @@ sown\@:
         XORV    [\work], [\words], [\words]
         .endm
 
-; [words] := t of one of the draws, 0 .. 4, of the rays with these states.
+; [words] := t of one draw, 0 .. 4, of the rays with these states.
         .macro  stream_draw states, draw, words, work
         MPYLV   [\states], stream_ahead\draw, [\words]
         stream_mixed_vector \words, \words, \work

@@ -1,9 +1,8 @@
-; crossing_scalar.s - of one crossing that is seen: what the line does there, and the
-; normal.
+; crossing_scalar.s - computes the sense and the normal of a visible crossing.
 
         .data
 normal_save:    .space SHADE_REGISTERS
-normal_list:    .word 0                         ; of the ray
+normal_list:    .word 0                         ; ray
 normal_primitive: .word 0
                 .descriptor 1, normal_distance
                 .descriptor 3, normal_found
@@ -11,7 +10,9 @@ normal_distance: .space 1
 normal_found:   .space 3
         .code
 
-; What the line does where the value of the region's tree changes.
+; Sets c_sense to 1 where the line enters the body of the region, to -1 where it
+; leaves, and to 0 if there is no body. The value of the region's tree after the
+; crossing decides.
         .macro  find_sense
         RTOR    w_region, w_at
         IX      w_at, 64 * R_BODY
@@ -19,7 +20,7 @@ normal_found:   .space 3
         IX      w_at, 64 * (R_RESULT - R_BODY)
         LOD     [w_at], w_t0
         LOD     [w_t0], w_t0
-        AND     w_t0, m_index_one, w_t0         ; the value behind
+        AND     w_t0, m_index_one, w_t0         ; the value after the crossing
         IBXNE   w_t0, r0, r0, sense_found\@
         SUBX    r0, c_sense, c_sense
 sense_found\@:
@@ -39,8 +40,8 @@ sense_found\@:
 
 ;       CALL NORMAL_THERE (RAY, PRIMITIVE, DISTANCE, NORMAL)
 ;
-; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; DISTANCE (1); NORMAL =
-; of length one, against the ray (3).
+; RAY = O, D (6 words). PRIMITIVE = the record of the primitive that it hit.
+; DISTANCE (1). NORMAL = of length one, against the ray (3).
         .kernel shade
 normal_there:
         EX      save_at, normal_save

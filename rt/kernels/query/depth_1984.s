@@ -1,5 +1,6 @@
-; depth_1984.s - in how many bodies the queue's lines are behind each crossing, line by
-; line; see depth_vector.s.
+; depth_1984.s - counts the bodies that contain each line, line by line.
+;
+; Computes the same as depth_vector.s, in kernels mode.
 
         .share  loop
         .regs   r225, line_work, seen_at, seen_left
@@ -11,13 +12,14 @@
         MPYX    \into, to_stride, \into
         .endm
 
-; body_at = where the count of bodies stands, of the object seen at seen_at.
+; Sets body_at to the address of the count for the object crossed at seen_at.
         .macro  find_object_there
         LOD     [seen_at, to_primitive], body_at
         find_count
         .endm
 
-; The first crossing of the line; or to none.
+; Finds the first crossing of the line. Branches to `none` if it has no
+; crossing.
         .macro  begin_seen none
         LOD     [to_counts, loop_index], seen_left
         IBXEQ   seen_left, r0, r0, \none
@@ -35,7 +37,7 @@ count_bodies:
         hand_over line_stride, SEEN_OPERANDS, 0, seen_operands
         to_scalar
         load_at seen_operands, SEEN_OPERANDS, to_stride
-        SHIFTI  to_stride, -6, to_stride        ; in words, as indices are
+        SHIFTI  to_stride, -6, to_stride        ; in words, like indices
         plane_of SEEN_PRIMITIVE, to_primitive
         plane_of SEEN_SENSE, to_sense
         plane_of SEEN_OBJECT_DEPTH, to_inside

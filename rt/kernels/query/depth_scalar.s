@@ -1,10 +1,12 @@
-; depth_scalar.s - in how many bodies a line is behind each crossing; see
-; depth_vector.s.  Part of the main program.
+; depth_scalar.s - counts the bodies that contain a line after each crossing.
+;
+; See depth_vector.s. These macros are parts of the main program.
 
-        .equ    INSIDE_SIZE, 1          ; of an object, in words
+        .equ    INSIDE_SIZE, 1          ; words of an object
         .regs   r232, body_sense, body_at, body_count, body_all
 
-; body_at = where the count of bodies stands, of the object of primitive number body_at.
+; Sets body_at to the address of the body count for the object of the primitive
+; whose number is in body_at.
         .macro  find_count
         ES      line_work, P_SIZE
         ADDX    body_at, m_index_minus_one, body_at
@@ -19,13 +21,14 @@
         ADDX    body_at, line_work, body_at
         .endm
 
-; .. of the object seen at seen_at.
+; Sets body_at to the address of the count for the object crossed at seen_at.
         .macro  find_object
         LOD     [seen_at, m_index_one], body_at
         find_count
         .endm
 
-; The seen_left crossings of the line, from seen_at on, 1 at least.
+; Processes the crossings of the line from seen_at on. Their number seen_left is
+; at least 1.
         .macro  count_bodies_of_line
         ES      body_all, 0
 bodies_next\@:

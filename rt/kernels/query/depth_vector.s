@@ -1,8 +1,9 @@
-; depth_vector.s - in how many bodies the queue's lines are behind each crossing.
+; depth_vector.s - counts the bodies that contain the queue's lines.
 ;
-; Column by column, from near to far, of the lines that have so many crossings alone:
-; the count of a line's bodies of the object that is seen there, and that of all, each
-; with the sense there added.
+; Processes one column of crossings after another, from near to far, for the
+; lines that have a crossing in the column. Each line has a count of its bodies
+; for every object and a count for all objects. The sense of a crossing is added
+; to the count of its object and to the total.
 ;
 ; In:  the queue's planes, in order; sort_count.  Out: SEEN_OBJECT_DEPTH, SEEN_SCENE_DEPTH.
 ; Source: derived here.
@@ -15,8 +16,8 @@
 body_store:     .space 2 * QUEUE
         .code
 
-; The lines of the column, body_lines; [w1] = where in the counts of bodies that of
-; each stands, of the object seen there.
+; Sets body_lines to the lines of the column, and [w1] to the index of each
+; line's count for the object that it crosses.
         .macro  find_objects
         describe near_bits, queue_bits, n
         CMPLTV  body_index, [line_counts], [near_bits]
@@ -34,14 +35,14 @@ body_store:     .space 2 * QUEUE
         ADDXV   [w1], [body_lines], [w1]
         .endm
 
-; Where the plane of a field is, of the column.
+; Computes the address of a field's plane in the column.
         .macro  column_of field, address
         ES      s0, \field
         MPYX    line_stride, s0, \address
         ADDX    body_column, \address, \address
         .endm
 
-; The senses, [w2], to counts that stand at [index]; the sums to the plane, too.
+; Adds the senses [w2] to the counts at [index]. Stores the sums in `plane` too.
         .macro  add_senses index, counts, plane
         VXTOV   [\index], [\counts], [w3]
         ADDXV   [w3], [w2], [w3]

@@ -1,10 +1,11 @@
-; query_1984.s - all that is seen along lines as in 1984: queues of lines are met with the
-; primitives by vector kernels, all else is done line by line; query.s says what goes in
-; and comes out.
+; query_1984.s - all visible crossings along lines in kernels mode, as in 1984.
 ;
-; Queues, kernels and bounding spheres are those of the vector form; what is seen of a
-; tree, the order of crossings and counts of bodies are loops on the scalar unit.  So what
-; is found is that of both, bit for bit.
+; Vector kernels intersect queues of lines with the primitives; the rest is done
+; line by line. Arguments and results: query.s.
+;
+; Queues, kernels and bounding spheres are those of the vector form. The visible
+; crossings of a tree, the order of crossings and the counts of bodies are loops
+; on the scalar unit. The results equal those of both forms, bit for bit.
 ; Source: the paper: "the ray/primitive intersections were vectorized".
 
         .include "frame/records.s"
@@ -12,7 +13,7 @@
         .include "query/query.s"
         .reg    link_walk, r133
 
-        .equ    VALUE_SIZE, 1           ; of a tree's, in words
+        .equ    VALUE_SIZE, 1           ; words of a tree's value
 
         .include "query/queue_vector.s"
 

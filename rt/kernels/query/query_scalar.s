@@ -1,16 +1,17 @@
-; query_scalar.s - all that is seen along lines, one after another: the scalar form;
-; query.s says what goes in and comes out.
+; query_scalar.s - all visible crossings along lines: the scalar form.
+;
+; Arguments and results: query.s.
 
         .include "frame/records.s"
         .include "frame/linkage.s"
         .include "frame/vectors_scalar.s"
         .include "query/query.s"
 
-; Room that the host leaves for each crossing of a tree, each value of one, in words.
+; Words that the host reserves for each crossing and each value of a tree.
         .equ    CROSSING_SIZE, 1
         .equ    VALUE_SIZE, 1
 
-; Registers of the main program, besides those of linkage.s.
+; Registers of the main program, in addition to those of linkage.s.
         .regs   r156, line_ox, line_oy, line_oz, line_dx, line_dy, line_dz
         .regs   r162, line_least, line_lower, line_behind, line_stride
         .regs   r166, line_step, line_at, line_counts, line_found, lines_left
@@ -41,25 +42,25 @@ line_room:      .word 0
 line_seen:      .space 1
         .code
 
-; The line's word of the next plane.
+; Loads the line's word of the next plane.
         .macro  load_of_line register
         LOD     [line_work], \register
         ADDX    line_work, line_stride, line_work
         .endm
 
-; It begins so far behind.
+; Moves the start of the line back by line_behind.
         .macro  move_behind o, d
         MPYS    line_behind, \d, line_work
         SUBN    \o, line_work, \o
         .endm
 
-; The crossings of the line: how many, from where on.
+; Loads the number of the line's crossings and the address of the first one.
         .macro  load_seen
         load_of line_seen, seen_left
         load_of lines_list, seen_at
         .endm
 
-; The next word of the crossing at seen_at, to its plane.
+; Copies the next word of the crossing at seen_at to its plane.
         .macro  store_in_plane
         LOD     [seen_at], line_work
         STO     [seen_plane], line_work

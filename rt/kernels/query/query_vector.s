@@ -1,17 +1,17 @@
-; query_vector.s - all that is seen along lines, a queue of them at a time: the vector
-; form; query.s says what goes in and comes out.
+; query_vector.s - all visible crossings along lines: the vector form.
 ;
-; What is seen of a region is what its crossings are stepped along for
-; (visible_vector.s), one after another of each line, to its end: each is scattered to
-; the planes when it is found, behind those that its line has (seen_vector.s).
-; When all regions are met the planes of the queue are put in order (sort_vector.s).
+; Arguments and results: query.s. In each region, the search steps along the
+; crossings of each line to its end (visible_vector.s). Each visible crossing is
+; scattered to the planes when it is found, after the crossings that its line
+; has (seen_vector.s). After all regions the planes of the queue are sorted
+; (sort_vector.s).
 
         .include "frame/records.s"
         .include "frame/queue.s"
         .include "query/query.s"
         .reg    link_walk, r133
 
-; Of a tree's values before and after an event, in words.
+; Words of a tree's values before and after an event.
         .equ    VALUE_SIZE, 2 * QUEUE_BIT_WORDS
 
         .include "query/queue_vector.s"

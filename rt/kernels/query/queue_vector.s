@@ -1,23 +1,24 @@
-; queue_vector.s - queues of lines, one after another, for the vector form and for that of
-; 1984: where a queue's lines are, and where what is found of them goes.
+; queue_vector.s - queues of lines, for the vector form and the kernels mode.
+;
+; It loads the lines of a queue and makes descriptors of its results:
 ;
 ;   lines:
 ;           begin_machine
 ;           begin_queues
 ;   lines_next:
 ;           begin_queue             ; the next queue
-;           ..                      ; what is seen along its lines
+;           ..                      ; visible crossings along its lines
 ;           next_queue              ; to lines_next, until there is none
 
-; In bits: a plane, from the word of one field to that of the next; all planes of a
-; column, from a crossing to the next one.
+; In bits: the distance from the word of one field to that of the next, and from
+; one crossing to the next.
         .regs   r201, line_stride, line_step
-        .regs   r203, lines_left, lines_from    ; behind the first line
-        .regs   r205, seen_first                ; the queue's, of the first plane
-        .regs   r206, line_counts               ; .. how many crossings they have
+        .regs   r203, lines_left, lines_from    ; index of the queue's first
+        .regs   r205, seen_first                ; first plane, of the queue
+        .regs   r206, line_counts               ; counts of the queue's lines
         .regs   r207, line_behind
 
-; [o] begins so far behind, in vectors of the queue's own.
+; Moves the origins [o] back by line_behind, into vectors of the queue.
         .macro  move_behind o, d, number
         LINKV
         MPYSV   [\d], line_behind, [w2]
@@ -66,7 +67,7 @@ queue_full\@:
         .endm
 
         .kernel lines
-; The queue's rays; where its crossings go.
+; Prepares the queue's rays and the descriptors of its crossings.
 begin_lines:
         set_near n
         set_hits_of_queue

@@ -1,12 +1,15 @@
-; seen_1984.s - what the lines of a queue see of a region, line by line: each crossing to
-; its place among the planes of its line, behind those that are no farther.
+; seen_1984.s - stores the visible crossings of a queue's lines, line by line.
 ;
-; simple_met: no region of lines is simple (rt/layout/query_layout.c).
+; Each crossing of a region is inserted into the planes of its line, after those
+; that are not farther.
+;
+; simple_met is not used, because regions of lines are never simple
+; (rt/layout/query_layout.c).
 ; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
 
         .include "frame/trees_1984.s"
 
-; What queue_vector.s has, handed over.
+; Operands from queue_vector.s.
         .share  loop
         .regs   r236, to_stride, to_step, to_left, to_from, to_first, to_counts, to_behind
         .equ    SEEN_OPERANDS, 7
@@ -25,7 +28,7 @@ line_ray:       .space 6
         load_at seen_operands, SEEN_OPERANDS, to_stride
         .endm
 
-; The line, as normals want it.
+; Stores the line for the normals.
         .macro  load_line
         load_ray
         EX      loop_at, line_ray
@@ -33,14 +36,14 @@ line_ray:       .space 6
         SWAP    [r0], w_ox, [loop_at]
         .endm
 
-; c_line = the planes of the line's first crossing.
+; Sets c_line to the address of the line's first crossing.
         .macro  find_line
         ES      c_line, 64
         MPYX    loop_place, c_line, c_line
         ADDX    c_line, to_first, c_line
         .endm
 
-; One word of the slot before, to the slot.
+; Moves one word from the previous slot to this slot.
         .macro  move_word
         LOD     [c_before], c_other
         STO     [c_plane], c_other
@@ -53,7 +56,7 @@ line_ray:       .space 6
         ADDX    c_plane, to_stride, c_plane
         .endm
 
-; Crossing number c_count of the line, to its place.
+; Inserts crossing number c_count of the line.
         .macro  put_in_order
         MPYX    c_count, to_step, c_slot
         ADDX    c_slot, c_line, c_slot
@@ -107,7 +110,7 @@ tree_seen:
         LOD     [w_at], c_primitive
         find_sense
         load_at k_delta, 1, c_least
-        ADDN    w_in, c_least, c_least          ; what is as near is the same place
+        ADDN    w_in, c_least, c_least          ; within delta: the same place
         RTOR    r0, segment_in
         RTOR    r0, segment_out
         find_point tree_noted

@@ -1,14 +1,14 @@
-; seen_scalar.s - all that is seen along one line, in order.
+; seen_scalar.s - computes all visible crossings along one line, in order.
 ;
 ;       CALL SEE_LINE (RAY, ROOM, COUNT)
 ;
-; RAY = O, D, the least distance that counts, and the same enlarged, to be scaled (8
-; words); ROOM = where crossings go, SEEN words each (query.s), one behind the other,
-; as many as the scene may have; COUNT = how many they are (1).
+; RAY = O, D, the least distance, and the least distance enlarged, to be scaled
+; (8 words). ROOM = SEEN_SIZE words for each crossing (query.s), consecutive,
+; for the most crossings of the scene. COUNT = number of crossings (1).
 ;
-; Region by region (hierarchy_scalar.s); of each what VISIBLE finds, one crossing
-; behind the other, until there is no more.  Each is put behind those that are no
-; farther, of regions before: of one region they come in order.
+; Regions are visited in turn (hierarchy_scalar.s). VISIBLE is called in each
+; until it finds no more crossings. Crossings of one region are found in order.
+; Each is inserted after the crossings that are not farther.
 ; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
 
         .include "query/crossing_scalar.s"
@@ -18,13 +18,13 @@
         .regs   r94, c_distance, c_primitive, c_sense, c_s, c_t, c_nx, c_ny, c_nz
         .regs   r102, c_other_distance, c_other_primitive, c_other_rest
         .endshare
-        .equ    SEEN_REGISTERS, 78      ; another crossing has 8 words, SEEN_FOUND
+        .equ    SEEN_REGISTERS, 78      ; another crossing uses 8, SEEN_FOUND
 
         .data
 line_save:      .space SEEN_REGISTERS
         .code
 
-; Its parameters on w_leaf, if it is a patch or a mesh.
+; Loads the parameters on w_leaf, if it is a patch or a mesh.
         .macro  find_point
         RTOR    r0, c_s
         RTOR    r0, c_t
@@ -41,7 +41,7 @@ point_noted\@:
 point_found\@:
         .endm
 
-; To its place among those found so far.
+; Inserts the crossing among those found so far.
         .macro  put_in_order
         RTOR    c_end, c_at
         IX      c_end, 64 * SEEN_SIZE
@@ -105,7 +105,7 @@ line_next:
         SUBN    c_distance, w_t0, c_distance
 line_from_origin:
         put_in_order
-        EX      w_at, k_delta                   ; what is as near is the same place
+        EX      w_at, k_delta                   ; within delta: the same place
         LOD     [w_at], w_t0
         ADDN    w_in, w_t0, w_least
         BIM     line_next

@@ -1,11 +1,11 @@
-; seen_vector.s - crossings that are seen, of the rays at hand, to the planes of
-; their lines.
+; seen_vector.s - scatters the visible crossings of a queue to their planes.
 ;
-; Of a line that has k crossings so far the next one goes to column k.  So no line is
-; twice in one scatter.
+; The next crossing of a line with k crossings goes to column k, so no line
+; occurs twice in one scatter.
 ;
-; found_crossings: In: what the rays of [seen] meet at [event], event_met; the values
-;   of the region's tree behind it.  Out: none of them in [seen]: all go on.
+; found_crossings: In: the crossings of the rays of [seen] at [event], on
+;                  event_met; the values of the region's tree after them.
+;                  Out: [seen] is empty, so all rays continue.
 ; Source: derived here.
 
         .regs   r208, line_link, line_taken, line_where, line_to, line_normals
@@ -17,7 +17,7 @@ line_part:      .space PART_SIZE        ; of one primitive
 line_store:     .space 2 * QUEUE
         .code
 
-; [vector], of the lines of line_where, to the next plane.
+; Stores [vector] in the next plane, for the lines of line_where.
         .macro  to_plane vector
         VTOVX   [line_where], \vector, [s4]
         ADDX    s4, line_stride, s4
@@ -26,7 +26,7 @@ line_store:     .space 2 * QUEUE
         .macro  to_plane_of_hits vector
         VXTOV   [taken_at], [\vector], [taken_distance]
         to_plane [taken_distance]
-        VTOVX   [taken_at], r0, [\vector]       ; for what is no patch
+        VTOVX   [taken_at], r0, [\vector]       ; 0 for other primitives
         .endm
 
         .kernel lines
@@ -58,7 +58,7 @@ found_from_origin:
         to_plane [taken_distance]
         to_plane [taken_met]
 
-; What the lines do there: by the value behind.
+; The senses follow from the values after the crossings.
         RTOR    region, s6
         IX      s6, 64 * R_BODY
         LOD     [s6], s6
@@ -71,13 +71,14 @@ found_from_origin:
         to_plane [taken_distance]
         to_plane_of_hits hit_s
         to_plane_of_hits hit_t
-        VTOV    [after], [event] ? [seen]       ; what is as near is the same place
+        VTOV    [after], [event] ? [seen]       ; within delta: the same place
         XORB    [seen], [seen], [seen]
         BIM     0, line_link
 
         .if     NORMALS
-; The normals at these crossings, primitive by primitive, to their planes.  What
-; others have in scratch registers is kept.
+; Computes the normals at these crossings, one primitive after another, and
+; stores them in their planes. Scratch registers of other routines are
+; preserved.
 find_normals:
         RTOR    link_kernel, line_normals
         EX      s3, line_saved

@@ -1,15 +1,16 @@
-; sort_vector.s - the crossings of a queue's lines in order: from near to far, of
-; equals the lesser primitive first.
+; sort_vector.s - sorts the crossings of a queue's lines by distance.
 ;
-; Column k has the k-th crossing of each line, found in any order, and a miss for those
-; that have fewer, farther away than in the columns before.  Two columns are put in
-; order at all lines at once: elements that are not are exchanged, with all that belongs
-; to them.  Which two, and when, does not depend on what they hold: a sorting network,
-; Batcher's merge exchange, for any number N of columns.  With 2^t >= N, p falls from
-; 2^(t-1) to 1 by halves; for each p
+; Of equal distances, the lower primitive number is first. Column k has the k-th
+; crossing of each line, found in any order. A line with fewer crossings has
+; misses there, farther away than those in the columns before. A step puts two
+; columns in order for all lines at once: elements in the wrong order are
+; exchanged, with all their fields. The sequence of column pairs does not depend
+; on the data. It is a sorting network, Batcher's merge exchange, for any number
+; N of columns. With 2^t >= N, p is halved from 2^(t-1) to 1. For each p:
 ;
-;   d = p, r = 0;  q falls from 2^(t-1) to p by halves, d = 2 q - p, r = p behind the
-;   first;  columns i and i + d, for each i < N - d whose bit p is that of r
+;   d = p, r = 0;  q is halved from 2^(t-1) to p; after the first q,
+;   d = 2 q - p, r = p;  columns i and i + d are compared for each i < N - d
+;   whose bit p equals that of r
 ;
 ; In:  line_counts, seen_first, n.  Out: the planes of the queue.
 ; Source: Knuth, The Art of Computer Programming 3, 5.2.2, algorithm M.
@@ -82,7 +83,7 @@ sort_exchange:
         IBXNE   s4, minus_one_index, r0, sort_exchange, s4
         BIM     sort_next
 
-; So few that they are gathered.
+; Gathers the elements if only few are exchanged.
 sort_few:
         describe s6, count_store, n
         EX      s5, sort_store
