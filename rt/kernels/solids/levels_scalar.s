@@ -1,37 +1,40 @@
-; levels_scalar.s - one ray and all that comes of it, depth first.
+; levels_scalar.s - traces one ray and all rays that it spawns, depth first.
 ;
-; Part of the main program, called by trace_link: the ray is that of the first
-; level's record; its colour and normal stand there afterwards, what it hit in
-; first_distance, first_primitive (0: nothing).
+; Part of the main program, called by trace_link. The ray is in the record of
+; the first level. Its colour and normal are stored there, its hit in
+; first_distance, first_primitive (0: none).
 ;
-; FORTRAN knows no recursion: each level of reflection has a record, with its
-; ray, its sample and the refracted ray that waits.  The reflected ray is
-; followed to its end and added to its parent's colour, then the refracted
-; one:  colour = colour + factor x its colour.  The lists of arguments with
-; which a level calls its subroutines stand in its record as well; they are
-; made once.
+; FORTRAN has no recursion, so each level of reflection has a record with its
+; ray, its sample and the waiting refracted ray. The reflected ray is traced to
+; its end and added to its parent's colour, then the refracted ray:
+;
+;   colour = colour + factor x its colour
+;
+; The argument lists for the subroutine calls of a level are in its record too.
+; They are made once.
 
         .record LEVEL
         .field  L_RAY, 6                ; O, D
         .field  L_LEAST, 2              ; least distance, to be scaled
         .if     INTERIORS
         .field  L_PASSED                ; CHILD_PASSED
-        .field  L_INSIDE                ; the bodies that it is in
-        .field  L_RAY_LEVEL             ; its own level: fewer than records, for
-        .endif                          ; what goes straight on is of the same
+        .field  L_INSIDE                ; bodies that contain the ray
+        .field  L_RAY_LEVEL             ; its level; straight rays keep it, so
+                                        ; there are fewer levels than records
+        .endif
         .field  L_WEIGHT
-        .field  L_FACTOR, 3             ; of its colour in the parent's
-        .field  L_SAMPLE, SAMPLE_SIZE   ; as SHADE gives it
-        .field  L_FOLLOWED, 2           ; 1: a reflected ray, a refracted one
-        .field  L_WAITING, CHILD_SIZE   ; the refracted one
-        .field  L_NEAREST, NEAREST_ARGUMENTS ; lists of arguments
+        .field  L_FACTOR, 3             ; factor of its colour in the parent's
+        .field  L_SAMPLE, SAMPLE_SIZE   ; as in SHADE
+        .field  L_FOLLOWED, 2           ; 1: a reflected, a refracted ray exists
+        .field  L_WAITING, CHILD_SIZE   ; the waiting refracted ray
+        .field  L_NEAREST, NEAREST_ARGUMENTS ; argument lists
         .field  L_SHADE, SHADE_ARGUMENTS
         .field  L_SPAWN, SPAWN_ARGUMENTS
         .if     GLOSS
         .field  L_PIGMENT, 3
         .endif
         .if     FOG
-        .field  L_DISTANCE              ; how far it sees
+        .field  L_DISTANCE              ; length of the ray, for fog
         .endif
         .if     HIDDEN
         .field  L_CLASS                  ; IMAGE_RAYS or REFLECTED_RAYS
@@ -39,7 +42,7 @@
         .at     64
         .endrecord
 
-        .reg    sky_stops, r163         ; of scene_sky, or 0
+        .reg    sky_stops, r163         ; stops of scene_sky, or 0
         .regs   r240, first_distance, first_primitive, distance
         .regs   r243, hit_primitive, main_at, main_t
         .regs   r246, own_red, own_green, own_blue, main_red, main_green
@@ -85,7 +88,7 @@ hit:            .space 2                ; distance, primitive
         BSAVE   link, [target]
         .endm
 
-; An argument: number words from offset of the level's record on.
+; Makes an argument: `number` words of the level's record from `offset` on.
         .macro  level_argument place, offset, number
         RTOR    level, main_t
         IX      main_t, 64 * (\offset)
@@ -101,7 +104,7 @@ hit:            .space 2                ; distance, primitive
         STO     [main_at], main_t
         .endm
 
-; The lists of all levels, and the ray of the first.
+; Makes the argument lists of all levels, and the ray of the first.
         .kernel frame
 levels_begin:
         EX      main_at, scene_sky + 64 * 4
@@ -206,7 +209,7 @@ trace_waiting:
         STO     [main_at], r0
         .if     HIDDEN
         ES      main_at, REFLECTED_RAYS
-        IBXEQ   main_t, r0, main_at, trace_class ; 2: it is reflected totally
+        IBXEQ   main_t, r0, main_at, trace_class ; 2: total reflection
         of_level L_CLASS
         LOD     [main_at], main_t
 trace_class:

@@ -1,18 +1,19 @@
-; levels_vector.s - which rays are traced when: levels of reflection, their
-; lists, and how the colours of reflected and refracted rays come together.  A
-; list is of the rays that come of those of the list before: "level" here is a list,
-; of which there are more than levels (LIST_RAY_LEVEL) where light passes through
-; something.  All lists are empty when a band begins: their memory is new, or they
-; were emptied when the band before ended.
+; levels_vector.s - the order in which levels of rays are traced.
 ;
-; The rays of the first level are made of pixels, those of the others stand in
-; a list of their level, where the rays before put them (spawn_vector.s).  A
-; level is traced queue by queue.  A queue may make two rays of each of its own;
-; if the next level's list has no room for them that level goes first: its
-; list is traced to its end, and emptied.  When a level has no more rays the
-; next one is traced to its end; then the colours of its own are added to those
-; they came of (add_children).  So a level's state is where it stands in its
-; list; nothing is called twice over.
+; Each level has a list of rays. The rays of a list were spawned by rays of the
+; list before. "Level" means a list here. There are more lists than levels of
+; reflection (LIST_RAY_LEVEL) if light passes through objects. All lists are
+; empty when a band begins: their memory is new, or they were emptied at the end
+; of the previous band.
+;
+; Rays of the first level are generated from pixels. Rays of other levels are in
+; the list of their level, to which the previous level appended them
+; (spawn_vector.s). A level is traced queue by queue. A queue may spawn up to
+; two rays for each of its own. If the list of the next level has no room for
+; them, that level is traced first, to its end, and its list is emptied. When a
+; level has no more rays, the next level is traced to its end. Then its colours
+; are added to the rays that spawned them (add_children). The state of a level
+; is therefore its position in its list, and no routine is reentered.
 ;
 ; In:  the scene; the frame.  Out: the frame's planes.
 ; Source: the paper: spawned rays go back to the queue and are intersected when
@@ -25,26 +26,26 @@
         .field  LIST_WEIGHT, 3          ; of the ray's colour
         .field  LIST_IMPORTANCE         ; of the ray for its pixel
         .if     INTERIORS
-        .field  LIST_INSIDE             ; the bodies that it is in
-        .field  LIST_RAY_LEVEL          ; its own level: fewer than lists, for
-                                ; what goes straight on is of the same
+        .field  LIST_INSIDE             ; bodies that contain the ray
+        .field  LIST_RAY_LEVEL          ; its level; straight rays keep it, so
+                                        ; there are fewer levels than lists
         .field  LIST_PASSED             ; as in queue_passed
         .endif
         .if     HIDDEN
         .field  LIST_CLASS              ; IMAGE_RAYS or REFLECTED_RAYS
         .endif
         .field  LIST_KIND               ; 0 reflected, 1 refracted
-        .field  LIST_PARENT             ; its place in the level before
+        .field  LIST_PARENT             ; its parent's place in the list before
         .field  LIST_COLOR, 3
         .if     FOG
-        .field  LIST_DEPTH              ; how far it sees
+        .field  LIST_DEPTH              ; length of the ray, for fog
         .endif
         .endrecord
 
 ; A level, in words.
         .record LEVEL
-        .field  LEVEL_COUNT             ; rays that its list has
-        .field  LEVEL_POSITION          ; .. of which are traced
+        .field  LEVEL_COUNT             ; rays in its list
+        .field  LEVEL_POSITION          ; rays that are traced
         .at     64
         .field  LEVEL_LIST, LIST_SIZE * LIST
         .endrecord
@@ -54,26 +55,26 @@
 
         .data
 levels_last:    .word 0                 ; address of the last level
-queue_importance: .word 0               ; descriptor: of the queue's rays
+queue_importance: .word 0               ; descriptor: importance of the rays
         .if     INTERIORS
-queue_inside:   .word 0                 ; .. the bodies that they are in, their
-queue_level:    .word 0                 ; levels
+queue_inside:   .word 0                 ; descriptor: bodies that rays are in
+queue_level:    .word 0                 ; descriptor: levels of the rays
         .endif
         .if     HIDDEN
-queue_classes:  .word 0                 ; .. their classes
+queue_classes:  .word 0                 ; descriptor: classes of the rays
 queue_class_sum: .word 0                ; the sum of the classes that occur
         .endif
         .align  64
-importance_one: .space QUEUE            ; that of the first level
+importance_one: .space QUEUE            ; importance of the first level's rays
         .if     INTERIORS
 inside_unknown: .space QUEUE
         .endif
         .if     HIDDEN
-class_image:    .space QUEUE            ; that of the first level's rays
+class_image:    .space QUEUE            ; class of the first level's rays
         .endif
         .code
 
-; Address of vector number vector of a level's list.
+; Computes the address of a vector of a level's list.
         .macro  list_vector level, vector, address
         RTOR    \level, \address
         IX      \address, 64 * (LEVEL_LIST + \vector * LIST)
@@ -165,7 +166,7 @@ levels_done:
         .endif
         BIM     0, link_levels
 
-; The next queue: its rays, its hits, where its colours go.
+; Prepares the next queue: its rays, its hits, the destination of its colours.
 first_queue:
         RTOR    link, link_walk
         set_hits_of_queue

@@ -1,19 +1,20 @@
-; nodes_scalar.s - the crossings of a ray with the primitives of a tree.
+; nodes_scalar.s - intersects a ray with the primitives of a tree.
 ;
-; The nodes stand in preorder.  What the ray does not come near is passed over
-; with all that is below it.  Of the others the kernels write where P_FIRST_STATE
-; and P_FIRST_EVENT say; P_AT_HAND chains those that the ray meets, the first in span.
-; Branches that it comes near are listed.  What is not met has the value 0.
+; The nodes are in preorder. If the ray does not come near a node, the node and
+; everything below it are skipped. The kernels of other primitives store their
+; crossings at P_FIRST_STATE and P_FIRST_EVENT. P_AT_HAND chains the primitives
+; that the ray hits, beginning in span. Branches that the ray comes near are
+; listed. The value of a missed node is 0.
 ;
-; Primitives that are needed narrow the span in which the tree can be seen
-; (span_scalar.s); where nothing is left of it the work ends.
+; Required primitives narrow the span in which the tree can be visible
+; (span_scalar.s). If nothing of it is left, the work ends.
 ;
-; Part of the subroutines that walk, called by w_back.  The region's own bound
-; stands for that of the first node.
+; Part of the subroutines that walk, called by w_back. The region's own bound
+; replaces that of the first node.
 ;
 ; In:  w_ray .., the region, w_end: the ray's limit.
-; Out: w_met = 1 if anything may be seen, then between w_least and w_end; the
-; branches and leaves that it meets, in span (visible_scalar.s).
+; Out: w_met = 1 if something may be visible, then between w_least and w_end;
+;      the branches and leaves that the ray hits, in span (visible_scalar.s).
 
         .data
 leaf_list:      .space 3
@@ -25,7 +26,7 @@ leaf_list:      .space 3
         SWAP    [w_at], n_cx, [r0]
         .endm
 
-; The leaf's kernel, with the third argument as l_crossing describes it.
+; Calls the leaf's kernel. l_crossing describes the third argument.
         .macro  call_leaf
         EX      arguments, leaf_list
         STO     [arguments], w_ray
@@ -78,10 +79,10 @@ meet_leaf:
 meet_events:
         ADDLEN  l_first_event, l_events, l_crossing
         ELEN    n_primitive, 2
-        SWAP    [n_primitive], target, [r0]     ; and inner
+        SWAP    [n_primitive], target, [r0]     ; target, inner
         call_leaf
         .if     MESH_CROSSINGS
-        RTOR    n_primitive, w_at               ; a mesh has told how many
+        RTOR    n_primitive, w_at               ; a mesh sets its number
         IX      w_at, 64 * P_SEGMENTS
         LOD     [w_at], l_segments
         .endif

@@ -1,31 +1,33 @@
-; nodes_vector.s - the crossings of the rays at hand with a region's primitives.
+; nodes_vector.s - intersects the current rays with a region's primitives.
 ;
-; The nodes stand in preorder.  A node whose bounding sphere no ray comes near
-; is passed over with all that is below it; those primitives are not at hand,
-; and nothing looks at their crossings.  The others are listed, and the kernels write
-; into the region's crossings directly: tin, tout .. are descriptors of vectors
-; there.
+; The nodes are in preorder. If no ray comes near a node's bounding sphere, the
+; node and everything below it are skipped. Its primitives are not active, and
+; their crossings are not read. Active leaves and branches are listed. The
+; kernels write directly into the region's crossings: tin, tout .. are
+; descriptors of vectors there.
 ;
-;   closed shape    P_SEGMENTS times in, out from P_FIRST_STATE on
-;   open shape      likewise those of the closed one; its own crossings
-;                   from P_FIRST_EVENT on
-;   patch           PATCH_CROSSINGS crossings, as many s, as many t from
-;                   P_FIRST_EVENT on
-;   mesh            P_SEGMENTS times in, out, or P_EVENTS crossings, and behind
-;                   the room for them their triangles, from P_FIRST_EVENT on; of
-;                   one that is not seen from P_FIRST_STATE on
+;   closed shape  P_SEGMENTS times in, out from P_FIRST_STATE on
+;   open shape    the same for the closed shape; its own crossings from
+;                 P_FIRST_EVENT on
+;   patch         PATCH_CROSSINGS crossings, their s, their t, from
+;                 P_FIRST_EVENT on
+;   mesh          P_SEGMENTS times in, out, or P_EVENTS crossings, from
+;                 P_FIRST_EVENT on (invisible mesh: P_FIRST_STATE); after the
+;                 room for crossings their triangles
 ;
-; Spheres of less than half of the region's radius are tested; those of needed nodes
-; are no smaller than it.  Where few rays come near a node those are gathered for all
-; that is below it (sparse_vector.s).  Behind each primitive it goes on at node_met, with
-; the segments in tin ..; behind all of them at walk_tree.
+; Spheres with less than half of the region's radius are tested. Those of
+; required nodes are not smaller than that. If few rays come near a node, those
+; rays are gathered for everything below it (sparse_vector.s). After each primitive
+; the walk continues at node_met, with the segments in tin .., and after all
+; primitives at walk_tree.
 ;
-; Where something has been met before, crossings a little beyond the limits are
-; looked for, too: of two regions at one distance the first primitive counts,
-; which found_nearest decides.
+; After an earlier hit, crossings slightly beyond the limits are computed too.
+; Of two regions at one distance the first primitive wins, as found_nearest
+; decides.
 ;
-; In:  region, the rays at hand.  Out: the crossings; the leaves and branches at
-;      hand, up to leaves_end and branches_end; 0 as the value of what is far.
+; In:  region, the current rays.
+; Out: the crossings; the active leaves and branches, up to leaves_end and
+;      branches_end; 0 as the value of distant nodes.
 ; Source: derived here; the project's notes on ray tracing, 4.1.
 
 ; A primitive's part in a tree: the words from P_SEGMENTS on.
@@ -36,7 +38,7 @@
         .reg    slot_size, r253
         .endshare
 
-; The leaves at hand, one after another.
+; The active leaves, stored consecutively.
         .share  crossings
         .regs   r105, first_leaf, leaves_last
         .endshare
@@ -44,7 +46,7 @@
         .macro  load_leaves
         EX      s0, scene_leaves
         ELEN    s0, 2
-        SWAP    [s0], first_leaf, [r0]          ; and leaves_last
+        SWAP    [s0], first_leaf, [r0]          ; first_leaf, leaves_last
         .endm
 
         .macro  leaves_begin
@@ -62,12 +64,12 @@
         IBXNE   leaf_at, r0, leaves_last, \again
         .endm
 
-; The node at hand goes to its list.  Of a leaf the parts are loaded.
+; Adds the current node to its list. The fields of a leaf are loaded.
         .macro  list_branch
         EX      s0, branches_end
         LOD     [s0], s1
         ELEN    s1, BRANCH_SIZE
-        SWAP    [r0], node_steps, [s1]          ; and node_step_count
+        SWAP    [r0], node_steps, [s1]          ; node_steps, node_step_count
         IX      s1, 64 * BRANCH_SIZE
         STO     [s0], s1
         .endm
@@ -89,15 +91,15 @@
         .equ    CROSSING_SIZE, QUEUE
 
         .if     MESH_CROSSINGS
-; To other if the primitive is not a mesh all of whose crossings are asked, and
-; that is seen.
+; Branches to `other` unless the primitive is a visible mesh whose crossings are
+; all needed.
         .macro  unless_mesh other
         load_field P_ON_PATCH, s0
         SHIFTI  s0, -1, s0
         IBXNE   s0, r0, one_index, \other
         .endm
 
-; Words from its crossings on to their triangles.
+; Computes the offset from the mesh's crossings to their triangles.
         .macro  triangles_behind into
         load_field P_SHAPE + 1, \into
         FLR     \into, \into
@@ -106,7 +108,7 @@
         .endm
         .endif
 
-; The words of a node behind its bound.
+; The words of a node after its bound.
         .share  shape
         .regs   r61, node_steps, node_step_count, node_primitive, node_needed
         .regs   r65, node_behind, node_value
@@ -124,8 +126,8 @@
         .reg    least_culled, r187      ; smaller bounds are tested
         .endshare
 
-; No ray is inside of the node: both bits of its value, of all rays that the queue
-; may have, in one go if a vector can be so long.
+; Clears both bits of the node's value for all rays of a full queue, because no
+; ray is inside. It takes one instruction if a vector can have this length.
         .macro  clear_value
         .if     VALUE_SIZE == 1
         STO     [node_value], r0
@@ -146,7 +148,8 @@
         .endif
         .endm
 
-; slot := descriptor of the crossing at first, the next one slot_size on.
+; slot := descriptor of the crossing at `first`; the next one is slot_size
+; later.
         .macro  find_slot first
         EX      slot_size, 64 * CROSSING_SIZE
         ADDLEN  \first, near, slot
@@ -157,7 +160,8 @@
         ADDX    slot, slot_size, slot
         .endm
 
-; Where the parameters of a patch's crossings go, which are from tin on.
+; Makes descriptors of the parameters of a patch's crossings, which start at
+; tin.
         .macro  find_parameters
         EX      s0, 64 * CROSSING_SIZE * PATCH_CROSSINGS
         ADDX    tin, s0, patch_s
@@ -276,12 +280,12 @@ node_listed:
         call_kernel
         .if     MESH_CROSSINGS
 
-; A mesh tells how many segments and events there are.
+; A mesh sets the number of its segments and events.
 node_counted:
         load_field P_ON_PATCH, s0
         ES      s1, 2
         IBXLT   s0, r0, s1, node_met
-        load_record P_SEGMENTS, 2, s2           ; and s3
+        load_record P_SEGMENTS, 2, s2           ; s2, s3
         load_word leaves_end, s0
         IX      s0, -64 * (LEAF_SIZE - LEAF_PART)
         ELEN    s0, 2

@@ -1,11 +1,11 @@
-; segments_scalar.s - all of one ray's way inside a shape whose crossings the
-; root solver finds, for Boolean trees; see segments_vector.s.
+; segments_scalar.s - segments of a ray in a shape whose crossings are roots.
 ;
-; The crossings of the whole ray within the shape's bound, behind its start as
-; well as ahead, are taken in turn as in, out, in ..  Where the ray begins
-; inside, the first in is minus_big; where it ends inside, the last out is big.
+; Boolean trees use them; see segments_vector.s. The crossings of the whole line
+; within the shape's bound, before the start of the ray and after it, are
+; alternately in and out. If the line begins inside, the first in is minus_big.
+; If it ends inside, the last out is big.
 
-; As come_near, from end to end.
+; Like come_near, for the whole line.
         .macro  come_anywhere x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
         dot     t0, t1, t2, t0, t1, t2, near_o2, t4
@@ -15,7 +15,7 @@
         SUBN    r0, near_high, near_low
         .endm
 
-; e0 := how many roots there are, a number; they stand from e1 on.
+; e0 := number of roots; they are stored from e1 on.
         .macro  solve_all resolution
         RTOR    \resolution, near_resolution
         EX      t3, near_input
@@ -27,7 +27,7 @@
         LOD     [e1, t3], e0
         .endm
 
-; words crossings from a_segment on; e4 = 1: the ray begins inside.
+; Stores `words` crossings from a_segment on. e4 = 1: the line begins inside.
         .macro  give_segments words
         ES      e3, \words
         IBXEQ   e4, r0, r0, segments_root\@

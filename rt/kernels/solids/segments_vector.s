@@ -1,13 +1,13 @@
-; segments_vector.s - all of the rays' ways inside a shape whose crossings the
-; root solver finds, for Boolean trees.
+; segments_vector.s - segments of rays in a shape whose crossings are roots.
 ;
-; The crossings of the whole ray within the shape's bound, behind its start as
-; well as ahead, are taken in turn as in, out, in ..  Where the ray begins
-; inside, the first in is minus_big; where it ends inside, the last out is big.
-; Signs decide, so that elsewhere they pair up.
+; Boolean trees use them. The root solver finds the crossings. The crossings of
+; the whole line within the shape's bound, before the start of the ray and after
+; it, are alternately in and out. If the line begins inside, the first in is
+; minus_big. If it ends inside, the last out is big. Signs decide, so all other
+; crossings form pairs.
 ; Source: derived here; the project's notes on ray tracing, 0 and 4.1.
 
-; As find_lanes, from end to end.
+; Like find_lanes, for the whole line.
         .macro  find_all_lanes x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, w0, w1, w2, w3, w4
         dot_vectors w0, w1, w2, w0, w1, w2, w7, w4
@@ -19,7 +19,7 @@
         IBXEQ   m, r0, r0, \miss
         .endm
 
-; All roots of each lane's quartic.
+; Finds all roots of each lane's quartic.
         .macro  solve_all low, high, resolution
         RTOR    link_inner, lane_link
         EX      s8, solve_quartic_signs
@@ -27,8 +27,8 @@
         RTOR    lane_link, link_inner
         .endm
 
-; [value] = where a ray enters, or leaves: its crossing number number (a number)
-; of root_count; else no segment.
+; [value] = the distance of a crossing at which a ray enters or leaves. Lanes
+; whose root_count does not exceed `number`, a number, get no segment.
         .macro  entry_or_none crossing, number, value
         CMPLTV  \number, [root_count], [hits0]
         MASKV   [\crossing], big, [\value] ? [hits0]
@@ -60,7 +60,7 @@
         VTOV    minus_big, [tout2]
         .endm
 
-; The two segments of each ray.
+; Computes the two segments of each ray.
         .macro  solve_segments resolution
         solve_all lane_low, lane_high, \resolution
         no_segments

@@ -1,14 +1,14 @@
-; span_scalar.s - the part of one ray on which a tree can be seen.
+; span_scalar.s - the span of a ray in which a tree can be visible.
 ;
-; Some parts of a tree are needed (N_NEEDED): where a ray is outside of one of
-; them it is outside of the tree.  A ray that misses one sees nothing of the
-; tree, and so does the ray before it enters and behind where it leaves one;
-; with surfaces nearer than delta as one that leaves
+; Some parts of a tree are required (N_NEEDED): a ray outside one of them is
+; outside the tree. A ray that misses a required part does not see the tree.
+; Nothing of the tree is visible before a ray enters such a part, or after it
+; leaves it. Surfaces nearer than delta count as one, so the span is
 ;
 ;   in - 2 delta < E < out + 2 delta
 ;
-; Parts of those that walk (bound_scalar.s), as macros: the span is
-; w_least .. w_end.
+; These macros are parts of the walks (bound_scalar.s). w_least and w_end are
+; the ends of the span.
 ; Source: derived here.
 
         .macro  load_two_delta
@@ -17,9 +17,9 @@
         ADDN    w_two_delta, w_two_delta, w_two_delta
         .endm
 
-; What is left of the span in a primitive that is needed, segments (1 or more)
-; of which stand from crossing on, apart words between two crossings; the first
-; in is w_in.  To nothing, if nothing is left.
+; Narrows the span to a required primitive with one or more segments. Its
+; crossings start at `crossing`, and `apart` words are between two of them. The
+; first in is w_in. Branches to `nothing` if the span is empty.
         .macro  narrow_span crossing, segments, apart, nothing
         SUBN    w_in, w_two_delta, w_in
         CFPGE   w_least, w_in, narrow_end\@

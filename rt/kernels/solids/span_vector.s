@@ -1,27 +1,27 @@
-; span_vector.s - the part of each ray at hand on which a region can be seen.
+; span_vector.s - the span of each current ray in which a region can be visible.
 ;
-; Some primitives of a tree are needed: where a ray is outside one of them it is
-; outside of the tree (N_NEEDED).  So nothing can be seen before a ray enters
-; each of them, or behind it; surfaces nearer than delta count as one, which
-; leaves
+; Some primitives of a tree are required: a ray outside one of them is outside
+; the tree (N_NEEDED). So nothing is visible before a ray enters each of them,
+; or after it leaves one. Surfaces nearer than delta count as one. So the span
+; is
 ;
 ;   in - 2 delta < E < out + 2 delta
 ;
-; Rays of which nothing is left are done.  The others are compressed if they
-; are few, before the kernels of the other primitives meet them.
+; Rays with an empty span are done. If few rays are left, they are compressed
+; before the kernels of the other primitives are called.
 ;
-; In:  the segments of a primitive of the rays at hand, segments_wanted of them,
-;      in tin ..; leaf_needed.
-; Out: last, near_limit; the rays at hand.
+; In:  the segments of the current rays in a primitive, segments_wanted of
+;      them, in tin ..; leaf_needed.
+; Out: last, near_limit; the current rays.
 ; Source: derived here.
 
-; What is known of the events of the rays at hand (visible_vector.s).
+; Events of the current rays (visible_vector.s).
         .share  scratch
         .regs   r233, event, last, event_met, before, after, active, seen
         .reg    inside, r240            ; of one segment
         .endshare
 
-; A value of the tree, before and after an event.
+; Makes descriptors of a value of the tree, before and after an event.
         .macro  value_of address, value, value_after
         ADDLEN  \address, near, \value
         RTOR    \value, \value_after
@@ -94,7 +94,7 @@ node_squeeze:
         BSAVE   link_kernel, [target]
         BIM     node_next
 
-; The s9 rays of active alone remain at hand.
+; Makes the s9 rays of active the only current rays.
 squeeze_span:
         CPSV    [last], [last] ? [active]
         leave_only wdx, world_store, 3, active

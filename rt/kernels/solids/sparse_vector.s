@@ -1,18 +1,19 @@
-; sparse_vector.s - a node of a tree that few of the rays at hand come near.
+; sparse_vector.s - processes a tree node that few of the current rays come near.
 ;
-; They are gathered, and they alone are at hand for all that is below it, where
-; nothing is gathered again.  Kernels meet them; then the crossings of a primitive are
-; those of all rays again: misses, but where the few have any.
+; These rays are gathered, and only they are current for everything below the
+; node. Below it no further gathering takes place. Kernels intersect these rays.
+; The crossings of a primitive are then expanded to all rays: misses, except for
+; the gathered rays.
 ;
-; In:  the node; near_bits, s0 of them; the rays at hand.
-; Out: the crossings of what is below it; the leaves and branches at hand.
+; In:  the node; near_bits, s0 of them; the current rays.
+; Out: the crossings of what is below it; the active leaves and branches.
 ; Source: derived here.
 
         .share  phase
         .reg    link_few, r188
         .endshare
 
-; The largest number of their crossings.
+; The largest number of crossings of a gathered ray.
         .if     MAX_CROSSINGS > 3 * PATCH_CROSSINGS
         .equ    FEW_CROSSINGS, MAX_CROSSINGS
         .else
@@ -20,15 +21,16 @@
         .endif
 
         .data
-few_outer:      .word 0                 ; how many rays were at hand; 0: they are
+few_outer:      .word 0                 ; rays before gathering, 0 if not done
 few_saved:      .space 9                ; wox .. wlower, near_limit, nodes_end
-few_places:     .word 0                 ; descriptor: where the few were
+few_places:     .word 0                 ; descriptor: places of gathered rays
 few_first:      .word 0                 ; address of the primitive's crossings
         .align  64
         .if     INTERIORS
 few_least:      .space 2 * QUEUE        ; as passed_store
         .endif
-few_store:      .space (8 + FEW_CROSSINGS) * QUEUE ; places, rays, limits, crossings
+few_store:      .space (8 + FEW_CROSSINGS) * QUEUE ; positions, rays, limits,
+                                                   ; crossings
         .code
 
         .macro  gather_few vector, number
@@ -37,7 +39,8 @@ few_store:      .space (8 + FEW_CROSSINGS) * QUEUE ; places, rays, limits, cross
         RTOR    s3, \vector
         .endm
 
-; The next vector of the region's crossings: misses, and what the few have.
+; Stores the next vector of the region's crossings: those of the gathered rays,
+; and `none` for the other rays.
         .macro  spread_few vector, none
         VTOV    \none, [slot]
         VTOVX   [s4], [\vector], [slot]
@@ -51,7 +54,7 @@ node_few:
         STO     [s3], near
         EX      s3, few_saved
         ELEN    s3, 7
-        SWAP    [r0], wox, [s3]                 ; .. wlower
+        SWAP    [r0], wox, [s3]                 ; wox .. wlower
         IX      s3, 64 * 7
         STO     [s3], near_limit
         STO     [s3, one_index], nodes_end
@@ -93,7 +96,7 @@ few_passed_none:
         BSAVE   link_inner, [target]
         BIM     node_near
 
-; All that is below the node is met; s9 rays are at hand again.
+; Everything below the node is done. The rays before gathering are current.
 few_met:
         EX      s3, few_outer
         STO     [s3], r0
@@ -126,7 +129,8 @@ few_leaf:
         BSAVE   link_few, [target]
         BIM     node_next
 
-; The kernel that shape_at says, for the few; its crossings from few_first on.
+; Calls the kernel at shape_at for the gathered rays and stores its crossings
+; from few_first on.
 few_kernel:
         describe tin, few_store + 64 * QUEUE * 8, near
         EX      s3, 64 * QUEUE
@@ -176,7 +180,7 @@ few_spread:
         BIM     0, link_few
 few_patch:
         IBXNE   shadows, r0, r0, few_crossing
-        ES      leaf_events, 3 * PATCH_CROSSINGS ; its parameters, too
+        ES      leaf_events, 3 * PATCH_CROSSINGS ; with its parameters
 few_crossing:
         spread_few tin, big
         ADDX    tin, slot_size, tin

@@ -1,10 +1,9 @@
-; unseen_scalar.s - the crossings that can be seen of a primitive that cuts others
-; and is not seen itself: none.
+; unseen_scalar.s - the visible crossings of an invisible primitive: none.
 ;
 ;       CALL UNSEEN (RAY, PRIMITIVE, CROSSINGS)
 ;
-; CROSSINGS, as many words as its descriptor is long: each a miss, big.  What is
-; inside of it P_STATE_KERNEL tells.
+; Stores a miss, big, in each word of CROSSINGS. The primitive only cuts others.
+; P_STATE_KERNEL computes its segments.
 ; Source: derived here, for clipped_by.
 
         .kernel visible

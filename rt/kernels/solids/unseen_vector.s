@@ -1,9 +1,9 @@
-; unseen_vector.s - the crossings that can be seen of a primitive that cuts others
-; and is not seen itself: none.
+; unseen_vector.s - the visible crossings of an invisible primitive: none.
 ;
 ; In:  near; the primitive's record.
-; Out: tin, tout and what stands behind them, P_SEGMENTS times (of a mesh
-;      once): misses, big.  What is inside of it P_STATE_KERNEL tells.
+; Out: tin, tout and the vectors after them, P_SEGMENTS times (of a mesh once):
+;      misses, big.
+; The primitive only cuts others. P_STATE_KERNEL computes its segments.
 ; Source: derived here, for clipped_by.
 
         .kernel visible

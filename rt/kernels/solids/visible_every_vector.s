@@ -1,25 +1,25 @@
-; visible_every_vector.s - the crossings of a region that can be seen, all of
-; them: the other way, under VISIBLE = EVERY (visible_vector.s has the choice).
+; visible_every_vector.s - nearest visible crossings; tests every crossing.
 ;
-; Each crossing of each primitive is a column, over all rays at hand:
+; This is the method VISIBLE = EVERY (visible_vector.s has the choice). Each
+; crossing of each primitive is a column over all current rays:
 ;
-;   E is looked at where  least < E < limit
-;   seen, and what: as at an event that is stepped to
-;   limit = E where seen
+;   E is tested where  least < E < limit
+;   visibility and primitive: as for an event in stepping
+;   limit = E where it is visible
 ;
-; So what is left in the end is the nearest.  No ray is left out on the way; a
-; column that no ray needs is.
+; The last limit is therefore the nearest visible crossing. No ray is compressed
+; away, but a column that no ray needs is skipped.
 ;
-; A shadow's ray that passes clear parts goes on behind each of them: it is
-; stepped along in any case.  Where all parts are opaque the nearest stops the
-; light as well as any.
+; A shadow ray that passes clear parts continues after each of them, so it
+; always uses stepping. If all parts are opaque, the nearest crossing blocks the
+; light as well as any other.
 ;
-; In:  as walk_tree.  Source: the project's notes on ray tracing, 4.1.
+; In: as walk_tree. Source: the project's notes on ray tracing, 4.1.
 
-; The leaf whose columns are looked at.
+; The leaf whose columns are tested.
         .share  hits
         .regs   r144, columns_left, column_identity, column_leaf
-        .reg    nearest_met, r148       ; what is seen at the nearest so far
+        .reg    nearest_met, r148       ; primitive at the nearest so far
         .endshare
 
         .data

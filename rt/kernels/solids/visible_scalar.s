@@ -1,31 +1,34 @@
-; visible_scalar.s - the next crossing of a Boolean tree that can be seen.
+; visible_scalar.s - finds the next visible crossing of a Boolean tree.
 ;
 ;       CALL VISIBLE (REGION, CROSSINGS, SPAN, EVENT)
 ;
-; REGION = its record; CROSSINGS = how far those of the ray stand behind the
-; first ones: from P_FIRST_STATE of a leaf on stands where it enters a segment and
-; where it leaves it, one segment after the other, from P_FIRST_EVENT on the
-; crossings that can be seen; they are CROSSING_SIZE words apart; a miss is big,
-; minus_big.  SPAN = last,
-; limit, what is behind the last branch at hand, the first leaf that the ray
-; meets, from where P_AT_HAND goes on (4); what it does not meet has the value 0;
-; EVENT = the least visible distance with last < distance < limit, and the
-; record of the primitive that is seen there; none: big, 0 (2 words).
+; REGION = its record. CROSSINGS = offset of the ray's crossings from the first
+; ones. A leaf has, from P_FIRST_STATE on, the distances at which the ray enters
+; and leaves each segment, and from P_FIRST_EVENT on its events, the crossings
+; that may be visible. They are CROSSING_SIZE words apart. A miss is big,
+; minus_big. SPAN = last, limit, address after the last active branch, and the
+; first leaf that the ray hits; P_AT_HAND chains the other leaves (4 words). The
+; value of a missed leaf is 0. EVENT = the least visible distance with last <
+; distance < limit, and the record of its primitive; big, 0 if there is none (2
+; words).
 ;
-; At a distance E a leaf with segments in_j .. out_j is
+; A leaf with segments in_j .. out_j has these bits at a distance E:
 ;
 ;   before:  some  in_j <  E - delta  and not  out_j <  E - delta
-;   behind:  some  in_j <= E + delta  and not  out_j <= E + delta
+;   after:   some  in_j <= E + delta  and not  out_j <= E + delta
 ;
-; one without inside is only behind, with a crossing in E - delta .. E + delta.
-; Surfaces nearer to each other than delta are so one surface.  Both bits of a
-; value stand in one word: 2 before, 1 behind.  A leaf shows at E if its bits
-; differ and so do those of every solid that it is a part of.  An event is
-; visible if a leaf shows there that has a crossing there; what is seen is the
-; least leaf that shows there and has a crossing in E - delta .. E + delta.
-; Events are taken one after another until one is visible.  Where no other
-; leaf's bits differ but its own, it is.
-; Source: the project's notes on ray tracing, 4.1; what shows is derived here.
+; A leaf without inside is 0 before. It is 1 after if it has a crossing in the
+; range E - delta .. E + delta. Surfaces nearer to each other than delta are
+; thus one surface. Both bits of a value are in one word: 2 before, 1 after. A
+; leaf shows at E if its bits differ and the bits of every solid that it is a
+; part of differ. An event is visible if a leaf shows there and has a crossing
+; there. Its primitive is the first leaf in the scene that shows there and has a
+; crossing in this range.
+;
+; Events are examined in order until one is visible. If only the bits of the
+; event's own leaf differ, it shows.
+; Source: the project's notes on ray tracing, 4.1. The rule for what shows is
+; derived here.
 
         .share  local
         .regs   r32, v_region, v_crossings, v_span, v_event
@@ -41,19 +44,19 @@
         .endshare
         .equ    VISIBLE_REGISTERS, 37
         .equ    STRIDE, 64 * CROSSING_SIZE
-        .equ    NO_LEAF, 0x7FFFFFFFFFFF ; behind every address
+        .equ    NO_LEAF, 0x7FFFFFFFFFFF ; above every address
 
         .data
 visible_save:   .space VISIBLE_REGISTERS
 visible_list:   .descriptor R_SIZE, 0
-                .word 0                 ; of the crossings
+                .word 0                 ; crossings
                 .descriptor 4, span
                 .descriptor 2, event_found
 span:           .space 4
 event_found:    .space 2
         .code
 
-; The next crossing of those that v_at tells.
+; Loads the next crossing at v_at.
         .macro  next_crossing register
         LOD     [v_at], \register
         IX      v_at, STRIDE
@@ -74,27 +77,27 @@ event_found:    .space 2
         SWAP    [v_at], v_next, [r0]
         .endm
 
-; The steps of a branch, from v_at on, v_left of them.
+; Loads the address and number of a branch's steps, v_at and v_left.
         .macro  load_steps
         ELEN    v_branch, BRANCH_SIZE
-        SWAP    [v_branch], v_at, [r0]          ; and v_left
+        SWAP    [v_branch], v_at, [r0]          ; v_at, v_left
         .endm
 
-; To other if the crossing lies farther than delta from the event.
+; Branches to `other` if the crossing is farther than delta from the event.
         .macro  crossing_near other
         CFPLT   v_crossing, v_before, \other
         CFPLT   v_behind, v_crossing, \other
         .endm
 
-; To same if the two bits of a value are the same.
+; Branches to `same` if the two bits of a value are equal.
         .macro  value_differs value, same
         IBXEQ   \value, r0, r0, \same
         IBXEQ   \value, r0, v_index_three, \same
         .endm
 
-; For those who walk through the regions (bound_scalar.s): the next crossing of
-; a tree beyond last and before w_end that can be seen, in w_in, its primitive
-; in w_out; or to none.
+; For the walks through regions (bound_scalar.s): finds the next visible
+; crossing of a tree beyond `last` and before w_end. Sets w_in to its distance
+; and w_out to its primitive, or branches to `none`.
         .macro  next_visible last, none
         EX      w_at, span
         STO     [w_at], \last
@@ -128,7 +131,7 @@ visible:
         ES      v_index_two, 2
         ES      v_index_three, 3
 
-; The next event.
+; Finds the next event.
 visible_step:
         RTOR    v_limit, v_distance
         ES      v_leaf, 0
@@ -148,7 +151,7 @@ visible_not_this:
         IBXNE   v_primitive, r0, r0, visible_leaf
         IBXEQ   v_leaf, r0, r0, visible_none
 
-; The leaves before and behind it.
+; Computes the values of the leaves before and after it.
         SUBN    v_distance, v_delta, v_before
         ADDN    v_distance, v_delta, v_behind
         ES      v_others, 0
@@ -182,7 +185,7 @@ visible_store:
         RTOR    v_next, v_primitive
         IBXNE   v_primitive, r0, r0, visible_state
 
-; The tree: each branch after those below it.
+; Evaluates the tree: each branch after those below it.
         RTOR    v_branches_end, v_branch
         IBXEQ   v_branch, r0, v_branches, visible_decide
 visible_branch:
@@ -211,7 +214,7 @@ visible_decide:
         value_differs v_value, visible_hidden
         IBXEQ   v_others, r0, r0, visible_found
 
-; What shows there: of a value that stays the same its parts do not matter.
+; Finds what shows. If a value stays the same, its parts do not show.
         RTOR    v_branches, v_branch
 visible_branch_part:
         load_steps
@@ -233,7 +236,7 @@ visible_next_part:
         IX      v_branch, 64 * BRANCH_SIZE
         IBXNE   v_branch, r0, v_branches_end, visible_branch_part
 
-; The least leaf that shows there, and if any of those has this event.
+; Finds the first leaf that shows, and whether one that shows has this event.
         EX      v_leaf, NO_LEAF
         ES      v_visible, 0
         RTOR    v_first, v_primitive

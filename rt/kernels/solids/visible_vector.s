@@ -1,39 +1,40 @@
-; visible_vector.s - the crossings of a region that can be seen.
+; visible_vector.s - finds the visible crossings of a region.
 ;
-; The crossings ahead are looked at in turn, of all rays at hand at a time:
+; The crossings ahead are examined in order, for all current rays at a time:
 ;
 ;   E = the least crossing of a primitive with  last < E < limit
-;   before(j) = in < E - delta and not out < E - delta, for any segment of
-;       primitive j
+;   before(j) = in <  E - delta and not out <  E - delta, for any segment of
+;               primitive j
 ;   after(j)  = in <= E + delta and not out <= E + delta, likewise
 ;
-; A surface without inside is only there after, with a crossing from E - delta
-; to E + delta.  A primitive shows at E if it is not the same before and after,
-; nor is any solid that it is a part of.  Where one shows that has the crossing
-; E, that is seen; of those that show and have a crossing from E - delta to
-; E + delta the least is what is seen.
+; A surface without inside is 0 before. It is 1 after if it has a crossing in
+; the range E - delta .. E + delta. A primitive shows at E if its value changes
+; there, and the value of every solid that it is a part of changes too. A
+; crossing E is visible if a primitive shows that has this crossing. The hit is
+; on the first primitive in the scene that shows and has a crossing in this
+; range.
 ;
-; before and after are bit vectors; the tree is evaluated by logical
-; instructions on bit strings, 64 rays a clock.  Both sides are looked at from
-; delta away: surfaces that coincide count as one.  Where nothing is another
-; after than before but the primitive that E is a crossing of, it shows: only
-; for other rays the parts of the tree are looked at.  Rays whose crossing is
-; seen are resolved, and those that have none; the others go on behind it
-; (last = E).  When fewer than half are left they are compressed with all their
-; crossings.
+; before and after are bit vectors. Logical instructions on bit strings evaluate
+; the tree, 64 rays per clock. Both sides are evaluated at a distance of delta,
+; so surfaces that coincide count as one. If only the primitive of E changes, it
+; shows. The parts of the tree are examined only for other rays. Rays whose
+; crossing is visible are done, and so are rays without a crossing. The others
+; continue after E (last = E). When fewer than half of the rays are left, they
+; are compressed together with all their crossings.
 ;
-; In:  region, its crossings, the rays at hand; found: a routine that takes
-;      what the rays of [seen] meet at [event] on the primitives [event_met],
-;      and leaves in [seen] those that go no further.
+; In:  region, its crossings, the current rays; found: a routine that
+;      processes the visible crossings at [event] on the primitives
+;      [event_met] of the rays of [seen], and leaves in [seen] the rays that
+;      are done.
 ;
-; VISIBLE says which crossings are looked at, chosen when the program is
-; assembled; the default by measured clocks (docs/solids.md):
+; VISIBLE selects the method when the program is assembled. The default was
+; chosen by measured clocks (docs/solids.md):
 ;
-;   STEPPING   the above
-;   EVERY      each crossing of each primitive (visible_every_vector.s)
+;   STEPPING  as above
+;   EVERY     each crossing of each primitive (visible_every_vector.s)
 ;
 ; Source: the project's notes on ray tracing, 4.1: the before/after rule, event
-; stepping; what shows is derived here.
+; stepping. The rule for what shows is derived here.
 
         .equ    STEPPING, 1
         .equ    EVERY, 2
@@ -53,12 +54,12 @@
         .regs   r248, tree_operation, tree_left, tree_right, tree_result
         .endshare
 
-; Values, before and after an event.
+; Values before and after an event.
         .share  hits
         .regs   r136, value, value_after, left, left_after, right, right_after
         .endshare
 
-; Vectors of the events of the rays at hand.
+; Makes the vectors of the events of the current rays.
         .macro  set_events
         describe event, event_store, near
         describe event_met, event_store + 64 * QUEUE, near
@@ -69,14 +70,14 @@
         describe inside, event_bits + 64 * QUEUE_BIT_WORDS * 2, near
         .endm
 
-; [bits] = rays that have the crossing [slot] from E - delta to E + delta.
+; [bits] = rays with the crossing [slot] between E - delta and E + delta.
         .macro  crossing_near bits, work
         CMPGEV  [slot], [before], [\bits]
         CMPGEV  [after], [slot], [\work]
         ANDB    [\bits], [\work], [\bits]
         .endm
 
-; A leaf at hand with its value.
+; Loads an active leaf and its value.
         .macro  leaf_with_value
         leaf_at_hand
         value_of leaf_value, value, value_after
@@ -89,17 +90,17 @@
         value_of s0, value, value_after
         .endm
 
-; The branches at hand, from s2 up to s3.
+; Loads the range of active branches, from s2 to s3.
         .macro  load_branches
         EX      s0, scene_branches
         ELEN    s0, 2
-        SWAP    [s0], s2, [r0]                  ; and s3
+        SWAP    [s0], s2, [r0]                  ; s2, s3
         .endm
 
-; The steps of the branch at hand.
+; Loads the steps of the current branch.
         .macro  load_steps
         ELEN    branch_at, BRANCH_SIZE
-        SWAP    [branch_at], step_at, [r0]      ; and steps_left
+        SWAP    [branch_at], step_at, [r0]      ; step_at, steps_left
         .endm
 
         .macro  both_values operation
@@ -117,7 +118,7 @@ walk_tree:
         BIM     walk_every
         .endif
 
-; The next event of each ray.
+; Finds the next event of each ray.
 tree_next:
         VTOV    [near_limit], [event]
         VTOV    r0, [event_met]
@@ -141,7 +142,7 @@ event_later:
         IBXNE   leaf_events, minus_one_index, r0, event_next, leaf_events
         BIM     event_none
 
-; Of a segment the end behind which the ray is not yet.
+; Selects the next end of a segment after last.
 event_segment:
         next_slot s2
         CMPLTV  [last], [s2], [bits0]
@@ -193,9 +194,11 @@ tree_squeeze:
         BSAVE   link_inner, [target]
         BIM     tree_next
 
-; What is seen at the events of a column, one for each ray.  In: column, whose
-; they are in event_met; active.  Out: seen, of active; s0 = the count of its
-; ones; event_met: what is seen there; P_TESTED of it.
+; Finds the visible crossings at the events of a column, one for each ray.
+;
+; In:  column, with its primitives in event_met; active.
+; Out: seen, a part of active; s0 = the count of its ones; event_met: the
+;      visible primitive; its P_TESTED.
 find_seen:
         load_word k_delta, s0
         SUBNV   [column], s0, [before]
@@ -230,7 +233,7 @@ value_crossing:
 value_next:
         leaves_next value_leaf
 
-; The tree: each branch after those below it.
+; Evaluates the tree: each branch after those below it.
         load_branches
         RTOR    s3, branch_at
         IBXEQ   s2, r0, s3, tree_done
@@ -263,7 +266,7 @@ tree_done:
         CNTOB   [seen], s0
         IBXEQ   s0, r0, r0, seen_found
 
-; Is there a ray for which another primitive changes than that of the event?
+; Finds rays for which another primitive changes than that of the event.
         XORB    [inside], [inside], [inside]
         leaves_begin
 other_leaf:
@@ -283,8 +286,8 @@ other_next:
         CNTOB   [inside], s1
         IBXEQ   s1, r0, r0, seen_found
 
-; What shows, in the place of what was before: where a value stays the same its
-; parts do not.
+; Computes which nodes show, into the bits of before. If a value stays the same,
+; its parts do not show.
         tree_value
         ORB     [seen], [seen], [value]
         load_branches
@@ -309,7 +312,8 @@ show_parts:
         IX      branch_at, 64 * BRANCH_SIZE
         IBXNE   branch_at, r0, s3, show_branch
 
-; The least primitive that shows, and the rays whose event is a crossing of one.
+; Finds the first primitive that shows, and the rays whose event is a crossing
+; of a primitive that shows.
         XORB    [seen], [seen], [seen]
         VTOV    big, [event_met]
         leaves_begin
@@ -338,7 +342,8 @@ shown_next:
 seen_found:
         BIM     0, link_inner
 
-; The rays of bits0 are those that met the leaf, around these distances.
+; Sets bits0 to the rays of s5 that hit the leaf, and before, after to the range
+; of their distances.
         .macro  found_rays
         load_field P_ID, identity
         CMPEQV  [event_met], identity, [bits0]
@@ -350,7 +355,8 @@ seen_found:
         ADDNV   [event], s0, [after]
         .endm
 
-; Of those that have this crossing, what stands behind it, to hit_s; none: other.
+; Copies the word after this crossing to hit_s, for the rays that have the
+; crossing. Branches to `other` if none has it.
         .macro  found_at other
         crossing_near bits1, bits2
         ANDB    [bits0], [bits1], [bits1]
@@ -363,7 +369,7 @@ seen_found:
         VTOVX   [taken_at], [taken_distance], [hit_s]
         .endm
 
-; The s9 rays of active alone remain at hand.
+; Makes the s9 rays of active the only current rays.
         .macro  squeeze_slots count, first
         RTOR    \count, s2
         find_slot \first
@@ -396,7 +402,7 @@ squeeze_no_mesh:
         BIM     squeeze_next
 squeeze_patch:
         IBXNE   shadows, r0, r0, squeeze_patch_slots
-        ES      leaf_events, 3 * PATCH_CROSSINGS ; its parameters, too
+        ES      leaf_events, 3 * PATCH_CROSSINGS ; with its parameters
 squeeze_patch_slots:
         squeeze_slots leaf_events, leaf_first_event
 squeeze_next:
@@ -408,8 +414,8 @@ squeeze_next:
         EQVB    [active], [active], [active]
         BIM     0, link_inner
 
-; What the rays of a queue meet first: nearer than what was met before, or as
-; near and on a lesser primitive.  s5: the rays of seen that take it.
+; Accepts hits that are nearer than the ray's hit, or equally near and on an
+; earlier primitive. s5: the rays of seen that accept it.
 found_nearest:
         take_found place, taken_at, 0, seen
         take_found event, taken_distance, 1, seen
@@ -465,7 +471,7 @@ found_taken:
         VTOVX   [taken_at], [taken_met], [met]
         scatter_depth taken_depth
 
-; The parameters of the rays of s5, of those of event_met that are patches or meshes.
+; Stores the parameters of the rays of s5 whose event_met is a patch or a mesh.
 found_points:
         leaves_begin
 found_leaf:
@@ -493,8 +499,8 @@ found_none:
         BIM     0, link_kernel
 
         .if     MESH_CROSSINGS
-; On which triangle of a mesh, and if the rays leave there: of a solid where each
-; second crossing is; with a body its normals tell.
+; Finds the triangle of a mesh, and whether the rays leave there. Every second
+; crossing leaves a solid. The normals of a mesh with a body decide this.
 found_mesh:
         found_rays
         triangles_behind s3
