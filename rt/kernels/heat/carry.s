@@ -1,14 +1,16 @@
-; carry.s - what a kernel of emission made in a space of its own, carried into the
-; world by the matrix M and the shift m:
+; carry.s - transforms an emitted point and its normal to world space.
 ;
-;   P' = M P + m,   N = M^-T n,   n' = N / |N|,   w' = w |N| ,
+; A kernel of emission computes them in object space. M is the matrix, m the
+; shift:
 ;
-; for an area there grows by |det M| |N|; |det M| is in w.
+;   P' = M P + m,   N = M^-T n,   n' = N / |N|,   w' = w |N|
 ;
-; In:  own_spot_x .., own_face_x .., weight; to_world: rows of M, each with its part of m
-;      behind it; to_face: rows of M^-T.
+; An area grows by the factor |det M| |N|. The weight w contains |det M|.
+;
+; In:  own_spot_x .., own_face_x .., weight; to_world: rows of M, each followed
+;      by its part of m; to_face: rows of M^-T.
 ; Out: spot_x .., face_x .., of length one; weight.
-; What follows is the direction (cosine_law.s).
+; Continues with the direction (cosine_law.s).
 ; Source: textbook.
 
         .macro  carry_rows x, y, z, k00, k01, k02, k10, k11, k12, k20, k21, k22, to0, to1, to2
@@ -27,7 +29,7 @@ emission_carry:
         each_times face_z, face_z, toil2
         each_plus toil0, toil1, toil0
         each_plus toil0, toil2, toil0
-        each_root toil0, toil0                        ; |N|
+        each_root toil0, toil0                        ; N|
         carry_rows own_spot_x, own_spot_y, own_spot_z, to_world0, to_world1, to_world2, to_world4, to_world5, to_world6, to_world8, to_world9, to_world10, spot_x, spot_y, spot_z
         each_shift spot_x, to_world3, spot_x
         each_shift spot_y, to_world7, spot_y

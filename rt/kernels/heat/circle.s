@@ -1,20 +1,20 @@
-; circle.s - a point of the unit circle: the sine and cosine of 2 pi u, u in (0, 1).
+; circle.s - a point of the unit circle: sine and cosine of 2 pi u, u in (0, 1).
 ;
-; With v = 1/2 - u, in (-1/2, 1/2), the two polynomials of Taylor in v^2
+; With v = 1/2 - u, in (-1/2, 1/2), the two Taylor polynomials in v^2
 ;
 ;   s = sin pi v = v (pi - pi^3/3! v^2 + .. - pi^19/19! v^18)
 ;   c = cos pi v = 1 - pi^2/2! v^2 + .. - pi^18/18! v^18
 ;
-; are off by less than 4e-15, and
+; have errors below 4e-15, and
 ;
 ;   sin 2 pi u = 2 s c,   cos 2 pi u = 2 s^2 - 1.
 ;
-; No case is told from another.  With the roundings, all of which are downwards, both are
-; off by less than 3e-13, and so is the length of the point.
+; There is no case distinction. Including truncation, the errors of both and of
+; the point's length are below 3e-13.
 ;
 ; In:  turn, a column.
 ; Out: sine, cosine, columns.
-; Source: textbook; the half angle spares a choice of quadrants.
+; Source: textbook. The half angle makes a choice of quadrants unnecessary.
 
         .data
 circle_constants:
@@ -46,8 +46,8 @@ circle_constants:
         each_horner \fourth, \sine, sine_\even, \odd_sine, sine_\odd, \cosine, cosine_\even, \odd_cosine, cosine_\odd
         .endm
 
-; Both polynomials in four, those of even and odd powers of v^2, which are polynomials
-; in v^4.  work0 .. work4 are scratch.
+; Splits both polynomials into those of even and odd powers of v^2, which are
+; polynomials in v^4. work0 .. work4 are scratch.
         .macro  circle turn, sine, cosine, work0, work1, work2, work3, work4
         each_from each_half, \turn, \work0          ; v
         each_times \work0, \work0, \work1             ; v^2

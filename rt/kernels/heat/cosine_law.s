@@ -1,18 +1,22 @@
-; cosine_law.s - directions in which a diffuse surface radiates: into a part of the
-; half space above it as often as that part's shadow, straight down on the surface,
-; covers of the unit disc there.
+; cosine_law.s - directions in which a diffuse surface radiates.
+;
+; A direction is in a part of the half space above the surface with a
+; probability proportional to the area of the part's vertical projection on the
+; unit disc. The vector (x, y, z) with
 ;
 ;   r = sqrt u,  x = r cos 2 pi t,  y = r sin 2 pi t,  z = sqrt (1 - u)
 ;
-; is turned so that z points along the normal n; with s = 1, or -1 where nz is below 0,
+; is rotated so that z points along the normal n. With s = 1, or s = -1 if nz is
+; below 0:
 ;
 ;   q = x nx + y ny,   g = z - q / (s + nz),
-;   D = (s x + g nx,  s y + g ny,  z nz - q).
+;   D = (s x + g nx,  s y + g ny,  z nz - q)
 ;
 ; In:  face_x, face_y, face_z: n, of length one; draw2: u, draw3: t; columns.
 ; Out: ray_x, ray_y, ray_z: D, of length one.
-; Source: J. H. Lambert, Photometria (1760); the frame is that of T. Duff and others,
-; "Building an orthonormal basis, revisited" (2017), worked out for one vector.
+; Source: J. H. Lambert, Photometria (1760). The frame is that of T. Duff and
+; others, "Building an orthonormal basis, revisited" (2017), worked out for one
+; vector.
 
         .kernel direction
 emission_direction:

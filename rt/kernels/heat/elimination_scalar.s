@@ -2,7 +2,8 @@
 
         .regs   r44, lin_from, lin_to, lin_count, lin_i
 
-; lin_count words at lin_to, 1 or more: the words at lin_from times the factor are added.
+; Adds the words at lin_from times the factor to the lin_count words at lin_to.
+; lin_count is at least 1.
         .macro  add_times factor
         ES      lin_i, 0
 add_next\@:

@@ -1,4 +1,4 @@
-; elimination_vector.s - the elimination of elimination.s, whole columns at a time.
+; elimination_vector.s - the elimination of elimination.s, by whole columns.
 
         .regs   r44, v_a, v_b, v_c, v_d, v_e
 

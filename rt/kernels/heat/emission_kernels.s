@@ -1,4 +1,4 @@
-; emission_kernels.s - all kernels of emission, and what they go on with.
+; emission_kernels.s - includes all kernels of emission and their common end.
 
         .include "heat/emit_sphere.s"
         .include "heat/emit_torus.s"

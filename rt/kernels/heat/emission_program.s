@@ -1,36 +1,36 @@
-; emission_program.s - what the two programs of emission have in common: points of a
-; surface, the normals there and directions in which it radiates, each made of five
-; numbers in (0, 1).
+; emission_program.s - the common part of the two programs of emission.
 ;
-; The numbers are those of points/points_program.s, whose constants and inputs are these
-; programs' too; the two programs go on where those of points end:
+; They compute points of a surface, the normals there and directions in which it
+; radiates, each from five numbers in (0, 1). The numbers are those of
+; points/points_program.s, whose constants and inputs apply here too. The two
+; programs continue where those of points end:
 ;
-;   draw0, draw1   where on a piece of the surface
-;   draw2, draw3   the direction
-;   draw4          which piece
+;   draw0, draw1   position on a piece of the surface
+;   draw2, draw3   direction
+;   draw4          number of the piece
 ;
-; Kernels of shapes, by files:
+; The kernels of shapes are in these files:
 ;
 ;   emit_sphere.s  emit_torus.s  emit_frustum.s  emit_triangle.s
 ;   emit_steiner_patch.s
 ;
-; Each makes a point, a normal and a weight in a space of its own and goes on with
-; carry.s, which goes on with cosine_law.s.
+; Each computes a point, a normal and a weight in object space. It continues
+; with carry.s, which continues with cosine_law.s.
 ;
 ; In:  emission_given: address of an EMISSION.
 ; Out: emission_made: EMITTED_SIZE planes of POINTS words.
 ;
-; The mean of the weights is the surface's area.
+; The mean of the weights is the area of the surface.
 
         .record EMISSION
-        .field  EMISSION_AREA      ; of all the surface, or what a kernel has
-                                ; a weight of, times |det M|
+        .field  EMISSION_AREA      ; of the whole surface, or the kernel's
+                                   ; factor of weights, times |det M|
         .field  EMISSION_TO_WORLD, 12 ; rows of M, three factors and a shift
         .field  EMISSION_TO_FACE, 9 ; rows of M^-T
-        .field  EMISSION_FORM, 24  ; what the kernel wants of the shape
-        .field  EMISSION_KERNEL    ; its address
-        .field  EMISSION_COUNT     ; of pieces, an integer
-        .field  EMISSION_TABLE     ; address of their columns (pieces.s)
+        .field  EMISSION_FORM, 24  ; parameters of the shape
+        .field  EMISSION_KERNEL    ; address of the kernel
+        .field  EMISSION_COUNT     ; number of pieces, an integer
+        .field  EMISSION_TABLE     ; address of the columns of pieces (pieces.s)
         .endrecord
 
         .include "heat/emitted.s"
@@ -45,7 +45,7 @@
         .regs   r124, spot_x, spot_y, spot_z, face_x, face_y, face_z, weight, ray_x, ray_y, ray_z
         .regs   spot_x, emitted0, emitted1, emitted2, emitted3, emitted4, emitted5, emitted6, emitted7, emitted8, emitted9
 
-; What is given, in its order.
+; The words of the EMISSION, in order.
         .regs   r134, emission_area
         .regs   r135, to_world0, to_world1, to_world2, to_world3, to_world4, to_world5, to_world6, to_world7, to_world8, to_world9, to_world10, to_world11
         .regs   r147, to_face0, to_face1, to_face2, to_face3, to_face4, to_face5, to_face6, to_face7, to_face8

@@ -21,8 +21,8 @@ emission_bits:  .space (QUEUE + 63) / 64
 emission_store: .space QUEUE * EMISSION_WORK
         .code
 
-; Planes from the point on that is next, as long as the queue, in registers from first
-; on.
+; Makes descriptors of `count` planes in `register`, from the next point on and
+; as long as the queue.
         .macro  emission_planes planes, count, register
         EX      emission_plane, \planes
         ADDX    emission_plane, emission_at, emission_plane

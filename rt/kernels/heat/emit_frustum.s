@@ -1,19 +1,21 @@
-; emit_frustum.s - points of surfaces about the y axis whose outlines are of straight
-; pieces: the sides of cylinders and cones, discs, rings.  All parts of one are alike.
+; emit_frustum.s - points of surfaces of revolution with straight outlines.
 ;
-; A piece begins at the height y0 and the radius r1 and ends at y0 + h and r2:
+; These are the sides of cylinders and cones, discs and rings about the y axis.
+; Points are distributed uniformly over the area. A piece begins at height y0
+; and radius r1 and ends at y0 + h and r2:
 ;
 ;   r = sqrt (r1^2 + u (r2^2 - r1^2)),  l = u (r1 + r2) / (r1 + r)
 ;   P = (r cos 2 pi t,  y0 + l h,  r sin 2 pi t)
 ;   n = (nr cos 2 pi t,  ny,  nr sin 2 pi t)
 ;
-; l, the part of its length, is r - r1 over r2 - r1, but goes to u where they are the same.
+; l is the fraction of its length. It equals (r - r1) / (r2 - r1), but is u
+; where the radii are equal.
 ;
-; In:  draw0: u, draw1: t; draw4 and the table: pieces of y0, h, r1, r2, nr, ny;
-;      emission_area.
+; In:  draw0: u, draw1: t; draw4 and the table: pieces of y0, h, r1, r2, nr,
+;      ny; emission_area.
 ; Out: own_spot_x .., own_face_x .., weight; columns.
-; Source: derived here; the area up to l is pi (r^2 - r1^2) over the normal's ny, or the
-; like.
+; Source: derived here. The area up to l is pi (r^2 - r1^2) divided by the
+; normal's ny, or an equivalent.
 
         .kernel emit
 emit_frustum:

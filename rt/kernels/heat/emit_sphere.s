@@ -1,10 +1,12 @@
-; emit_sphere.s - points of the unit sphere about the origin, all parts of it alike.
+; emit_sphere.s - uniform points of the unit sphere about the origin.
 ;
-;   z = 1 - 2 u,  r = 2 sqrt (u (1 - u)),  P = n = (r cos 2 pi t, z, r sin 2 pi t)
+;   z = 1 - 2 u,  r = 2 sqrt (u (1 - u)),
+;   P = n = (r cos 2 pi t, z, r sin 2 pi t)
 ;
 ; In:  draw0: u, draw1: t; emission_area.
 ; Out: own_spot_x .., own_face_x .., weight; columns.
-; Source: Archimedes, On the sphere and cylinder: a slice's area is its height's.
+; Source: Archimedes, On the sphere and cylinder: the area of a slice is
+; proportional to its height.
 
         .kernel emit
 emit_sphere:

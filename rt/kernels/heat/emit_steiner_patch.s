@@ -1,21 +1,24 @@
-; emit_steiner_patch.s - points of a Steiner patch: a triangle of the parameters,
-; all parts of it alike, with a weight that says how large they are on the patch.
+; emit_steiner_patch.s - points of a Steiner patch, uniform in its parameters.
+;
+; The weight is the size of the area element on the patch.
 ;
 ;   g = sqrt u,  p = g - g t,  q = g t
-;   X_i = k0 + k1 p + k2 q + k3 p^2 + k4 p q + k5 q^2,  i = x y z, and W likewise,
+;   X_i = k0 + k1 p + k2 q + k3 p^2 + k4 p q + k5 q^2,  i = x y z, also W
 ;   P = X / W
 ;   n = (X_p - P W_p) x (X_q - P W_q) / W^2 = dP/dp x dP/dq
 ;   w = |n| / 2
 ;
-; The normal is not of length one: its length goes into the weight when both are
-; carried into the world.  It has no outside: the normal is on one side of it.
+; The normal does not have length one. Its length becomes a factor of the weight
+; when both are transformed to world space. A patch has no outside: the normal
+; is on one side of it.
 ;
-; In:  draw0: u, draw1: t; form0 .. form23: k0, k1, k2, 2 k3, k4, 2 k5 of x, y, z, w;
-;      emission_area: |det M| / 2.
+; In:  draw0: u, draw1: t; form0 .. form23: k0, k1, k2, 2 k3, k4, 2 k5 of x, y,
+;      z, w; emission_area: |det M| / 2.
 ; Out: own_spot_x .., own_face_x .., weight; columns.
-; Source: textbook; rt/shapes/patch.h says what a patch is.
+; Source: textbook; rt/shapes/patch.h defines patches.
 
-; The polynomial, and what it grows by with p and q: in `along` and `across`.
+; Computes the polynomial, and its derivatives by p in `along`, by q in
+; `across`.
         .macro  patch_polynomial k0, k1, k2, k3, k4, k5, value, along, across
         each_scale toil0, \k3, \along
         each_scale toil0, \k4, \across
@@ -31,7 +34,8 @@
         each_shift toil2, \k0, \value
         .endm
 
-; The value becomes that of the point, along and across the changes of it times W.
+; Computes the coordinate of the point from `value`, and W times its derivatives
+; in `along` and `across`.
         .macro  patch_divided value, along, across
         each_times \value, piece9, \value
         each_times \value, piece10, toil0

@@ -1,16 +1,18 @@
-; emit_torus.s - points of a torus about the y axis; its tube is an ellipse, of half
-; axes a away from the axis and b along it, at the distance R.
+; emit_torus.s - points of a torus about the y axis.
+;
+; Its tube is an ellipse at the distance R, with half axes a away from the axis
+; and b along it.
 ;
 ;   rho = R + a cos 2 pi u,
 ;   P = (rho cos 2 pi t,  b sin 2 pi u,  rho sin 2 pi t)
 ;   n = (b cos 2 pi u cos 2 pi t,  a sin 2 pi u,  b cos 2 pi u sin 2 pi t)
 ;   w = 4 pi^2 rho |n|
 ;
-; The normal is not of length one: its length goes into the weight when both are
-; carried into the world.
+; The normal does not have length one. Its length becomes a factor of the weight
+; when both are transformed to world space.
 ;
-; In:  draw0: u, draw1: t; form0: R, form1: a, form2: b; emission_area: 4 pi^2 times
-;      |det M|.
+; In:  draw0: u, draw1: t; form0: R, form1: a, form2: b; emission_area: 4 pi^2
+;      times |det M|.
 ; Out: own_spot_x .., own_face_x .., weight; columns.
 ; Source: textbook, dP/du x dP/dt.
 

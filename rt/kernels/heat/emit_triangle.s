@@ -1,12 +1,13 @@
-; emit_triangle.s - points of triangles: meshes, and boxes, of two a face.  All parts
-; of one are alike.
+; emit_triangle.s - uniform points of triangles, for meshes and for boxes.
 ;
 ;   s = sqrt u,   P = C + (s - s t) A + s t B
 ;
-; In:  draw0: u, draw1: t; draw4 and the table: pieces of a corner C, the edges A and B
-;      from there, the normal, of length one, 3 words each; emission_area.
+; In:  draw0: u, draw1: t; draw4 and the table: pieces of a corner C, the edges
+;      A and B from there, the normal, of length one, 3 words each;
+;      emission_area.
 ; Out: own_spot_x .., own_face_x .., weight; columns.
-; Source: G. Turk, "Generating random points in triangles", Graphics Gems (1990).
+; Source: G. Turk, "Generating random points in triangles", Graphics Gems
+; (1990).
 
         .macro  triangle_axis corner, first, second, normal, axis
         each_times toil0, \first, \first

@@ -1,5 +1,6 @@
-; emitted.s - a point from which a surface radiates, and one way in which it does: a word of
-; each plane.
+; emitted.s - a radiating point of a surface and one direction of its radiation.
+;
+; Each word is in a plane of its own.
 
         .record EMITTED
         .field  EMITTED_SPOT, 3    ; the point, in the world

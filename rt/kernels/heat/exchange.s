@@ -1,26 +1,26 @@
-; exchange.s - what grey diffuse surfaces exchange by radiation; what the two forms have in
-; common.
+; exchange.s - computes the radiation between grey diffuse surfaces.
 ;
-; Of surface i, with the area A_i, the emissivity e_i and the temperature T_i, comes the
-; radiosity J_i, and the irradiation H_i meets it; F_ij is the factor from i to j, and behind
-; the surfaces stands the environment, black, with the temperature T_e:
+; This is the common part of the two forms. Surface i has the area A_i, the
+; emissivity e_i and the temperature T_i. J_i is its radiosity, H_i its
+; irradiation, F_ij the view factor from i to j. Beyond the surfaces is the
+; environment, black, with the temperature T_e:
 ;
 ;   J_i = e_i sigma T_i^4 + (1 - e_i) H_i
 ;   H_i = F_i1 J_1 + .. + F_in J_n + F_ie sigma T_e^4
-;   Q_i = A_i (J_i - H_i)           the heat that it loses, a net flow
+;   Q_i = A_i (J_i - H_i)           net heat loss, a flow
 ;   Q_e = sum of A_i F_ie (sigma T_e^4 - J_i)
 ;
-; A surface that is adiabatic has the emissivity 0: what meets it leaves it.
+; An adiabatic surface has the emissivity 0: it reflects its whole irradiation.
 ;
-; The equations (I - (1 - e) F) J = b are solved by elimination (elimination.s).  A diagonal below
-; LEAST is that of an exchange which has no solution: surfaces that are adiabatic and see none
-; but each other.
+; Elimination (elimination.s) solves (I - (1 - e) F) J = b. A diagonal below
+; LEAST occurs if an exchange has no solution: adiabatic surfaces that see only
+; each other.
 ;
-; Sums are formed by halves: of m words the last m / 2 are added to the first.
+; Sums are formed by halves: of m words, the last m / 2 are added to the first.
 ;
-; In:  what stands below.
-; Out: exchange_made: planes J, H, Q of n words, then Q_e, the sum of all flows, and the number
-;      of the surface, from 1 on, where there was no solution, else 0.
+; In:  the words below.
+; Out: exchange_made: planes J, H, Q of n words, then Q_e, the sum of all
+;      flows, and the number of the surface, from 1, without a solution, or 0.
 ; Source: Hottel and Sarofim, Radiative Transfer (1967); sigma: CODATA 2018.
 
         .include "heat/elimination.s"
@@ -29,14 +29,14 @@
 exchange_given:
 exchange_count: .word 0                 ; surfaces, n, an integer
 exchange_factors: .word 0               ; address of n + 1 columns F_1j .. F_nj
-exchange_areas: .word 0                 ; .. of three planes: A,
-exchange_emissivities: .word 0          ; e,
-exchange_temperatures: .word 0          ; T
-exchange_matrix: .word 0                ; .. of room for n columns, b, and a column
-exchange_made:  .word 0                 ; .. of what is found
+exchange_areas: .word 0                 ; address of the plane A
+exchange_emissivities: .word 0          ; address of the plane e
+exchange_temperatures: .word 0          ; address of the plane T
+exchange_matrix: .word 0                ; address of n columns, b and a column
+exchange_made:  .word 0                 ; address of the results
 exchange_outside: .word 0.0             ; T_e
                 .word 5.670374419e-8    ; sigma
-                .word 1.0, 1e-12         ; LEAST
+                .word 1.0, 1e-12         ; 1, LEAST
                 .word 1, -1
                 .equ    EXCHANGE_GIVEN, 13
         .code
@@ -44,8 +44,8 @@ exchange_outside: .word 0.0             ; T_e
         .regs   r10, lin_n, exc_factors, exc_areas, exc_emissivities, exc_temperatures
         .regs   r15, lin_matrix, exc_made, exc_outside, exc_sigma, exc_unit, lin_least
         .regs   r21, lin_one, lin_minus_one
-        .regs   r23, lin_stride         ; from a column, or a plane, to the next, in bits
-        .regs   r24, lin_b, exc_spare   ; addresses of b and of the column behind
+        .regs   r23, lin_stride         ; bits between columns, or planes
+        .regs   r24, lin_b, exc_spare   ; addresses of b and of the next column
         .regs   r26, lin_x, exc_h, exc_q, exc_end
 
         .macro  exchange_begin
@@ -62,6 +62,6 @@ exchange_outside: .word 0.0             ; T_e
         ADDX    exc_q, lin_stride, exc_end
         MPYS    exc_outside, exc_outside, exc_outside
         MPYS    exc_outside, exc_outside, exc_outside
-        MPYS    exc_sigma, exc_outside, exc_outside     ; of the environment, J
+        MPYS    exc_sigma, exc_outside, exc_outside     ; J of the environment
         .endm
 

@@ -4,7 +4,7 @@
 
         .include "heat/elimination_scalar.s"
 
-; lin_left words, 1 or more, at the address become one, there.
+; Replaces lin_left words at the address, at least one, by their sum.
         .macro  fold_words address
         BIM     fold_whole\@
 fold_halve\@:
@@ -44,7 +44,7 @@ exchange_right:
         STO     [exc_spare, lin_i], lin_work1
         IBXNE   lin_i, lin_one, lin_n, exchange_right, lin_i
 
-; The columns of the matrix, its diagonal.
+; Computes the columns of the matrix and its diagonal.
         RTOR    exc_factors, lin_from
         RTOR    lin_matrix, lin_to
         RTOR    lin_n, lin_left
@@ -66,7 +66,7 @@ exchange_entry:
         IX      lin_at, 64
         IBXNE   lin_left, lin_minus_one, r0, exchange_column, lin_left
 
-; What comes from outside, in H for now: b less (e - 1) F_e J_e.
+; Stores the irradiation from outside in H. Subtracts (e - 1) F_e J_e from b.
         ES      lin_i, 0
 exchange_outer:
         LOD     [lin_from, lin_i], lin_work0
@@ -94,7 +94,7 @@ exchange_meets:
         ADDX    lin_from, lin_stride, lin_from
         IBXNE   lin_k, lin_one, lin_n, exchange_meets, lin_k
 
-; Q = A (J - H); of the environment A F_e (J_e - J), in the spare column.
+; Q = A (J - H). The spare column gets A F_e (J_e - J) of the environment.
         ES      lin_i, 0
 exchange_net:
         LOD     [lin_x, lin_i], lin_work0

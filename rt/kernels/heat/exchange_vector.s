@@ -1,10 +1,10 @@
-; exchange_vector.s - the exchange of exchange.s, whole columns at a time.
+; exchange_vector.s - the exchange of exchange.s, by whole columns.
 
         .include "heat/exchange.s"
 
         .include "heat/elimination_vector.s"
 
-; lin_left words, 1 or more, at the address become one, there.
+; Replaces lin_left words at the address, at least one, by their sum.
         .macro  fold_words address
         BIM     fold_whole\@
 fold_halve\@:
@@ -36,7 +36,7 @@ exchange:
         MPYSV   [v_b], [v_e], [v_b]
         SUBNV   [v_e], exc_unit, [v_d]
 
-; The columns of the matrix, its diagonal.
+; Computes the columns of the matrix and its diagonal.
         ADDLEN  exc_factors, lin_n, v_a
         ADDLEN  lin_matrix, lin_n, v_c
         RTOR    lin_n, lin_left
@@ -52,7 +52,7 @@ exchange_column:
         IX      lin_at, 64
         IBXNE   lin_left, lin_minus_one, r0, exchange_column, lin_left
 
-; What comes from outside, in H for now: b less (e - 1) F_e J_e.
+; Stores the irradiation from outside in H. Subtracts (e - 1) F_e J_e from b.
         ADDLEN  exc_h, lin_n, v_c
         MPYSV   [v_a], exc_outside, [v_c]
         ADDLEN  exc_q, lin_n, v_a
@@ -76,7 +76,7 @@ exchange_meets:
         ADDX    v_a, lin_stride, v_a
         IBXNE   lin_k, lin_one, lin_n, exchange_meets, lin_k
 
-; Q = A (J - H); of the environment A F_e (J_e - J), in the spare column.
+; Q = A (J - H). The spare column gets A F_e (J_e - J) of the environment.
         ADDLEN  lin_x, lin_n, v_c
         ADDLEN  exc_q, lin_n, v_d
         ADDLEN  exc_areas, lin_n, v_e

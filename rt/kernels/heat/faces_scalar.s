@@ -1,11 +1,12 @@
-; faces_scalar.s - the points of faces.s that stay, one after another.
+; faces_scalar.s - selects the points of faces.s, one after another.
 
         .include "heat/faces.s"
 
         .regs   r31, face_distance, face_own, face_point, face_sense, face_found
         .regs   r36, face_plane_left, face_zero, face_inward, face_turned
 
-; The next crossing; none left: to the first label, one that is far: to the second.
+; Loads the next crossing. Branches to `none` if none is left, to `far` if it is
+; distant.
         .macro  crossing_next none, far
         IBXEQ   face_left, r0, r0, \none
         LOD     [face_row], face_distance

@@ -1,4 +1,4 @@
-; faces_vector.s - the points of faces.s that stay, STRIP crossings at a time.
+; faces_vector.s - selects the points of faces.s, STRIP crossings at a time.
 
         .include "heat/faces.s"
 
@@ -19,8 +19,8 @@ inward_bits:    .space 65536 / 64
         ADDLEN  \bits, face_n, \bits
         .endm
 
-; The next strip of crossings, those in it that are near, [b_near]; none left: to the
-; label.
+; Loads the next strip of crossings and marks the near ones in [b_near].
+; Branches to `none` if no crossing is left.
         .macro  strip_next none
         IBXEQ   face_left, r0, r0, \none
         EX      face_n, STRIP
@@ -40,8 +40,8 @@ strip_full\@:
         CMPLTV  [v_distance], face_near, [b_near]
         .endm
 
-; The points of crossings in [b_near] that are in [b_own], too, and their senses; none: to
-; the label.
+; Collects the points and senses of the crossings that are in [b_near] and
+; [b_own]. Branches to `none` if there are no such crossings.
         .macro  strip_points none
         ANDB    [b_near], [b_own], [b_near]
         CNTOB   [b_near], face_count

@@ -1,31 +1,33 @@
-; gaps.s - which surfaces face each other along lines; what the two forms have in common.
+; gaps.s - counts pairs of surfaces that face each other along lines.
 ;
-; The ends of gaps, crossings and what stands for the environment, lie in the order of
-; lines, and along a line from near to far.  Gap k reaches from end k to end k + 1, and is
-; empty where no body is behind end k; one shorter than `least` is none:
+; This is the common part of the two forms. The ends of gaps are crossings, and
+; ends that represent the environment. They are in the order of lines, and along
+; a line from near to far. Gap k extends from end k to end k + 1. It is empty if
+; no body contains the line after end k. Gaps shorter than `least` are ignored:
 ;
-;   count_ij = how many k have  surface_k = i,  surface_(k+1) = j,  within_k = 0,
-;                               |distance_(k+1) - distance_k| >= least
+;   count_ij = number of k with  surface_k = i,  surface_(k+1) = j,
+;              within_k = 0,  |distance_(k+1) - distance_k| >= least
 ;
-; In:  what stands below.
+; In:  the words below.
 ; Out: gaps_counts, a row of counts for each surface i.
-; Source: M. Sbert, "An integral geometry based method for fast form-factor computation"
-; (1993); the program is derived here.
+; Source: M. Sbert, "An integral geometry based method for fast form-factor
+; computation" (1993); the program is derived here.
 
 ; The planes of an end.
         .record GAP_END
         .field  GAP_DISTANCE            ; along the line
-        .field  GAP_SURFACE             ; an integer from 0 on
-        .field  GAP_WITHIN              ; in how many bodies the line is behind it, likewise
+        .field  GAP_SURFACE             ; an integer from 0
+        .field  GAP_WITHIN              ; number of bodies that contain the line
+                                        ; after it, an integer
         .endrecord
 
         .data
 gaps_given:
-gaps_count:     .word 0                 ; one less than ends, 1 .. 65534, an integer
-gaps_surfaces:  .word 0                 ; .. surfaces, the environment among them
+gaps_count:     .word 0                 ; ends less one, 1 .. 65534, an integer
+gaps_surfaces:  .word 0                 ; surfaces, including the environment
 gaps_ends:      .word 0                 ; address of the planes of ends
-gaps_counts:    .word 0                 ; .. of the counts, zeros
-gaps_room:      .word 0                 ; .. of three words for each gap
+gaps_counts:    .word 0                 ; address of the counts, zeros
+gaps_room:      .word 0                 ; address of three words for each gap
 gaps_least:     .word 0                 ; a length
                 .word 1
                 .equ    GAPS_GIVEN, 7

@@ -1,5 +1,7 @@
-; gaps_vector.s - the counts of gaps.s, surface by surface: the gaps that begin there are
-; brought together, and those among them counted that end at each.
+; gaps_vector.s - the counts of gaps.s, surface by surface.
+;
+; For each surface it compresses the gaps that begin there, and counts those
+; that end at each surface.
 
         .include "heat/gaps.s"
 
@@ -15,7 +17,7 @@ gap_bits:       .space 65536 / 64 * 2
         ADDLEN  \bits, \length, \bits
         .endm
 
-; That vector of the room, of so many words.
+; Makes a descriptor of a vector in the room, of the given length.
         .macro  gap_vector vector, number, length
         RTOR    gap_room, \vector
         .rept   \number
@@ -24,14 +26,14 @@ gap_bits:       .space 65536 / 64 * 2
         ADDLEN  \vector, \length, \vector
         .endm
 
-; A plane of ends, and the same from the next end on.
+; Makes descriptors of a plane of ends from its first and from its second word.
         .macro  gap_plane plane, near, far
         ADDLEN  \plane, gap_count, \near
         RTOR    \near, \far
         IX      \far, 64
         .endm
 
-; [b_gap] := which gaps are empty, and long enough.
+; Sets [b_gap] to the gaps that are empty and long enough.
         .macro  find_gaps
         gap_bit b_gap, 0, gap_count
         gap_bit b_open, 1, gap_count

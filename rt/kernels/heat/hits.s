@@ -1,22 +1,24 @@
-; hits.s - whether rays strike one of some solid cylinders, and no more: what the two forms
-; have in common.
+; hits.s - tests whether rays hit any of some solid cylinders.
 ;
-; A cylinder has the axis C + h A, 0 <= h <= L, |A| = 1, and the radius r.  Of a ray O + t D,
-; |D| = 1, from O - C = W:
+; This is the common part of the two forms. A cylinder has the radius r and the
+; axis C + h A with 0 <= h <= L and |A| = 1. The ray is O + t D, |D| = 1. Let
+; W = O - C:
 ;
 ;   b = W . A     a = D . A               along the axis
 ;   p = W . D - a b,  q = W . W - b^2 - r^2,  g = 1 - a^2
 ;
-; Across the axis it is inside where g t^2 + 2 p t + q <= 0: never, if p^2 - g q < 0; else
-; for g t from -p - s to -p + s, s the root.  It strikes if for some g t of these, not below 0,
-; its height h, g h = g b + a (g t), is between 0 and g L: as h changes evenly, unless it is
-; below 0 at both ends, or above g L at both.  Nothing is divided; a ray along the axis,
-; g = 0, passes.
+; Across the axis the ray is inside where g t^2 + 2 p t + q <= 0. It is never
+; inside if p^2 - g q < 0. Otherwise it is inside for g t from -p - s to -p + s,
+; where s is the square root of p^2 - g q. It hits if, for some g t >= 0 of
+; these, the height h is between 0 and L. Then g h = g b + a (g t) is between 0
+; and g L. As h is linear in t, this fails only if g h is below 0 at both ends,
+; or above g L at both. There is no division. A ray along the axis, g = 0, is a
+; miss.
 ;
-; In:  what stands below.
-; Out: hits_made, of each ray 1: it strikes one, 0: it strikes none.
-; Source: derived here; "it is only of interest knowing that the ray strikes the tube
-; and not where": Plunkett, Cychosz and Bailey 1984.
+; In:  the words below.
+; Out: hits_made, for each ray 1: it hits one, 0: it hits none.
+; Source: derived here; "it is only of interest knowing that the ray strikes the
+; tube and not where": Plunkett, Cychosz and Bailey 1984.
 
         .record CYLINDER
         .field  CYLINDER_BASE, 3
@@ -27,12 +29,12 @@
 
         .data
 hits_given:
-hits_rays:      .word 0                 ; how many, an integer
+hits_rays:      .word 0                 ; number of rays, an integer
 hits_from:      .word 0                 ; address of the planes of O: x, y, z
-hits_towards:   .word 0                 ; .. of D
-hits_cylinders: .word 0                 ; how many, 1 or more, an integer
+hits_towards:   .word 0                 ; address of the planes of D
+hits_cylinders: .word 0                 ; cylinders, 1 or more, an integer
 hits_list:      .word 0                 ; address of their records
-hits_made:      .word 0                 ; .. of a plane
+hits_made:      .word 0                 ; address of a plane
                 .word 1, -1
                 .word 1.0
                 .equ    HITS_GIVEN, 9
@@ -40,7 +42,7 @@ hits_made:      .word 0                 ; .. of a plane
 
         .regs   r10, hit_rays, hit_from, hit_towards, hit_cylinders, hit_list, hit_made
         .regs   r16, hit_one, hit_minus_one, hit_unit
-        .regs   r19, hit_stride         ; from a plane to the next, in bits
+        .regs   r19, hit_stride         ; bits between planes
         .regs   r20, cyl_x, cyl_y, cyl_z, cyl_ax, cyl_ay, cyl_az, cyl_length, cyl_square
         .regs   r28, hit_at, hit_left, hit_work
 
@@ -51,7 +53,7 @@ hits_made:      .word 0                 ; .. of a plane
         SHIFTI  hit_rays, 6, hit_stride
         .endm
 
-; The next cylinder.
+; Loads the next cylinder.
         .macro  load_cylinder
         ELEN    hit_at, CYLINDER_SIZE
         SWAP    [hit_at], cyl_x, [r0]

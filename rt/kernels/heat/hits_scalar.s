@@ -1,4 +1,4 @@
-; hits_scalar.s - the hits of hits.s, a ray against each cylinder till it strikes one.
+; hits_scalar.s - the test of hits.s: each ray against cylinders up to a hit.
 
         .include "heat/hits.s"
 
@@ -11,7 +11,7 @@
         ADDX    \address, hit_stride, \address
         .endm
 
-; The operations are those of the vector form, in its order.
+; The operations and their order are those of the vector form.
         .macro  dot_axis x, y, z, result, w
         MPYS    \x, cyl_ax, \result
         MPYS    \y, cyl_ay, \w

@@ -1,11 +1,12 @@
-; hits_vector.s - the hits of hits.s, a queue of rays against each cylinder: 14 vectors,
-; of which seven are the rays' and what is told of them.
+; hits_vector.s - the test of hits.s: a queue of rays against each cylinder.
+;
+; It uses 14 vectors. Seven of them hold the rays and the results.
 
         .include "heat/hits.s"
 
         .regs   r32, ox, oy, oz, dx, dy, dz, v_made
         .regs   r39, v0, v1, v2, v3, v4, v5, v6
-        .regs   r46, u0, u1, u2, u3, u4, u5, u6         ; the same, as many as come near
+        .regs   r46, u0, u1, u2, u3, u4, u5, u6         ; of the near rays
         .regs   r53, b_hit, b_near, b_ok, b_one, b_other, b_none
         .regs   r59, hit_n, hit_m, hit_o, hit_zero
 
@@ -25,7 +26,8 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
         ADDX    \address, hit_stride, \address
         .endm
 
-; The vector of three products with numbers, summed; [w] is spoilt.
+; Computes a vector times the constant axis, as a sum of three products.
+; Overwrites [w].
         .macro  dot_axis x, y, z, result, w
         MPYSV   [\x], cyl_ax, [\result]
         LINKV
@@ -36,7 +38,7 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
         ADDNV   [\w], [\result], [\result]
         .endm
 
-; [result] := [result] - [x] [y]; [w] is spoilt.
+; [result] := [result] - [x] [y]. Overwrites [w].
         .macro  less_product x, y, result, w
         MPYSV   [\x], [\y], [\w]
         SUBNV   [\result], [\w], [\result]
@@ -50,7 +52,7 @@ hits_bits:      .space (QUEUE + 63) / 64 * 6
         ADDNV   [\w], [\result], [\result]
         .endm
 
-; Not where both are.
+; Excludes rays for which both conditions hold.
         .macro  unless_both
         ANDB    [b_one], [b_other], [b_one]
         ANDNB   [b_ok], [b_one], [b_ok]
@@ -111,7 +113,7 @@ hits_cylinder:
         CNTOB   [b_near], hit_m
         IBXEQ   hit_m, r0, r0, hits_passed
 
-; Those that come near: g, s^2, b, a, p.
+; Compresses g, s^2, b, a, p to the near rays.
         SUBX    hit_n, hit_m, hit_o
         EX      hit_work, hits_store
         .rept   7

@@ -1,5 +1,6 @@
-; operations_scalar.s - the operations of emission, on one point at a time; operations_vector.s
-; says what they are.
+; operations_scalar.s - the operations of emission, on one point.
+;
+; operations_vector.s defines them.
 
         .regs   r191, each_first, each_second, each_third
 

@@ -1,11 +1,12 @@
-; operations_vector.s - the operations of emission, on a queue of points at a time.
+; operations_vector.s - the operations of emission, on a queue of points.
 ;
-; An operand is one quantity of the points: here a vector, in operations_scalar.s a number.
-; Both files give the same operations under the same names, so that what is
-; written with them stands once and is equal in both forms, bit for bit.
+; An operand is one quantity of the points: a vector here, a number in
+; operations_scalar.s. Both files define the same operations under the same
+; names, so kernels are written once and both forms give equal results, bit for
+; bit.
 ;
 ;       each_times a, b, c            c = a b
-;       each_scale a, k, c            c = a k         k: the same for all points
+;       each_scale a, k, c            c = a k         k: one number for all
 ;       each_plus a, b, c             c = a + b
 ;       each_shift a, k, c            c = a + k
 ;       each_minus a, b, c            c = a - b
@@ -15,18 +16,18 @@
 ;       each_root a, c                c = sqrt a
 ;       each_copy a, c                c = a
 ;       each_same k, c                c = k
-;       each_sign a, c                c = 1, or -1 where a is below 0
-;       each_floor a, c               c = the integer not above a, exponent 0
-;       each_pick i, at, c            c = word number i from the address at on
-;       each_choose a, b, i, j        i = j where a is not below b
+;       each_sign a, c                c = 1, or -1 if a is below 0
+;       each_floor a, c               c = greatest integer <= a, exponent 0
+;       each_pick i, at, c            c = word i of the table at the address
+;       each_choose a, b, i, j        i = j if a is not below b
 ;       each_add_two x, k, s, l, t    s = s + x k,  t = t + x l
-;       each_add_three x, k, s, l, t, m, u            .. and u = u + x m
-;       each_horner x, p, k, q, l, r, m, s, n         p = p x + k, and likewise
-;                                                       q, r and s
+;       each_add_three x, k, s, l, t, m, u            also u = u + x m
+;       each_horner x, p, k, q, l, r, m, s, n         p = p x + k, likewise
+;                                                     q, r and s
 ;
-; Two streams of the pipes become one where a link allows it: two vectors and one
-; number go into it.  The scalar form does the operations of several sums in turn, so that
-; none waits for another.
+; Two streams of the pipes are joined where a link allows it. A link takes two
+; vectors and one number. The scalar form interleaves the operations of several
+; sums, so that none waits for another.
 
         .macro  each_times a, b, c
         MPYSV   [\a], [\b], [\c]

@@ -1,15 +1,15 @@
-; pieces.s - which piece of a surface a point lies on: one of T, the i-th with the
-; probability p_i, by one look into a table.
+; pieces.s - selects a random piece of a surface with one table access.
 ;
-;   i = floor (T u),  i = alias_i where T u - i is not below share_i
+; Piece i of the T pieces has the probability p_i:
 ;
-; The table has columns T words long: share, alias, and what the kernel wants of a
-; piece.
+;   i = floor (T u),  then i = alias_i if T u - i is not below share_i
+;
+; The table has columns of T words: share, alias, and the kernel's words.
 ;
 ; In:  draw4: u; emission_pieces: T, a number; emission_table: its address.
 ; Out: piece0 .., the words of the piece; toil0 .. toil3 are scratch.
-; Source: A. J. Walker, "An efficient method for generating discrete random variables
-; with general distributions" (1977).
+; Source: A. J. Walker, "An efficient method for generating discrete random
+; variables with general distributions" (1977).
 
         .macro  piece_word into
         each_pick toil1, piece_at, \into

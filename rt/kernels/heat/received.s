@@ -1,26 +1,29 @@
-; received.s - how much each receiver gets of what points radiate: counts of rays, and sums
-; of their weights; what the two forms have in common.
+; received.s - sums up the radiation that each receiver gets.
 ;
-;   count_r = how many i have receiver_i = r        sum_r = sum of their weight_i
+; This is the common part of the two forms. It counts the rays of each receiver
+; and adds their weights:
 ;
-; and of all of them together the sum.  The order of a sum is that of halves: of m weights,
-; in the order of points, the last m / 2 are added to the first, till one is left; so it
-; depends on the weights alone.
+;   count_r = number of i with receiver_i = r      sum_r = sum of their weight_i
 ;
-; In:  what stands below.
-; Out: received_sums: the sum of each receiver, and that of all; received_counts.
+; It also computes the sum of all weights. A sum is formed by halves: of m
+; weights, in the order of points, the last m / 2 are added to the first, until
+; one is left. So it depends only on the weights.
+;
+; In:  the words below.
+; Out: received_sums: the sum of each receiver, then that of all;
+;      received_counts.
 ; Source: derived here, from the project's notes on radiant heat.
 
         .data
 received_given:
-received_rays:  .word 0                 ; how many, 1 .. 65535, an integer
-received_receivers: .word 0             ; .. receivers
+received_rays:  .word 0                 ; number of rays, 1 .. 65535, an integer
+received_receivers: .word 0             ; number of receivers, an integer
 received_weights: .word 0               ; address of the weights
-received_list:  .word 0                 ; .. of each ray's receiver, an integer from 0 on
-received_sums:  .word 0                 ; .. of one word more than receivers
-received_counts: .word 0                ; .. of the counts, zeros
-received_room:  .word 0                 ; .. of as many words as rays
-received_places: .word 0                ; .. as receivers
+received_list:  .word 0                 ; address of each ray's receiver, from 0
+received_sums:  .word 0                 ; address of the sums, then the total
+received_counts: .word 0                ; address of the counts, zeros
+received_room:  .word 0                 ; address of a word for each ray
+received_places: .word 0                ; address of a word for each receiver
                 .word 1, -1
                 .equ    RECEIVED_GIVEN, 10
         .code

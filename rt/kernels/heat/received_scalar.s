@@ -1,16 +1,19 @@
-; received_scalar.s - the sums of received.s, ray by ray: counted, then each weight put to
-; its place behind the others of its receiver, and folded.
+; received_scalar.s - the sums of received.s, ray by ray.
+;
+; It counts the rays of each receiver, moves each weight after the others of its
+; receiver, and sums by halves.
 
         .include "heat/received.s"
 
         .regs   r30, rec_ray, rec_receiver, rec_first, rec_low
 
-; rec_count words from rec_first on become one, which goes to the next sum.
+; Replaces rec_count words from rec_first on by their sum, and stores it as the
+; next sum.
         .macro  fold_weights
         BIM     fold_whole\@
 fold_halve\@:
         ADDX    rec_count, rec_one, rec_half
-        SHIFTI  rec_half, -1, rec_half  ; what stays
+        SHIFTI  rec_half, -1, rec_half  ; words that remain
         SUBX    rec_count, rec_half, rec_count
         SHIFTI  rec_half, 6, rec_work
         ADDX    rec_first, rec_work, rec_upper
@@ -40,7 +43,7 @@ received_count:
         STO     [rec_counts, rec_receiver], rec_count
         IBXNE   rec_ray, rec_one, rec_rays, received_count, rec_ray
 
-        ES      rec_at, 0               ; places in the room
+        ES      rec_at, 0               ; positions in the room
         ES      rec_receiver, 0
 received_place:
         STO     [rec_places, rec_receiver], rec_at

@@ -1,5 +1,6 @@
-; received_vector.s - the sums of received.s, receiver by receiver: the weights that are its
-; own are brought together, and folded.
+; received_vector.s - the sums of received.s, receiver by receiver.
+;
+; It compresses the weights of each receiver and sums them by halves.
 
         .include "heat/received.s"
 
@@ -9,12 +10,13 @@
 received_bits:  .space 65536 / 64
         .code
 
-; The first rec_count words of the room become one, which goes to the next sum.
+; Replaces the first rec_count words of the room by their sum, and stores it as
+; the next sum.
         .macro  fold_room
         BIM     fold_whole\@
 fold_halve\@:
         ADDX    rec_count, rec_one, rec_half
-        SHIFTI  rec_half, -1, rec_half  ; what stays
+        SHIFTI  rec_half, -1, rec_half  ; words that remain
         SUBX    rec_count, rec_half, rec_count
         SHIFTI  rec_half, 6, rec_work
         ADDLEN  rec_room, rec_count, rec_at

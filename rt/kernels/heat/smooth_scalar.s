@@ -1,4 +1,4 @@
-; smooth_scalar.s - the flows of smooth.s, word by word.
+; smooth_scalar.s - the adjustment of smooth.s, word by word.
 
         .include "heat/smooth.s"
         .include "heat/elimination_scalar.s"
@@ -10,7 +10,7 @@
 smooth:
         smooth_begin
 
-; d = the sum of all columns of v, smo_sum that of x, row by row.
+; d = the sum of all columns of v, smo_sum = the sum of all columns of x.
         ES      lin_i, 0
 smooth_row:
         RTOR    smo_variances, lin_from
@@ -27,7 +27,7 @@ smooth_add:
         ADDN    lin_work1, smo_flow, lin_work1
         IBXNE   lin_left, lin_minus_one, r0, smooth_add, lin_left
 
-; b = (A - smo_sum) / d; where d is 0 it counts as 1.
+; b = (A - smo_sum) / d. A d of 0 is replaced by 1.
         LOD     [smo_areas, lin_i], lin_work2
         SUBN    lin_work2, lin_work1, lin_work1
         CFPNE   lin_work0, r0, smooth_known
@@ -38,7 +38,7 @@ smooth_known:
         STO     [lin_b, lin_i], lin_work1
         IBXNE   lin_i, lin_one, lin_n, smooth_row, lin_i
 
-; The matrix: v / d, and 1 in the diagonal.
+; The matrix is v / d, with 1 in the diagonal.
         RTOR    smo_variances, lin_from
         RTOR    lin_matrix, lin_to
         RTOR    lin_matrix, lin_at
@@ -61,7 +61,7 @@ smooth_entry:
         eliminate smooth_singular
         solve   smooth_flow
 
-; y = x + v (l + l_j), that in the diagonal x + v l_j.
+; y = x + v (l + l_j); in the diagonal y = x + v l_j.
 smooth_flow:
         RTOR    smo_variances, lin_from
         RTOR    smo_flows, lin_column
@@ -87,7 +87,7 @@ smooth_both:
         ADDX    lin_to, lin_stride, lin_to
         IBXNE   lin_k, lin_one, lin_n, smooth_next, lin_k
 
-; To the environment: y = x + v l.
+; Flows to the environment: y = x + v l.
         ES      lin_i, 0
 smooth_outer:
         LOD     [lin_x, lin_i], lin_work0

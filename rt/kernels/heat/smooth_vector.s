@@ -1,4 +1,4 @@
-; smooth_vector.s - the flows of smooth.s, whole columns at a time.
+; smooth_vector.s - the adjustment of smooth.s, by whole columns.
 
         .include "heat/smooth.s"
         .include "heat/elimination_vector.s"
@@ -14,7 +14,7 @@ smooth_bits:    .space 1 + 4096 / 64
 smooth:
         smooth_begin
 
-; d = the sum of all columns of v, smo_sum that of x.
+; d = the sum of all columns of v, smo_sum = the sum of all columns of x.
         ADDLEN  smo_d, lin_n, v_d
         ADDLEN  smo_sum, lin_n, v_e
         ADDLEN  smo_variances, lin_n, v_a
@@ -29,7 +29,7 @@ smooth_add:
         ADDNV   [v_e], [v_b], [v_e]
         IBXNE   lin_left, lin_minus_one, r0, smooth_add, lin_left
 
-; b = (A - smo_sum) / d; where d is 0 it counts as 1.
+; b = (A - smo_sum) / d. A d of 0 is replaced by 1.
         EX      smo_bits, smooth_bits
         ADDLEN  smo_bits, lin_n, smo_bits
         ADDLEN  smo_areas, lin_n, v_a
@@ -39,7 +39,7 @@ smooth_add:
         VTOV    smo_unit, [v_d] ? [smo_bits]
         DIVSV   [v_e], [v_d], [v_b]
 
-; The matrix: v / d, and 1 in the diagonal.
+; The matrix is v / d, with 1 in the diagonal.
         ADDLEN  smo_variances, lin_n, v_a
         ADDLEN  lin_matrix, lin_n, v_c
         RTOR    lin_matrix, lin_at
@@ -56,7 +56,7 @@ smooth_column:
         eliminate smooth_singular
         solve   smooth_flow
 
-; y = x + v (l + l_j), that in the diagonal x + v l_j.
+; y = x + v (l + l_j); in the diagonal y = x + v l_j.
 smooth_flow:
         ADDLEN  smo_variances, lin_n, v_a
         ADDLEN  smo_flows, lin_n, v_b
@@ -74,7 +74,7 @@ smooth_next:
         ADDX    v_c, lin_stride, v_c
         IBXNE   lin_k, lin_one, lin_n, smooth_next, lin_k
 
-; To the environment: y = x + v l.
+; Flows to the environment: y = x + v l.
         MPYSV   [v_e], [v_a], [v_c]
         ADDNV   [v_c], [v_b], [v_c]
         smooth_end

@@ -1,31 +1,32 @@
-; spots.s - points from which a surface radiates, made of where lines cross it; what the two
-; forms have in common.
+; spots.s - makes radiating points of a surface from its crossings with lines.
 ;
-; Lines are isotropic and uniform, so the points are, over the surface, and directions have
-; the cosine law on either side of it.  Each crossing, at the distance t along its line, makes
-; a point o + t d, the direction d, and of the normal n, which is against the line, -n: where
-; the line comes into a body both point inward, and faces.s turns them round.
+; This is the common part of the two forms. The lines are isotropic and uniform,
+; so the points are uniform over the surface and the directions follow the
+; cosine law on both sides of it. A crossing at the distance t along its line
+; makes the point o + t d with the direction d and the normal -n. The crossing's
+; normal n is against the line. If the line enters a body there, the direction
+; and the normal point inward, and faces.s reverses them.
 ;
-; In:  what stands below.
-; Out: spots_made: EMITTED_SIZE planes of as many words as there are crossings.
-; Source: M. Sbert, "An integral geometry based method for fast form-factor computation"
-; (1993).
+; In:  the words below.
+; Out: spots_made: EMITTED_SIZE planes, a word for each crossing.
+; Source: M. Sbert, "An integral geometry based method for fast form-factor
+; computation" (1993).
 
         .include "heat/emitted.s"
 
         .record CROSSED                 ; a crossing's words: planes
         .field  CROSSED_DISTANCE        ; from the origin of its line
-        .field  CROSSED_LINE            ; the number of that, an integer
+        .field  CROSSED_LINE            ; number of the line, an integer
         .field  CROSSED_NORMAL, 3       ; of length one, against the line
         .endrecord
 
         .data
 spots_given:
-spots_lines:    .word 0                 ; how many, an integer
-spots_crossings: .word 0                ; .. 1 .. 65535
-spots_from:     .word 0                 ; address of the planes of the lines, as EMITTED
-spots_list:     .word 0                 ; .. of the crossings
-spots_made:     .word 0                 ; .. of what is made
+spots_lines:    .word 0                 ; number of lines, an integer
+spots_crossings: .word 0                ; crossings, 1 .. 65535, an integer
+spots_from:     .word 0                 ; address of the lines' EMITTED planes
+spots_list:     .word 0                 ; address of the planes of crossings
+spots_made:     .word 0                 ; address of the results
 spots_weight:   .word 0.0               ; an area
                 .word 1
                 .equ    SPOTS_GIVEN, 7
@@ -37,7 +38,8 @@ spots_weight:   .word 0.0               ; an area
         .regs   r22, spot_distance, spot_line, spot_normal
         .regs   r25, made_spot, made_face, made_weight, made_ray
 
-; The plane of a field, of so many words each.
+; Computes the address of a field's plane. The distance between planes is
+; `stride`.
         .macro  plane_at base, stride, field, into
         ES      spot_work, \field
         MPYX    spot_work, \stride, spot_work
@@ -61,7 +63,7 @@ spots_weight:   .word 0.0               ; an area
         plane_at spot_made, spot_stride, EMITTED_RAY, made_ray
         .endm
 
-; Those of the next axis.
+; Advances to the planes of the next axis.
         .macro  spots_next
         ADDX    spot_origin, spot_line_stride, spot_origin
         ADDX    spot_way, spot_line_stride, spot_way
