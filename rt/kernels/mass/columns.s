@@ -1,27 +1,28 @@
-; columns.s - what a solid's crossings with parallel rays add to its volume, moments and
-; area; what the two forms have in common.
+; columns.s - the volume, moments and area of solids from crossings with rays.
 ;
-; A ray at p, q comes into a part at s0 and leaves it at s1, and so on.  In the integrals
-; over its column all pieces stand as differences of what belongs to their ends, so
-; each crossing adds, with w = -1 where the ray comes in and 1 where it leaves,
+; This is the common part of the two forms. The rays are parallel. A ray at p, q
+; enters a part at s0 and leaves it at s1, and so on. The integrals over its
+; column are differences of terms at the ends of the pieces. So each crossing
+; adds, with w = -1 where the ray enters and 1 where it leaves,
 ;
 ;   a = w s                 b = a s / 2             c = a s s / 3
-;   MOMENT_1:  a            MOMENT_P:  a p          MOMENT_Q:  a q      MOMENT_S:  b
-;   MOMENT_PP: a p p        MOMENT_QQ: a q q        MOMENT_SS: c
-;   MOMENT_PQ: a p q        MOMENT_PS: b p          MOMENT_QS: b q
-;   MOMENT_AREA: |n|                                n: the normal along the ray
+;   MOMENT_1:  a            MOMENT_P:  a p          MOMENT_Q:  a q
+;   MOMENT_S:  b            MOMENT_PP: a p p        MOMENT_QQ: a q q
+;   MOMENT_SS: c            MOMENT_PQ: a p q        MOMENT_PS: b p
+;   MOMENT_QS: b q          MOMENT_AREA: |n|
 ;
-; for the volume, its moments with p, q, s, and the part of its surface: over all three
-; views, of which n are the components of one normal, n^2 adds up to one, so that
-; each surface element is counted by its area, in bounded pieces.
+; to the volume, to its moments with p, q, s, and to the area of the surface. n
+; is the component of the normal along the ray. The three views have the three
+; components of one normal, whose squares n^2 sum to one. So each surface
+; element is counted by its area, in bounded terms.
 ;
-; After the parts themselves all of them together are added up by `within`: what overlaps
-; counts once.
+; After the sums of the parts come the sums of all parts together, by `within`:
+; overlaps count once.
 ;
-; In:  what stands in crossed.s and below.
-; Out: crossed_sums, for each part, and all together, MOMENT_SIZE sums behind each other.
-; Source: derived here, from the project's notes on heat and mass properties; the
-; divergence theorem.
+; In:  the words of crossed.s and below.
+; Out: crossed_sums, for each part, then for all together, MOMENT_SIZE sums.
+; Source: derived here, from the project's notes on heat and mass properties;
+; the divergence theorem.
 
         .include "mass/crossed.s"
 
@@ -41,15 +42,16 @@
 
         .data
 columns_given:
-column_parts:   .word 0                 ; parts, an integer
-column_rays:    .word 0                 ; .. rays
-column_places:  .word 0                 ; address of p and q, two planes of column_rays words
+column_parts:   .word 0                 ; number of parts, an integer
+column_rays:    .word 0                 ; number of rays, an integer
+column_places:  .word 0                 ; address of p and q, two planes of
+                                        ; column_rays words
                 .word 0.5, 0.333333333333333333
                 .equ    COLUMNS_GIVEN, 5
         .code
 
         .regs   r26, col_parts, col_rays, col_places, col_half, col_third
-        .regs   r31, col_q_at           ; of the second plane of places
+        .regs   r31, col_q_at           ; address of q
 
         .macro  columns_begin
         crossed_begin

@@ -7,7 +7,7 @@
         .regs   r45, moment0, moment1, moment2, moment3, moment4, moment5, moment6, moment7, moment8, moment9, moment10
         .regs   r56, col_last
 
-; What the crossing adds.
+; Computes the terms of the crossing.
         .macro  find_moments
         MPYS    col_w, col_s, moment0
         ABS     col_normal, moment10
@@ -24,7 +24,7 @@
         MPYS    moment6, col_third, moment6
         .endm
 
-; .. to the lane of the part of that number.
+; Adds the terms to the lane of the part with the number `part`.
         .macro  add_moments part
         ES      col_at, 64 * MOMENT_SIZE
         MPYX    \part, col_at, col_at

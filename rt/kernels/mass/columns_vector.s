@@ -17,7 +17,7 @@ column_store:   .space LANES * (MOMENT_SIZE + 3)
         ADDLEN  \vector, col_n, \vector
         .endm
 
-; What each crossing adds.
+; Computes the terms of each crossing.
         .macro  find_moments
         MPYSV   [v_w], [v_s], [moment0]
         MPYSV   [moment0], [v_p], [moment1]
@@ -34,7 +34,8 @@ column_store:   .space LANES * (MOMENT_SIZE + 3)
         ABSV    [v_normal], [moment10]
         .endm
 
-; Those in [b_part] to the lanes of the part at col_at, which becomes the next one.
+; Adds the terms of the crossings in [b_part] to the lanes of the part at
+; col_at, and advances col_at to the next part.
         .macro  add_moments
         .rept   MOMENT_SIZE
         ADDLEN  col_at, col_n, col_work0

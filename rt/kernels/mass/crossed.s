@@ -1,40 +1,41 @@
-; crossed.s - lists of crossings with parallel rays, and the sums that are formed of them:
-; what the programs of such sums have in common.
+; crossed.s - lists of crossings with parallel rays, and sums over them.
 ;
-; Crossings stand in the order of rays, and along a ray from near to far.
+; This is the common part of the programs that form such sums. Crossings are in
+; the order of rays, and along a ray from near to far.
 ;
-; The order of sums is that of LANES lanes: crossing j is added to the lane j mod LANES;
-; in the end the upper half of the lanes is added to the lower one, till one is left.
-; So sums depend on what is added and in which packet, and on nothing else.
+; Sums are formed in LANES lanes: crossing j is added to lane j mod LANES. At
+; the end the upper half of the lanes is added to the lower half until one lane
+; is left. So a sum depends only on its terms and their packets.
 ;
-; An object may have bodies that overlap.  A ray comes into it where `inside` rises from 0
-; to 1, and leaves it where that falls to 0; `within` counts the bodies of all objects
-; likewise.
+; An object may have overlapping bodies. A ray enters the object where `inside`
+; rises from 0 to 1, and leaves it where `inside` falls to 0. `within` is the
+; same count for the bodies of all objects.
 ;
-; In:  what stands below; sums of zeros.
+; In:  the words below; sums of zeros.
 ; Source: derived here.
 
         .equ    LANES, 1024
 
-; A crossing's words: planes, one behind the other.
+; A crossing's words: consecutive planes.
         .record CROSSED
-        .field  CROSSED_S               ; the distance from the middle along the ray
-        .field  CROSSED_NORMAL          ; its component along the ray
-        .field  CROSSED_RAY             ; the ray's number in its packet, an integer;
-                                        ; as all below
-        .field  CROSSED_PART            ; from 0 on
-        .field  CROSSED_SENSE           ; 1: the ray comes into a body, -1: it leaves one
-        .field  CROSSED_INSIDE          ; in how many of the object it is then
-        .field  CROSSED_WITHIN          ; .. of all objects
+        .field  CROSSED_S               ; distance from the middle along the ray
+        .field  CROSSED_NORMAL          ; component of the normal along the ray
+        .field  CROSSED_RAY             ; number of the ray in its packet, an
+                                        ; integer, like all words below
+        .field  CROSSED_PART            ; number of the part, from 0
+        .field  CROSSED_SENSE           ; 1: it enters a body, -1: it leaves one
+        .field  CROSSED_INSIDE          ; number of the object's bodies that
+                                        ; contain the ray after it
+        .field  CROSSED_WITHIN          ; the same for all objects
         .endrecord
 
         .data
 crossed_given:
-crossed_count:  .word 0                 ; crossings, an integer
+crossed_count:  .word 0                 ; number of crossings, an integer
 crossed_planes: .word 0                 ; address of the planes of crossings
-crossed_totals: .word 0                 ; sums, an integer
-crossed_lanes:  .word 0                 ; address of LANES words for each sum: zeros
-crossed_sums:   .word 0                 ; .. of the sums
+crossed_totals: .word 0                 ; number of sums, an integer
+crossed_lanes:  .word 0                 ; address of LANES zeros for each sum
+crossed_sums:   .word 0                 ; address of the sums
                 .word 1, -1             ; col_index_one, col_index_minus_one
                 .word 1.0, -1.0
                 .equ    CROSSED_GIVEN, 9
@@ -42,7 +43,7 @@ crossed_sums:   .word 0                 ; .. of the sums
 
         .regs   r10, col_left, col_planes, col_totals, col_lanes, col_sums
         .regs   r15, col_index_one, col_index_minus_one, col_one, col_minus_one
-        .regs   r19, col_stride         ; from a plane of crossings to the next, in bits
+        .regs   r19, col_stride         ; bits between planes
         .regs   r20, col_at, col_upper, col_half_lanes
         .regs   r23, col_work0, col_work1, col_work2
 
@@ -53,8 +54,8 @@ crossed_sums:   .word 0                 ; .. of the sums
         SHIFTI  col_left, 6, col_stride
         .endm
 
-; Where the lanes of a sum have become one: it goes to its place, and while there are
-; more the next one is folded.
+; Stores the sum, whose lanes have been folded into one, and branches to `fold`
+; while there is another sum.
         .macro  next_sum fold
         LOD     [col_lanes], col_work0
         STO     [col_sums], col_work0

@@ -1,9 +1,9 @@
-; crossed_scalar.s - one crossing after another, for the scalar forms of their sums.
+; crossed_scalar.s - iterates over crossings one by one, for the scalar forms.
 
         .regs   r32, col_s, col_normal, col_ray, col_part, col_sense, col_inside, col_within
         .regs   r39, col_w, col_lane, col_lanes_most
 
-; The next crossing; none left: to the label.
+; Loads the next crossing, or branches to `none` if none is left.
         .macro  crossed_next none
         IBXEQ   col_left, r0, r0, \none
         RTOR    col_planes, col_work0
@@ -34,8 +34,8 @@
         ES      col_lanes_most, LANES
         .endm
 
-; col_w := w, -1 where the ray comes in, by how many bodies it is in; else on at the
-; label.
+; Sets col_w to w, which is -1 where the ray enters by the count `bodies`.
+; Branches to `unseen` if the ray neither enters nor leaves.
         .macro  find_weight bodies, unseen
         IBXEQ   col_sense, r0, r0, \unseen
         IBXNE   col_sense, r0, col_index_one, weight_leaves\@
@@ -48,7 +48,7 @@ weight_leaves\@:
 weight_found\@:
         .endm
 
-; The lanes of each sum become one.
+; Folds the lanes of each sum into one.
         .macro  fold_lanes
 fold_sum\@:
         ES      col_half_lanes, LANES / 2

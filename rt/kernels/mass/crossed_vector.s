@@ -1,4 +1,4 @@
-; crossed_vector.s - LANES crossings at a time, for the vector forms of their sums.
+; crossed_vector.s - iterates over LANES crossings at a time, in vector form.
 
         .regs   r32, v_s, v_normal, v_ray, v_part, v_sense, v_inside, v_within
         .regs   r39, b_enter, b_leave, b_seen, b_part
@@ -15,13 +15,14 @@ crossed_bits:   .space LANES / 64 * 4 + 4
         ADDLEN  \bits, col_n, \bits
         .endm
 
-; The next plane of crossings.
+; Makes a descriptor of the next plane of crossings.
         .macro  crossed_plane vector
         ADDLEN  col_work0, col_n, \vector
         ADDX    col_work0, col_stride, col_work0
         .endm
 
-; The next crossings, as many as there are lanes; none left: to the label.
+; Makes descriptors of the next crossings, up to LANES, or branches to `none` if
+; none is left.
         .macro  crossed_next none
         IBXEQ   col_left, r0, r0, \none
         ES      col_n, LANES
@@ -51,8 +52,8 @@ crossed_full\@:
         BIM     \again
         .endm
 
-; The crossings where the ray comes in, where it leaves, and both, by how many bodies
-; it is in.
+; Marks the crossings where the ray enters, where it leaves, and both, by the
+; count `bodies`.
         .macro  find_seen bodies
         CMPEQV  [v_sense], col_index_one, [b_enter]
         CMPEQV  [\bodies], col_index_one, [b_part]
@@ -63,13 +64,13 @@ crossed_full\@:
         ORB     [b_enter], [b_leave], [b_seen]
         .endm
 
-; [v_w] := w, -1 at crossings in [b_enter].
+; [v_w] := w, which is -1 at crossings in [b_enter].
         .macro  find_weights
         VTOV    col_one, [v_w]
         VTOV    col_minus_one, [v_w] ? [b_enter]
         .endm
 
-; The lanes of each sum become one.
+; Folds the lanes of each sum into one.
         .macro  fold_lanes
 fold_sum\@:
         ES      col_half_lanes, LANES / 2

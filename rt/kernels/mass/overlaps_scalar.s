@@ -8,7 +8,8 @@
         .regs   r67, ovl_other, ovl_pair                        ; of PARTNER
         .regs   r69, ovl_part_at, ovl_at, ovl_term, ovl_zero
 
-; Fields one behind the other at the address, from the first on: to registers.
+; Loads `count` consecutive fields at the address, from `first` on, into
+; registers.
         .macro  load_fields address, first, count, register
         RTOR    \address, ovl_at
         IX      ovl_at, 64 * (\first)
@@ -16,7 +17,7 @@
         SWAP    [ovl_at], \register, [r0]
         .endm
 
-; To the lanes of the level's pairs whose other level is on.
+; Adds the term to the lanes of the level's pairs whose other level is on.
         .macro  add_pairs
 partner_next\@:
         load_fields ovl_partner, 0, PARTNER_SIZE, ovl_other
@@ -34,7 +35,7 @@ partner_off\@:
         IBXNE   ovl_left, col_index_minus_one, r0, partner_next\@, ovl_left
         .endm
 
-; The levels of the part that come on (1) with its last beginning, or go off (0).
+; Turns levels of the part on (1) after an entry, or off (0) after an exit.
         .macro  change_levels comes
 level_next\@:
         load_fields ovl_level, LEVEL_LEAST, 4, ovl_least

@@ -1,8 +1,9 @@
 ; overlaps_vector.s - the overlaps of overlaps.s, LANES crossings at a time.
 ;
-; The counts behind all crossings are sums over all before: each word and the one that is
-; 1, 2, 4 .. before it are added, so that after k steps a word is the sum of 2^k.  A room of
-; zeros lies before the first; the word there is the count before the first crossing.
+; The counts after all crossings are prefix sums. Each word is added to the word
+; that is 1, 2, 4 .. places before it, so that after k steps a word is the sum
+; of 2^k words. Zeros precede the first word, which is the count before the
+; first crossing.
 ; Source of the sums: Kogge and Stone 1973, for recurrences.
 
         .include "mass/overlaps.s"
@@ -18,20 +19,21 @@
         .align  64
                 .space LANES            ; zeros before the counts
 counts_store:   .space LANES + 64
-                .space LANES            ; .. before the others
+                .space LANES            ; zeros before the others
 others_store:   .space LANES + 64
 field_store:    .space LANES + 64
         .align  64
 on_bits:        .space LEVEL_BITS / 64
         .code
 
-; The two words at the address: to ovl_first and ovl_second.
+; Loads the two words at the address into ovl_first and ovl_second.
         .macro  load_two address
         ELEN    \address, 2
         SWAP    [\address], ovl_first, [r0]
         .endm
 
-; [v_counts] := what the crossings add to the group's fields, behind the counts before.
+; [v_counts] := the changes of the group's fields at the crossings, after the
+; counts before the first crossing.
         .macro  find_steps
         EX      v_counts, counts_store
         LOD     [ovl_carry], col_work0
@@ -46,7 +48,7 @@ on_bits:        .space LEVEL_BITS / 64
         SUBXV   ovl_zero, [v_field], [v_counts] ? [b_leave]
         .endm
 
-; [v_counts] := the sums of its words up to each; the last is kept.
+; [v_counts] := its prefix sums. The last one is kept.
         .macro  add_steps
         EX      v_counts, counts_store
         ADDLEN  v_counts, ovl_n, v_counts
@@ -66,15 +68,17 @@ add_next\@:
         STO     [ovl_carry], col_work0
         .endm
 
-; The bits of the level of that number: before the first crossing, and behind all.
+; Makes a descriptor of the bits of a level: before the first crossing, and
+; after each crossing.
         .macro  find_bits number, bits
         MPYX    \number, ovl_level_bits, \bits
         ADDX    \bits, ovl_bits, \bits
         ADDLEN  \bits, ovl_n, \bits
         .endm
 
-; Where the pair at ovl_at comes on, [b_enter], and where it changes, [b_seen]: what is
-; behind each crossing are bits that begin one later than what is before it.
+; Sets [b_enter] to the crossings where the pair at ovl_at turns on, and
+; [b_seen] to those where it changes. The bits after the crossings begin one bit
+; later than the bits before them.
         .macro  find_changes
         load_two ovl_at                 ; PAIR_LEVELS
         find_bits ovl_first, b_level

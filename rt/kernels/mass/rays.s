@@ -1,25 +1,27 @@
-; rays.s - the rays of one view, a part of one shift of them, that columns through a
-; solid are made of; what the two forms have in common.
+; rays.s - the parallel rays of one view, for a part of one shift.
 ;
-; A view looks along one axis, k; the others, p and q, follow it in the order x, y, z,
-; x, y.  Ray i begins at
+; This is the common part of the two forms. Columns through a solid are made of
+; these rays. A view looks along one axis, k. The other axes, p and q, follow it
+; in the order x, y, z, x, y. Ray i begins at
 ;
 ;   p = w_p (u_0 - 1/2)     x_p = c_p + p       u: the point number first + i
 ;   q = w_q (u_1 - 1/2)     x_q = c_q + q
 ;
-; where c is the middle of the box about the solids and w how wide it is.  Points are
+; where c is the middle of the box around the solids and w its width. Points are
 ; those of a lattice (points/lattice_scalar.s), of a shifted square grid,
 ;
 ;   u_0 = i 2^-h + shift_0 mod 1        h = m / 2, rounded down
 ;   u_1 = (i / 2^h, rounded down) 2^(h-m) + shift_1 mod 1
 ;
-; or the first two draws of a ray of the random stream (points/stream_scalar.s), by
-; the number rays_number + first + i.
+; or the first two draws of a ray of the random stream (points/stream_scalar.s),
+; with the number rays_number + first + i.
 ;
 ; Constants: POINTS, 0: of the stream, 1: of the lattice, 2: of the grid.
-; In:  what stands below.
-; Out: at rays_made planes of rays_count words: p, q, x_p, x_q, lengths in the world.
-; Source: random shifts, R. Cranley, T. N. L. Patterson (1976); the rest derived here.
+; In:  the words below.
+; Out: at rays_made planes of rays_count words: p, q, x_p, x_q, lengths in the
+;      world.
+; Source: random shifts, R. Cranley, T. N. L. Patterson (1976); the rest is
+; derived here.
 
         .ifndef POINTS
         .equ    POINTS, 1
@@ -30,11 +32,11 @@
         .data
 rays_given:
 rays_seed:      .word 0                 ; integers
-rays_first:     .word 0                 ; the number of the first point
+rays_first:     .word 0                 ; number of the first point
 rays_m:         .word 0                 ; of 2^m points
-rays_shift:     .word 0                 ; the number of the shift
-rays_number:    .word 0                 ; .. of the stream's ray that is point 0
-rays_count:     .word 0                 ; how many
+rays_shift:     .word 0                 ; number of the shift
+rays_number:    .word 0                 ; number of the stream's ray for point 0
+rays_count:     .word 0                 ; number of rays
 rays_made:      .word 0                 ; address of four planes
 rays_width:     .word 0.0, 0.0          ; w_p, w_q
 rays_middle:    .word 0.0, 0.0          ; c_p, c_q
@@ -49,7 +51,7 @@ rays_middle:    .word 0.0, 0.0          ; c_p, c_q
         .regs   r62, ray_work0, ray_work1, ray_work2, ray_work3, ray_work4, ray_work5
         .regs   r68, ray_state, ray_stride, ray_low
 
-; What is given, and the constants.
+; Loads arguments and constants.
         .macro  rays_begin
         EX      ray_work0, rays_given
         ELEN    ray_work0, RAYS_GIVEN

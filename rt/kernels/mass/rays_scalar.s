@@ -1,4 +1,4 @@
-; rays_scalar.s - the rays of rays.s, one after the other.
+; rays_scalar.s - generates the rays of rays.s one by one.
 
         .include "points/lattice_scalar.s"
         .include "mass/rays.s"
@@ -6,7 +6,7 @@
         .regs   r71, ray_at, ray_p, ray_q, ray_x0, ray_x1
         .regs   r76, ray_y0, ray_y1, ray_y2, ray_y3, ray_y4
 
-; The words of the ray's point to ray_y0, ray_y1.
+; Computes the words of the ray's point, ray_y0 and ray_y1.
         .macro  ray_words
         .if     POINTS == POINTS_RANDOM
         stream_words ray_state, ray_y\+, ray_work\+

@@ -1,6 +1,6 @@
-; rays_vector.s - the rays of rays.s, all at once: at most RAYS of them.
+; rays_vector.s - generates the rays of rays.s together, at most RAYS of them.
 ;
-; Constants: RAYS, words for the states of so many rays.
+; The constant RAYS reserves words for the states of this number of rays.
 
         .ifndef RAYS
         .equ    RAYS, 4096
@@ -26,8 +26,8 @@ ray_store:      .space 2 * RAYS
         .endif
         .endm
 
-; Of a coordinate, as an integer in [ray_to]: where the ray is, and where it begins, two
-; planes on.
+; Computes, from a coordinate in [ray_to], an integer, the position of the rays,
+; and two planes later their origins.
         .macro  ray_place width, middle
         stream_unit ray_to, ray_to
         LINKV

@@ -1,8 +1,10 @@
-; totals.s - sums of packets become those of shifts; what the two forms have in common.
+; totals.s - adds the sums of packets to the sums of their shifts.
 ;
-;   total_g = row_g0 + row_g1 + ..          word by word, in the order of packets
+; This is the common part of the two forms.
 ;
-; In:  what stands below: total_groups times total_rows rows of total_width words.
+;   total_g = row_g0 + row_g1 + ..          word by word, in packet order
+;
+; In:  the words below: total_groups times total_rows rows of total_width words.
 ; Out: totals_made, total_groups rows.
 ; Source: derived here.
 
@@ -12,7 +14,7 @@ total_groups:   .word 0                 ; integers
 total_rows:     .word 0                 ; of a group
 total_width:    .word 0
 totals_from:    .word 0                 ; address of the rows
-totals_made:    .word 0                 ; .. of the totals
+totals_made:    .word 0                 ; address of the totals
                 .word 1, -1
                 .equ    TOTALS_GIVEN, 7
         .code

@@ -1,4 +1,4 @@
-; totals_vector.s - the totals of totals.s, row by row; a row has at most 65535 words.
+; totals_vector.s - the totals of totals.s, row by row, of at most 65535 words.
 
         .include "mass/totals.s"
 
