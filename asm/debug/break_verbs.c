@@ -1,9 +1,11 @@
-/* break_verbs.c - the verbs that make and delete stops. */
+/* break_verbs.c - the debugger's verbs that create and delete breakpoints and
+ * watchpoints. */
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
 
-/* "if CONDITION", or nothing. */
+/* Reads an optional "if CONDITION" to the end of the line, adds the stop and prints
+ * it. */
 static bool add(struct debugger *debugger, struct text_cursor *cursor,
                 struct breakpoint *stop)
 {
@@ -48,7 +50,7 @@ bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
     return breakpoints_watch(debugger, cursor, &stop) && add(debugger, cursor, &stop);
 }
 
-/* One, or all. */
+/* Deletes the stop with the given number, or all stops if the line gives none. */
 bool verb_delete(struct debugger *debugger, struct text_cursor *cursor)
 {
     uint64_t number;

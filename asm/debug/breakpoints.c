@@ -1,4 +1,5 @@
-/* breakpoints.c - break and watch points: whether they are met; made and forgotten. */
+/* breakpoints.c - breakpoints and watchpoints: creates and deletes them, checks whether they
+ * are met. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -9,7 +10,7 @@
 #include "asm/operand_view.h"
 #include "base/array.h"
 
-/* ---- Are they met? -------------------------------------------------------- */
+/* ---- Check ---------------------------------------------------------------- */
 
 static bool is_insn(const struct debugger *debugger, const struct breakpoint *stop)
 {
@@ -51,7 +52,8 @@ static bool is_there(const struct debugger *debugger, const struct breakpoint *s
     }
 }
 
-/* One that cannot be told holds: it is shown where it fails. */
+/* A condition that cannot be evaluated counts as true, so that the program stops where
+ * it fails. */
 static bool holds(struct debugger *debugger, const struct breakpoint *stop)
 {
     struct text_cursor cursor = { stop->condition };
@@ -63,7 +65,8 @@ static bool holds(struct debugger *debugger, const struct breakpoint *stop)
 
 enum { WANTED_TEXT = MAX_TEXT + 40 };
 
-/* What must hold, for so many hits. */
+/* Builds the expression that must hold after a number of hits: "5 > 4", "6 % 3 ==
+ * 0". */
 static void wanted_text(char text[WANTED_TEXT], const char *wanted, uint64_t hits)
 {
     snprintf(text, WANTED_TEXT, "%" PRIu64 " %s%s%s", hits,
@@ -114,7 +117,7 @@ bool breakpoints_meet(struct debugger *debugger, uint64_t before)
     return any;
 }
 
-/* ---- What is told --------------------------------------------------------- */
+/* ---- Report --------------------------------------------------------------- */
 
 static void print_change(struct debugger *debugger, const struct breakpoint *stop)
 {
@@ -165,7 +168,7 @@ void breakpoints_pass(struct debugger *debugger, bool reported)
     }
 }
 
-/* ---- Made and deleted ----------------------------------------------------- */
+/* ---- Create and delete ---------------------------------------------------- */
 
 static bool read_text(struct debugger *debugger, char kept[MAX_TEXT], const char *text)
 {

@@ -1,7 +1,8 @@
-/* debug_internal.h - the verbs of a debugger, and what they share.  Not public.
+/* debug_internal.h - the verbs of the debugger, and functions that they share. Not
+ * public.
  *
- * A verb gets the rest of its line; each part reads of it what it knows, by a
- * struct rest that moves on.
+ * A verb receives the rest of its line as a struct rest, a cursor. Each reading
+ * function advances the cursor past the text that it has read.
  */
 #ifndef ASM_DEBUG_DEBUG_INTERNAL_H
 #define ASM_DEBUG_DEBUG_INTERNAL_H
@@ -22,9 +23,11 @@ debug_verb verb_info;
 /* time.c */
 debug_verb verb_why, verb_account;
 
-/* Step, clock and region, then the next instruction: where the program stands, or that it has ended. */
+/* Prints the step, clock and region of the current location and the next instruction,
+ * or that the program has ended. */
 void show_place(struct debugger *debugger);
-/* An instruction, and its source line if it is known. */
+/* Prints an instruction after the text `before`, with its source line if that is
+ * known. */
 void show_instruction(struct debugger *debugger, uint64_t address, const char *before);
 
 #endif

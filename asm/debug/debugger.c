@@ -1,4 +1,5 @@
-/* debugger.c - its beginning and end, what it hears, and its verbs. */
+/* debugger.c - creates and frees a debugger, listens to its machine, dispatches its
+ * verbs. */
 #include <ctype.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -9,7 +10,7 @@
 #include "asm/object.h"
 #include "base/spelling.h"
 
-/* Bytes of snapshots, unless it is told another number. */
+/* Bytes of snapshots if the setup gives no number. */
 static const size_t usual_history = (size_t)128 << 20;
 
 /* ---- Verbs ---------------------------------------------------------------- */
@@ -17,13 +18,13 @@ static const size_t usual_history = (size_t)128 << 20;
 static debug_verb verb_help;
 
 struct verb {
-    const char *name, *other; /* a second name, or NULL */
+    const char *name, *other; /* other: a second name, or NULL */
     debug_verb *obey;         /* NULL: quit */
-    bool moves;               /* an empty line does it again */
+    bool moves;               /* an empty line repeats it */
     const char *arguments, *help;
 };
 
-/* A beginning means the first verb that has it. */
+/* A prefix selects the first verb of the table that begins with it. */
 static const struct verb verbs[] = {
     { "step", "si", verb_step, true, "[N]", "N instructions, 1" },
     { "next", "ni", verb_next, true, "[N]",
@@ -94,9 +95,9 @@ static bool verb_help(struct debugger *debugger, struct text_cursor *cursor)
     return true;
 }
 
-/* ---- What it hears -------------------------------------------------------- */
+/* ---- The listener --------------------------------------------------------- */
 
-/* A record has room for more than most have. */
+/* Copies only the pieces and phases that are used: a record has room for many more. */
 static void copy_record(c205_times *to, const c205_times *from)
 {
     memcpy(to, from, offsetof(c205_times, piece));
@@ -104,7 +105,8 @@ static void copy_record(c205_times *to, const c205_times *from)
     memcpy(to->phase, from->phase, from->phase_count * sizeof *to->phase);
 }
 
-/* What the program prints is printed once, however often it is run again. */
+/* The listener of the machine. It records the last instruction. After a step back the
+ * same instructions are executed again; their output is printed only the first time. */
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct debugger *debugger = context;
@@ -126,7 +128,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     printer_listen(&debugger->printer, machine, event);
 }
 
-/* ---- To begin and to end -------------------------------------------------- */
+/* ---- Create and free ------------------------------------------------------ */
 
 static c205 *make_machine(const struct debugger_setup *setup, c205_error *error)
 {
@@ -277,7 +279,8 @@ static void keep_movement(struct debugger *debugger, const char *line)
         snprintf(debugger->again, sizeof debugger->again, "%s", line);
 }
 
-/* A verb besides, by its whole name.  False: it is none. */
+/* Runs one of the additional verbs of the setup, which needs its whole name. Returns
+ * false if the line names none of them. */
 static bool obey_more(struct debugger *debugger, const char *line, size_t length)
 {
     const struct debugger_verb *verb = debugger->setup.verbs;

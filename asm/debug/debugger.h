@@ -1,9 +1,9 @@
-/* debugger.h - a program under control: forward and back, where it stops, what it
- * holds, and why it took its time.
+/* debugger.h - executes a program under control: forward and back, with breakpoints and
+ * watchpoints, and shows its registers, its memory and the causes of its time.
  *
- * It is told one line at a time, by a person, a pipe or a script, and says all
- * that it says to a sink.  `help` lists the verbs; docs/debugging.md has a session.
- * Who knows more of the program than that it is one may have verbs besides.
+ * The debugger reads commands one line at a time, from a user, a pipe or a script, and
+ * writes all its output to a sink. `help` lists the verbs; docs/debugging.md has a
+ * session. A caller that knows more of the program may add verbs of its own.
  */
 #ifndef ASM_DEBUGGER_H
 #define ASM_DEBUGGER_H
@@ -13,56 +13,57 @@
 struct debugger;
 
 struct debugger_verb {
-    const char *name; /* NULL behind the last */
+    const char *name; /* NULL after the last */
     const char *arguments, *help;
-    /* What is behind the name on its line; says what it says to debugger_out.  False: it
-     * cannot be done, the error says why. */
+    /* Executes the verb. rest: the text after the name on its line. Its output goes to
+     * debugger_out. Returns false and sets the error if it fails. */
     bool (*obey)(void *context, struct debugger *debugger, const char *cursor,
                  c205_error *error);
 };
 
 struct debugger_setup {
-    const struct object *object; /* these outlive it */
+    const struct object *object; /* must outlive the debugger, like name and model */
     const char *name;            /* of the program's file */
     const c205_model *model;
     struct sink out;
-    struct sink printed;  /* by the program; the same if it has no put */
-    bool printed_apart;   /* replies are not among the output of the program */
-    bool warm;            /* all pages are in memory when the program begins */
-    uint64_t clocks_most; /* that one movement takes: a script has no Ctrl-C */
-    size_t history;       /* bytes for the way back at most; 0: as many as usual */
-    bool (*interrupted)(void *asked); /* asked while the program runs: shall
-                                         it stop?  NULL: never */
+    struct sink printed;  /* output of the program; equal to out if it has no put */
+    bool printed_apart;   /* output of the program does not go to the same place as the
+                           * replies */
+    bool warm;            /* all pages are in memory when the program starts */
+    uint64_t clocks_most; /* limit for one command: a script has no Ctrl-C */
+    size_t history;       /* bytes for snapshots at most; 0: the default */
+    bool (*interrupted)(void *asked); /* polled while the program runs; true: stop.
+                                       * NULL: never */
     void *asked;
-    /* The machine before it begins, loaded with the object's program.  NULL: one with that
-      * program alone. */
+    /* Creates the machine, with the object's program loaded and not yet started. NULL:
+     * a new machine of the model with that program only. */
     c205 *(*machine)(void *context, c205_error *error);
-    const struct debugger_verb *verbs; /* besides, or NULL */
-    void *context;                     /* of these two */
+    const struct debugger_verb *verbs; /* additional verbs, or NULL */
+    void *context;                     /* for the machine function and the verbs */
 };
 
-/* The program is before its first instruction.  NULL: it cannot be loaded, no
- * memory. */
+/* Returns a debugger whose program is before its first instruction, or NULL if the
+ * program cannot be loaded or memory is exhausted. */
 struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *error);
 void debugger_free(struct debugger *debugger);
 
-/* Where the program stands. */
+/* Prints the current location. */
 void debugger_greet(struct debugger *debugger);
-/* Do what a line says; an empty one does the last movement again.  False: it said
- * quit. */
+/* Executes a line; an empty line repeats the last movement. Returns false if the line
+ * was quit. */
 bool debugger_obey(struct debugger *debugger, const char *line);
-/* Lines that could not be done, and assertions that failed. */
+/* Returns the number of lines that failed, including failed assertions. */
 size_t debugger_faults(const struct debugger *debugger);
 
-/* The debugger's own verbs, NULL behind the last. */
+/* Returns the name of the debugger's own verb i, or NULL after the last. */
 const char *debugger_verb(size_t i);
 
-/* ---- For verbs besides ---------------------------------------------------- */
+/* ---- For additional verbs ------------------------------------------------- */
 
 const c205 *debugger_machine(const struct debugger *debugger);
 const struct sink *debugger_out(const struct debugger *debugger);
-/* On, by one instruction at least, to where the machine is there, or to a stop; where
- * that is is told. */
+/* Executes at least one instruction, and stops when is_there returns true or at a
+ * breakpoint. Prints the new location. */
 void debugger_seek(struct debugger *debugger,
                    bool (*is_there)(void *context, const c205 *machine), void *context);
 

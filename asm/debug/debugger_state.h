@@ -1,38 +1,38 @@
-/* debugger_state.h - where a debugger's program stands, and what its last instruction did, for
- * who shows that otherwise than in lines.
- */
+/* debugger_state.h - the state of a debugger's program: its step, its last instruction and the
+ * reason of its halt, for callers that show them in their own form. */
 #ifndef ASM_DEBUG_DEBUGGER_STATE_H
 #define ASM_DEBUG_DEBUGGER_STATE_H
 
 #include "asm/debug/debugger.h"
 
-/* Instructions since the beginning: now, and the most that there were. */
+/* debugger_step returns the number of instructions since the start, debugger_known the
+ * largest one so far. */
 uint64_t debugger_step(const struct debugger *debugger);
 uint64_t debugger_known(const struct debugger *debugger);
-/* Why the program cannot go on; NULL: it can. */
+/* Returns why the program cannot continue, or NULL if it can. */
 const c205_stop *debugger_halt(const struct debugger *debugger);
-/* The last instruction with its time; NULL: there is none. */
+/* Returns the last instruction with its times, or NULL if there is none. */
 const c205_event *debugger_last(const struct debugger *debugger);
-/* What was in flight when the program ended with it; NULL: it has not, or there was nothing
- * to tell. */
+/* Returns the times of the results in flight at the end of the program, or NULL if it
+ * has not ended with the last instruction or nothing was recorded. */
 const c205_times *debugger_end(const struct debugger *debugger);
 
-/* The constant of the model that made a phase of the last instruction, a vector instruction;
- * NULL: no single one did. */
+/* Returns the constant of the model that determines a phase of the last instruction if
+ * that is a vector instruction, or NULL if no single constant does. */
 const c205_constant *debugger_constant(const struct debugger *debugger,
                                        c205_cause phase);
-/* What a piece of time was spent to wait for; nothing: for nothing. */
+/* Prints the reason of a wait, or nothing if the piece is not a wait. */
 void show_wait(const struct debugger *debugger, const c205_piece *piece,
                const struct sink *sink);
-/* Why the program cannot go on, to the debugger's sink. */
+/* Prints why the program cannot continue to the debugger's sink. */
 void show_halt(struct debugger *debugger);
 
-/* The name that the program gave a register last; "": none. */
+/* Returns the last name that the program gave a register, or "". */
 const char *debug_register_name(const struct debugger *debugger, unsigned number);
 
-/* From now on it stops where code of a source line begins, or of the next that has code:
- * which one that is.  False after telling why not.  All that were set so are forgotten
- * again at once. */
+/* Sets a breakpoint at a source line, or at the next line that has code, and returns
+ * that line in *line. Reports an error and returns false if there is none.
+ * debugger_forget_lines deletes all breakpoints that were set in this way. */
 bool debugger_break_line(struct debugger *debugger, const char *file, size_t number,
                          size_t *line);
 void debugger_forget_lines(struct debugger *debugger);

@@ -1,8 +1,8 @@
-/* engine.h - the inside of a debugger, as its verbs and the protocol of editors use
- * it (asm/dap).  Not public.
+/* engine.h - the internals of a debugger, for its verbs and for the debug adapter of
+ * editors (asm/dap). Not public.
  *
- * What is wrong is told by debug_fault, once; a function that could not do its work
- * returns false after that, a motion EXECUTION_FAILED.
+ * Each error is reported once, by debug_fault. A function that has failed then returns
+ * false, a motion EXECUTION_FAILED.
  */
 #ifndef ASM_DEBUG_ENGINE_H
 #define ASM_DEBUG_ENGINE_H
@@ -13,16 +13,16 @@
 
 /* ---- Values (value.c) ---------------------------------------------------- */
 
-/* A number; of a word of the machine its value as a number, and the word; of a half word the
- * same, with the half at the left of it. */
+/* The value of an expression. A number of the program text has no word. A word of the
+ * machine keeps its bits in `word`; a half word is in the left half of it. */
 struct value_of {
     bool is_real, is_word, is_half;
-    int64_t integer; /* of a word: its low 48 bits, as an integer */
-    double real;     /* in any case */
+    int64_t integer; /* of a word: its low 48 bits */
+    double real;     /* the value as a number, always valid */
     c205_word word;
 };
 
-/* What is left of a text that is read. */
+/* A cursor in a text that is being parsed. */
 struct text_cursor {
     const char *at;
 };
@@ -31,31 +31,32 @@ struct text_cursor {
 
 enum breakpoint_kind {
     BREAK_ADDRESS, /* an address */
-    BREAK_LINE,    /* where code of a source line begins, or of a macro that it calls */
-    BREAK_INSN,    /* each instruction of a name */
-    BREAK_ENTRY,   /* where control comes into a region */
-    BREAK_WATCH    /* what memory holds changes */
+    BREAK_LINE,    /* where code of a source line begins, or of a macro that the line
+                 * calls */
+    BREAK_INSN,    /* each instruction with a given mnemonic */
+    BREAK_ENTRY,   /* where control enters a region */
+    BREAK_WATCH    /* the contents of memory change */
 };
 
 enum { WATCHED_WORDS = 64, MAX_TEXT = 200 };
 
 struct breakpoint {
     size_t number;
-    size_t group; /* those of one group go together; 0: of nobody */
+    size_t group; /* stops of a group are deleted together; 0: no group */
     enum breakpoint_kind kind;
     bool once;
-    char text[MAX_TEXT];      /* as it was written */
+    char text[MAX_TEXT];      /* as the user wrote it */
     char condition[MAX_TEXT]; /* "": none */
-    char wanted[MAX_TEXT];    /* of the number of hits: "> 4", "% 3"; or "" */
-    bool met;                 /* where the program stands */
+    char wanted[MAX_TEXT];    /* condition on the number of hits: "> 4", "% 3"; or "" */
+    bool met;                 /* met at the current location */
     uint64_t address;
-    const char *file; /* BREAK_LINE; BREAK_AT, if it is known */
+    const char *file; /* of BREAK_LINE, and of BREAK_AT if it is known */
     size_t line;
     const c205_insn *insn;
     const char *region;
-    size_t count; /* words that are watched, and what they held */
+    size_t count; /* number of watched words, and their last values */
     c205_word held[WATCHED_WORDS];
-    uint64_t hits; /* times that it was met on a way forward */
+    uint64_t hits; /* times that it was met while executing forward */
 };
 
 /* ---- A debugger ----------------------------------------------------------- */
@@ -66,19 +67,19 @@ struct debugger {
     c205_history *history;
     struct printer printer;
     struct line_tracker printed; /* the output of the program */
-    uint64_t reported;           /* steps whose output was printed */
-    bool has_last;               /* there is a last instruction: */
+    uint64_t reported;           /* number of steps whose output has been printed */
+    bool has_last;               /* `last` and `record` are valid */
     c205_event last;
-    c205_times record; /* its time */
-    bool has_end;      /* .. with which the program ended: */
-    c205_times end;    /* what was in flight then */
-    bool halted;       /* the program cannot go on from here: */
+    c205_times record; /* times of the last instruction */
+    bool has_end;      /* the program has ended, and `end` is valid */
+    c205_times end;    /* times of the results that were in flight then */
+    bool halted;       /* the program cannot continue; `halt` is valid */
     c205_stop halt;
-    uint64_t asked; /* the clock at which it was asked last whether to stop */
-    bool searching; /* it is run again to find a stop: hits do not count */
+    uint64_t asked; /* clock at the last poll for an interruption */
+    bool searching; /* replaying to find a stop: hits are not counted */
     size_t breakpoint_count, breakpoint_number;
     struct breakpoint *breakpoints;
-    char again[MAX_TEXT]; /* the last movement */
+    char again[MAX_TEXT]; /* the last movement, which an empty line repeats */
     size_t faults;
 };
 
@@ -92,7 +93,7 @@ static inline uint64_t step_of(const struct debugger *debugger)
     return c205_history_step(debugger->history);
 }
 
-/* "error: ..." to the sink; false. */
+/* Prints "error: ..." to the sink, counts the fault, and returns false. */
 bool debug_fault(struct debugger *debugger, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
@@ -103,35 +104,39 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
 
 void text_cursor_skip(struct text_cursor *cursor);
 bool text_cursor_end(struct text_cursor *cursor);
-/* A word of letters, digits and _ . if it is this one; or the beginning of it. */
+/* Skips a word (letters, digits, _ . $) that is equal to `word` or, in rest_begin, is a
+ * prefix of it. Returns whether there was one. */
 bool text_cursor_take(struct text_cursor *cursor, const char *word);
 bool text_cursor_begin(struct text_cursor *cursor, const char *word);
-/* Nothing may be left. */
+/* Fails if any text is left. */
 bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor);
-/* What was read from there on, as far as there is room, without spaces at its end. */
+/* Copies the text from `from` to the cursor, truncated to the size, without trailing
+ * spaces. */
 void text_cursor_text(const char *from, const struct text_cursor *cursor,
                       char text[MAX_TEXT]);
 
-/* An expression. */
+/* Parses and evaluates an expression. */
 bool debug_value(struct debugger *debugger, struct text_cursor *cursor,
                  struct value_of *value);
-/* Whether it is one, whatever registers and memory hold now. */
+/* Checks that the text is an expression, independently of the values of registers and
+ * memory. */
 bool debug_grammar(struct debugger *debugger, struct text_cursor *cursor);
 bool debug_address(struct debugger *debugger, struct text_cursor *cursor,
                    uint64_t *address);
 bool debug_count(struct debugger *debugger, struct text_cursor *cursor,
                  uint64_t *count);
-/* As a word, or as a half word at the left of one; false: there is none. */
+/* Converts a value to a word, or to a half word in the left half of one. Fails if the
+ * value is not representable. */
 bool debug_word(struct debugger *debugger, const struct value_of *value, bool half,
                 c205_word *word);
 bool debug_is_true(const struct value_of *value);
 
-/* A register by its name or number: r10, h21, or a name of the program. */
+/* A register, from its number (r10, h21) or from a name of the program. */
 struct register_of {
     uint8_t number;
     bool half;
 };
-/* Tells nothing. */
+/* Parses a register. Returns false without a report if the text is none. */
 bool debug_register(const struct debugger *debugger, struct text_cursor *cursor,
                     struct register_of *named);
 c205_word debug_register_word(const struct debugger *debugger,
@@ -139,75 +144,81 @@ c205_word debug_register_word(const struct debugger *debugger,
 
 /* ---- Verbs ----------------------------------------------------------------- */
 
-/* Does what the rest of its line says. */
+/* Executes a verb with the rest of its line. */
 typedef bool debug_verb(struct debugger *debugger, struct text_cursor *cursor);
 
-/* Those that the protocol has as well. */
+/* Verbs that the debug adapter uses as well. */
 debug_verb verb_print, verb_set;
 
-/* ---- Changes (set.c): from here on the run is another one ------------------ */
+/* ---- Changes of the state (set.c): they start a different run --------------- */
 
 bool debug_set_register(struct debugger *debugger, struct register_of named,
                         const struct value_of *value);
-/* At most 64 bits, all in one word, left-aligned in the value. */
+/* Writes at most 64 bits, all within one word. The bits are left-aligned in the
+ * value. */
 bool debug_set_bits(struct debugger *debugger, uint64_t address, unsigned width,
                     c205_word bits);
-/* From a byte on; all of them must be there. */
+/* Writes bytes from an address on, and fails if one of them is not mapped. */
 bool debug_set_bytes(struct debugger *debugger, uint64_t address,
                      const unsigned char *bytes, size_t count);
-/* An instruction of the program's text, which is the next one then. */
+/* Continues at another address. It must be an instruction of the program's text. */
 bool debug_jump(struct debugger *debugger, uint64_t address);
 
 /* ---- Places (place.c) ------------------------------------------------------ */
 
-/* What a stop point is at, and its text, with the position if that is not the one in the text.
+/* Reads a place and sets the kind, the address and the text of a stop. If the stop is
+ * at another place than the text names, the text includes its position. The grammar is:
  * LABEL, LABEL + EXPRESSION, LINE, FILE:LINE, *EXPRESSION, insn NAME, region NAME. */
 bool place_read(struct debugger *debugger, struct text_cursor *cursor,
                 struct breakpoint *stop);
-/* The same of a source line, or the next that has code. */
+/* Does the same for a source line, or the next line that has code. */
 bool place_line(struct debugger *debugger, const char *file, size_t number,
                 struct breakpoint *stop);
-/* One address; one at which an instruction of the program begins. */
+/* place_address reads an address, place_code one at which an instruction of the program
+ * begins. */
 bool place_address(struct debugger *debugger, struct text_cursor *cursor,
                    uint64_t *address);
 bool place_code(struct debugger *debugger, struct text_cursor *cursor,
                 uint64_t *address);
-/* Where the machine is before it executes what is at an address: behind a LINKV that is
- * the LINKV. */
+/* Returns where the program counter is before the instruction at an address is
+ * executed. For an instruction linked by a LINKV that is the address of the LINKV. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address);
-/* Whether code of that source line, or of a macro called there, begins at an address. */
+/* Returns whether code of that source line, or of a macro called there, begins at an
+ * address. */
 bool place_begins(const struct debugger *debugger, const char *file, size_t number,
                   uint64_t address);
-/* Whether a line is of a macro that another one calls. */
+/* Returns whether a line belongs to a macro that another line calls. */
 bool place_is_called(const struct asm_line *line);
-/* The instruction before one, as the program's lines have it. */
+/* Returns the address of the instruction before an address, by the program's lines. */
 uint64_t place_before(const struct debugger *debugger, uint64_t address);
 
 /* ---- Stops (stops.c) -------------------------------------------------------- */
 
-/* ADDRESS [, WORDS], to be watched. */
+/* Parses ADDRESS [, WORDS] of a watchpoint. */
 bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
                        struct breakpoint *stop);
-/* All of a text; "" or NULL: none. */
+/* Sets the condition to the whole text; "" or NULL: none. */
 bool breakpoints_condition(struct debugger *debugger, struct breakpoint *stop,
                            const char *text);
-/* An operator and its operand, or a number: the count from which it stops. */
+/* Sets the condition on hits: an operator and its operand, or the number of the first
+ * hit at which it stops. */
 bool breakpoints_wanted(struct debugger *debugger, struct breakpoint *stop,
                         const char *text);
-/* It has its number then.  False: no memory. */
+/* Adds a copy of the stop and assigns its number. Fails if memory is exhausted. */
 bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop);
-/* The stop with a number; false: there is none.  All of a group. */
+/* breakpoints_delete deletes the stop with a number, and returns false if there is none;
+ * breakpoints_forget deletes all stops of a group. */
 bool breakpoints_delete(struct debugger *debugger, uint64_t number);
 void breakpoints_forget(struct debugger *debugger, size_t group);
 
-/* Whether the last instruction, or where the program stands, has come to some of them; these
- * are marked.  before: the address of that instruction. */
+/* Marks the stops that are met at the current location after the last instruction, and
+ * returns whether any is. before: the address of that instruction. */
 bool breakpoints_meet(struct debugger *debugger, uint64_t before);
-/* What is watched is as it is now. */
+/* Records the current contents of the watched words. */
 void breakpoints_sample(struct debugger *debugger);
-/* ---- What is shown ----------------------------------------------------------- */
+/* ---- Output ------------------------------------------------------------------ */
 
-/* A word, or a half word at the left of one, in all that it may mean. */
+/* Prints a word, or a half word in the left half of one, in all its interpretations. */
 void show_word(c205_word word, bool half, const struct sink *sink);
 
 #endif

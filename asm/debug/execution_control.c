@@ -1,4 +1,4 @@
-/* execution_control.c - forward and back. */
+/* execution_control.c - executes a program forward and back, to stops, lines, steps and clocks. */
 #include <string.h>
 
 #include "asm/debug/engine.h"
@@ -26,7 +26,8 @@ static enum execution_end forward(struct debugger *debugger)
     return breakpoints_meet(debugger, before) ? EXECUTION_AT_STOP : EXECUTION_COMPLETE;
 }
 
-/* Asked seldom: it may be a question to the system.  Vector instructions are long. */
+/* Polls rarely, since the poll may be a system call: every 4096 steps or 2^18 clocks.
+ * The limit of clocks exists because vector instructions take many clocks each. */
 static bool is_interrupted(struct debugger *debugger)
 {
     enum { STEPS = 4096, CLOCKS = 1 << 18 };
@@ -39,7 +40,7 @@ static bool is_interrupted(struct debugger *debugger)
            && debugger->setup.interrupted(debugger->setup.asked);
 }
 
-/* Whether a movement that began at a clock continues. */
+/* Checks the limits of a movement that began at the clock `begun`. */
 static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
 {
     if (clock_of(debugger) - begun > debugger->setup.clocks_most)
@@ -47,12 +48,12 @@ static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
     return is_interrupted(debugger) ? EXECUTION_INTERRUPTED : EXECUTION_COMPLETE;
 }
 
-/* What ends a movement besides stops. */
+/* The conditions that end a movement, in addition to stops. */
 struct aim {
     uint64_t count;  /* instructions */
-    bool at_address; /* or, behind one instruction at least, this: */
+    bool at_address; /* stop at `address`, after at least one instruction */
     uint64_t address;
-    /* or likewise what a caller knows; NULL: nothing */
+    /* a predicate of the caller, tested after each instruction; NULL: none */
     bool (*is_there)(void *context, const c205 *machine);
     void *context;
 };
@@ -119,7 +120,7 @@ enum execution_end execution_next(struct debugger *debugger)
 
 /* ---- Macro calls ------------------------------------------------------------ */
 
-/* A line of the macro call in which the program stands; NULL: it is in none. */
+/* Returns a line of the macro call that contains the current instruction, or NULL. */
 static const struct asm_line *call_of(const struct debugger *debugger)
 {
     const struct asm_line *line = object_line(debugger->setup.object, pc_of(debugger));
@@ -215,7 +216,8 @@ enum execution_end execution_back_line(struct debugger *debugger)
     return ended;
 }
 
-/* The last step with a stop in a stretch, before its end. */
+/* Replays the interval of the search up to its end and records the last step with a
+ * stop. The interval is continued, not restarted, after an interruption. */
 static enum execution_end find_last(struct debugger *debugger,
                                     struct back_search *search)
 {
@@ -237,7 +239,8 @@ static enum execution_end find_last(struct debugger *debugger,
     return EXECUTION_COMPLETE;
 }
 
-/* What is watched held before the change. */
+/* Goes to a step from the one before it, so that a watchpoint still has the values
+ * before the change. */
 static enum execution_end arrive_back(struct debugger *debugger, uint64_t step)
 {
     return go_back(debugger, step - 1) ? forward(debugger) : EXECUTION_FAILED;
@@ -249,7 +252,11 @@ static void begin_stretch(struct back_search *search)
     search->found = 0;
 }
 
-/* A stretch at a time from here back. */
+/* Searches back for the last stop before the current step. The machine can only be
+ * executed forward from a snapshot, so intervals are replayed: the last 64 steps, then
+ * the 128 before them, with a double length each time. An interval finds stops at the
+ * steps from begin + 1 to end - 1; so the next one ends at begin + 1. A near stop costs
+ * few steps; a far one at most about twice the steps of the way. */
 static enum execution_end search_back(struct debugger *debugger,
                                       struct back_search *search)
 {
@@ -291,14 +298,14 @@ enum execution_end execution_back_to_stop(struct debugger *debugger)
     return execution_search_back(debugger, &search);
 }
 
-/* ---- Anywhere ------------------------------------------------------------- */
+/* ---- To a step or clock --------------------------------------------------- */
 
 static bool is_short_of(const struct debugger *debugger, uint64_t step, uint64_t clock)
 {
     return step_of(debugger) < step && clock_of(debugger) < clock;
 }
 
-/* Forward without a look at stops. */
+/* Executes forward without checks of stops. */
 static enum execution_end go_on_to(struct debugger *debugger, uint64_t step,
                                    uint64_t clock)
 {

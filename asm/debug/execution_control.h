@@ -1,66 +1,69 @@
-/* execution_control.h - a debugger's program forward and back, for who does not speak to it in
- * lines.
+/* execution_control.h - moves the program of a debugger forward and back, for callers that do not
+ * use command lines.
  *
- * A motion tells what is wrong to the debugger's sink, once, and is EXECUTION_FAILED then.  One that
- * the debugger's `interrupted` has ended, EXECUTION_INTERRUPTED, is where it has come to, by an
- * instruction at least, and continues from there if it is asked for again.
+ * A motion reports each error once, to the debugger's sink, and returns EXECUTION_FAILED. If
+ * the debugger's `interrupted` ends it, it returns EXECUTION_INTERRUPTED after at least one
+ * instruction. The program is then where it was interrupted; calling the motion again
+ * continues from there.
  */
 #ifndef ASM_DEBUG_EXECUTION_CONTROL_H
 #define ASM_DEBUG_EXECUTION_CONTROL_H
 
 #include "asm/debug/debugger.h"
 
-/* How one ended.  Of stops that were met breakpoints_pass is still to be told. */
+/* How a motion ended. After MOVED_TO_STOP the caller must call breakpoints_pass. */
 enum execution_end {
-    EXECUTION_COMPLETE, /* as far as it was to go */
+    EXECUTION_COMPLETE, /* as far as requested */
     EXECUTION_AT_STOP,
-    EXECUTION_HALTED,   /* the program has ended, or a trap */
-    EXECUTION_AT_START, /* there is no way farther back */
+    EXECUTION_HALTED,   /* the program has ended or trapped */
+    EXECUTION_AT_START, /* at the first step, no step is before it */
     EXECUTION_INTERRUPTED,
     EXECUTION_OUT_OF_RANGE,
     EXECUTION_FAILED
 };
 
-/* Those that were met have been, and what is once is over.  With a word of each, or
- * without. */
+/* Acknowledges the stops that were met and deletes those with `once`. told: reports
+ * each of them first. */
 void breakpoints_pass(struct debugger *debugger, bool reported);
 
 enum execution_end execution_steps(struct debugger *debugger, uint64_t count);
-/* One instruction, a call and all that it does being one. */
+/* Executes one instruction; a call counts as one, to its return. */
 enum execution_end execution_next(struct debugger *debugger);
-/* Whether the next instruction is a call, and where that comes back to. */
+/* Returns whether the next instruction is a call, and its return address. */
 bool execution_is_call(const struct debugger *debugger, uint64_t *behind);
-/* The same, a macro call being one as well. */
+/* Like execution_next; a macro call counts as one instruction too. */
 enum execution_end execution_line(struct debugger *debugger);
-/* On to an address, behind one instruction at least. */
+/* Executes at least one instruction, and ends at an address. */
 enum execution_end execution_to(struct debugger *debugger, uint64_t address);
-/* .. to where a caller says so. */
+/* Executes at least one instruction, and ends when is_there returns true. */
 enum execution_end execution_until(struct debugger *debugger,
                                    bool (*is_there)(void *context, const c205 *machine),
                                    void *context);
-/* Out of the macro call in which the program stands, or else out of its region; it must
- * be in one. */
+/* Leaves the current macro call, or the current region if there is none.
+ * execution_can_go_out reports an error and returns false if there is neither. */
 bool execution_can_go_out(struct debugger *debugger);
 enum execution_end execution_out(struct debugger *debugger);
 enum execution_end execution_run(struct debugger *debugger); /* from the beginning */
 enum execution_end execution_back(struct debugger *debugger, uint64_t count);
-/* To the beginning of a macro call, if that is where it comes from. */
+/* Goes one instruction back, or to the start of the macro call that contains that
+ * instruction. */
 enum execution_end execution_back_line(struct debugger *debugger);
-/* To the stop before this place.  The search is zero when it begins, and is kept by who continues
- * with one that was interrupted: that stands anywhere. */
+/* The state of a search back to the last stop before the current step. It must be zero
+ * at the start. If the search is interrupted the program is at an arbitrary step; the
+ * caller keeps the state and calls again to continue. */
 struct back_search {
     bool begun;
-    uint64_t end;     /* stops before this step are looked for .. */
-    uint64_t stretch; /* .. from so many back */
-    bool inside;      /* a stretch has been begun .. */
-    uint64_t begin;   /* .. there .. */
-    uint64_t found;   /* .. and this is the last stop in it; 0: none */
+    uint64_t end;     /* stops before this step are searched */
+    uint64_t stretch; /* steps of the current interval */
+    bool inside;      /* the interval is partly replayed */
+    uint64_t begin;   /* first step of the interval */
+    uint64_t found;   /* last stop found in the interval; 0: none */
 };
 enum execution_end execution_search_back(struct debugger *debugger,
                                          struct back_search *search);
 enum execution_end execution_back_to_stop(struct debugger *debugger);
-/* Wherever that is, without a look at stops; a clock: to the first step that has it
- * or more behind it. */
+/* Goes to a step, or to the first step at or after a clock, forward or back. Stops are
+ * not checked. */
 enum execution_end execution_to_step(struct debugger *debugger, uint64_t step);
 enum execution_end execution_to_clock(struct debugger *debugger, uint64_t clock);
 

@@ -1,4 +1,4 @@
-/* info.c - what there is of a kind: registers, stops, regions, pages, symbols. */
+/* info.c - the verb info: registers, stops, regions, pages and symbols in tables. */
 #include <inttypes.h>
 #include <stdio.h>
 
@@ -21,7 +21,7 @@ static void put_register(const struct debugger *debugger, unsigned number,
                word & UINT64_C(0xFFFFFFFFFFFF));
 }
 
-/* Those that hold something, in columns. */
+/* Lists the registers that are not 0. */
 static bool info_registers(struct debugger *debugger)
 {
     bool headed = false;

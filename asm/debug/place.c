@@ -1,4 +1,4 @@
-/* place.c - where in a program: by label, source line, address, name. */
+/* place.c - parses places of a program: labels, source lines, addresses, names. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@ static bool is_region(const struct debugger *debugger, const char *name,
 
 /* ---- Source lines --------------------------------------------------------- */
 
-/* "dir/name.s" is called name.s as well. */
+/* A file "dir/name.s" is also found as name.s. */
 static bool ends_with(const char *file, const char *name)
 {
     size_t length = strlen(file), ending = strlen(name);
@@ -56,7 +56,7 @@ struct line_place {
     const char *file; /* as the object has it */
     size_t number;
     uint64_t address; /* of its first code */
-    size_t wanted;    /* the number that was asked for */
+    size_t wanted;    /* the line that the user gave */
 };
 
 static void consider(struct line_place *found, const char *file, size_t number,
@@ -70,7 +70,7 @@ static void consider(struct line_place *found, const char *file, size_t number,
     found->address = address;
 }
 
-/* That line, or the next that has code or calls a macro that has. */
+/* Finds a line, or the next line that has code or calls a macro with code. */
 static bool find_line(struct debugger *debugger, const char *name, size_t number,
                       struct line_place *found)
 {
@@ -125,7 +125,8 @@ bool place_begins(const struct debugger *debugger, const char *file, size_t numb
                || !is_call(&line[-1], file, number));
 }
 
-/* NAME:LINE, or LINE of the program's own file.  False: the text is another kind of place. */
+/* Parses NAME:LINE, or LINE of the program's own file. Returns false if the text is
+ * another kind of place. */
 static bool read_line(struct debugger *debugger, struct text_cursor *cursor,
                       struct line_place *found, bool *good)
 {
@@ -191,7 +192,7 @@ static size_t take_name(struct text_cursor *cursor, char name[MAX_TEXT])
     return length;
 }
 
-/* An instruction of the program's text begins there. */
+/* Returns whether an instruction of the program's text begins at an address. */
 static bool begins_line(const struct debugger *debugger, uint64_t address)
 {
     const struct asm_line *line = object_line(debugger->setup.object, address);
@@ -199,7 +200,7 @@ static bool begins_line(const struct debugger *debugger, uint64_t address)
     return line && line->is_code && line->address == address;
 }
 
-/* The segment that has the address and words; NULL: none. */
+/* Returns the segment with words that contains the address, or NULL. */
 static const c205_segment *segment_of(const c205_program *program, uint64_t address)
 {
     for (size_t i = 0; i < program->segment_count; i++) {
@@ -212,8 +213,8 @@ static const c205_segment *segment_of(const c205_program *program, uint64_t addr
     return NULL;
 }
 
-/* Without lines, code is what lies in the segment of the entry or of a region, and is decoded
- * from the segment's beginning. */
+/* Without source lines, the segments that contain the entry or the start of a region
+ * are code, and are decoded from their first word. */
 static bool is_code(const c205_program *program, const c205_segment *segment)
 {
     bool code = segment_of(program, program->entry) == segment;
@@ -269,7 +270,7 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address)
     return address;
 }
 
-/* What is behind a LINKV is at the LINKV. */
+/* A stop at an instruction that a LINKV links is set at the LINKV. */
 static void be_at(const struct debugger *debugger, uint64_t address,
                   struct breakpoint *stop)
 {
@@ -313,7 +314,7 @@ bool place_code(struct debugger *debugger, struct text_cursor *cursor,
                || debug_fault(debugger, "no instruction begins at %" PRIX64, *address));
 }
 
-/* *moved: it is at another line or instruction than was asked for. */
+/* *moved: the stop is at another line or instruction than the text names. */
 static bool read_address(struct debugger *debugger, struct text_cursor *cursor,
                          struct breakpoint *stop, bool *ended)
 {
@@ -389,8 +390,9 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
 
 /* ---- The instruction before ------------------------------------------------- */
 
-/* Where there is code without lines, its segment is read from the beginning, or from not
- * too far back; what lies outside of all is taken for half words. */
+/* Returns an address at which to begin decoding. Without source lines that is the start
+ * of the code segment, or an address 1024 half words back if the segment is longer.
+ * Outside of all segments each half word counts as an instruction. */
 static uint64_t read_from(const struct debugger *debugger, uint64_t address)
 {
     enum { FAR_BACK = 32 * 1024 };

@@ -1,4 +1,4 @@
-/* print.c - what values, registers and vectors in memory are. */
+/* print.c - prints values, registers and vectors in memory. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -64,10 +64,10 @@ bool verb_assert(struct debugger *debugger, struct text_cursor *cursor)
 
 enum { ELEMENTS_USUAL = 16 };
 
-/* Elements of a vector as they are shown. */
+/* How the elements of a vector are shown. */
 struct element_look {
     struct operand_view of;
-    char format; /* f i x b */
+    char format; /* f numbers, i integers, x hex, b bits */
     bool controlled;
     struct operand_view control;
 };
@@ -97,7 +97,7 @@ static unsigned in_row(const struct element_look *look)
     return look->of.width == 1 ? 64 : look->format == 'x' ? 3 : 4;
 }
 
-/* False: some of it is not there. */
+/* Returns false if the element or its control bit is not mapped. */
 static bool put_element_at(const struct debugger *debugger,
                            const struct element_look *look, size_t i)
 {
@@ -134,7 +134,7 @@ static bool put_elements(struct debugger *debugger, const struct element_look *l
                                     "of it");
 }
 
-/* What a register describes. */
+/* Sets the vector that a register describes. */
 static void look_at_register(const struct debugger *debugger, struct register_of named,
                              unsigned width, struct operand_view *of)
 {
@@ -148,7 +148,8 @@ static void look_at_register(const struct debugger *debugger, struct register_of
                                  .length = (size_t)(word >> 48) };
 }
 
-/* "/": then a count, and letters: f numbers, i integers, x hex, h half words, b bits. */
+/* Parses "/", a count and letters: f numbers, i integers, x hex, h half words, b
+ * bits. */
 static bool read_format(struct debugger *debugger, struct text_cursor *cursor,
                         struct element_look *look, uint64_t *count)
 {
@@ -196,8 +197,8 @@ static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
     return text_cursor_finish(debugger, cursor);
 }
 
-/* What the program has at an address, if a label tells; its count and width if these were not
- * asked for. */
+/* If a label has this address, sets the width and the count from the data that the
+ * program declares there. A width that the user gave must match. */
 static void look_at_label(const struct debugger *debugger, uint64_t address,
                           bool width_asked, struct element_look *look)
 {
@@ -221,7 +222,7 @@ static void look_at_label(const struct debugger *debugger, uint64_t address,
     }
 }
 
-/* x [/COUNT LETTERS] REGISTER | ADDRESS [? REGISTER] */
+/* Shows elements: x [/COUNT LETTERS] REGISTER | ADDRESS [? REGISTER] */
 bool verb_x(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct element_look look = { .of = { .width = 64 }, .format = 'f' };

@@ -1,4 +1,4 @@
-/* set.c - registers, memory and the next instruction, changed by hand. */
+/* set.c - changes registers, memory and the program counter at the user's request. */
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
@@ -21,7 +21,8 @@ static bool keep_change(struct debugger *debugger)
            || debug_fault(debugger, "%s", error.message);
 }
 
-/* A word with these bits from the left at a bit of it. */
+/* Returns a word in which `width` bits from bit `at` on are replaced. The new bits are
+ * left-aligned. */
 static c205_word with_bits(c205_word word, unsigned at, unsigned width, c205_word bits)
 {
     c205_word mask = (~(c205_word)0 << (64 - width)) >> at;
@@ -47,7 +48,7 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
     return keep_change(debugger);
 }
 
-/* False after telling that there is no word. */
+/* Reports an error and returns false if there is no word. */
 static bool write_bits(struct debugger *debugger, uint64_t address, unsigned width,
                        c205_word bits)
 {

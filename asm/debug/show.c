@@ -1,4 +1,4 @@
-/* show.c - where the program stands: instructions and source lines. */
+/* show.c - the verbs that show the current location, instructions and source lines. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <string.h>
@@ -20,7 +20,7 @@ static void put_text(const struct debugger *debugger, const char *file, size_t n
     sink_print(&debugger->out, "%s:%zu: %s", slash ? slash + 1 : file, number, source);
 }
 
-/* Of a macro the call first. */
+/* For a line of a macro, prints the call first. */
 static void put_source(const struct debugger *debugger, const struct asm_line *line)
 {
     sink_put(&debugger->out, "  ; ");
@@ -79,7 +79,7 @@ bool verb_where(struct debugger *debugger, struct text_cursor *cursor)
     return true;
 }
 
-/* PLACE, or from where the program stands. */
+/* Reads an optional PLACE; by default it is the current instruction. */
 static bool read_start(struct debugger *debugger, struct text_cursor *cursor,
                        uint64_t *address)
 {
@@ -89,7 +89,8 @@ static bool read_start(struct debugger *debugger, struct text_cursor *cursor,
            || place_address(debugger, cursor, address);
 }
 
-/* ", COUNT" behind the rest, or as many as usual. */
+/* Reads an optional ", COUNT" to the end of the line; without one, count is
+ * unchanged. */
 static bool read_count(struct debugger *debugger, struct text_cursor *cursor,
                        uint64_t *count)
 {
@@ -100,7 +101,7 @@ static bool read_count(struct debugger *debugger, struct text_cursor *cursor,
     return debug_count(debugger, cursor, count) && text_cursor_finish(debugger, cursor);
 }
 
-/* disassemble [PLACE] [, COUNT] */
+/* Shows instructions: disassemble [PLACE] [, COUNT] */
 bool verb_disassemble(struct debugger *debugger, struct text_cursor *cursor)
 {
     enum { MAX = 100000 };
@@ -129,7 +130,8 @@ static bool is_same_line(const struct asm_line *a, const struct asm_line *b)
     return a && b && a->number == b->number && strcmp(a->file, b->file) == 0;
 }
 
-/* list [PLACE] [, COUNT]: lines that made code or data, in the order of addresses. */
+/* Shows the lines that generated code or data, in the order of addresses: list [PLACE]
+ * [, COUNT] */
 bool verb_list(struct debugger *debugger, struct text_cursor *cursor)
 {
     const struct object *object = debugger->setup.object;

@@ -1,4 +1,4 @@
-/* step_verbs.c - the verbs of motions. */
+/* step_verbs.c - the debugger's verbs that move the program. */
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
@@ -22,7 +22,7 @@ static bool arrive(struct debugger *debugger, enum execution_end ended)
     return true;
 }
 
-/* 1 unless the line says another. */
+/* Reads an optional count, 1 by default. */
 static bool read_times(struct debugger *debugger, struct text_cursor *cursor,
                        uint64_t *count)
 {
@@ -98,7 +98,7 @@ bool verb_reverse_continue(struct debugger *debugger, struct text_cursor *cursor
            && arrive(debugger, execution_back_to_stop(debugger));
 }
 
-/* goto N, an instruction; goto clock N */
+/* Goes to step N, or to a clock: goto N, goto clock N. */
 bool verb_goto(struct debugger *debugger, struct text_cursor *cursor)
 {
     bool by_clock = text_cursor_take(cursor, "clock");
@@ -110,7 +110,7 @@ bool verb_goto(struct debugger *debugger, struct text_cursor *cursor)
                                         : execution_to_step(debugger, number));
 }
 
-/* To the first stop, which may be at the beginning. */
+/* Runs from the start to the first stop, which may be at the start itself. */
 bool verb_run(struct debugger *debugger, struct text_cursor *cursor)
 {
     return text_cursor_finish(debugger, cursor)

@@ -1,4 +1,5 @@
-/* time.c - why an instruction took its time, and where the clocks went. */
+/* time.c - the verbs why and account: which causes the clocks of an instruction and of
+ * a run have. */
 #include <inttypes.h>
 #include <stdio.h>
 
@@ -117,7 +118,7 @@ bool verb_why(struct debugger *debugger, struct text_cursor *cursor)
     return true;
 }
 
-/* ---- All of it ------------------------------------------------------------ */
+/* ---- The whole run -------------------------------------------------------- */
 
 static void put_account(const struct debugger *debugger, const c205_account *account)
 {

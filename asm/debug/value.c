@@ -1,11 +1,11 @@
-/* value.c - expressions of the debugger.
+/* value.c - parses and evaluates the expressions of the debugger.
  *
  *   integers, X'hex', numbers with a point or an exponent, ( )
- *   r10 h21 NAME      registers, as numbers; what has exponent 0 is an integer; NAME.i
- *                     the low 48 bits as an integer, NAME.length
- *   label             its bit address; a constant's value
+ *   r10 h21 NAME      registers, as numbers; a word with exponent 0 is an integer;
+ *                     NAME.i: the low 48 bits as an integer; NAME.length
+ *   label             its bit address; a constant: its value
  *   [ADDRESS]         the word there; [ADDRESS].i
- *   pc clock step flags    or $pc .., where the program has such a name itself
+ *   pc clock step flags    also $pc .., if the program itself has such a name
  *   - !   * / %   + -   == != < <= > >=   &&   ||
  */
 #include <ctype.h>
@@ -110,7 +110,7 @@ bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor)
 struct reading {
     struct debugger *debugger;
     struct text_cursor *cursor;
-    bool grammar; /* what registers and memory hold does not count */
+    bool grammar; /* check the syntax only, ignore values of registers and memory */
     unsigned depth;
 };
 
@@ -142,7 +142,7 @@ static struct value_of of_half(c205_word half)
                               .word = half };
 }
 
-/* Not more than 48 bits. */
+/* Returns whether a number fits in 48 bits. */
 static bool is_integer_word(int64_t integer)
 {
     return integer >= -(INT64_C(1) << 47) && integer < INT64_C(1) << 47;
@@ -191,7 +191,7 @@ static bool read_any(struct reading *reading, struct value_of *value);
 
 /* ---- Names ---------------------------------------------------------------- */
 
-/* The last that was given a name. */
+/* Finds the register that has a name. If several have it, the last one counts. */
 static const struct asm_register *find_register(const struct debugger *debugger,
                                                 const char *name, size_t length)
 {
@@ -229,7 +229,7 @@ static bool find_named(const struct debugger *debugger, const char *name, size_t
     return known || is_numbered(name, length, named);
 }
 
-/* A name ends before ".i" and ".length". */
+/* Returns the length of a name without ".i" or ".length". */
 static size_t base_length(const char *text)
 {
     size_t length = name_length(text);
@@ -274,7 +274,7 @@ c205_word debug_register_word(const struct debugger *debugger, struct register_o
            & ~(c205_word)UINT32_MAX;
 }
 
-/* ".i" the low 48 bits as an integer, ".length" the 16 before them. */
+/* Reads ".i", the low 48 bits as an integer, or ".length", the high 16 bits. */
 static void take_part(struct reading *reading, struct value_of *value)
 {
     if (take(reading, ".length"))
@@ -331,7 +331,7 @@ static bool read_symbol(const struct debugger *debugger, const char *name,
     return true;
 }
 
-/* The program's own names come first. */
+/* Names of the program have precedence over those of registers and of the machine. */
 static bool read_name(struct reading *reading, struct value_of *value)
 {
     struct debugger *debugger = reading->debugger;
@@ -380,7 +380,7 @@ static bool read_number(struct reading *reading, struct value_of *value)
                           at);
 }
 
-/* X'FFD2 4000 0000 0000', or 8 digits of a half word. */
+/* Reads X'FFD2 4000 0000 0000', or 8 digits for a half word. */
 static bool read_hex(struct reading *reading, struct value_of *value)
 {
     const char *at = reading->cursor->at + 2;
@@ -405,7 +405,7 @@ static bool read_hex(struct reading *reading, struct value_of *value)
     return true;
 }
 
-/* A descriptor with a length is no number to count with: NAME.i is its address. */
+/* A descriptor with a length is rejected as an address; NAME.i is its address. */
 static bool read_address(struct debugger *debugger, struct reading *reading,
                          struct value_of *value, uint64_t *address)
 {
@@ -550,7 +550,7 @@ static bool read_sum(struct reading *reading, struct value_of *value)
     return read_chain(reading, value, "+-", read_product);
 }
 
-/* Words that are the same are equal, indefinite ones, too. */
+/* Identical words are equal, also if both are indefinite. */
 static bool is_equal(const struct value_of *a, const struct value_of *b)
 {
     if (a->is_word && b->is_word && a->is_half == b->is_half && a->word == b->word)
