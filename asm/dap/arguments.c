@@ -1,7 +1,7 @@
-/* arguments.c - the arguments of requests, and what kind of value each is.
+/* arguments.c - checks the types of the arguments of requests.
  *
- * They are checked when a request comes.  Members that are not listed are ignored, since clients
- * add their own; null means that there is none.
+ * A request is checked before it is executed. Members that are not listed are ignored,
+ * since clients add their own. A member that is null counts as absent.
  */
 #include <string.h>
 
@@ -102,11 +102,11 @@ static const struct {
     { "Breakpoint", TEXT, { "condition", "hitCondition", "logMessage", "mode" } },
 };
 
-/* ---- Values --------------------------------------------------------------------------- */
+/* ---- Values -------------------------------------------------------------- */
 
 static const struct {
     enum json_kind kind;
-    const char *fault; /* of a key */
+    const char *fault; /* format of the report; the argument is the key */
 } kinds[] = {
     [TEXT] = { JSON_TEXT, "'%s' is no text" },
     [TRUTH] = { JSON_TRUTH, "'%s' is neither true nor false" },

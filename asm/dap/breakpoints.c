@@ -1,5 +1,5 @@
-/* breakpoints.c - stops, as the client asks for them: each request has all of a kind,
- * and its answer what became of each.
+/* breakpoints.c - sets and deletes breakpoints for the client. Each request carries all
+ * breakpoints of one kind; its response reports the result for each of them.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,8 +9,8 @@
 
 /* ---- One stop ------------------------------------------------------------------- */
 
-/* What it is called in the arguments and how its place is found there; both tell what
- * is wrong. */
+/* Reads the place of a stop from a breakpoint of the request. Reports an error and
+ * returns false if there is no such place. */
 typedef bool stop_reader(struct dap *dap, const struct json_value *wanted,
                          const char *file, struct breakpoint *stop);
 
@@ -75,7 +75,7 @@ static bool replace(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-/* ---- Lines ------------------------------------------------------------------------ */
+/* ---- Lines --------------------------------------------------------------- */
 
 static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
                            const char *file, struct breakpoint *stop)
@@ -88,7 +88,8 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
            && place_line(dap->debugger, file, line_of(dap, line), stop);
 }
 
-/* Of files that the program does not have none is kept. */
+/* Returns the group of a file's breakpoints. Unknown files share one group, which stays
+ * empty. */
 static size_t group_of(const struct dap *dap, const char *file)
 {
     size_t i = 0;
@@ -144,10 +145,10 @@ bool request_breakpoint_locations(struct dap *dap, const struct json_value *argu
     return true;
 }
 
-/* ---- Names -------------------------------------------------------------------------- */
+/* ---- Names --------------------------------------------------------------- */
 
-/* Instruction names that are no labels of the program are meant as such; so are names of
- * regions. */
+/* Returns the debugger's keyword for a name. The name of a label takes precedence over
+ * those of regions and instructions. */
 static const char *kind_of(const struct dap *dap, const char *name)
 {
     const c205_program *program = &dap->object->program;
@@ -184,7 +185,7 @@ bool request_function_breakpoints(struct dap *dap, const struct json_value *argu
     return replace(dap, arguments, body, NULL, GROUP_FUNCTIONS, read_named_stop);
 }
 
-/* ---- Instructions --------------------------------------------------------------------- */
+/* ---- Instructions -------------------------------------------------------- */
 
 static bool read_instruction_stop(struct dap *dap, const struct json_value *wanted,
                                   const char *file, struct breakpoint *stop)
@@ -208,9 +209,9 @@ bool request_instruction_breakpoints(struct dap *dap,
                    read_instruction_stop);
 }
 
-/* ---- Data ------------------------------------------------------------------------------ */
+/* ---- Data ---------------------------------------------------------------- */
 
-/* ADDRESS, WORDS: what the debugger's watch takes. */
+/* The data identifier is ADDRESS, WORDS, in the syntax of the debugger's watch. */
 static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
                            const char *file, struct breakpoint *stop)
 {
@@ -231,7 +232,8 @@ bool request_data_breakpoints(struct dap *dap, const struct json_value *argument
     return replace(dap, arguments, body, NULL, GROUP_DATA, read_data_stop);
 }
 
-/* The address of a variable, or of what its name says: a label, an expression. */
+/* Finds the address of an element of a vector, or without a reference that of an
+ * expression. */
 static bool find_address(struct dap *dap, const struct json_value *arguments,
                          const char *name, uint64_t *address)
 {
@@ -266,7 +268,8 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
     json_bool(body, "canPersist", true);
 }
 
-/* It is an answer that something cannot be watched. */
+/* If the data cannot be watched the request succeeds, with a null identifier and the
+ * reason. */
 bool request_data_breakpoint_info(struct dap *dap, const struct json_value *arguments,
                                   struct json *body)
 {
@@ -289,7 +292,7 @@ bool request_data_breakpoint_info(struct dap *dap, const struct json_value *argu
     return true;
 }
 
-/* ---- Traps -------------------------------------------------------------------------------- */
+/* ---- Traps --------------------------------------------------------------- */
 
 bool request_exception_breakpoints(struct dap *dap, const struct json_value *arguments,
                                    struct json *body)

@@ -1,9 +1,9 @@
-/* dap_internal.h - the inside of a session.  Not public.
+/* dap_internal.h - the internals of a session. Not public.
  *
- * A request is a function that reads its arguments and writes the body of its
- * response.  What is wrong it tells by dap_fault or by a debug_fault of the engine,
- * and returns false.  What is to be done when the client has its response, as a motion,
- * it leaves in `then`.
+ * A request is a function that reads its arguments and writes the body of its response.
+ * If it fails it reports the error by dap_fault or by a debug_fault of the engine, and
+ * returns false. Work that must follow the response, such as a motion, is left in
+ * `then`.
  */
 #ifndef ASM_DAP_DAP_INTERNAL_H
 #define ASM_DAP_DAP_INTERNAL_H
@@ -14,17 +14,17 @@
 #include "base/json.h"
 #include "base/json_read.h"
 
-/* What a session has come to, in order. */
+/* The states of a session, in order. They are bits, for sets of states. */
 enum dap_state {
     DAP_NEW = 1,
-    DAP_GREETED = 2,  /* initialize */
-    DAP_LAUNCHED = 4, /* launch; breakpoints are set */
-    DAP_STANDING = 8, /* configurationDone, and at each stop */
+    DAP_GREETED = 2,  /* after initialize */
+    DAP_LAUNCHED = 4, /* after launch; breakpoints are set */
+    DAP_STANDING = 8, /* after configurationDone, and at each stop */
     DAP_RUNNING = 16, /* in a motion */
-    DAP_ENDED = 32    /* the program, or what was asked of it */
+    DAP_ENDED = 32    /* the program has ended, or was terminated */
 };
 
-/* What the client wants of a program that runs. */
+/* A request of the client that ends the current motion. */
 enum pending_request {
     PENDING_NONE,
     PENDING_PAUSE,
@@ -34,31 +34,32 @@ enum pending_request {
 
 struct dap {
     struct dap_setup setup;
-    struct text_buffer input; /* read, and not done with */
-    uint64_t sent;            /* messages */
+    struct text_buffer input; /* received and not yet handled */
+    uint64_t sent;            /* number of messages */
     enum dap_state state;
-    bool over; /* the client has said goodbye, or can say nothing more */
+    bool over; /* the client has disconnected, or its input has ended */
     bool failed;
-    c205_error *error; /* why */
+    c205_error *error; /* of a failed session */
 
-    struct text_buffer said;    /* by the engine, and of faults */
-    struct text_buffer printed; /* by the program, not sent yet */
-    struct arena launched;      /* the texts of what follows */
+    struct text_buffer said;    /* reports of the engine and of dap_fault */
+    struct text_buffer printed; /* output of the program, not sent yet */
+    struct arena launched;      /* owns the texts of the fields below */
     const char *path;
     struct object *object;
     c205_model *model;
     struct debugger *debugger;
     size_t file_count;
-    const char **files; /* of the source lines, as the object calls them */
+    const char **files; /* of the source lines, named as in the object */
 
     bool stop_on_entry, stop_on_end, stop_at_traps;
-    bool exit_reported;  /* the program is at its end, and the client knows */
-    bool client_redraws; /* it takes the event invalidated */
-    int64_t first_line, first_column; /* as the client counts: 0 or 1 */
+    bool exit_reported;  /* the program has ended, and the client was notified */
+    bool client_redraws; /* the client supports the event invalidated */
+    int64_t first_line, first_column; /* first number of the client: 0 or 1 */
     enum pending_request pending;
     enum execution_end (*move)(struct debugger *debugger);
-    const char *reason; /* of the stop, if the motion ends where it was to */
-    void (*then)(struct dap *dap);
+    const char *reason;            /* reason of the event stopped, if the motion ends as
+                         * intended */
+    void (*then)(struct dap *dap); /* called after the response; NULL: nothing */
 };
 
 typedef bool dap_request(struct dap *dap, const struct json_value *arguments,
@@ -86,100 +87,107 @@ dap_request request_evaluate, request_set_expression;
 /* memory.c */
 dap_request request_read_memory, request_write_memory, request_disassemble;
 
-/* ---- What is asked (arguments.c) --------------------------------------------- */
+/* ---- Arguments (arguments.c) --------------------------------------------- */
 
-/* Whether the members of an object have the types that a request's arguments have, or those of a
- * type of the protocol; false after a fault. */
+/* Checks that the members of an object have the types of a request's arguments, or of a
+ * type of the protocol. Reports an error and returns false if one has not. */
 bool dap_check(struct dap *dap, const char *owner, const struct json_value *object);
 
-/* ---- What is said (respond.c) --------------------------------------------------- */
+/* ---- Reports and messages (respond.c) ------------------------------------ */
 
-/* One sentence; false. */
+/* Reports an error of one sentence and returns false. */
 bool dap_fault(struct dap *dap, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
-/* What was told since, to be freed, NULL for nothing: without "error: " and the last
- * newline. */
+/* Returns the reports since the last call, without "error: " and the last newline, and
+ * NULL if there were none. The caller frees the text. */
 char *dap_take_said(struct dap *dap);
-/* A sink to what is said. */
+/* Returns a sink that appends to the reports. */
 struct sink dap_output_sink(struct dap *dap);
 
-/* An event's body is written between them.  NULL: no memory, and the session is over. */
+/* The body of an event is written between event_begin and event_end. event_begin
+ * returns NULL if memory is exhausted; the session is then over. */
 struct json *event_begin(struct dap *dap, struct text_buffer *body);
 void event_end(struct dap *dap, const char *name, struct json *json,
                struct text_buffer *body);
 void event_bare(struct dap *dap, const char *name);
-/* The event output: of a category, if there is a text. */
+/* Sends the event output with a category, if the text is not empty. */
 void send_output(struct dap *dap, const char *category, const char *text);
-/* What the program has printed until now. */
+/* Sends the output of the program that was not sent yet. */
 void send_printed(struct dap *dap);
-/* request: what it answers.  body: JSON. */
+/* Both answer a request. body: JSON text. */
 void send_response(struct dap *dap, const struct json_value *request, const char *body);
 void send_refusal(struct dap *dap, const struct json_value *request, const char *why);
 
-/* Hear what the client says while a program runs (session.c): shall it stop? */
+/* Handles the input of the client while a program runs, and returns whether the program
+ * must stop (session.c). */
 bool dap_listen(void *dap);
 
-/* ---- Numbers and addresses (respond.c) -------------------------------------------- */
+/* ---- Numbers and addresses (respond.c) ----------------------------------- */
 
-/* An address as the protocol has them, "0x4001C0": the machine's own, of a bit. */
+/* Writes an address of the machine, in bits, as the protocol requires: "0x4001C0". */
 enum { DAP_ADDRESS_SIZE = 24 };
 void dap_put_address(struct json *json, const char *key, uint64_t address);
-/* Of a member, and so many bytes behind it as another one says; false after telling. */
+/* Reads an address from a member, plus the member `offset` in bytes. Reports an error
+ * and returns false if it is not an address. */
 bool dap_address(struct dap *dap, const struct json_value *arguments,
                  const char *reference, uint64_t *address);
-/* A member that is an integer, or stays; false after telling. */
+/* Reads an integer member; an absent one leaves the value unchanged. Reports an error
+ * and returns false if it is not an integer. */
 bool dap_whole(struct dap *dap, const struct json_value *arguments, const char *key,
                int64_t *value);
 
-/* ---- Groups of stops ------------------------------------------------------------ */
+/* ---- Groups of breakpoints ----------------------------------------------- */
 
-/* Each kind of request replaces those that it made; of lines each file has its own. */
+/* A request replaces all breakpoints of its group. Each source file has a group of its
+ * own. */
 enum dap_group {
     GROUP_FUNCTIONS = 1,
     GROUP_INSTRUCTIONS,
     GROUP_DATA,
-    GROUP_FILES /* and its number */
+    GROUP_FILES /* plus the number of the file */
 };
 
-/* ---- Sources (frames.c) ----------------------------------------------------------- */
+/* ---- Sources (frames.c) -------------------------------------------------- */
 
-/* The files of the object; false: no memory. */
+/* Lists the source files of the object. Fails if memory is exhausted. */
 bool sources_find(struct dap *dap);
-/* The file that a Source names, NULL: the program has none such. */
+/* Returns the file that a Source names, or NULL if the program has no such file. */
 const char *source_file(const struct dap *dap, const struct json_value *source);
-/* The member source of an object; and what is in it. */
+/* put_source writes the member source of an object, put_source_members only its
+ * contents. */
 void put_source(struct dap *dap, struct json *json, const char *file);
 void put_source_members(struct dap *dap, struct json *json, const char *file);
-/* A line of ours, from what the client calls it; and back. */
+/* line_of converts a line number of the client to ours, put_line writes one of ours. */
 size_t line_of(const struct dap *dap, int64_t line);
 void put_line(const struct dap *dap, struct json *json, const char *key, size_t line);
 
-/* ---- Motions (movement.c) ---------------------------------------------------------- */
+/* ---- Motions (movement.c) ------------------------------------------------ */
 
-/* From the beginning: with a stop there, or to the first one. */
+/* Starts the program, and stops before its first instruction or at the first stop. */
 void dap_begin(struct dap *dap);
-/* The client is told that all is over. */
+/* Sends the event terminated. */
 void dap_finish(struct dap *dap);
-/* .. that the program stands. */
+/* Sends the event stopped. */
 void dap_stopped(struct dap *dap, const char *reason);
 
-/* ---- Elements (elements.c) ----------------------------------------------------------- */
+/* ---- Elements (elements.c) ----------------------------------------------- */
 
-/* A value as variables show it: a number and the bits. */
+/* Prints a value in the form of variables: a number and the bits. */
 void put_bits(c205_word word, unsigned width, const struct sink *sink);
 void put_elements(struct dap *dap, struct json *json, const struct vector_view *vector,
                   size_t first, size_t count);
-/* "[12]"; false: it has no such element. */
+/* Parses "[12]". Returns false if the vector has no such element. */
 bool element_number(const struct vector_view *vector, const char *name, size_t *number);
 
-/* ---- Variables (variables.c) ------------------------------------------------------------ */
+/* ---- Variables (variables.c) --------------------------------------------- */
 
-/* The vector that a reference stands for; false: none. */
+/* Returns the vector of a reference in *vector; false if the reference has none. */
 bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector);
-/* The members of a value that is a word of a register: its vector, if it is one. */
+/* Writes the members of a value that is the word of a register, with its vector if it
+ * has one. */
 void put_word_members(struct dap *dap, struct json *json, struct register_of named);
 
 #endif

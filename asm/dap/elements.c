@@ -1,4 +1,4 @@
-/* elements.c - vectors in memory, element by element. */
+/* elements.c - the elements of vectors in memory as variables. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -19,7 +19,8 @@ void put_bits(c205_word word, unsigned width, const struct sink *sink)
     sink_print(sink, "%s  X'%s'", number, hex);
 }
 
-/* Behind an element the bit that lets its result be stored, or not. */
+/* Prints the control bit, which determines whether the result of an element is
+ * stored. */
 static void put_control(const struct dap *dap, const struct vector_view *vector,
                         size_t i, const struct sink *sink)
 {

@@ -1,10 +1,10 @@
-/* evaluate.c - expressions, and lines for the debugger. */
+/* evaluate.c - evaluates expressions and executes debugger commands for the client. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "asm/dap/dap_internal.h"
 
-/* ---- Expressions ------------------------------------------------------------------ */
+/* ---- Expressions --------------------------------------------------------- */
 
 static void put_result(struct dap *dap, struct json *body, const char *key)
 {
@@ -14,7 +14,7 @@ static void put_result(struct dap *dap, struct json *body, const char *key)
     free(said);
 }
 
-/* A register is shown with its vector. */
+/* The value of a register includes its vector. */
 static bool put_value(struct dap *dap, struct json *body, const char *text,
                       const char *key)
 {
@@ -31,9 +31,9 @@ static bool put_value(struct dap *dap, struct json *body, const char *text,
     return true;
 }
 
-/* ---- Lines -------------------------------------------------------------------------- */
+/* ---- Lines --------------------------------------------------------------- */
 
-/* What a line can change. */
+/* The part of the state that a command may change. */
 struct stand {
     uint64_t step, pc;
     bool halted;
@@ -57,7 +57,7 @@ static void send_moved(struct dap *dap)
     dap_stopped(dap, "goto");
 }
 
-/* Registers or memory may be others than the client shows. */
+/* Requests a redraw: a command may have changed registers or memory. */
 static void send_changed(struct dap *dap)
 {
     struct text_buffer body;
@@ -71,7 +71,8 @@ static void send_changed(struct dap *dap)
     event_end(dap, "invalidated", json, &body);
 }
 
-/* The program may run for that, and the client may want it to stop. */
+/* Executes a command of the debugger. The command may run the program, and the client
+ * may send requests that end the run. */
 static void obey_line(struct dap *dap, const char *text)
 {
     struct stand before = stand_of(dap);
@@ -109,7 +110,7 @@ bool request_evaluate(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-/* EXPRESSION = VALUE, as the debugger's set has it. */
+/* Executes EXPRESSION = VALUE by the debugger's set. */
 bool request_set_expression(struct dap *dap, const struct json_value *arguments,
                             struct json *body)
 {

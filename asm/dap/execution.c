@@ -1,11 +1,11 @@
-/* execution.c - motions, and why they ended. */
+/* execution.c - moves the program, and reports to the client why a motion ended. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "asm/dap/dap_internal.h"
 
-/* ---- The program stands --------------------------------------------------------- */
+/* ---- The program has stopped --------------------------------------------- */
 
 static const char *stop_reason(const struct breakpoint *stop)
 {
@@ -18,7 +18,7 @@ static const char *stop_reason(const struct breakpoint *stop)
     }
 }
 
-/* Of the first that was met. */
+/* Returns the reason of the first stop that is met. */
 static const char *met_reason(const struct dap *dap)
 {
     const struct debugger *debugger = dap->debugger;
@@ -40,7 +40,7 @@ static void put_met(const struct dap *dap, struct json *body)
     json_end(body);
 }
 
-/* With what the engine says to it. */
+/* Sends the event stopped, with the reports of the engine as its description. */
 static void send_stopped(struct dap *dap, const char *reason, bool met)
 {
     struct text_buffer text;
@@ -73,7 +73,7 @@ void dap_stopped(struct dap *dap, const char *reason)
     send_stopped(dap, reason, false);
 }
 
-/* ---- It is over ------------------------------------------------------------------- */
+/* ---- The program has ended ----------------------------------------------- */
 
 void dap_finish(struct dap *dap)
 {
@@ -125,7 +125,7 @@ static void send_halt(struct dap *dap)
     }
 }
 
-/* ---- Motions ------------------------------------------------------------------------ */
+/* ---- Motions ------------------------------------------------------------- */
 
 static void arrive(struct dap *dap, enum execution_end ended)
 {
@@ -156,7 +156,7 @@ static enum execution_end to_the_beginning(struct debugger *debugger)
     return EXECUTION_COMPLETE;
 }
 
-/* Hits are counted from here on, and what is printed is printed again. */
+/* Prepares a new start: hits are counted from 0, and the output is printed again. */
 static void prepare_beginning(struct dap *dap)
 {
     struct debugger *debugger = dap->debugger;
@@ -192,7 +192,8 @@ void dap_begin(struct dap *dap)
     go(dap);
 }
 
-/* What the client hears first is that the program runs. */
+/* Moves after the response, since the client must first be notified that the program
+ * runs. */
 static bool move_by(struct dap *dap, enum execution_end (*move)(struct debugger *))
 {
     dap->move = move;
@@ -224,7 +225,8 @@ bool request_continue(struct dap *dap, const struct json_value *arguments,
     return move_by(dap, run);
 }
 
-/* Of statements and lines a macro call is one; of instructions it is not. */
+/* By instructions a macro call is not skipped; by statements and lines it is one
+ * step. */
 static bool by_instruction(const struct json_value *arguments)
 {
     const char *unit = json_member_text(arguments, "granularity");
@@ -270,7 +272,7 @@ bool request_reverse_continue(struct dap *dap, const struct json_value *argument
     return move_by(dap, execution_back_to_stop);
 }
 
-/* Of a program that stands nothing is to be done. */
+/* Does nothing if the program is not running. */
 bool request_pause(struct dap *dap, const struct json_value *arguments,
                    struct json *body)
 {
@@ -281,7 +283,7 @@ bool request_pause(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-/* ---- Elsewhere ------------------------------------------------------------------------- */
+/* ---- Jump ---------------------------------------------------------------- */
 
 bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
                           struct json *body)
@@ -311,7 +313,7 @@ static void send_goto(struct dap *dap)
     dap_stopped(dap, "goto");
 }
 
-/* The number of a target is its address. */
+/* The identifier of a target is its address. */
 bool request_goto(struct dap *dap, const struct json_value *arguments,
                   struct json *body)
 {

@@ -1,4 +1,5 @@
-/* frames.c - where the program stands, and the texts that it is from. */
+/* frames.c - the current location as stack frames, and the source files of the
+ * program. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 #include "base/text_file.h"
 #include "vm/text.h"
 
-/* ---- Files ------------------------------------------------------------------------ */
+/* ---- Files --------------------------------------------------------------- */
 
 static bool is_known(const struct dap *dap, const char *file)
 {
@@ -46,7 +47,8 @@ bool sources_find(struct dap *dap)
     return true;
 }
 
-/* Files that c205 carries with it lie in no folder. */
+/* Returns the text of a file that is part of c205 itself, or NULL. Such a file has no
+ * path. */
 static const struct text *carried(const char *file)
 {
     const struct text *text = library_texts;
@@ -61,7 +63,7 @@ static bool has_folder(const struct dap *dap, const char *file)
     return *file != '/' && *dap->setup.folder;
 }
 
-/* The whole path; NULL: no memory. */
+/* Returns the whole path, or NULL if memory is exhausted. */
 static char *path_of(const struct dap *dap, const char *file)
 {
     struct text_buffer path = { 0 };
@@ -145,7 +147,7 @@ bool request_loaded_sources(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-/* ---- Their texts -------------------------------------------------------------------- */
+/* ---- Texts of the files -------------------------------------------------- */
 
 static char *text_of(struct dap *dap, const char *file)
 {
@@ -187,7 +189,7 @@ bool request_source(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-/* ---- Lines ---------------------------------------------------------------------------- */
+/* ---- Lines --------------------------------------------------------------- */
 
 size_t line_of(const struct dap *dap, int64_t line)
 {
@@ -200,7 +202,7 @@ void put_line(const struct dap *dap, struct json *json, const char *key, size_t 
     json_number(json, key, (double)line - 1 + (double)dap->first_line);
 }
 
-/* ---- Frames --------------------------------------------------------------------------- */
+/* ---- Frames -------------------------------------------------------------- */
 
 bool request_threads(struct dap *dap, const struct json_value *arguments,
                      struct json *body)
@@ -216,13 +218,13 @@ bool request_threads(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-/* The frames from the innermost on: the instruction, the macro call that it comes from,
- * the region. */
+/* The frames, innermost first: the instruction, the macro call that contains it, the
+ * region. */
 enum frame_of { FRAME_PLACE, FRAME_CALL, FRAME_REGION, FRAMES };
 
 struct frames {
     uint64_t pc;
-    const struct asm_line *line; /* NULL: not known */
+    const struct asm_line *line; /* NULL: unknown */
     const char *region;
     size_t count;
     enum frame_of kinds[FRAMES];
@@ -243,7 +245,7 @@ static struct frames find_frames(const struct dap *dap)
     return frames;
 }
 
-/* The label at or before an address, in its segment; NULL: there is none. */
+/* Returns the last label at or before an address, or NULL if there is none. */
 static const struct asm_symbol *label_before(const struct dap *dap, uint64_t address)
 {
     const struct asm_symbol *found = NULL;
@@ -258,7 +260,7 @@ static const struct asm_symbol *label_before(const struct dap *dap, uint64_t add
     return found;
 }
 
-/* "again", "again + 64", or the address. */
+/* Writes "again", "again + 64", or the address. */
 static void put_name(const struct dap *dap, struct json *body, uint64_t address)
 {
     const struct asm_symbol *label = label_before(dap, address);
@@ -283,7 +285,7 @@ static void put_frame_place(struct dap *dap, struct json *body, const char *file
     json_number(body, "column", (double)dap->first_column);
 }
 
-/* Where there is nothing to see. */
+/* A frame without a source line has line 0. */
 static void put_no_place(struct json *body)
 {
     json_number(body, "line", 0);

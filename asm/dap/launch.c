@@ -1,4 +1,4 @@
-/* launch.c - the beginning and the end. */
+/* launch.c - the requests that start and end a session. */
 #include <stdio.h>
 #include <string.h>
 
@@ -69,7 +69,7 @@ bool request_initialize(struct dap *dap, const struct json_value *arguments,
 
 /* ---- launch --------------------------------------------------------------------- */
 
-/* A text that lasts as long as the program; NULL: there is none to keep. */
+/* Copies a text into memory that lasts as long as the program; NULL remains NULL. */
 static const char *keep(struct dap *dap, const char *text)
 {
     return text ? arena_text(&dap->launched, text, strlen(text)) : NULL;
@@ -84,7 +84,7 @@ static size_t count_of(const struct json_value *item)
     return count;
 }
 
-/* { "N": 8 }: NULL without memory. */
+/* Reads the object { "N": 8 }. Returns NULL if memory is exhausted. */
 static const struct asm_define *read_defines(struct dap *dap,
                                              const struct json_value *launch)
 {
@@ -99,7 +99,7 @@ static const struct asm_define *read_defines(struct dap *dap,
     return defines;
 }
 
-/* [ "DIR", .. ] */
+/* Reads the list [ "DIR", .. ]. */
 static const char *const *read_search(struct dap *dap, const struct json_value *launch)
 {
     const struct json_value *item = json_member_first(launch, "include");
@@ -167,7 +167,7 @@ static bool open_program(struct dap *dap, const struct json_value *launch)
            && (sources_find(dap) || dap_fault(dap, "no memory"));
 }
 
-/* What did not become a program. */
+/* Frees a program that could not be opened completely. */
 static void close_program(struct dap *dap)
 {
     debugger_free(dap->debugger);
@@ -180,13 +180,14 @@ static void close_program(struct dap *dap)
     dap->path = NULL;
 }
 
-/* Breakpoints want the program: so they are asked for now. */
+/* The event initialized asks the client for its breakpoints. They are set in a program,
+ * so it is sent only after the launch. */
 static void ask_configuration(struct dap *dap)
 {
     event_bare(dap, "initialized");
 }
 
-/* A program that is only to be run stops nowhere. */
+/* A launch with noDebug stops nowhere. */
 static void read_stops(struct dap *dap, const struct json_value *launch)
 {
     bool stops = !json_member_truth(launch, "noDebug", false);
@@ -221,7 +222,7 @@ bool request_configuration_done(struct dap *dap, const struct json_value *argume
     return true;
 }
 
-/* ---- Once more, and no more --------------------------------------------------------- */
+/* ---- Restart and end ----------------------------------------------------- */
 
 bool request_restart(struct dap *dap, const struct json_value *arguments,
                      struct json *body)

@@ -1,7 +1,7 @@
-/* memory.c - memory as bytes, in base64, and as instructions.
+/* memory.c - memory as bytes in base64, and as instructions.
  *
- * An address is the machine's own, of a bit; offsets and counts are bytes, as the
- * protocol has them.  Byte 0 of a word is its leftmost.
+ * An address is an address of the machine, in bits. Offsets and counts are bytes, as
+ * the protocol requires. Byte 0 of a word is the leftmost.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,12 +11,12 @@
 #include "asm/disassemble.h"
 #include "asm/operand_view.h"
 
-/* ---- Base64 ------------------------------------------------------------------------- */
+/* ---- Base64 -------------------------------------------------------------- */
 
 static const char digits[] =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/* Three bytes are four digits; = stands for those that are none. */
+/* Encodes three bytes as four digits; = replaces the digits of absent bytes. */
 static void put_base64(const struct sink *sink, const unsigned char *bytes,
                        size_t count)
 {
@@ -35,7 +35,7 @@ static void put_base64(const struct sink *sink, const unsigned char *bytes,
     }
 }
 
-/* Into the same place.  False: it is none. */
+/* Decodes base64. bytes may hold the text itself. Returns false if it is not base64. */
 static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
 {
     unsigned long bits = 0;
@@ -60,7 +60,7 @@ static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
     return true;
 }
 
-/* ---- Bytes --------------------------------------------------------------------------- */
+/* ---- Bytes --------------------------------------------------------------- */
 
 enum { MAX_BYTES = 1 << 20 };
 
@@ -71,7 +71,7 @@ static bool read_place(struct dap *dap, const struct json_value *arguments,
            && (*address % 8 == 0 || dap_fault(dap, "no byte begins there"));
 }
 
-/* False: there is no memory. */
+/* Returns false if the memory is not mapped. */
 static bool read_byte(const struct dap *dap, uint64_t address, unsigned char *byte)
 {
     c205_word word;
@@ -124,7 +124,8 @@ static size_t mapped_bytes(const struct dap *dap, uint64_t address, size_t count
     return there;
 }
 
-/* All of them, or with allowPartial those before the first that is not there. */
+/* Writes all bytes. With allowPartial, bytes before the first unmapped one are
+ * enough. */
 static bool write_bytes(struct dap *dap, const struct json_value *arguments,
                         struct json *body, const unsigned char *bytes, size_t count)
 {
@@ -162,9 +163,10 @@ bool request_write_memory(struct dap *dap, const struct json_value *arguments,
     return good;
 }
 
-/* ---- Instructions ---------------------------------------------------------------------- */
+/* ---- Instructions -------------------------------------------------------- */
 
-/* The address so many instructions from here on, or back. */
+/* Returns the address a number of instructions after this one, or before it if
+ * negative. */
 static uint64_t move_address(const struct dap *dap, uint64_t address,
                              int64_t instructions)
 {
@@ -213,7 +215,7 @@ static void put_origin(struct dap *dap, struct json *body, uint64_t address)
     put_line(dap, body, "line", line->number);
 }
 
-/* The address of the next one. */
+/* Returns the address of the next instruction. */
 static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t address)
 {
     c205 *machine = machine_of(dap->debugger);
@@ -237,7 +239,8 @@ static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t add
     return (address + 32 * (uint64_t)view.halves) & ((UINT64_C(1) << 48) - 1);
 }
 
-/* As many as are wanted, whatever is there. */
+/* Returns exactly the number of instructions that the client requests, also for
+ * unmapped memory. */
 bool request_disassemble(struct dap *dap, const struct json_value *arguments,
                          struct json *body)
 {

@@ -1,3 +1,4 @@
+/* message.c - parses and writes the header of messages. */
 #include "asm/dap/message.h"
 
 #include <ctype.h>
@@ -11,7 +12,7 @@ static enum message_state broken(c205_error *error, const char *what)
     return MESSAGE_BROKEN;
 }
 
-/* Digits alone, and not too many. */
+/* Reads decimal digits only; the value is at most MAX_MESSAGE. */
 static bool read_length(const char *at, const char *end, size_t *length)
 {
     *length = 0;
@@ -29,7 +30,7 @@ static bool read_length(const char *at, const char *end, size_t *length)
     return true;
 }
 
-/* "Name: value"; other names than this one are passed over. */
+/* Reads "Name: value". Other names are ignored. */
 static bool read_field(const char *line, const char *end, bool *found, size_t *length)
 {
     static const char name[] = "Content-Length";

@@ -1,4 +1,4 @@
-/* operands.c - what the next instruction is about to work on. */
+/* operands.c - the operands of the next instruction as variables. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -35,7 +35,8 @@ static void put_operand(struct dap *dap, struct json *json,
     json_end(json);
 }
 
-/* Not where it continues, nor that there is no control vector. */
+/* Registers that are only written are not shown, nor is a control vector that is
+ * absent. */
 static bool is_shown(const struct operand_view *operand)
 {
     return operand->field && !strchr("wWpP", operand->letter)

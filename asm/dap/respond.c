@@ -1,4 +1,4 @@
-/* respond.c - responses and events. */
+/* respond.c - writes responses, events and reports. */
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -142,7 +142,7 @@ void send_printed(struct dap *dap)
     text_buffer_free(&dap->printed);
 }
 
-/* ---- Responses -------------------------------------------------------------------- */
+/* ---- Responses ----------------------------------------------------------- */
 
 static struct json *response_begin(struct dap *dap, struct text_buffer *line,
                                    const struct json_value *request, bool success)
@@ -181,7 +181,7 @@ void send_refusal(struct dap *dap, const struct json_value *request, const char 
     message_end(dap, json, &line);
 }
 
-/* ---- Numbers and addresses ---------------------------------------------------------- */
+/* ---- Numbers and addresses ----------------------------------------------- */
 
 void dap_put_address(struct json *json, const char *key, uint64_t address)
 {

@@ -1,4 +1,4 @@
-/* session.c - a session: what is heard, and who does it. */
+/* session.c - reads messages of the client and dispatches the requests. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ enum {
 static const struct {
     const char *name;
     dap_request *answer;
-    unsigned states; /* in which it may come */
+    unsigned states; /* bits of the states in which it is allowed */
 } requests[] = {
     { "initialize", request_initialize, DAP_NEW },
     { "launch", request_launch, DAP_GREETED },
@@ -96,7 +96,7 @@ static void refuse(struct dap *dap, const struct json_value *request)
     free(why);
 }
 
-/* What it has told beside its answer is shown, too. */
+/* Sends the reports of a successful request as console output, then the response. */
 static void respond(struct dap *dap, const struct json_value *request, const char *body)
 {
     char *said = dap_take_said(dap);
@@ -137,7 +137,8 @@ static void handle_request(struct dap *dap, const struct json_value *request)
 
 /* ---- Messages ------------------------------------------------------------------- */
 
-/* What is no request needs no answer; what nobody can tell whom to answer is shown. */
+/* Messages that are not requests need no response. A message without a type is reported
+ * as output, since there is no request to answer. */
 static void handle_message(struct dap *dap, const char *text, size_t length)
 {
     struct arena arena = { 0 };
@@ -156,7 +157,8 @@ static void handle_message(struct dap *dap, const char *text, size_t length)
     arena_free(&arena);
 }
 
-/* Of what was read. */
+/* Handles the next message that has been received completely. Returns false if there is
+ * none. */
 static bool handle_next(struct dap *dap)
 {
     struct message_content content;
@@ -208,7 +210,7 @@ bool dap_listen(void *given)
     return dap->over || dap->pending != PENDING_NONE;
 }
 
-/* ---- All of it --------------------------------------------------------------------- */
+/* ---- The session --------------------------------------------------------- */
 
 static void end(struct dap *dap)
 {

@@ -1,4 +1,4 @@
-/* time.c - the accounts, and the time of the last instruction: the machine's own. */
+/* time.c - the clocks of regions and of the last instruction as variables. */
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -79,8 +79,8 @@ static void put_piece(struct dap *dap, struct json *json, const c205_piece *piec
     put_plain(json, c205_cause_name(piece->cause), "%s", text.text);
 }
 
-/* When it came and went, what it waited for, and what the vector unit still does for
- * it. */
+/* Shows when the instruction arrived and issued, its waits, and the remaining phases in
+ * the vector unit. */
 void put_last(struct dap *dap, struct json *json)
 {
     const c205_times *record = &dap->debugger->record;

@@ -1,4 +1,5 @@
-/* variables.c - scopes and variables: registers, operands, vectors, time. */
+/* variables.c - the requests for scopes and variables: registers, operands, vectors,
+ * time. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +17,7 @@ static size_t number_of(int64_t reference)
     return (size_t)(reference / KINDS);
 }
 
-/* ---- One variable ------------------------------------------------------------------ */
+/* ---- One variable -------------------------------------------------------- */
 
 void put_variable(struct json *json, const char *name, const char *value,
                   int64_t reference)
@@ -27,7 +28,7 @@ void put_variable(struct json *json, const char *name, const char *value,
     json_number(json, "variablesReference", (double)reference);
 }
 
-/* ---- Vectors of registers -------------------------------------------------------------- */
+/* ---- Vectors of registers ------------------------------------------------ */
 
 static struct vector_view described(const struct dap *dap, size_t number,
                                     unsigned width)
@@ -66,7 +67,7 @@ void put_word_members(struct dap *dap, struct json *json, struct register_of nam
     dap_put_address(json, "memoryReference", vector.address);
 }
 
-/* ---- Registers ------------------------------------------------------------------------- */
+/* ---- Registers ----------------------------------------------------------- */
 
 static void put_register(struct dap *dap, struct json *json, const char *name,
                          struct register_of named)
@@ -88,7 +89,7 @@ static void put_register(struct dap *dap, struct json *json, const char *name,
     json_end(json);
 }
 
-/* A name is that of the last that was given it. */
+/* A name denotes the last register that has it. */
 static bool is_last(const struct object *object, size_t i)
 {
     for (size_t k = i + 1; k < object->register_count; k++)
@@ -152,7 +153,7 @@ static void put_vectors(struct dap *dap, struct json *json)
     }
 }
 
-/* The same elements as halves and as bits. */
+/* Offers the same elements as half words and as bits. */
 static void put_other_ways(struct json *json, const struct vector_view *vector,
                            size_t number)
 {
@@ -178,7 +179,7 @@ bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector)
     return number < C205_REGISTERS;
 }
 
-/* ---- Requests -------------------------------------------------------------------------------- */
+/* ---- Requests ------------------------------------------------------------ */
 
 static void put_scope(struct json *body, const char *name, enum reference_kind kind,
                       const char *hint)
@@ -270,7 +271,7 @@ bool request_variables(struct dap *dap, const struct json_value *arguments,
     return good;
 }
 
-/* ---- Changes ----------------------------------------------------------------------------------- */
+/* ---- Changes ------------------------------------------------------------- */
 
 static bool set_element(struct dap *dap, const struct vector_view *vector,
                         const char *name, const struct value_of *value)
@@ -306,7 +307,7 @@ static bool set(struct dap *dap, int64_t reference, const char *name,
     return dap_fault(dap, "'%.40s' cannot be changed", name);
 }
 
-/* What it is now, as variables show it. */
+/* Writes the new value in the form of variables. */
 static void put_new(struct dap *dap, struct json *body, int64_t reference,
                     const char *name)
 {

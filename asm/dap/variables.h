@@ -1,7 +1,7 @@
-/* variables.h - what the scopes are made of.  Not public.
+/* variables.h - the contents of the scopes. Not public.
  *
- * A reference says all about what it stands for: its kind, and a number.  So there is
- * no table of them, and one of an earlier stop means the same of this one.
+ * A reference consists of its kind and a number. No table of references is needed, and
+ * a reference from an earlier stop keeps its meaning.
  */
 #ifndef ASM_DAP_VARIABLES_H
 #define ASM_DAP_VARIABLES_H
@@ -11,15 +11,15 @@
 enum reference_kind {
     OF_NAMED = 1, /* registers that the program has named */
     OF_OPERANDS,  /* of the next instruction */
-    OF_VECTORS,   /* what registers describe */
-    OF_REGISTERS, /* all */
+    OF_VECTORS,   /* vectors that registers describe */
+    OF_REGISTERS, /* all registers */
     OF_TIME,
-    OF_WORDS, /* elements of what a register describes, in three ways .. */
+    OF_WORDS, /* elements of a register's vector */
     OF_HALVES,
     OF_BITS,
-    OF_OPERAND, /* .. and of an operand of the next instruction */
-    OF_LAST,    /* the time of the last instruction */
-    OF_REGION,  /* an account */
+    OF_OPERAND, /* elements of an operand of the next instruction */
+    OF_LAST,    /* times of the last instruction */
+    OF_REGION,  /* clocks of a region */
     KINDS = 16
 };
 
@@ -28,12 +28,13 @@ static inline int64_t reference_of(enum reference_kind kind, size_t number)
     return (int64_t)kind + (int64_t)number * KINDS;
 }
 
-/* An object whose further members and end are the caller's. */
+/* Opens an object. The caller adds members and closes it. */
 void put_variable(struct json *json, const char *name, const char *value,
                   int64_t reference);
-/* "100 words from 801900 on" */
+/* Prints "100 words from 801900 on". */
 void put_extent(const struct vector_view *vector, const struct sink *sink);
-/* The name that the program has for a register, if that means no other; or its number. */
+/* Returns the program's name of a register, or its number if the name denotes another
+ * register. */
 enum { REGISTER_NAME = 8 };
 const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME]);
 
