@@ -1,4 +1,4 @@
-/* grade.c - an answer and the tests of its lesson. */
+/* grade.c - runs an answer on the tests of its lesson and builds the verdict. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,23 +12,24 @@
 #include "base/error.h"
 #include "base/model.h"
 
-/* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
- * endless loop; one that prints more characters than this never comes to an end either. */
+/* Limits of a run, so that an endless loop ends. An answer is stopped after
+ * 20,000,000 clocks plus ten times those of bronze, or when it has printed more
+ * characters than MAX_PRINTED. */
 static const uint64_t patience_least = 20000000;
 enum { TIME_LIMIT_FACTOR = 10, MAX_PRINTED = 1 << 16 };
 
-/* An answer before a test. */
+/* The state of one answer and one test. */
 struct sitting {
     const char *name, *text;
     size_t length;
     struct lesson_trial *trial;
-    struct lesson_report *general; /* what all tests would say */
+    struct lesson_report *general; /* reports that would be the same for all tests */
     struct arena *kept;
-    c205_error *error; /* what is wrong with the lesson */
+    c205_error *error; /* an error of the lesson itself */
 
     struct object *test, *answer;
     c205_model *model;
-    c205 *data, *machine; /* the test's memory, and the answer's */
+    c205 *data, *machine; /* data: memory of the test; machine: the answer's */
     struct line_profile *profile;
     struct lesson_test_data test_data;
     struct printer printer;
@@ -42,7 +43,7 @@ static bool no_memory(c205_error *error)
 
 /* ---- The answer ------------------------------------------------------------ */
 
-/* A sentence, and below it those of one severity. */
+/* Reports a sentence, followed by all diagnostics of one severity. */
 static void print_diagnostics(struct lesson_report *report, const char *sentence,
                               const struct diagnostics *said, enum severity severity)
 {
@@ -57,7 +58,8 @@ static void print_diagnostics(struct lesson_report *report, const char *sentence
     report_buffer(report, &text);
 }
 
-/* The test's constants. */
+/* Returns the integer constants of the test as definitions for the answer, or NULL if
+ * memory is exhausted. */
 static struct asm_define *make_defines(struct sitting *sitting)
 {
     const struct object *test = sitting->test;
@@ -87,7 +89,8 @@ static void print_redefined(struct lesson_report *report, const char *name,
                       diagnostic->line, name);
 }
 
-/* Whether a constant that the answer has, too, is why. */
+/* Reports each constant that the answer defines although the test sets it. Returns
+ * whether there was one: then the assembly failed for that reason. */
 static bool find_redefined(struct sitting *sitting, const struct diagnostics *said,
                            const struct asm_define *defines)
 {
@@ -101,7 +104,7 @@ static bool find_redefined(struct sitting *sitting, const struct diagnostics *sa
     return report->count > reported;
 }
 
-/* "With n = 5 it cannot be assembled:" */
+/* Reports the errors after a heading such as "With n = 5 it cannot be assembled:". */
 static void print_errors(struct sitting *sitting, const struct diagnostics *said,
                          const struct asm_define *defines)
 {
@@ -115,7 +118,7 @@ static void print_errors(struct sitting *sitting, const struct diagnostics *said
     print_diagnostics(&sitting->trial->report, line.text, said, SEVERITY_ERROR);
 }
 
-/* With the constants of the test. */
+/* Assembles the answer with the constants of the test. */
 static bool assemble_answer(struct sitting *sitting)
 {
     struct asm_define *defines = make_defines(sitting);
@@ -155,7 +158,7 @@ static void listen(void *context, const c205 *machine, const c205_event *event)
         c205_pause(sitting->machine);
 }
 
-/* Whether pages are warm says the test. */
+/* The test determines whether pages are warm, not the answer. */
 static bool load_answer(struct sitting *sitting)
 {
     c205_program program = sitting->answer->program;
@@ -206,7 +209,7 @@ static void print_trap(struct sitting *sitting, const c205_stop *stop)
     report_buffer(&sitting->trial->report, &text);
 }
 
-/* False: it did not come to its end. */
+/* Reports a run that did not end regularly, and returns false. */
 static bool check_stop(struct sitting *sitting, const c205_stop *stop)
 {
     if (stop->trap == C205_TRAP_CLOCK_LIMIT)
@@ -226,7 +229,8 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
     return false;
 }
 
-/* "test-small.s:7: expected ..": a sentence each, without where it is in the test. */
+/* Reports each line "test-small.s:7: expected ..." as a sentence without its position,
+ * since the position is in a file that the student does not have. */
 static void print_expectations(struct lesson_report *report, const char *text)
 {
     static const char before[] = "expected ";
@@ -395,7 +399,8 @@ void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
     report_buffer(&verdict->report, &text);
 }
 
-/* Until one of them says what all would. */
+/* Runs the tests in order, until one of them has a report that would
+ * be the same for all. */
 static bool try_tests(struct lesson_verdict *verdict, const char *text, size_t length,
                       c205_error *error)
 {
@@ -419,7 +424,8 @@ static bool try_tests(struct lesson_verdict *verdict, const char *text, size_t l
     return true;
 }
 
-/* What the assembler warns of may be what is wrong. */
+/* If the answer has not passed, the warnings of the assembler are reported too:
+ * they may name the cause. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   const char *name, const char *text, size_t length, c205_error *error)
 {

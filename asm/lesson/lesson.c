@@ -1,4 +1,4 @@
-/* lesson.c - lessons from their files. */
+/* lesson.c - builds lessons from their files. */
 #include "asm/lesson/lesson.h"
 
 #include <ctype.h>
@@ -20,7 +20,7 @@ const char *medal_name(enum medal medal)
 
 /* ---- One ------------------------------------------------------------------- */
 
-/* The number is what a folder's name begins with. */
+/* A folder named NUMBER-NAME gives the number and the name. */
 bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
 {
     char *end;
@@ -35,7 +35,7 @@ bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
     return true;
 }
 
-/* The first line of the text: "# Title". */
+/* Reads the title from the first line of the text: "# Title". */
 static bool take_title(struct lesson *lesson, c205_error *error)
 {
     size_t length = strcspn(lesson->text, "\n");
@@ -128,7 +128,7 @@ bool lesson_is_named(const struct lesson *lesson, const char *name)
            || (is_number && lesson->number > 0 && lesson->number == number);
 }
 
-/* ---- Those that are carried with us ---------------------------------------- */
+/* ---- The lessons of the library ------------------------------------------ */
 
 static bool join_lines(const char *const *lines, struct text_buffer *buffer)
 {
@@ -139,7 +139,7 @@ static bool join_lines(const char *const *lines, struct text_buffer *buffer)
     return !buffer->failed;
 }
 
-/* A table's texts are "folder/file", those of a folder together. */
+/* The texts are named "folder/file"; those of a folder are consecutive. */
 static bool take_text(struct lesson *lesson, const struct text *text, c205_error *error)
 {
     struct text_buffer joined = { 0 };
@@ -157,7 +157,8 @@ static bool is_of(const struct text *text, const char *name, size_t length)
     return text->name && strncmp(text->name, name, length) == 0;
 }
 
-/* From a text on all of its folder; NULL: the error says why not. */
+/* Opens the lesson whose texts start here. Returns the first text of the next folder,
+ * or NULL and the error. */
 static const struct text *open_next(struct lesson *lesson, const struct text *text,
                                     c205_error *error)
 {

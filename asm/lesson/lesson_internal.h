@@ -1,63 +1,65 @@
-/* lesson_internal.h - what the parts of grading share.  Not public. */
+/* lesson_internal.h - types and functions shared by the parts of
+ * grading. Not public. */
 #ifndef ASM_LESSON_LESSON_INTERNAL_H
 #define ASM_LESSON_LESSON_INTERNAL_H
 
 #include "asm/lesson/lesson.h"
 #include "asm/line_profile.h"
 
-/* notes.c: what the comments of a test say; its name and text are there. */
+/* Reads the comments of a test, whose name and text are set (notes.c). */
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
                        c205_error *error);
 
-/* A sentence of at most 1,023 bytes; or what a buffer holds, which is freed, but for the
- * newlines at its end.  Where there is no memory the arena says so. */
+/* report_printf adds a sentence of at most 1,023 bytes. report_buffer adds the text of a
+ * buffer without the newlines at its end, and frees the buffer. If memory is exhausted
+ * the arena is marked as failed. */
 void report_printf(struct lesson_report *report, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
 void report_buffer(struct lesson_report *report, struct text_buffer *buffer);
-/* A source line without its margin. */
+/* Returns a source line without leading blanks. */
 const char *lesson_source(const char *line);
 
-/* ---- test_data.c: data between a test and an answer ------------------------- */
+/* ---- test_data.c: data of a test and an answer --------------------------- */
 
-/* A label of both. */
+/* The data of a label that both the test and the answer have. */
 struct test_item {
     const char *label; /* of the answer */
     enum asm_contents contents;
     size_t count;
-    uint64_t expected_at,
-        actual_at; /* where it begins, in the test and in the answer */
-    const struct lesson_tolerance *tolerance; /* NULL: the same words */
-    /* What is wanted, and what the answer has there before the run and behind it, an element
-     * at the left of each word; inputs have none. */
+    uint64_t expected_at, actual_at; /* bit addresses: in the test, in the answer */
+    const struct lesson_tolerance *tolerance; /* NULL: the words must be equal */
+    /* The expected values, and those of the answer before and after the run. Each
+     * element is left-aligned in a word. NULL for inputs. */
     c205_word *expected, *initial, *actual;
 };
 
 struct lesson_test_data {
     const struct object *test, *answer;
-    const c205 *data; /* the test's, loaded */
-    c205 *machine;    /* the answer's, loaded */
+    const c205 *data; /* machine with the test's data */
+    c205 *machine;    /* machine with the answer */
     size_t count;
     struct test_item *items;
     const struct lesson_test *notes;
-    struct lesson_report *report, *general; /* of this test; of all */
+    struct lesson_report *report, *general; /* of this test; of all tests */
     struct arena *kept;
 };
 
-/* Lists what is wanted and puts the data.  False: labels are missing, too small or of another
- * kind; each is told. */
+/* Copies the inputs to the answer and lists the results to compare. Returns false, with
+ * a report for each, if labels are missing, too small or of another type. */
 bool test_data_begin(struct lesson_test_data *test_data);
-/* Behind the run.  False: something is wrong; it is told. */
+/* Compares the results after the run. Returns false, with a report, if one is wrong. */
 bool test_data_end(struct lesson_test_data *test_data);
 
-/* ---- In words -------------------------------------------------------------- */
+/* ---- Reports ------------------------------------------------------------- */
 
-/* mismatch.c: false, and told, if what was found is not what was wanted. */
+/* Returns true if the values match; otherwise reports the mismatch and
+ * returns false (mismatch.c). */
 bool mismatch_report(const struct test_item *item, struct lesson_report *report);
 
-/* performance_hint.c: why it takes more clocks than the next goal. */
+/* Reports why the answer takes more clocks than the next goal (performance_hint.c). */
 void performance_hint_report(const struct lesson_trial *trial, const c205 *machine,
                              const struct line_profile *profile,
                              struct lesson_report *report);

@@ -1,4 +1,5 @@
-/* mismatch.c - what is wrong with a result: which elements, and what they look like. */
+/* mismatch.c - compares a result with the expected one, reports the wrong elements and
+ * recognises typical mistakes. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdlib.h>
@@ -31,9 +32,9 @@ static bool is_right(const struct test_item *item, size_t i)
     return is_same(item, item->expected[i], item->actual[i]);
 }
 
-/* ---- What they look like --------------------------------------------------- */
+/* ---- Typical mistakes ---------------------------------------------------- */
 
-/* Of a result of which something is wrong: an element, or all of it. */
+/* A property of one element of a wrong result, or of the whole result. */
 typedef bool of_element(const struct test_item *item, size_t i);
 typedef bool of_result(const struct test_item *item);
 
@@ -78,13 +79,13 @@ static bool is_first(const struct test_item *item, size_t i)
     return item->expected[i] == item->expected[0];
 }
 
-/* What so few bits look like is chance. */
+/* A few bits match any pattern at random. */
 static bool is_chance(const struct test_item *item)
 {
     return item->contents == ASM_BITS && item->count < 16;
 }
 
-/* Elements that are all the same, or one or two, stand nowhere too early. */
+/* A shift cannot be recognised in one or two elements, or in equal ones. */
 static bool have_places(const struct test_item *item)
 {
     return item->count > 2 && !is_chance(item) && !all(item, is_first);
@@ -117,7 +118,8 @@ static int compare_words(const void *a, const void *b)
     return (*one > *other) - (*one < *other);
 }
 
-/* The same elements, each as often; of bits that says little. */
+/* Returns whether the result is a permutation of the expected one. For bits that says
+ * little, so it is not tested. */
 static bool other_order(const struct test_item *item)
 {
     size_t size = item->count * sizeof(c205_word);
@@ -194,7 +196,7 @@ static bool lost_bits(const struct test_item *item)
     return !all(item, keeps_bits);
 }
 
-/* Some at the beginning are right, and nothing was stored behind them. */
+/* Returns whether a prefix is right and all elements after it are unchanged. */
 static bool only_begun(const struct test_item *item)
 {
     size_t i = 0;
@@ -208,10 +210,10 @@ static bool only_begun(const struct test_item *item)
     return i == item->count;
 }
 
-/* The first that fits is told. */
+/* The mistakes, in order of priority: the first that fits is reported. */
 static const struct likeness {
-    of_element *each; /* it fits if this is true of each element; .. */
-    of_result *whole; /* .. or this of all together */
+    of_element *each; /* fits if this is true of every element */
+    of_result *whole; /* or if this is true of the result */
     const char *sentence;
 } likenesses[] = {
     { is_untouched, NULL,
@@ -249,11 +251,11 @@ static bool fits(const struct likeness *likeness, const struct test_item *item)
     return likeness->each ? all(item, likeness->each) : likeness->whole(item);
 }
 
-/* ---- In words -------------------------------------------------------------- */
+/* ---- Sentences ----------------------------------------------------------- */
 
 enum { MAX_LISTED = 3 };
 
-/* Words of equal numbers are told by their bits as well. */
+/* If the numbers are equal the bits are shown too, since only they differ. */
 static void print_value(const struct test_item *item, c205_word element, bool with_bits,
                         const struct sink *sink)
 {
@@ -301,7 +303,7 @@ static void print_elements(const struct test_item *item, size_t wrong,
         sink_print(sink, ", and %zu more", wrong - reported);
 }
 
-/* What single results are is told without counting. */
+/* A result of one element is reported without its index. */
 static void print_wrong(const struct test_item *item, size_t wrong,
                         const struct sink *sink)
 {

@@ -1,4 +1,4 @@
-/* notes.c - what a test says of itself in comments. */
+/* notes.c - reads the notes in the comments of a test. */
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/spelling.h"
 
-/* Where a note stands; its text is from at to end. */
+/* A note under examination: its text is from at to end. */
 struct test_note {
     struct lesson *lesson;
     struct lesson_test *test;
@@ -38,7 +38,7 @@ static bool take_letter(struct test_note *note, char letter)
     return true;
 }
 
-/* Up to a blank, a comma or a colon. */
+/* Returns the number of characters up to a blank, a comma or a colon. */
 static size_t word_length(const struct test_note *note)
 {
     const char *at = note->at;
@@ -139,7 +139,7 @@ static bool take_tolerance_note(struct test_note *note)
     return true;
 }
 
-/* ---- All of them ----------------------------------------------------------- */
+/* ---- All notes ----------------------------------------------------------- */
 
 static const struct {
     const char *name;
@@ -148,7 +148,8 @@ static const struct {
               { "goals", take_goals_note },
               { "tolerance", take_tolerance_note } };
 
-/* Longer names that are almost one of them are no prose. */
+/* Rejects a name that is almost one of the notes: it is more likely a misspelling than
+ * prose. Only names of four letters or more are compared. */
 static bool check_name(const struct test_note *note, size_t length)
 {
     enum { NEAR = 2, LONG = 4 };
@@ -166,7 +167,7 @@ static bool check_name(const struct test_note *note, size_t length)
                            "'tolerance:'");
 }
 
-/* "; name: text", or .warm; other lines say nothing. */
+/* Reads "; name: text" or .warm; other lines are ignored. */
 static bool take_line(struct test_note *note)
 {
     size_t length;

@@ -1,5 +1,5 @@
-/* performance_hint.c - why an answer is slower than the next goal: the cause and the lines that took most
- * of its clocks. */
+/* performance_hint.c - explains why an answer is slower than the next goal: the largest
+ * cause and the lines that took most of the clocks. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 
 enum { LINES_TOLD = 3 };
 
-/* What helps against a cause. */
+/* Advice for each cause. */
 static const char *const helps[C205_CAUSES] = {
     [C205_ISSUE] = "Each instruction takes its clocks to issue: fewer of "
                    "them do better, and a vector instruction stands for a "
@@ -60,7 +60,8 @@ static void print_goal(const struct lesson_trial *trial, struct lesson_report *r
 
 /* ---- The cause ------------------------------------------------------------- */
 
-/* So many instructions are a loop, however good. */
+/* A program with this many instructions contains a loop, whether it
+ * is efficient or not. */
 static const uint64_t many = 1000;
 
 static bool is_scalar(const c205_account *all)
@@ -78,8 +79,8 @@ static int find_most(const c205_account *all, int first)
     return most;
 }
 
-/* The instructions of a few lines of scalar code are the work itself: what can be mended there
- * is a wait. */
+/* For a short scalar program the issue of instructions is unavoidable work. There the
+ * longest wait is reported in its place. */
 static void print_cause(const struct lesson_trial *trial, const c205_account *all,
                         struct lesson_report *report)
 {
@@ -117,7 +118,8 @@ static uint64_t clocks_of(const struct profile_row *row)
     return sum;
 }
 
-/* The hottest line behind the one before it, of equals the first; NULL: none took time. */
+/* Returns the line with the most clocks after the line `before` in descending order; of
+ * equal lines the first comes first. Returns NULL if no line is left. */
 static const struct profile_row *next_line(const struct line_profile *profile,
                                            const struct profile_row *before)
 {
@@ -135,8 +137,8 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     return found;
 }
 
-/* A linked pair has its clocks at the prefix; what it does is in the two lines behind, which
- * are never done by themselves. */
+/* The clocks of a linked pair are charged to the prefix. The two lines after it contain
+ * the operations, and are never executed by themselves. */
 static bool is_link(const struct profile_row *row)
 {
     return strstr(row->source, "LINKV") && row[1].executions == 0 && row[1].file
@@ -162,7 +164,8 @@ static void print_line(const struct lesson_trial *trial, const struct profile_ro
     report_buffer(report, &text);
 }
 
-/* The hottest one, and others that took a tenth of all or more. */
+/* Reports the line with the most clocks, and further ones that took at least a
+ * tenth of all clocks. */
 static void print_lines(const struct lesson_trial *trial,
                         const struct line_profile *profile,
                         struct lesson_report *report)

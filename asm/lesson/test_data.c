@@ -1,5 +1,5 @@
-/* test_data.c - the data of a test go into the answer's memory, and its results are looked
- * at. */
+/* test_data.c - copies the data of a test into the answer's memory and
+ * compares the results. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -29,7 +29,7 @@ static const char *kind_name(enum asm_contents contents)
     }
 }
 
-/* Its leftmost bits are the element's; the others are zero. */
+/* Elements are left-aligned in a word, with zeros after them. */
 static c205_word mask_of(unsigned width)
 {
     return ~(c205_word)0 << (64 - width);
@@ -79,7 +79,8 @@ static bool holds_data(const struct asm_symbol *symbol)
            && symbol->contents != ASM_CODE;
 }
 
-/* What the answer has at a label of the test. */
+/* Checks that the data at the answer's label have the type and at least the
+ * size of the test's data. */
 static bool check_room(struct lesson_test_data *test_data,
                        const struct asm_symbol *ours, const struct asm_symbol *theirs)
 {
@@ -126,7 +127,7 @@ static void begin_wanted(struct lesson_test_data *test_data, struct test_item *i
         get_elements(test_data->data, item->expected_at, item, item->expected);
 }
 
-/* A label of the test that holds data. */
+/* Prepares one label of the test that holds data. */
 static bool begin_label(struct lesson_test_data *test_data,
                         const struct asm_symbol *ours)
 {
@@ -179,7 +180,7 @@ bool test_data_begin(struct lesson_test_data *test_data)
     return true;
 }
 
-/* Inputs that the answer calls otherwise. */
+/* Reports inputs for which the answer has no label: a likely cause of wrong results. */
 static void print_missing(struct lesson_test_data *test_data)
 {
     for (size_t i = 0; i < test_data->test->symbol_count; i++) {

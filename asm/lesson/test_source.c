@@ -1,4 +1,4 @@
-/* test_source.c - the text of a test, assembled. */
+/* test_source.c - assembles the text of a test and checks it. */
 #include <stdio.h>
 #include <string.h>
 
@@ -20,7 +20,8 @@ bool lesson_is_constant(const struct asm_symbol *symbol)
     return !symbol->is_label && !symbol->is_word;
 }
 
-/* What names an address of the test's own is wanted by a label instead. */
+/* Rejects expectations that name an address of the test itself. A test uses a
+ * label want_LABEL instead. */
 static bool check_expectations(const struct object *object, c205_error *error)
 {
     for (size_t i = 0; i < object->expectation_count; i++) {
@@ -36,7 +37,7 @@ static bool check_expectations(const struct object *object, c205_error *error)
     return true;
 }
 
-/* NULL: anything at all. */
+/* Returns whether the test has data at want_LABEL. label: NULL for any label. */
 static bool is_wanted(const struct object *object, const char *label)
 {
     size_t i = 0;
@@ -52,7 +53,7 @@ static bool is_wanted(const struct object *object, const char *label)
     return false;
 }
 
-/* No data would be equal to whatever an answer has. */
+/* Rejects want_ without a name, and code at a label want_LABEL. */
 static bool check_wanted(const struct lesson_test *test, const struct object *object,
                          c205_error *error)
 {

@@ -1,4 +1,4 @@
-/* verdict.c - what an answer is worth, in words and as JSON. */
+/* verdict.c - prints a verdict as text and as JSON. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdarg.h>
@@ -60,9 +60,9 @@ void lesson_verdict_free(struct lesson_verdict *verdict)
     arena_free(&verdict->kept);
 }
 
-/* ---- For the eye ----------------------------------------------------------- */
+/* ---- Text ---------------------------------------------------------------- */
 
-/* Each a little to the right; a piece of a program's text is not folded. */
+/* Prints each sentence with an indentation. Lines of a program are not wrapped. */
 static void put_report(const struct lesson_report *report, const struct sink *sink)
 {
     enum { COLUMN = 4 };
