@@ -1,3 +1,4 @@
+/* assemble.c - runs the passes of an assembly and reports errors of whole files. */
 #include "asm/assemble.h"
 
 #include <stdio.h>
@@ -9,7 +10,7 @@
 #include "asm/lex.h"
 #include "base/text_file.h"
 
-/* What keeps it from being the name of a constant; NULL: nothing. */
+/* Returns why a text cannot be the name of a constant, or NULL if it can. */
 static const char *name_fault(const char *name)
 {
     struct register_name named;
@@ -63,7 +64,7 @@ static void start(struct assembler *assembler)
     assembler->section = &assembler->sections[0];
 }
 
-/* The caller's text stays as it is.  False after an error. */
+/* Copies the text, so that the caller's text is not modified. Fails with a report. */
 static bool take_text(struct assembler *assembler, struct asm_source *source)
 {
     size_t length = (size_t)(source->end - source->text);

@@ -1,12 +1,12 @@
-/* assembler.h - what the passes of one assembly share.  Not public.
+/* assembler.h - data structures that the passes of an assembly share. Not public.
  *
- * The passes run line by line: expand hands out logical lines (after
- * includes, macros, repetition and conditions), parse turns each into items
- * that lie at known addresses and whose values are expressions, and when the
- * last line is read, every label known, encode turns items into words.
+ * The passes run line by line. The expander produces logical lines, after includes,
+ * macros, repetition and conditions. The parser turns each line into items with known
+ * addresses, whose values are expressions. After the last line all labels are known,
+ * and the encoder turns the items into words.
  *
- * Pointers into program text stay good during the whole assembly.  Functions
- * that can fail return false or NULL after they have reported why.
+ * Pointers into the program text are valid during the whole assembly. Functions that
+ * fail return false or NULL after they have reported the reason.
  */
 #ifndef ASM_ASSEMBLER_H
 #define ASM_ASSEMBLER_H
@@ -15,14 +15,14 @@
 #include "asm/assemble.h"
 #include "asm/expect.h"
 
-/* Bounds, so that no text makes the assembler run away. */
+/* Limits, so that no text makes an assembly endless or exhausts memory. */
 #define MAX_WORDS ((uint64_t)1 << 26)     /* of a program */
 #define MAX_EXPANSION ((uint64_t)1 << 26) /* bytes made by .macro and .rept */
 #define MAX_LINE ((size_t)1 << 16)        /* bytes of one line */
 #define MAX_FRAMES 64u                    /* includes and macros in use */
 #define MAX_CONDITIONS 64u
 #define MAX_SHARES 64u  /* .share in .share */
-#define MAX_SHARERS 64u /* of a register that a new name is compared with */
+#define MAX_SHARERS 64u /* names of one register that a new name is compared with */
 #define MAX_EXPRESSION_DEPTH 200u
 #define MAX_ERRORS 200u
 
@@ -36,14 +36,14 @@ struct line {
     const char *file;
     size_t number;
     const char *text, *text_end; /* for messages */
-    const char *begin, *end;     /* the part that is to be parsed */
-    const struct line *caller;   /* the macro call or .rept it came from */
+    const char *begin, *end;     /* the part to parse */
+    const struct line *caller;   /* the macro call or .rept that produced it */
 };
 
 enum value_kind {
     VALUE_INTEGER,
-    VALUE_WORD,    /* X'..': as an integer its bits */
-    VALUE_FLOATING /* computed as the machine does */
+    VALUE_WORD,    /* X'..': as an integer, its bits */
+    VALUE_FLOATING /* computed by the machine's arithmetic */
 };
 
 struct value {
@@ -60,56 +60,61 @@ enum symbol_kind {
 };
 
 struct symbol {
-    struct symbol *next; /* with the same hash */
+    struct symbol *next; /* next in the hash bucket */
     const char *name;
     size_t length;
     enum symbol_kind kind;
     struct value value;         /* register: its number */
-    size_t naming;              /* register: the last one of this name, from 1 */
-    const struct macro *macro;  /* of this name; macros have their own space */
-    const struct line *defined; /* NULL: given by the caller */
-    bool used;                  /* an expression or a condition has it */
-    bool counted;               /* label: it was given a length, of what: */
+    size_t naming;              /* register: its last naming, counted from 1 */
+    const struct macro *macro;  /* the macro of this name; macros have
+                                 * their own name space */
+    const struct line *defined; /* NULL: defined by the caller */
+    bool used;                  /* used in an expression or a condition */
+    bool counted;               /* label: contents and count are declared */
     enum asm_contents contents;
     uint64_t count;
 };
 
 enum { SYMBOL_BUCKETS = 4096 };
 
-/* A register of 64 bits, or a half register. */
+/* A register of 64 bits or a half register. */
 struct register_name {
     bool half;
     uint8_t number;
-    size_t naming; /* by which it was meant, from 1; 0: r5 itself */
+    size_t naming; /* the naming that the text used, counted from
+                    * 1; 0: none, as in r5 */
 };
 
-/* From .share to .endshare. */
+/* A block from .share to .endshare. */
 struct register_share {
     const struct register_share *outer;
     const struct line *line;
-    const char *word; /* NULL: none */
+    const char *word; /* NULL: no word is given */
     unsigned depth;
 };
 
-/* What .reg and .regs declare: a name of a register from there on. */
+/* A name of a register, valid from its .reg or .regs on. */
 struct naming {
     const struct line *line;
     const char *at;
     const struct symbol *symbol;
     struct register_name named;
-    size_t owner;                       /* the first naming of what this is */
-    const struct register_share *share; /* the block it is in, or NULL */
-    bool ended;                         /* the name has moved on */
-    size_t below;                       /* the one of this register before it, from 1 */
+    size_t owner;                       /* the first naming of the same value */
+    const struct register_share *share; /* the block that contains it, or NULL */
+    bool ended;                         /* the name has been given to another
+                                         * register */
+    size_t below;                       /* previous naming of the same
+                                         * register, counted from 1 */
 };
 
 struct registers {
     struct naming *namings;
     size_t count, capacity;
-    size_t newest[C205_REGISTERS]; /* naming of each, from 1 */
-    size_t *mentions;              /* namings, as instructions have them */
+    size_t newest[C205_REGISTERS]; /* last naming of each register, counted from 1 */
+    size_t *mentions;              /* namings, in the order of their use in
+                                    * instructions */
     size_t mention_count, mention_capacity;
-    const struct register_share *share; /* the block that is open, or NULL */
+    const struct register_share *share; /* the open block, or NULL */
 };
 
 struct symbols {
@@ -122,16 +127,16 @@ struct instruction {
     c205_fields fields;
     const struct expression *value; /* immediate or branch target, or NULL */
     bool relative;                  /* value is a target address */
-    size_t mention, mentions;       /* the first, and how many */
+    size_t mention, mentions;       /* index of the first, and number */
 };
 
 enum item_kind {
     ITEM_INSTRUCTION,
-    ITEM_WORDS,      /* known already */
+    ITEM_WORDS,      /* values are known */
     ITEM_VALUE,      /* one word from one expression */
     ITEM_HALF,       /* 32 bits of an integer from one expression */
     ITEM_HALF_WORD,  /* a half word from one expression */
-    ITEM_DESCRIPTOR, /* one word from two */
+    ITEM_DESCRIPTOR, /* one word from two expressions */
     ITEM_SPACE       /* zeros */
 };
 
@@ -155,7 +160,7 @@ struct asm_region {
     uint64_t begin, end;
 };
 
-/* Between .record and .endrecord. */
+/* The state between .record and .endrecord. */
 struct open_record {
     const struct line *line; /* NULL: none */
     const char *name;
@@ -166,17 +171,18 @@ struct section {
     const char *name;
     uint64_t at;
     bool moved; /* by .org */
-    bool full;  /* reported; what follows is left out, until .org */
+    bool full;  /* reported; further items are dropped, until .org */
 };
 
-/* A warning before it is known which of them the program means. */
+/* A warning whose position in the program is known, but not yet whether the program
+ * declares it as intended. */
 struct pending_warning {
     enum warning warning;
     struct position position;
     const char *message;
 };
 
-/* An expectation before its expressions are known. */
+/* An expectation whose expressions are not evaluated yet. */
 struct expectation {
     const struct line *line;
     enum expectation_kind kind;
@@ -193,16 +199,16 @@ struct assembler {
     struct arena *arena;
     const struct asm_options *options;
     struct diagnostics *diagnostics;
-    size_t first_error; /* errors that were there before */
+    size_t first_error; /* number of earlier errors */
     struct symbols symbols;
     struct registers registers;
     struct expander *expander;
-    struct constant_folder *constant_folder; /* NULL: nothing was to be computed yet */
+    struct constant_folder *constant_folder; /* NULL: not needed so far */
 
     struct section sections[2];
     struct section *section;
-    uint64_t words;             /* put so far */
-    enum asm_contents contents; /* of the data that are being put */
+    uint64_t words;             /* number of words so far */
+    enum asm_contents contents; /* type of the current data */
 
     struct layout_item *items;
     size_t item_count, item_capacity;
@@ -215,33 +221,34 @@ struct assembler {
     size_t expectation_count, expectation_capacity;
     struct pending_warning *pending_warnings;
     size_t pending_count, pending_capacity;
-    /* Labels that move on with the data after them when that is aligned. */
+    /* Labels that move with the following data when those are aligned. */
     struct symbol **waiting;
     size_t waiting_count, waiting_capacity;
 
-    const struct instruction *writing; /* its operands are being read, and
-                                          its form is still to be told */
+    const struct instruction *writing; /* the instruction whose operands are
+                                        * being parsed, if its syntax has
+                                        * not been reported yet */
     bool warm;                         /* .warm */
     const struct line *entry_line;
     const struct expression *entry;
 };
 
-/* error.c.  at points into the line, or to its beginning if the whole of it is
- * meant; all return false. */
+/* error.c. `at` points into the line; if the whole line is meant, it is the start of
+ * the line. All of them return false. */
 bool report(struct assembler *assembler, const struct line *line, const char *at,
             const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))
 #endif
     ;
-/* The same for what is no error; told at the end, if at all. */
+/* Records a warning, which is reported at the end unless it is disabled or declared. */
 void warn(struct assembler *assembler, enum warning warning, const struct line *line,
           const char *at, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 5, 6)))
 #endif
     ;
-/* All of them; which there were, told or not. */
+/* Reports the recorded warnings. Returns their set, including those not reported. */
 warning_set report_pending_warnings(struct assembler *assembler);
 bool report_file(struct diagnostics *diagnostics, const char *file,
                  const char *message);
@@ -250,10 +257,10 @@ bool too_many_errors(const struct assembler *assembler);
 /* symbol.c */
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length);
-/* NULL: never heard of. */
+/* Returns NULL if the name was never used. */
 struct symbol *symbol_find(const struct assembler *assembler, const char *name,
                            size_t length);
-/* False: neither r0 .. r255 nor h0 .. h255. */
+/* Fails if the name is neither r0 .. r255 nor h0 .. h255. */
 bool register_named(const char *name, size_t length, struct register_name *found);
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
                    struct symbol *symbol, enum symbol_kind kind, struct value value);
@@ -261,10 +268,10 @@ bool symbol_define(struct assembler *assembler, const struct line *line, const c
 /* parse.c */
 bool parse_line(struct assembler *assembler, const struct line *line);
 
-/* fallthrough.c: warns of code that has no end. */
+/* Warns of code that continues past its end (fallthrough.c). */
 void check_ends(struct assembler *assembler);
 
-/* encode.c: the object, or NULL. */
+/* Returns the object, or NULL after errors (encode.c). */
 struct object *encode_program(struct assembler *assembler);
 
 #endif

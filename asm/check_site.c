@@ -1,4 +1,5 @@
-/* check_site.c - what to look at, by the kind of an instruction. */
+/* check_site.c - the checks of an instruction before and after it is
+ * executed, chosen by its kind. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <string.h>
@@ -9,7 +10,9 @@
 enum { CHUNK = 256, LENGTH_SHIFT = 48, FULL_LOOKS = 16 };
 #define ADDRESS_MASK ((UINT64_C(1) << LENGTH_SHIFT) - 1)
 
-/* The 16 first times, then the 32nd, the 64th .. */
+/* Returns whether to run an expensive check: at the first 16 executions of an
+ * instruction, then at the 32nd, the 64th and so on. Faults that depend on data appear
+ * early, and the cost of a long run stays small. */
 static bool is_due(struct site *site)
 {
     uint64_t n = ++site->looks;
@@ -19,8 +22,8 @@ static bool is_due(struct site *site)
 
 /* ---- Lengths ------------------------------------------------------------ */
 
-/* Those whose length says how many elements there are: not the result of ACPSV
- * in Z, which gets a bit for each that was compared. */
+/* Returns whether the length of the operand determines the number of elements. It does
+ * not for the result of ACPSV in Z, which gets a bit for each comparison. */
 static bool has_length(const struct operand_view *operand)
 {
     return operand->is_vector && (operand->field != 'Z' || operand->letter == 'b')
@@ -63,7 +66,7 @@ static void look_at_storage(struct runtime_checker *watch, const struct site *si
                        past, name, end);
 }
 
-/* One element, at an index from the base on. */
+/* Checks the store of one element at an index from a base address. */
 static void look_at_store(struct runtime_checker *watch, const struct site *site,
                           uint64_t base, int64_t index, unsigned width)
 {
@@ -79,8 +82,8 @@ static void look_at_store(struct runtime_checker *watch, const struct site *site
 
 /* ---- Indices ------------------------------------------------------------ */
 
-/* A normalised number: an index may have anything in its high 16 bits, which
- * count for nothing, but none that is used reaches bit 46. */
+/* Returns whether a word is a normalised number, and so no index. The high 16 bits of
+ * an index are ignored and may have any value, but no index in use reaches bit 46. */
 static bool is_float(c205_word word)
 {
     unsigned field = (unsigned)(word >> LENGTH_SHIFT);
@@ -118,7 +121,7 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Of a gather or a scatter; the table of a scatter is written. */
+/* Checks the index list of a gather or a scatter. The table of a scatter is written. */
 static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
                             const struct site *site, const struct operand_view *list)
 {
@@ -149,7 +152,8 @@ static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
     }
 }
 
-/* Of a periodic gather or scatter; a scatter goes as far as its source is long. */
+/* Checks the period of a periodic gather or scatter. A scatter writes as many
+ * elements as its source has. */
 static void look_at_period(struct runtime_checker *watch, const struct site *site,
                            const struct operand_view *period)
 {
@@ -166,7 +170,7 @@ static void look_at_period(struct runtime_checker *watch, const struct site *sit
 
 /* ---- Integers ----------------------------------------------------------- */
 
-/* element: of a vector, or -1. */
+/* element: index in a vector, or -1 for a scalar. */
 static void print_integer(struct runtime_checker *watch, const struct site *site,
                           const struct operand_view *operand, int64_t element,
                           c205_word word, const struct precision *precision)
@@ -187,7 +191,7 @@ static void print_integer(struct runtime_checker *watch, const struct site *site
                    where.text, number, number, precision->exact, precision->kept);
 }
 
-/* b NULL: there is one source. */
+/* b: NULL if there is one source. */
 static bool look_at_pair(struct runtime_checker *watch, const struct site *site,
                          const struct operand_view *a, const struct operand_view *b,
                          int64_t element, c205_word word_a, c205_word word_b)
@@ -204,7 +208,7 @@ static bool look_at_pair(struct runtime_checker *watch, const struct site *site,
     return true;
 }
 
-/* The words of a source: one for all if it is no vector. */
+/* Reads the words of a source; a scalar is repeated. */
 static bool fetch(const c205 *machine, const struct operand_view *source, size_t first,
                   size_t n, c205_word *words)
 {
@@ -217,7 +221,7 @@ static bool fetch(const c205 *machine, const struct operand_view *source, size_t
     return true;
 }
 
-/* How many elements have a source of their own and a place to go. */
+/* Returns the number of elements that are present in all sources and in the result. */
 static size_t count_elements(const struct site *site, const struct operand_view *a,
                              const struct operand_view *b)
 {
@@ -264,7 +268,7 @@ static void look_at_integers(struct runtime_checker *watch, const c205 *machine,
 
 /* ---- By kind ------------------------------------------------------------ */
 
-/* The sources that are numbers, in order. */
+/* Finds the sources that are numbers, in order. */
 static size_t find_numbers(const struct instruction_view *view,
                            const struct operand_view *sources[2])
 {
@@ -291,7 +295,7 @@ static void look_at_numbers(struct runtime_checker *watch, const c205 *machine,
         look_at_integers(watch, machine, site, sources[0], sources[1]);
 }
 
-/* The exponent is 0, as hardly ever where numbers are normalised. */
+/* Returns whether the exponent is 0, which normalised numbers hardly ever have. */
 static inline bool may_be_integer(const c205 *machine,
                                   const struct operand_view *operand)
 {
@@ -342,7 +346,7 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
         look_at_numbers(watch, machine, site);
 }
 
-/* Results whose length the machine has set. */
+/* Checks results whose length the instruction itself has set. */
 static void after_vector(struct runtime_checker *watch, const c205 *machine,
                          struct site *site)
 {
@@ -362,7 +366,8 @@ static bool recurs(const struct operand_view *read, const struct operand_view *w
            && written->address < read->address + (uint64_t)read->length * read->width;
 }
 
-/* Of a linked pair the prefix is told, but the two are not looked into. */
+/* Reports a result that is also a source of the same instruction. For a linked pair the
+ * report names the prefix; the operands of the two instructions are not examined. */
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements)
 {
@@ -393,7 +398,7 @@ void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                        elements == 1 ? "waits for it" : "wait for them one by one");
 }
 
-/* The two after the prefix run as one stream. */
+/* The two instructions after the prefix run as one stream. */
 static void before_link(struct runtime_checker *watch, const c205 *machine,
                         struct site *site)
 {
@@ -456,7 +461,9 @@ static bool is_named(const c205_insn *insn, const char *names)
            && (found[length] == ' ' || found[length] == '\0');
 }
 
-/* SPARSE elements are where their bits are; which meet is not looked at. */
+/* Chooses the checks of an instruction. A SPARSE instruction combines the elements
+ * that its order vectors select; the checks do not determine which these are, so
+ * precision is not checked. */
 void spot_choose(struct site *site)
 {
     const c205_insn *insn = site->view.insn;

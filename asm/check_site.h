@@ -1,4 +1,4 @@
-/* check_site.h - what the files of the watch share.  Not public. */
+/* check_site.h - shared by the files of the runtime checks. Not public. */
 #ifndef ASM_CHECK_SITE_H
 #define ASM_CHECK_SITE_H
 
@@ -11,22 +11,22 @@ struct site;
 typedef void spot_look(struct runtime_checker *watch, const c205 *machine,
                        struct site *site);
 
-/* An instruction of the program, and what there is to look at before it is
- * executed, and after it. */
+/* A check site: an instruction of the program, and the checks before and
+ * after its execution. */
 struct site {
     struct instruction_view view;
     spot_look *before, *after; /* NULL: nothing */
     enum precision_rule rule;
-    uint64_t looks; /* so many times */
-    /* Of a linked pair the first hands its result to the second and stores
-     * none; the second finds it under this register.  0: not linked. */
+    uint64_t looks; /* number of executions */
+    /* In a linked pair the first instruction passes its result to the second and stores
+     * none. Both fields are the register of that result; 0: not linked. */
     uint8_t hands_over, is_handed;
 };
 
 enum { SPOTS = 1 << 12, MAX_REPORTED = 200 };
 
 struct reported {
-    const char *file; /* "": the number is an address */
+    const char *file; /* "": number is an address */
     uint64_t number;
     enum warning warning;
 };
@@ -40,20 +40,22 @@ struct runtime_checker {
     warning_set meant, warned;
     size_t errors, reported_count;
     struct reported reported[MAX_REPORTED];
-    /* What ES or EX entered in a register, and what was there when ELEN gave
-     * it the length 0: a register that still holds it got no other length. */
+    /* entered: the word that ES or EX entered in a register. emptied: the
+     * word when ELEN set the length to 0. If a register still holds it, no
+     * other length was set. */
     bool is_entered[C205_REGISTERS], is_emptied[C205_REGISTERS];
     c205_word entered[C205_REGISTERS], emptied[C205_REGISTERS];
     bool is_written[C205_REGISTERS]; /* by any instruction */
-    struct site spots[SPOTS];        /* found by their address .. */
-    /* .. and what is looked at there, alone, as most often it is nothing. */
+    struct site spots[SPOTS];        /* a table by address */
+    /* The checks before execution alone: usually there are none, and
+     * this test must be fast. */
     struct {
         uint64_t pc;
         spot_look *before;
     } quick[SPOTS];
 };
 
-/* check_site.c: set before and after. */
+/* Sets before and after (check_site.c). */
 void spot_choose(struct site *site);
 void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
                         struct site *site, size_t elements);

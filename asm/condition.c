@@ -10,7 +10,7 @@ bool condition_skips(const struct expander *expander)
     return depth > 0 && !expander->conditions[depth - 1].active;
 }
 
-/* Those of a text that ends are closed with it. */
+/* Reports conditions without .endif when the text that contains them ends. */
 void condition_close(struct expander *expander, unsigned depth)
 {
     while (expander->condition_depth > depth) {

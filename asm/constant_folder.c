@@ -1,3 +1,5 @@
+/* constant_folder.c - computes floating-point operations on a
+ * machine, for expressions. */
 #include "asm/constant_folder.h"
 
 #include <stdlib.h>
@@ -5,7 +7,7 @@
 
 #include "asm/assemble.h"
 
-/* Where f_x, f_y and f_r are (asm/lib/formula.s). */
+/* The registers f_x, f_y and f_r of asm/lib/formula.s. */
 enum { X = 210, Y, RESULT };
 
 static const struct constant_folder_function functions[] = {

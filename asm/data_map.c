@@ -1,8 +1,9 @@
+/* data_map.c - finds the type and the number of the data at each label. */
 #include "asm/data_map.h"
 
 #include <stdlib.h>
 
-/* Of a half word of 32 bits, so many, or so many bits to one. */
+/* Returns the number of elements in a number of half words. */
 static uint64_t count_of(enum asm_contents contents, uint64_t halves)
 {
     switch (contents) {
@@ -20,7 +21,8 @@ static int compare_addresses(const void *a, const void *b)
     return *one < *other ? -1 : *one > *other;
 }
 
-/* The first of some rising addresses that is not below one. */
+/* Returns the index of the first address that is not less than `address`, by bisection.
+ * The addresses are in ascending order. */
 static size_t find_address(const uint64_t *addresses, size_t count, uint64_t address)
 {
     size_t low = 0, high = count;
@@ -36,7 +38,8 @@ static size_t find_address(const uint64_t *addresses, size_t count, uint64_t add
     return low;
 }
 
-/* All that lies from there on up to an end, of one kind and without a gap. */
+/* Sets the type and the count of a label: all items of one type without a gap, from its
+ * address up to `end`. */
 static void set_type(const struct assembler *assembler, struct asm_symbol *symbol,
                      size_t first, uint64_t end)
 {

@@ -1,4 +1,5 @@
-/* directive.c - the directives that the parser obeys. */
+/* directive.c - the directives that the parser executes: symbols,
+ * addresses, regions and data. */
 #include "asm/statement.h"
 #include "asm/suggest.h"
 #include "base/plural.h"
@@ -223,7 +224,7 @@ static bool add_space(struct cursor *cursor, uint64_t halves)
     return halves == 0 || layout_add(cursor, ITEM_SPACE, halves);
 }
 
-/* From any half word on; what are whole words stays in one piece. */
+/* Adds zeros from any half word on. The whole words among them are one item. */
 static bool add_half_space(struct cursor *cursor, uint64_t halves)
 {
     uint64_t odd = cursor->assembler->section->at % WORD_BITS != 0;
@@ -243,7 +244,7 @@ static bool parse_space(struct cursor *cursor)
            && add_space(cursor, WORD_HALVES * (uint64_t)words);
 }
 
-/* NAME, n: the label and the number of what follows. */
+/* Parses NAME, n: a label and the number of the elements at it. */
 static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
 {
     struct symbol *symbol;
@@ -261,7 +262,7 @@ static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
     return true;
 }
 
-/* NAME, n, values: how many elements are without a value. */
+/* Parses NAME, n, values. *rest: the number of elements without a value. */
 static bool parse_elements(struct cursor *cursor, enum item_kind kind, uint64_t halves,
                            uint64_t *rest)
 {
@@ -298,7 +299,7 @@ static bool parse_halfvector(struct cursor *cursor)
            && add_half_space(cursor, rest);
 }
 
-/* One more string of 0s and 1s, blanks between them. */
+/* Parses a string of 0s and 1s. Blanks are ignored. */
 static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
                      uint64_t *count)
 {
@@ -345,7 +346,7 @@ static bool parse_bitvector(struct cursor *cursor)
            && add_space(cursor, WORD_HALVES * (length - given));
 }
 
-/* Eight bytes a word, the rest of the last one zero. */
+/* Packs eight bytes into a word; the last word is filled with zeros. */
 static bool parse_text(struct cursor *cursor)
 {
     uint64_t count;

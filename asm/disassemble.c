@@ -1,3 +1,4 @@
+/* disassemble.c - writes a program as text of the assembler. */
 #include "asm/disassemble.h"
 
 #include "base/array.h"
@@ -25,7 +26,7 @@ unsigned disassemble_one(c205_word word, uint64_t address,
     return halves;
 }
 
-/* Addresses, in order. */
+/* A list of addresses. */
 struct addresses {
     uint64_t *items;
     size_t count, capacity;
@@ -35,11 +36,11 @@ struct disassembler {
     const struct object *object;
     const c205_program *program;
     const struct sink *sink;
-    const c205_region *region;   /* open in the text, or NULL */
-    struct addresses boundaries; /* where instructions begin */
-    struct addresses targets;    /* what instructions name .. */
-    struct labels labels;        /* .. and is a boundary; and all that has a
-                                    name of its own and can be labelled */
+    const c205_region *region;   /* open at the current address, or NULL */
+    struct addresses boundaries; /* where instructions start */
+    struct addresses targets;    /* addresses in instructions */
+    struct labels labels;        /* targets that are boundaries, and symbols
+                                  * whose name can be written */
     bool failed;
 };
 
@@ -101,7 +102,7 @@ static bool is_code(const c205_program *program, const c205_segment *segment)
     return segment->words && lies_in(program->entry, segment);
 }
 
-/* No instruction is read across this address. */
+/* Returns the next address that no instruction may cross. */
 static uint64_t next_stop(const c205_program *program, const c205_segment *segment,
                           uint64_t address)
 {
@@ -138,7 +139,7 @@ static c205_word word_at(const c205_segment *segment, uint64_t address)
 typedef void visit(struct disassembler *, const c205_segment *, uint64_t address,
                    unsigned halves, const char *text);
 
-/* Every instruction of a segment, with its text. */
+/* Calls the visitor for every instruction of a segment, with its text. */
 static void walk(struct disassembler *disassembler, const c205_segment *segment,
                  visit *visitor)
 {
@@ -194,8 +195,8 @@ static void open_region(struct disassembler *disassembler, const c205_region *re
     disassembler->region = region;
 }
 
-/* Regions that end and begin here.  One that overlaps another or leaves its
- * segment has no place in the text. */
+/* Ends and starts regions at an address. A region that overlaps another or leaves its
+ * segment cannot be written, and is omitted. */
 static void turn_region(struct disassembler *disassembler, const c205_segment *segment,
                         uint64_t address)
 {
@@ -258,7 +259,8 @@ static size_t put_row(const struct sink *sink, const c205_word *words, size_t co
     return i;
 }
 
-/* How many of the words from an address on come before the next label. */
+/* Returns the number of words from an address on before the next
+ * label, at most `most`. */
 static size_t words_together(const struct disassembler *disassembler, uint64_t address,
                              size_t most)
 {
@@ -323,7 +325,7 @@ static void add_label(struct disassembler *disassembler, uint64_t address,
     labels->items[labels->count++].name = name;
 }
 
-/* By address; of one address names come first. */
+/* Sorts by address; at one address a label with a name is first. */
 static int compare_labels(const void *a, const void *b)
 {
     const struct label *first = a, *second = b;
@@ -335,7 +337,7 @@ static int compare_labels(const void *a, const void *b)
     return strcmp(first->name, second->name);
 }
 
-/* One for each address is enough. */
+/* Keeps one label for each address. */
 static void sort_labels(struct labels *labels)
 {
     size_t i, count = 0;
@@ -348,7 +350,7 @@ static void sort_labels(struct labels *labels)
     labels->count = count;
 }
 
-/* Whether a line of the text begins there. */
+/* Returns whether a line of the text starts at the address. */
 static bool can_be_labelled(const struct disassembler *disassembler, uint64_t address)
 {
     const c205_program *program = disassembler->program;
@@ -362,8 +364,9 @@ static bool can_be_labelled(const struct disassembler *disassembler, uint64_t ad
     return false;
 }
 
-/* An object file may hold any text as a name, and any twice; L400000 is taken.
- * Symbols are sorted by their names. */
+/* Returns whether a symbol's name can be written as a label. An object file may contain
+ * any text as a name, and duplicates. Names of the form L400000 are reserved for
+ * generated labels. Symbols are sorted by name, so duplicates are adjacent. */
 static bool has_own_name(const struct disassembler *disassembler, size_t i)
 {
     enum { LONGEST = 40 };

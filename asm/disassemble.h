@@ -1,23 +1,22 @@
-/* disassemble.h - from words back to text that assembles to the same words.
+/* disassemble.h - turns words into text that assembles to the same words.
  *
- * Segments that hold the entry or a region are read as code from their
- * beginning, the others as data.  An instruction word that the language
- * cannot express (undefined, or bits set that its format has no name for)
- * becomes a .half.  Labels have the names that the object knows; others are
- * called L and the address.
+ * A segment that contains the entry or the start of a region is decoded as code from
+ * its start; other segments are data. A word that the language cannot express becomes a
+ * .half: an undefined instruction, or one with bits that its format does not use.
+ * Labels have the names of the object; others are L and the address.
  */
 #ifndef ASM_DISASSEMBLE_H
 #define ASM_DISASSEMBLE_H
 
 #include "asm/assemble.h"
 
-/* False: the host has no memory left. */
+/* Fails if memory is exhausted. */
 bool disassemble(const struct object *object, const struct sink *sink);
 
 enum { DISASSEMBLE_TEXT_SIZE = TEXT_LINE_SIZE };
-/* One instruction, in the high half of word if it is short, as it is at
- * a bit address.  Returns its length in half words; one that the language
- * cannot express is one .half. */
+/* Writes one instruction at a bit address; a short one is in the high half of the word.
+ * Returns its length in half words. An instruction that the language cannot express is
+ * written as one .half. */
 unsigned disassemble_one(c205_word word, uint64_t address,
                          char text[DISASSEMBLE_TEXT_SIZE]);
 

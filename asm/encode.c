@@ -1,4 +1,4 @@
-/* encode.c - items become words, and the words an object. */
+/* encode.c - turns items into words, and builds the object from them. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdlib.h>
@@ -12,12 +12,12 @@
 enum {
     WORD_BITS = 64,
     HALF_BITS = 32,
-    ZERO_RUN = 64 /* words of .space that are worth a segment of zeros */
+    ZERO_RUN = 64 /* minimum words of .space that make a segment of their own */
 };
 
 /* ---- Instructions ---- */
 
-/* The distance of a branch is counted in half words from itself. */
+/* A relative branch counts in half words from its own address. */
 static bool encode_target(struct assembler *assembler, const struct layout_item *item,
                           const struct instruction *instruction, c205_fields *fields)
 {
@@ -85,7 +85,7 @@ static c205_word encode_descriptor(struct assembler *assembler,
     return (c205_word)length << ADDRESS_BITS | address;
 }
 
-/* Those that fit 32 bits, with a sign or without. */
+/* Accepts integers of 32 bits, signed or unsigned. */
 static c205_word encode_half(struct assembler *assembler,
                              const struct layout_item *item)
 {
@@ -96,13 +96,13 @@ static c205_word encode_half(struct assembler *assembler,
     return (c205_word)integer << HALF_BITS;
 }
 
-/* In the high half, if it is one half long. */
+/* Returns the word of an item; an item of one half is in the high half. */
 static c205_word encode_one(struct assembler *assembler, const struct layout_item *item)
 {
     c205_word word = 0;
 
     if (item->kind != ITEM_INSTRUCTION && !item->of.values[0])
-        return 0; /* what is wrong with it has been told */
+        return 0; /* the error has been reported */
     switch (item->kind) {
     case ITEM_INSTRUCTION: return encode_instruction(assembler, item);
     case ITEM_DESCRIPTOR: return encode_descriptor(assembler, item);
@@ -160,7 +160,8 @@ static bool check_overlap(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;
     size_t i, last = 0, before = assembler->diagnostics->errors;
-    const struct layout_item *run = NULL; /* reported at its first item */
+    const struct layout_item *run = NULL; /* the last overlap, which is
+                                           * reported at its first item */
 
     for (i = 1; i < assembler->item_count; i++) {
         if (items[i].address < end_of(&items[last])) {
@@ -183,8 +184,8 @@ static bool is_zero_run(const struct layout_item *item)
     return item->kind == ITEM_SPACE && item->halves >= 2 * (uint64_t)ZERO_RUN;
 }
 
-/* How many items from this one on belong to one segment: no word between
- * them is free. */
+/* Returns the number of items from this one on that form one segment: those without a
+ * free word between them. */
 static size_t count_together(const struct layout_item *item, size_t count)
 {
     uint64_t end = end_of(item);
@@ -298,7 +299,7 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     return !storage->arena.failed;
 }
 
-/* A repetition is where its lines stand. */
+/* A line in a .rept belongs to its own position, not to that of the .rept. */
 static bool is_repetition(const struct line *line)
 {
     const char *at = line->begin;
@@ -308,7 +309,7 @@ static bool is_repetition(const struct line *line)
     return at < line->end && *at == '.';
 }
 
-/* The outermost macro call, or the line itself. */
+/* Returns the outermost macro call, or the line itself. */
 static const struct line *call_of(const struct line *line)
 {
     const struct line *call = line, *caller;
@@ -345,7 +346,7 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
     return line->source && line->call_source;
 }
 
-/* Items of one line that lie side by side are one. */
+/* Adjacent items of one line become one entry. */
 static bool add_lines(struct assembler *assembler, struct storage *storage)
 {
     const struct layout_item *items = assembler->items;
@@ -475,7 +476,7 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
         storage->object.program.entry = entry;
         return;
     }
-    for (i = 0; i < assembler->item_count; i++) /* the first in the text */
+    for (i = 0; i < assembler->item_count; i++) /* the first in the order of the text */
         if (assembler->items[i].kind == ITEM_INSTRUCTION
             && (first == assembler->item_count
                 || assembler->items[i].order < assembler->items[first].order))
@@ -485,7 +486,7 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
     storage->object.program.entry = entry;
 }
 
-/* Errors do not stop it, so that those of values are told as well. */
+/* Continues after errors of values, so that all of them are reported. */
 static bool fill(struct assembler *assembler, struct storage *storage)
 {
     return check_overlap(assembler) && add_segments(assembler, storage)

@@ -1,3 +1,4 @@
+/* error.c - reports errors, and records warnings until the end of an assembly. */
 #include "asm/assembler.h"
 #include "asm/syntax.h"
 
@@ -22,7 +23,7 @@ static void print_caller(char *message, size_t size, const struct line *line)
                  line->caller->file, line->caller->number);
 }
 
-/* What is wrong with a line as a whole is told at its first word. */
+/* An error of a whole line is reported at its first word. */
 static size_t column_of(const struct line *line, const char *at)
 {
     if (at == line->begin)
@@ -40,7 +41,7 @@ static struct position position_of(const struct line *line, const char *at)
     return position;
 }
 
-/* With the first error of the operands. */
+/* Appends the syntax of the instruction to the first error of its operands. */
 static void print_form(char *message, size_t size, struct assembler *assembler)
 {
     const struct instruction *writing = assembler->writing;
@@ -105,7 +106,7 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
     assembler->pending_count += pending_warnings->message != NULL;
 }
 
-/* Those that the program says it means. */
+/* Returns the warnings that the program declares as intended. */
 static warning_set meant(const struct assembler *assembler)
 {
     warning_set set = 0;

@@ -1,4 +1,4 @@
-/* evaluate.c - what an expression is worth. */
+/* evaluate.c - evaluates expressions to integers, words, half words and addresses. */
 #include "asm/expression_tree.h"
 #include "asm/suggest.h"
 
@@ -101,7 +101,7 @@ static bool value_of_symbol(struct assembler *assembler, const struct line *line
     }
 }
 
-/* As a word of memory. */
+/* Converts a value to a word of memory. */
 static bool word_of(struct assembler *assembler, const struct line *line,
                     const struct expression *expression, const struct value *value,
                     c205_word *word)
@@ -135,7 +135,8 @@ static bool operand(struct assembler *assembler, const struct line *line,
 
 /* ---- Floating-point numbers ---- */
 
-/* A value as what an operation of the machine is given: integers normalised. */
+/* Converts a value to an operand of the machine's arithmetic.
+ * Integers are normalised. */
 static bool number_of(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, const struct value *value,
                       c205_word *word)
@@ -190,7 +191,7 @@ static bool evaluate_function(struct assembler *assembler, const struct line *li
                       word[1], result);
 }
 
-/* a > b is b < a, a <= b is b >= a. */
+/* The machine has no such comparison: a > b is computed as b < a, a <= b as b >= a. */
 static const struct number_operator {
     int code;
     const char *name;
@@ -239,7 +240,7 @@ static bool calculate_numbers(struct assembler *assembler, const struct line *li
 
 /* ---- Operators ---- */
 
-/* && and ||: the right side counts where the left one does not tell. */
+/* The right side of && and || is evaluated only if the left side does not decide. */
 static bool evaluate_logical(struct assembler *assembler, const struct line *line,
                              const struct expression *expression, uint64_t *result)
 {
@@ -351,7 +352,7 @@ bool evaluate_half(struct assembler *assembler, const struct line *line,
     if (!good)
         return false;
     switch (value.kind) {
-    case VALUE_FLOATING: /* floor after floor is the floor of the decimal */
+    case VALUE_FLOATING: /* rounding down twice gives the same as rounding down once */
         *half = c205_half_from_double(c205_to_double(value.bits));
         return true;
     case VALUE_WORD:

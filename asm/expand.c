@@ -1,3 +1,4 @@
+/* expand.c - the pass that expands includes, macros and repetitions. */
 #include "asm/expand.h"
 
 #include <string.h>
@@ -7,7 +8,7 @@
 
 /* ---- The stack of texts ---- */
 
-/* The message has a %zu for the limit. */
+/* Stops the expansion with a report. The message has a %zu for the limit. */
 static bool halt(struct expander *expander, const struct line *line,
                  const char *message, size_t limit)
 {
@@ -48,7 +49,7 @@ static void push_source(struct expander *expander, const struct line *line,
     }
 }
 
-/* False: the text on top has ended and is gone. */
+/* Starts the next repetition, or pops the text and returns false. */
 static bool repeat_or_pop(struct expander *expander)
 {
     struct expansion *frame = &expander->frames[expander->depth - 1];
@@ -64,7 +65,7 @@ static bool repeat_or_pop(struct expander *expander)
 
 /* ---- Reading lines ---- */
 
-/* What a line of a body is read for. */
+/* Why a line is read: for the parser, or for the body of a repetition or macro. */
 enum purpose { TO_PARSE, FOR_REPEAT, FOR_MACRO };
 
 static bool spend(struct expander *expander, const struct line *line, size_t bytes)
@@ -103,8 +104,9 @@ static struct line *file_line(struct expander *expander, struct expansion *frame
     return line;
 }
 
-/* Inside a definition of a macro, \@ is that of its own expansions; what is
- * inside .rept keeps its \+ and is left alone. */
+/* Returns the substitutions of a line. In the definition of a macro within a macro, \@
+ * is not replaced, since it belongs to the expansions of the inner macro. In the body
+ * of a .rept that is being captured, \+ is not replaced. */
 static struct substitution rules(const struct expansion *frame, enum purpose purpose)
 {
     struct substitution rules = { NULL, NULL, NULL, NULL };
@@ -149,7 +151,7 @@ static struct line *body_line(struct expander *expander, struct expansion *frame
     return line;
 }
 
-/* The next line of the text on top; NULL at its end. */
+/* Returns the next line of the text on top of the stack, or NULL at its end. */
 static struct line *read_line(struct expander *expander, enum purpose purpose)
 {
     struct expansion *frame = &expander->frames[expander->depth - 1];
@@ -189,7 +191,7 @@ static int nesting(struct expander *expander, const struct line *line,
     return token_is(&cursor.token, opening) - token_is(&cursor.token, closing);
 }
 
-/* Lines up to the closing directive that belongs to this one. */
+/* Stores the lines up to the matching closing directive. */
 static bool capture(struct expander *expander, const struct line *start,
                     struct macro *body, enum purpose purpose)
 {
@@ -218,7 +220,7 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
     struct symbol *symbol;
 
     memset(&unnamed, 0, sizeof unnamed);
-    body = macro ? macro : &unnamed; /* read past the body in any case */
+    body = macro ? macro : &unnamed; /* the body is skipped even if the head is wrong */
     if (!capture(expander, cursor->line, body, FOR_MACRO) || !macro)
         return;
     symbol = symbol_intern(expander->assembler, macro->name, strlen(macro->name));
@@ -332,8 +334,8 @@ static const struct macro *find_macro(const struct expander *expander,
 
 /* ---- The pass ---- */
 
-/* Hand out the labels before a directive of this pass as a line of their
- * own, and keep the rest for the next turn. */
+/* Returns the labels before a directive of this pass as a line of their own, and keeps
+ * the directive for the next call. */
 static const struct line *split(struct expander *expander, const struct line *line,
                                 const char *at)
 {
@@ -348,7 +350,8 @@ static const struct line *split(struct expander *expander, const struct line *li
     return &halves[0];
 }
 
-/* The line if it is the parser's; NULL if it was obeyed here. */
+/* Executes a directive of this pass and returns NULL, or returns the
+ * line for the parser. */
 static const struct line *obey(struct expander *expander, const struct line *line)
 {
     struct cursor cursor = cursor_start(expander->assembler, line);

@@ -1,8 +1,8 @@
-/* expand.h - the lines of a program as the parser gets to see them.
+/* expand.h - produces the lines of a program for the parser.
  *
- * Texts being read lie on a stack: files, bodies of macros, repeated lines.
- * The top one gives the next line; directives of this pass (.include .macro
- * .rept .if and their kin) are obeyed here and not handed on.
+ * The texts in use are on a stack: files, bodies of macros, repeated lines. The top of
+ * the stack gives the next line. Directives of this pass (.include .macro .rept .if and
+ * similar ones) are executed here and are not passed to the parser.
  */
 #ifndef ASM_EXPAND_H
 #define ASM_EXPAND_H
@@ -14,23 +14,23 @@ enum frame_kind { FRAME_FILE, FRAME_MACRO, FRAME_REPEAT };
 
 struct expansion {
     enum frame_kind kind;
-    const char *name; /* FRAME_FILE .. */
+    const char *name; /* of FRAME_FILE, like the next two lines */
     const char *at, *end;
     size_t number;
-    const struct line *caller; /* the others .. */
+    const struct line *caller; /* of the other kinds, like the rest */
     const struct macro *body;
     size_t next;
     const struct span *arguments;
     uint64_t unique, count, repeats;
-    unsigned conditions; /* open when it began */
+    unsigned conditions; /* open conditions at its start */
 };
 
 struct asm_condition {
     const struct line *line;
-    bool outside; /* what stands around it is assembled */
-    bool active;  /* so is this branch */
-    bool decided; /* some branch was */
-    bool last;    /* .else has been seen */
+    bool outside; /* the enclosing branch is assembled */
+    bool active;  /* this branch is assembled */
+    bool decided; /* a branch has been assembled */
+    bool last;    /* .else has been read */
 };
 
 struct expander {
@@ -41,17 +41,18 @@ struct expander {
     unsigned condition_depth;
     const struct line *pending; /* the rest of a line after its labels */
     uint64_t unique;
-    uint64_t expansion; /* bytes made so far */
-    bool halted;        /* bounds passed: nothing more comes */
+    uint64_t expansion; /* bytes generated so far */
+    bool halted;        /* a limit was exceeded: no more lines */
     char scratch[MAX_LINE];
 };
 
 struct expander *expander_new(struct assembler *assembler,
                               const struct asm_source *source);
-/* NULL at the end. */
+/* Returns NULL at the end. */
 const struct line *expander_next(struct expander *expander);
 
-/* condition.c: .if and its kin; false: the next token is none of them. */
+/* Executes .if and similar directives; returns false if the next token is none
+ * of them (condition.c). */
 bool condition_directive(struct expander *expander, struct cursor *cursor);
 bool condition_names(const struct token *token);
 bool condition_skips(const struct expander *expander);

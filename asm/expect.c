@@ -1,3 +1,4 @@
+/* expect.c - compares the result of a run with the expectations of the program. */
 #include "asm/expect.h"
 #include "base/plural.h"
 
@@ -21,13 +22,13 @@ const char *expectation_name(enum expectation_kind kind)
     return names[kind];
 }
 
-/* What has come of a run, and where to say so. */
+/* The result of a run, and the sink for the report. */
 struct outcome {
     const c205 *machine;
     const c205_stop *stop;
-    const char *printed; /* what no expectation has looked at yet */
-    warning_set warned;  /* what it was warned of */
-    bool other_model;    /* the clocks are not those expected */
+    const char *printed; /* output that no expectation has used yet */
+    warning_set warned;  /* warnings of the program */
+    bool other_model;    /* the expected clocks are those of another model */
     const struct sink *report;
 };
 
@@ -38,10 +39,10 @@ static void print_where(const struct outcome *outcome,
                expectation->line);
 }
 
-/* A half word is at the left of a word; it is printed with 8 digits. */
+/* Prints a word, or a half word, which is left-aligned, with 8 digits. */
 static void print_value(const struct outcome *outcome, bool half, c205_word word)
 {
-    enum { HALF_DIGITS = 9 }; /* and the blank among them */
+    enum { HALF_DIGITS = 9 }; /* and the blank between them */
     char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
 
     c205_to_hex(word, hex);
@@ -65,7 +66,8 @@ static double number_of(bool half, c205_word word)
     return (half ? c205_half_to_double : c205_to_double)(word);
 }
 
-/* Indefinite is near nothing, and nothing near it. */
+/* Compares with the tolerance. An indefinite value is near no value,
+ * also not near itself. */
 static bool is_near(const struct asm_expectation *expectation, bool half,
                     c205_word wanted, c205_word found)
 {
@@ -74,7 +76,7 @@ static bool is_near(const struct asm_expectation *expectation, bool half,
     return fabs(distance) <= c205_to_double(expectation->tolerance);
 }
 
-/* What a reader who sees equal decimals asks. */
+/* Explains a difference of words whose numbers are equal. */
 static void print_why(const struct outcome *outcome,
                       const struct asm_expectation *expectation, bool half,
                       c205_word wanted, c205_word found)
@@ -125,7 +127,7 @@ static bool check_register(struct outcome *outcome,
                             c205_register(outcome->machine, expectation->number));
 }
 
-/* The half of a word that holds the bit with a number or an address. */
+/* Returns the half of a word that contains a bit, left-aligned. */
 static c205_word half_of(c205_word word, uint64_t bit)
 {
     return word << bit % WORD_BITS / HALF_BITS * HALF_BITS & ~(c205_word)UINT32_MAX;
@@ -259,7 +261,7 @@ static bool check_trap(struct outcome *outcome,
     return false;
 }
 
-/* The next line printed, without its end. */
+/* Compares the next line of the output, without its newline. */
 static bool check_print(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
@@ -289,7 +291,7 @@ static bool check_warning(struct outcome *outcome,
     return false;
 }
 
-/* It says where the clocks hold, and nothing of the run. */
+/* Passes always: the model only determines where the clocks are compared. */
 static bool check_model(struct outcome *outcome,
                         const struct asm_expectation *expectation)
 {
@@ -356,7 +358,7 @@ static bool check_end(const struct outcome *outcome, const struct object *object
     return false;
 }
 
-/* Who expects lines expects all of them. */
+/* A program that expects any line must expect all lines. */
 static bool check_rest(const struct outcome *outcome, const struct object *object)
 {
     size_t length = strcspn(outcome->printed, "\n");

@@ -1,4 +1,4 @@
-/* expectation.c - expectations, as they are in the comments of test programs. */
+/* expectation.c - parses the expectations in the comments of test programs. */
 #include <ctype.h>
 #include <string.h>
 
@@ -41,14 +41,14 @@ static bool parse_place(struct cursor *cursor, struct expectation *expectation)
            && expect_operator(cursor, ']', "']'");
 }
 
-/* [label] = 1, 2, 3 */
+/* Parses [label] = 1, 2, 3. */
 static bool parse_memory(struct cursor *cursor, struct expectation *expectation)
 {
     return parse_place(cursor, expectation) && expect_operator(cursor, '=', "'='")
            && parse_values(cursor, expectation);
 }
 
-/* r10 = 5, h10 = 5, or words of memory */
+/* Parses r10 = 5, h10 = 5, or words of memory. */
 static bool parse_expect(struct cursor *cursor, struct expectation *expectation)
 {
     struct register_name named;
@@ -67,7 +67,7 @@ static bool parse_expect(struct cursor *cursor, struct expectation *expectation)
                      "expected one value: a register holds one");
 }
 
-/* [label] = 1011 0010 */
+/* Parses [label] = 1011 0010. */
 static bool parse_bits(struct cursor *cursor, struct expectation *expectation)
 {
     const char *at, *end = cursor->line->end;
@@ -141,7 +141,7 @@ static bool parse_warning(struct cursor *cursor, struct expectation *expectation
                          expectation->text));
 }
 
-/* A program names one at most. */
+/* A program may name at most one model. */
 static bool parse_model(struct cursor *cursor, struct expectation *expectation)
 {
     const struct assembler *assembler = cursor->assembler;
@@ -213,9 +213,10 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
                   " -trap: -print: -model: -warning:");
 }
 
-/* ---- Misspelt ones ---- */
+/* ---- Misspelled expectations  */
 
-/* Its first word, up to a '-', is almost "expect", in any case. */
+/* Returns whether the first word, up to a '-', is nearly "expect", in
+ * upper or lower case. */
 static bool resembles(const char *name, const char *end)
 {
     enum { NEAR = 2 };
@@ -232,7 +233,7 @@ static const char *skip_blanks(const char *at, const char *end)
     return at;
 }
 
-/* "r10 = .." or "[..] = .." */
+/* Returns whether the text has the form "r10 = .." or "[..] = ..". */
 static bool is_equation(const char *at, const char *end)
 {
     at = skip_blanks(at, end);
@@ -248,7 +249,8 @@ static bool is_equation(const char *at, const char *end)
     return at < end && *at == '=';
 }
 
-/* As an expectation does: words of prose do not. */
+/* Returns whether the text after the word has the form of an expectation.
+ * Prose does not have it. */
 static bool goes_on(const char *at, const char *end, bool dashed)
 {
     at = skip_blanks(at, end);

@@ -1,11 +1,11 @@
-/* expression.c - expressions from texts. */
+/* expression.c - parses expressions and folds integer constants. */
 #include "asm/expression_tree.h"
 
 #include <string.h>
 
 static const struct {
     int code;
-    int level; /* binds tighter the higher it is */
+    int level; /* a higher level binds more tightly */
 } precedences[] = { { OPERATOR('|', '|'), 1 },
                     { OPERATOR('&', '&'), 2 },
                     { '|', 3 },
@@ -47,7 +47,8 @@ static struct expression *new_node(struct cursor *cursor, const char *at,
     return node;
 }
 
-/* Work out now what needs no symbol; what fails is told by evaluate(). */
+/* Computes a node whose operands are integer constants. A node that fails is left for
+ * evaluate(), which reports the error. */
 static void fold(struct expression *node)
 {
     const struct expression *left = node->left, *right = node->right;
@@ -120,8 +121,8 @@ static const struct expression *parse_brackets(struct cursor *cursor)
     return inside;
 }
 
-/* bits(value): the word, as an integer of 64 bits; word(integer): the word
- * that these bits make. */
+/* Parses bits(value), the bits of a word as an integer of 64 bits, or word(integer),
+ * the word with these bits. */
 static const struct expression *parse_function(struct cursor *cursor,
                                                enum operation operation)
 {
@@ -134,7 +135,7 @@ static const struct expression *parse_function(struct cursor *cursor,
     return node;
 }
 
-/* sin(x), atan2(y, x) .. */
+/* Parses sin(x), atan2(y, x) and similar calls. */
 static const struct expression *
 parse_computed(struct cursor *cursor, const struct constant_folder_function *function)
 {
@@ -156,7 +157,7 @@ parse_computed(struct cursor *cursor, const struct constant_folder_function *fun
     return expect_operator(cursor, ')', "')'") ? node : NULL;
 }
 
-/* length("text"): in bytes. */
+/* Parses length("text"), the number of bytes. */
 static const struct expression *parse_length(struct cursor *cursor)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, VALUE);
@@ -192,7 +193,7 @@ static const struct expression *parse_here(struct cursor *cursor)
     return node;
 }
 
-/* A name before a bracket. */
+/* Returns whether a name precedes a bracket. */
 static bool is_call(const struct token *token)
 {
     const char *at = token->end;
@@ -238,7 +239,8 @@ static const struct expression *parse_primary(struct cursor *cursor)
     return NULL;
 }
 
-/* -1.5 is cut to a word from its exact value, not negated afterwards. */
+/* A negative number is converted with its sign, so that it is rounded once; negating
+ * the rounded positive number could give another word. */
 static const struct expression *parse_negative_number(struct cursor *cursor,
                                                       const char *at)
 {
@@ -295,7 +297,8 @@ static const struct expression *parse_chain(struct cursor *cursor, int level)
     return left;
 }
 
-/* Operators of this level and above.  Every nesting passes here. */
+/* Parses operators of this level and above. Every nesting level passes through here, so
+ * the limit of depth is checked here. */
 static const struct expression *parse_binary(struct cursor *cursor, int level)
 {
     const struct expression *result;

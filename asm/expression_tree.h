@@ -1,5 +1,5 @@
-/* expression_tree.h - the inside of an expression: expression.c makes it of a text,
- * evaluate.c a value of it.  Not public.
+/* expression_tree.h - the tree of an expression, which expression.c builds and
+ * evaluate.c evaluates. Not public.
  */
 #ifndef ASM_EXPRESSION_TREE_H
 #define ASM_EXPRESSION_TREE_H
@@ -20,9 +20,9 @@ struct expression {
     const struct expression *left, *right;
 };
 
-/* Of integers.  NULL, or what is wrong. */
+/* Computes an operation of integers. Returns NULL, or the text of an error. */
 const char *integer_operation(int code, int64_t a, int64_t b, uint64_t *result);
-/* - ~ ! */
+/* Computes - ~ !. */
 uint64_t integer_negation(int code, uint64_t a);
 
 #endif

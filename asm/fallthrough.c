@@ -1,11 +1,11 @@
-/* fallthrough.c - code that can run on where there is none. */
+/* fallthrough.c - warns of code that continues where there is no code. */
 #include <inttypes.h>
 
 #include "asm/expression.h"
 
 enum { HALF_BITS = 32 };
 
-/* EXIT with request 0, which may be left out. */
+/* Returns whether the item is EXIT with request 0, which is the default. */
 static bool ends_program(struct assembler *assembler, const struct layout_item *item)
 {
     const struct instruction *instruction = item->of.instruction;
@@ -18,14 +18,15 @@ static bool ends_program(struct assembler *assembler, const struct layout_item *
                && value.bits == 0);
 }
 
-/* Whatever the registers hold. */
+/* Returns whether the instruction branches for any contents of registers. */
 static bool always_branches(const c205_insn *insn)
 {
     return insn->format == C205_FORMAT_JUMP
            || (insn->format == C205_FORMAT_CALL && insn->operands[0] == 'w');
 }
 
-/* .half makes instructions, too. */
+/* Returns whether an instruction follows directly. A .half counts,
+ * since it may be one. */
 static bool goes_on_with(const struct layout_item *next, const struct layout_item *item)
 {
     return next->address == item->address + item->halves * HALF_BITS
@@ -42,7 +43,7 @@ static bool expects_trap(const struct assembler *assembler)
     return false;
 }
 
-/* The items are in the order of their addresses. */
+/* The items must be sorted by address. A program that expects a trap is not checked. */
 void check_ends(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;

@@ -1,8 +1,8 @@
-/* incfile.c - .incfile: words from the numbers of a file.
+/* incfile.c - .incfile: reads the numbers of a file as words.
  *
- * Fields are between commas in a line that has one, else between blanks; they may be in
- * quotes.  A # begins a comment.  A first line of which no field is a number is a heading, the
- * names of the columns.
+ * The fields of a line are separated by commas if it has one, otherwise by blanks. They
+ * may be in quotes. A # starts a comment. If no field of the first line is a number,
+ * the line is a heading with the names of the columns.
  */
 #include "asm/source.h"
 #include "asm/statement.h"
@@ -12,17 +12,17 @@
 
 struct number_file {
     struct cursor *cursor; /* at the directive */
-    struct line line;      /* the one that is being read */
-    const char *wanted;    /* a column's name, or NULL */
-    size_t column;         /* its number, from 1; 0: all of them */
+    struct line line;      /* the current line */
+    const char *wanted;    /* name of the column, or NULL */
+    size_t column;         /* its number, from 1; 0: all columns */
     bool integers;
     bool begun;  /* a line has been read */
-    bool commas; /* .. and this one has some */
+    bool commas; /* the current line has commas */
     c205_word *words;
     size_t count, capacity;
 };
 
-/* Empty between two commas. */
+/* A field of a line; it may be empty between two commas. */
 struct csv_field {
     const char *begin, *end;
 };
@@ -34,7 +34,7 @@ static const char *skip_blanks(const char *at, const char *end)
     return at;
 }
 
-/* Behind a field in quotes, or at what ends one. */
+/* Returns the position after a field in quotes, or of the separator. */
 static const char *field_end(const struct number_file *file, const char *at)
 {
     const char *end = file->line.end;
@@ -49,7 +49,7 @@ static const char *field_end(const struct number_file *file, const char *at)
     return at;
 }
 
-/* Without blanks at its end, or quotes. */
+/* Removes blanks at the end of a field, and its quotes. */
 static void trim(struct csv_field *field)
 {
     while (field->end > field->begin && strchr(" \t", field->end[-1]))
@@ -61,7 +61,8 @@ static void trim(struct csv_field *field)
     }
 }
 
-/* The next field, *at moved behind it and its comma; false: there is none. */
+/* Reads the next field and moves *at past it and its comma. Returns
+ * false if there is none. */
 static bool next_field(const struct number_file *file, const char **at,
                        struct csv_field *field)
 {
@@ -211,7 +212,8 @@ static bool read_lines(struct number_file *file, const struct asm_source *source
 
 /* ---- The directive -------------------------------------------------------- */
 
-/* The file that includes are relative to: not one whose macro is called. */
+/* Returns the file of the outermost line. Paths are relative to it, not to
+ * the file of a macro. */
 static const char *file_of(const struct line *line)
 {
     while (line->caller)
@@ -238,7 +240,7 @@ static bool read_column(struct number_file *file)
     return true;
 }
 
-/* [, column] [, integers] */
+/* Parses [, column] [, integers]. */
 static bool read_expectations(struct number_file *file)
 {
     struct cursor *cursor = file->cursor;

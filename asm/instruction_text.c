@@ -1,3 +1,4 @@
+/* instruction_text.c - writes one instruction as text of the assembler. */
 #include "asm/instruction_text.h"
 
 #include <inttypes.h>
@@ -10,8 +11,9 @@ enum { HALF_BITS = 32, ADDRESS_BITS = 48 };
 
 /* ---- One instruction ----
  *
- * Each operand is written, and the fields that it told are kept.  What these
- * do not make up to the word again, the language cannot express. */
+ * While an operand is written, its fields are copied to `told`. If the instruction
+ * that these fields encode differs from the original word, the text cannot express the
+ * word. */
 
 struct writer {
     struct sink sink;
@@ -97,8 +99,8 @@ static void write_source(struct writer *writer, const struct operand *operand)
     sink_print(&writer->sink, "%s%s", bare ? "" : "]", magnitude ? "|" : "");
 }
 
-/* Targets before address 0 or after the last cannot be written; their
- * distance stays untold. */
+/* A target outside of the address space cannot be written, so its distance is
+ * not copied to `told`. */
 static void write_target(struct writer *writer)
 {
     uint64_t target = writer->address + (uint64_t)writer->fields.immediate * HALF_BITS;
@@ -121,7 +123,8 @@ static bool holds_address(const struct operand *operand)
            && operand->high >> (ADDRESS_BITS - 1) > 0;
 }
 
-/* Those that can hold an address are in hex; one out of range stays untold. */
+/* An immediate that can be an address is written as one. A value out of range is
+ * not copied to `told`. */
 static void write_immediate(struct writer *writer, const struct operand *operand)
 {
     int64_t value = writer->fields.immediate;
@@ -150,7 +153,8 @@ static void write_operand(struct writer *writer, const struct operand *operand)
     }
 }
 
-/* A control vector that is not there: no register and no sense. */
+/* Returns whether an optional control vector is absent: no register,
+ * and selection by ones. */
 static bool is_absent(const struct writer *writer, const struct operand *operand)
 {
     return operand->kind == OPERAND_CONTROL && operand->may_be_left_out

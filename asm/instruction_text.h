@@ -1,33 +1,35 @@
-/* instruction_text.h - one instruction as text.  Not public. */
+/* instruction_text.h - one instruction as text. Not public. */
 #ifndef ASM_INSTRUCTION_TEXT_H
 #define ASM_INSTRUCTION_TEXT_H
 
 #include "base/sink.h"
 #include "vm/c205.h"
 
-/* An address that a text names. */
+/* An address with a label in the text. */
 struct label {
     uint64_t address;
-    const char *name; /* NULL: it is called L and the address in hex */
+    const char *name; /* NULL: the label is L and the address in hex */
 };
 
-/* In the order of their addresses. */
+/* Sorted by address. */
 struct labels {
     struct label *items;
     size_t count, capacity;
 };
 
-/* NULL: it has none. */
+/* Returns NULL if the address has no label. */
 const struct label *label_at(const struct labels *labels, uint64_t address);
-/* Its name, or the address as a number. */
+/* Writes the label of an address, or the address as a number. */
 void label_write(const struct labels *labels, uint64_t address,
                  const struct sink *sink);
 
-/* Write the instruction in the high part of word, of which available half
- * words may be used; addresses that have labels are called by them.  Returns how many half words were used. */
+/* Writes the instruction in the high part of a word, with labels for
+ * addresses. available: half words that it may have. Returns the number of
+ * half words that it has. */
 unsigned instruction_write(c205_word word, uint64_t address, unsigned available,
                            const struct labels *labels, const struct sink *sink);
-/* The address that it branches to or enters; false: none. */
+/* Returns the address that the instruction branches to or enters;
+ * false if there is none. */
 bool instruction_address(c205_word word, uint64_t address, uint64_t *target);
 
 #endif

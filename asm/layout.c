@@ -1,11 +1,12 @@
-/* layout.c - the two location counters and the items that lie at them. */
+/* layout.c - the location counters of the two sections, and the
+ * items at their addresses. */
 #include "asm/statement.h"
 
 #include <stdio.h>
 
 enum { WORD_HALVES = 2, HALF_BITS = 32 };
 
-/* Once for a section: all that follows has no room either. */
+/* Reports once for a section, since all later items are out of range as well. */
 static bool report_full(struct cursor *cursor, const char *message)
 {
     struct section *section = cursor->assembler->section;

@@ -1,3 +1,4 @@
+/* lex.c - the lexer: tokens, and a cursor in a line. */
 #include "asm/lex.h"
 
 #include <ctype.h>
@@ -8,7 +9,7 @@ bool is_name_start(char c)
     return isalpha((unsigned char)c) || c == '_' || c == '$';
 }
 
-/* A dot inside a name groups names: sphere.loop. */
+/* A dot inside a name groups names, as in sphere.loop. */
 bool is_name_part(char c)
 {
     return is_name_start(c) || isdigit((unsigned char)c) || c == '.';
@@ -19,7 +20,7 @@ static bool is_digit(char c)
     return isdigit((unsigned char)c) != 0;
 }
 
-/* 0 .. 15, or -1. */
+/* Returns 0 .. 15, or -1. */
 static int hex_digit(char c)
 {
     static const char digits[] = "0123456789abcdef";
@@ -124,7 +125,7 @@ static void lex_any_number(struct token *token, const char *end)
                 : "a number goes over into a name");
 }
 
-/* X'FFD2 4000 0000 0000' */
+/* Reads X'FFD2 4000 0000 0000'. */
 static void lex_word(struct token *token, const char *end)
 {
     const char *at = token->begin + 2;
@@ -301,7 +302,8 @@ bool expect_name(struct cursor *cursor, const char *what, const char **name,
     return true;
 }
 
-/* \n \t \\ \" \0 and \xHH; *at is past the backslash.  -1: none of them. */
+/* Decodes \n \t \\ \" \0 and \xHH; *at is after the backslash. Returns -1
+ * for any other escape. */
 static int unescape(const char **at)
 {
     static const char letters[] = "nt\\\"0", meanings[] = "\n\t\\\"";

@@ -1,3 +1,5 @@
+/* line_profile.c - attributes the clocks of a run to source lines, and
+ * writes tables of them. */
 #include "asm/line_profile.h"
 
 #include <inttypes.h>
@@ -7,21 +9,21 @@
 
 #include "base/accounts.h"
 
-/* Behind those of the lines. */
+/* The rows after those of the lines. */
 enum { ROW_UNKNOWN, ROW_END, ROWS_BESIDES };
 
 struct line_profile {
     const struct object *object;
-    size_t *row_of; /* of each of the object's lines */
+    size_t *row_of; /* row of each line of the object */
     size_t row_count;
     struct profile_row *rows;    /* [row_count + ROWS_BESIDES] */
-    const struct asm_line *last; /* that was found */
+    const struct asm_line *last; /* the line that was found last */
     bool cut;                    /* the run was stopped within an instruction */
 };
 
 /* ---- Rows ----------------------------------------------------------------- */
 
-/* Lines of one call in a region, by their first. */
+/* A line, as a key for sorting by call and region. */
 struct called_line {
     const struct asm_line *line;
     const char *region;
@@ -49,7 +51,7 @@ static bool is_same_call(const struct called_line *a, const struct called_line *
            && strcmp(a->region, b->region) == 0;
 }
 
-/* Of each line the first one of its call. */
+/* Finds the first line with the same call, for each line. */
 static void find_firsts(const struct called_line *places, size_t count, size_t *first)
 {
     size_t i, begin = 0;
@@ -79,7 +81,8 @@ static bool sort_places(const struct object *object, size_t *first)
     return true;
 }
 
-/* A row for each call, in the order of addresses: a first line comes before others. */
+/* Makes a row for each call, in the order of addresses. The first line of a call
+ * precedes its other lines, so its row exists when they are reached. */
 static void make_rows(struct line_profile *profile)
 {
     size_t i;
@@ -151,7 +154,7 @@ const struct profile_row *line_profile_row(const struct line_profile *profile, s
     return &profile->rows[i];
 }
 
-/* ---- What is heard -------------------------------------------------------- */
+/* ---- The listener --------------------------------------------------------- */
 
 static bool holds(const struct asm_line *line, uint64_t address)
 {
@@ -179,8 +182,9 @@ static void add_pieces(struct line_profile *profile, const c205_times *times)
     }
 }
 
-/* Of a run that was stopped within an instruction: what no record has.  If it continues the
- * instruction's own record will have it. */
+/* Computes the clocks of an instruction within which the run was stopped: the accounts
+ * minus all rows, since the clock has no record of it yet. If the run continues, the
+ * instruction's own record contains them. */
 static void add_end(struct line_profile *profile, const c205 *machine)
 {
     struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
@@ -228,7 +232,7 @@ void line_profile_listen(void *context, const c205 *machine, const c205_event *e
 
 /* ---- Tables --------------------------------------------------------------- */
 
-/* The first is left out where regions are of no interest. */
+/* The first column is omitted if regions are not shown. */
 static const struct table_column in_words[] = {
     { "region", "region", TABLE_TEXT, 0 },
     { "line", "line", TABLE_TEXT, 0 },
@@ -286,7 +290,7 @@ static void put_source(struct table *table, const struct profile_row *row)
     table_text(table, source + strspn(source, " \t"));
 }
 
-/* The largest, each at least a tenth of the row: at most three. */
+/* Writes the largest causes: at most three, each at least a tenth of the row. */
 static void put_causes(struct table *table, const struct profile_row *row)
 {
     char text[160] = "";
@@ -314,8 +318,7 @@ static void put_causes(struct table *table, const struct profile_row *row)
     table_text(table, text);
 }
 
-/* A column for each cause. */
-/* Without the first so many. */
+/* Makes a table with a column for each cause, without the first `first` columns. */
 static struct table *new_columns(size_t first)
 {
     struct table_column columns[BEFORE + C205_CAUSES + 1];
@@ -344,12 +347,12 @@ static void put_row(struct table *table, const struct line_profile *profile,
         put_causes(table, row);
 }
 
-/* ---- Which rows, and their order ------------------------------------------- */
+/* ---- Selection and order of the rows --------------------------------------- */
 
 struct shown_row {
     const struct profile_row *row;
     uint64_t clocks;
-    uint64_t of_region; /* that it is in; 0 where that is of no interest */
+    uint64_t of_region; /* clocks of its region; 0 if regions are not summed */
 };
 
 struct shown_rows {
@@ -358,7 +361,7 @@ struct shown_rows {
     uint64_t clocks;
 };
 
-/* False: no memory. */
+/* Fails if memory is exhausted. */
 static bool choose_rows(const struct line_profile *profile, struct shown_rows *shown)
 {
     size_t count = line_profile_count(profile);
@@ -443,7 +446,8 @@ struct table *line_profile_table(const struct line_profile *profile,
     return table;
 }
 
-/* For the eye with causes in words. */
+/* Text and Markdown have the causes in words; other formats have a
+ * column for each cause. */
 int line_profile_show(const struct line_profile *profile, struct profile_view view,
                       const struct command_output *results)
 {

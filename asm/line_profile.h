@@ -1,11 +1,12 @@
-/* line_profile.h - where the clocks of a program went, line by line of its source; macros
- * are summed at the line that calls them, in each region apart.
+/* line_profile.h - the clocks of a program by source line. Macros are summed at the
+ * line that calls them, separately for each region.
  *
- * A listener adds up the pieces of the clock's own records.  As in the accounts each belongs to
- * the instruction whose work it is: clocks that others wait for a vector instruction are
- * that one's.  Code whose line is not known has a row of its own, and so have clocks of an
- * instruction within which a run was stopped.  The sum of all rows is that of the accounts,
- * cause by cause, and so is that of a region.
+ * A listener adds the pieces of the clock's records. As in the accounts, a piece
+ * belongs to the instruction that causes it: if instructions wait for a vector
+ * instruction, the clocks are charged to the vector instruction. Code without a
+ * known line has a row, and so has an instruction within which the run was stopped.
+ * For each cause, the sum of all rows is equal to that of the accounts; the same is
+ * true within each region.
  */
 #ifndef ASM_LINE_PROFILE_H
 #define ASM_LINE_PROFILE_H
@@ -15,17 +16,19 @@
 
 struct line_profile;
 
-/* The object knows its lines and outlives it.  NULL: no memory. */
+/* The object must have source lines and outlive the profile. Returns NULL if
+ * memory is exhausted. */
 struct line_profile *line_profile_new(const struct object *object);
 void line_profile_free(struct line_profile *profile);
-/* The listener; its context is the profile, of one run from its beginning. */
+/* The listener. Its context is the profile. It must be attached
+ * from the start of a run. */
 c205_listener line_profile_listen;
 
-/* Add what another one of the same object has. */
+/* Adds the counts of another profile of the same object. */
 void line_profile_add(struct line_profile *profile, const struct line_profile *more);
 
 struct profile_row {
-    const char *region; /* "": none */
+    const char *region; /* "": no region */
     const char *file;   /* NULL: code without lines, or the end of the run */
     size_t number;
     const char *source;
@@ -33,21 +36,25 @@ struct profile_row {
 };
 
 size_t line_profile_count(const struct line_profile *profile);
-/* In the order of addresses; the last two are code without lines, and an instruction that was
- * not done. */
+/* Returns a row; rows are sorted by address. The last two are code without lines and
+ * the instruction that was not completed. */
 const struct profile_row *line_profile_row(const struct line_profile *profile,
                                            size_t i);
 
-/* Rows that took time: the hottest first, or as they are. */
+/* Only rows with clocks are shown: the ones with the most clocks first, or in
+ * the order of addresses. */
 enum profile_order { PROFILE_HOTTEST, PROFILE_AS_WRITTEN };
 struct profile_view {
     enum profile_order order;
-    bool regions; /* have a column; the hottest one comes first, then */
+    bool regions; /* with a column of regions; the region with the
+                   * most clocks is first */
 };
-/* For the eye: with the causes in words; or with a column for each cause.  NULL: no memory. */
+/* Returns a table with the causes in words, or with a column for each cause. Returns
+ * NULL if memory is exhausted. */
 struct table *line_profile_table(const struct line_profile *profile,
                                  struct profile_view view, bool in_words);
-/* What suits the format of the results; in JSON "lines".  The exit code. */
+/* Shows the table in the form for the format of the results; in JSON its name is
+ * "lines". Returns the exit code. */
 int line_profile_show(const struct line_profile *profile, struct profile_view view,
                       const struct command_output *results);
 

@@ -1,3 +1,4 @@
+/* listing.c - prints source lines with their words in hex. */
 #include "asm/listing.h"
 
 #include <inttypes.h>
@@ -16,7 +17,7 @@ static const c205_segment *find_segment(const c205_program *program, uint64_t ad
     return NULL;
 }
 
-/* Eight hex digits; those of zeros that are not stored are left out. */
+/* Prints eight hex digits. Returns false for zeros that are not stored. */
 static bool put_half(const c205_program *program, uint64_t address,
                      const struct sink *sink)
 {
@@ -32,7 +33,7 @@ static bool put_half(const c205_program *program, uint64_t address,
     return true;
 }
 
-/* Two halves a row; the source is in the first one. */
+/* Prints two halves in a row, and the source in the first row. */
 static void put_line(const c205_program *program, const struct asm_line *line,
                      const struct sink *sink)
 {

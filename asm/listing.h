@@ -1,4 +1,4 @@
-/* listing.h - source lines beside the words they became. */
+/* listing.h - prints each source line with its words in hex. */
 #ifndef ASM_LISTING_H
 #define ASM_LISTING_H
 

@@ -1,3 +1,5 @@
+/* macro.c - definitions of macros, their arguments, and the
+ * substitution in their bodies. */
 #include "asm/macro.h"
 #include "base/plural.h"
 
@@ -16,8 +18,8 @@ static const char *skip_string(const char *at, const char *end)
     return at < end ? at + 1 : end;
 }
 
-/* To the comma or comment that ends an argument; commas inside brackets and
- * strings belong to it. */
+/* Returns the comma or comment that ends an argument. Commas inside brackets and
+ * strings belong to the argument. */
 static const char *end_of_argument(const char *at, const char *end)
 {
     int depth = 0;
@@ -43,7 +45,7 @@ static struct span trim(const char *begin, const char *end)
     return span;
 }
 
-/* Go on lexing at another place of the line. */
+/* Continues lexing at another position of the line. */
 static void move_to(struct cursor *cursor, const char *at)
 {
     cursor->token.end = at;
@@ -213,8 +215,8 @@ static size_t name_length(const char *at, const char *end)
     return (size_t)(at - begin);
 }
 
-/* What is after a backslash at at; returns where to continue.  What has no
- * meaning stays as it is, so that strings keep their escapes. */
+/* Substitutes the text after the backslash at `at`, and returns where to continue. An
+ * unknown sequence is copied, so that strings keep their escapes. */
 static const char *substitute_one(const struct substitution *substitution,
                                   const char *at, const char *end,
                                   struct macro_text *output)

@@ -1,11 +1,11 @@
-/* macro.h - definitions of macros and the text they expand to. */
+/* macro.h - definitions of macros and their expansion. */
 #ifndef ASM_MACRO_H
 #define ASM_MACRO_H
 
 #include "asm/lex.h"
 
 struct span {
-    const char *begin, *end; /* begin NULL: not given */
+    const char *begin, *end; /* begin NULL: absent */
 };
 
 struct parameter {
@@ -20,7 +20,7 @@ struct macro {
     struct line *lines;
 };
 
-/* What the backslashes of a body stand for. */
+/* The replacements of backslash sequences in a body. */
 struct substitution {
     const struct macro *macro; /* NULL: no \name */
     const struct span *arguments;
@@ -28,13 +28,15 @@ struct substitution {
     const uint64_t *count;  /* \+, or NULL */
 };
 
-/* After .macro: NAME a, b=default, ... */
+/* Parses the text after .macro: NAME a, b=default, ... */
 struct macro *macro_parse(struct cursor *cursor);
 bool macro_add_line(struct assembler *assembler, struct macro *macro,
                     const struct line *line);
-/* After the macro's name: one span for each parameter; NULL: reported. */
+/* Parses the arguments after a macro's name. Returns a span for each parameter, or
+ * NULL after a report. */
 const struct span *macro_arguments(struct cursor *cursor, const struct macro *macro);
-/* The length of the new text; above MAX_LINE: it is too long. */
+/* Expands a line and returns the length of the new text, which is above
+ * MAX_LINE if it is too long. */
 size_t substitute(const struct substitution *substitution, const struct line *line,
                   char text[MAX_LINE]);
 

@@ -1,4 +1,5 @@
-/* measure.c - see measure.h. */
+/* measure.c - measures the clocks of vector instructions at many
+ * lengths and fits a line. */
 #include "asm/measure.h"
 
 #include <ctype.h>
@@ -17,7 +18,7 @@ static const size_t lengths[MEASURE_POINTS] = {
     300, 500, 1000, 2000, 5000, 10000, 20000, 50000, C205_MAX_LENGTH,
 };
 
-/* The operands of every program, each in a page of its own. */
+/* The operands of a program. Each is in a page of its own. */
 enum operand_place { A, B, C, Z, OPERANDS };
 enum { FIRST_REGISTER = 16, SCALAR = 32, LOADED = 33, FIRST_PAGE = 64 };
 enum { TEXT_SIZE = 256 };
@@ -28,7 +29,8 @@ static uint64_t address_of(enum operand_place operand)
     return (FIRST_PAGE + (uint64_t)operand) * PAGE_BITS;
 }
 
-/* C+1 is a result of some instructions, so registers go in twos. */
+/* Register C+1 is also a result of some instructions, so every
+ * second register is used. */
 static unsigned register_of(enum operand_place operand)
 {
     return FIRST_REGISTER + 2u * (unsigned)operand;
@@ -36,7 +38,8 @@ static unsigned register_of(enum operand_place operand)
 
 /* ---- The program ---------------------------------------------------- */
 
-/* A row of the table, or the triad (NULL); with 32-bit operands or not. */
+/* The instruction to measure, or NULL for the triad, and whether its
+ * operands have 32 bits. */
 struct subject {
     const c205_insn *insn;
     bool half;
@@ -80,7 +83,7 @@ bool measure_knows(const char *name)
     return find_subject(name, &subject);
 }
 
-/* R and T are the first and the last operand of a short instruction. */
+/* R is the first and T the last operand of a short instruction. */
 static enum operand_place operand_of(char letter)
 {
     switch (toupper((unsigned char)letter)) {
@@ -92,7 +95,7 @@ static enum operand_place operand_of(char letter)
     }
 }
 
-/* Whether the field is a half register. */
+/* Returns whether the field is a half register. */
 static bool is_half(const struct subject *subject, char field)
 {
     struct operand operands[MAX_OPERANDS];
@@ -104,9 +107,9 @@ static bool is_half(const struct subject *subject, char field)
     return half;
 }
 
-/* A letter of the syntax: "a" and "[A]" are vectors, a source outside
- * brackets is the scalar; the left half of it is the half register of twice
- * its number. */
+/* Writes the operand for a letter of the syntax. "a" and "[A]" are vectors;
+ * a source outside of brackets is the scalar. The left half of register n
+ * is half register 2n. */
 static int write_letter(const struct subject *subject, char letter, bool in_brackets,
                         char *text, size_t size)
 {
@@ -122,8 +125,8 @@ static int write_letter(const struct subject *subject, char letter, bool in_brac
                : snprintf(text, size, "r%u", number);
 }
 
-/* The syntax of insn.def with registers for its letters; offsets and an
- * optional control vector are left out. */
+/* Replaces the letters of the syntax in insn.def by registers. Offsets and an optional
+ * control vector are omitted. */
 static void write_operands(const struct subject *subject, char *text, size_t size)
 {
     const char *syntax = c205_format_syntax(subject->insn->format);
@@ -156,8 +159,8 @@ static int write_triad(bool half, char *text)
                     c, b, c);
 }
 
-/* The load waits until the vector unit is done, so that nothing of the end
- * hides under the instruction. */
+/* The load at the end waits for the vector unit. Otherwise the clocks of the end would
+ * overlap those of the instruction. */
 static void write_program(const struct subject *subject, char text[TEXT_SIZE])
 {
     char operands[TEXT_SIZE / 2] = "";
@@ -175,7 +178,8 @@ static void write_program(const struct subject *subject, char text[TEXT_SIZE])
 
 /* ---- The operands ---------------------------------------------------- */
 
-/* Numbers for operands; the sequence is xorshift64 and always the same. */
+/* Generates operands by xorshift64, from a fixed seed, so that they are
+ * the same in every run. */
 static uint64_t next_bits(uint64_t *state)
 {
     *state ^= *state << 13;
@@ -184,7 +188,7 @@ static uint64_t next_bits(uint64_t *state)
     return *state;
 }
 
-/* Normalised numbers from 1 to 2, one of 64 bits or two of 32. */
+/* Returns normalised numbers from 1 to 2: one of 64 bits or two of 32. */
 static c205_word next_numbers(uint64_t *state, bool half)
 {
     enum { HALF_BITS = 32 };
@@ -194,7 +198,7 @@ static c205_word next_numbers(uint64_t *state, bool half)
                 : C205_ONE | bits >> 18;
 }
 
-/* Indices of a table of one page. */
+/* Returns an index in a table of one page. */
 static c205_word next_index(uint64_t *state)
 {
     return c205_from_integer((int64_t)(next_bits(state) >> 18) % C205_PAGE_WORDS);
@@ -236,10 +240,10 @@ static bool fill(c205 *machine, const struct subject *subject, c205_error *error
 
 /* ---- The runs -------------------------------------------------------- */
 
-/* A machine with operands.  An instruction that goes through B once for each
- * element of A gets a B of one element: its rate is that of one step.  The
- * scalar is one: a number, in the left half if it is a half word, or the
- * period of a gather or scatter. */
+/* A machine with operands. one_step: B has one element, for instructions that pass
+ * through B once for each element of A; the measured rate is then that of one step.
+ * scalar: one, as a number (left-aligned if it is a half word), or as the period of
+ * a gather or scatter. */
 struct rig {
     c205 *machine;
     bool one_step;
@@ -267,7 +271,8 @@ static bool run_once(const struct rig *rig, uint64_t entry, size_t length,
     return true;
 }
 
-/* The clock of the second run. */
+/* Runs twice and returns the clocks of the second run, in which
+ * all pages are resident. */
 static bool clocks_of(const struct rig *rig, uint64_t entry, size_t length,
                       uint64_t *clocks, c205_error *error)
 {
@@ -286,7 +291,7 @@ static uint64_t operations_of(const c205 *machine)
     return operations;
 }
 
-/* The flops stay those of the longest one. */
+/* The flops of the last length are kept, which is the longest. */
 static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
                            struct measurement *result, c205_error *error)
 {
@@ -306,7 +311,7 @@ static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
     return true;
 }
 
-/* The empty vector is left out, as it makes no stream. */
+/* Fits the line without the empty vector, which has no stream. */
 static void fit_line(struct measurement *result)
 {
     struct weighted_point points[MEASURE_POINTS];

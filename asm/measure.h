@@ -1,9 +1,9 @@
-/* measure.h - how long a vector instruction takes, measured on the machine.
+/* measure.h - measures how long a vector instruction takes.
  *
- * The instruction runs at many lengths, alone: its clocks are those of a
- * program that has it less those of a program that has not.  All pages are
- * resident, as each run is the second of its kind.  A line through the points,
- * T = startup + per_element x n (least squares), gives
+ * The instruction is measured at many lengths. Its clocks are those of a program with
+ * the instruction minus those of the same program without it. Each run is the second of
+ * its kind, so all pages are resident. A line through the points, T = startup +
+ * per_element x n (least squares), gives
  *
  *   r-infinity = flops / (per_element x period)   the rate of long vectors
  *   n-half     = startup / per_element            the length of half that rate
@@ -25,25 +25,25 @@ struct measure_point {
 struct measurement {
     char name[MEASURE_NAME_SIZE];
     const char *timing;
-    double flops; /* done for each element; 0: it makes results, not flops */
+    double flops; /* per element; 0: the results are not flops */
     struct measure_point points[MEASURE_POINTS];
     double startup;     /* clocks */
     double per_element; /* clocks */
-    double deviation;   /* clocks: the point farthest from the line */
+    double deviation;   /* clocks: largest distance of a point from the line */
 };
 
-/* The linked triad B + s A, as if it were one instruction. */
+/* The linked triad B + s A, measured as one instruction. */
 extern const char measure_triad[];
 
-/* Whether a name can be measured: a vector instruction or the triad, behind
- * it ",H" for 32-bit operands where the row allows them. */
+/* Returns whether a name can be measured: a vector instruction or the triad, with ",H"
+ * after it for 32-bit operands if the instruction allows them. */
 bool measure_knows(const char *name);
 
-/* name: one that measure_knows. */
+/* name: one for which measure_knows returns true. */
 bool measure(const c205_model *model, const char *name, struct measurement *result,
              c205_error *error);
 
-/* Millions a second of flops, or of results, by the model's clock. */
+/* Returns the millions of flops per second, or of results, by the model's clock. */
 double measure_rate(const struct measurement *measurement, const c205_model *model);
 double measure_half_length(const struct measurement *measurement);
 

@@ -1,4 +1,4 @@
-/* object.c - object files, written; object_read.c reads them. */
+/* object.c - writes and loads object files; object_read.c parses them. */
 #include "asm/object.h"
 
 #include <ctype.h>
@@ -13,7 +13,7 @@
 #include "base/text_file.h"
 #include "base/atomic_file.h"
 
-/* A name ends its line, so it holds no line's end itself. */
+/* A name ends its line, so control characters in it are replaced by "?". */
 static void put_name(const struct sink *sink, const char *name)
 {
     for (; *name; name++)
@@ -116,7 +116,7 @@ struct object *object_load(const char *path, c205_error *error)
     return object;
 }
 
-/* A program that has no instruction begins where code begins by default. */
+/* The entry of a program without instructions is the default start of the code. */
 bool object_check(const struct object *object, c205_error *error)
 {
     const c205_program *program = &object->program;

@@ -1,3 +1,4 @@
+/* object_read.c - parses object files; any input gives an object or an error. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -9,8 +10,8 @@
 
 struct object_reader {
     struct storage *storage;
-    const char *at, *end;         /* of what is not read yet */
-    const char *field, *line_end; /* of the line being read */
+    const char *at, *end;         /* the part that is not read yet */
+    const char *field, *line_end; /* of the current line */
     size_t line;
     uint64_t words;
     const char *problem;
@@ -115,8 +116,8 @@ static bool take_keyword(struct object_reader *reader, const char *keyword)
     return end_field(reader, end);
 }
 
-/* Lines of one word each; there must be bytes for them before there is
- * memory. */
+/* Reads lines of one word each. The length of the file is checked before memory is
+ * allocated, so that a false count cannot exhaust memory. */
 static const c205_word *take_words(struct object_reader *reader, size_t count)
 {
     enum { LINE = 17 };
@@ -241,7 +242,7 @@ static bool read_text(struct object_reader *reader, const char **text)
     return *text != NULL;
 }
 
-/* Only where the next line says so. */
+/* Reads a tolerance if the next line has one. */
 static bool read_tolerance(struct object_reader *reader, struct asm_expectation *made)
 {
     static const char keyword[] = "within ";
@@ -255,7 +256,7 @@ static bool read_tolerance(struct object_reader *reader, struct asm_expectation 
            && take_hex(reader, &made->tolerance);
 }
 
-/* How many words follow the line. */
+/* Returns the number of words after the line. */
 static size_t words_of(const struct asm_expectation *expectation)
 {
     if (expectation->kind == EXPECT_BITS)

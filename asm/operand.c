@@ -1,4 +1,4 @@
-/* operand.c - the operands of an instruction, as its syntax says. */
+/* operand.c - parses the operands of an instruction according to its syntax. */
 #include "asm/statement.h"
 
 #include <ctype.h>
@@ -7,7 +7,8 @@
 #include "asm/suggest.h"
 #include "asm/syntax.h"
 
-/* r256, r01 */
+/* Returns whether a token has the form of a register with an invalid number,
+ * such as r256 or r01. */
 static bool is_numbered(const struct token *token)
 {
     const char *at = token->begin;
@@ -45,7 +46,7 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
     return true;
 }
 
-/* A whole register or a half one. */
+/* Parses a whole register or a half register. */
 static bool parse_sized(struct cursor *cursor, bool half, uint8_t *number)
 {
     struct register_name found = { false, 0, 0 };
@@ -119,7 +120,7 @@ static bool parse_unsigned(struct cursor *cursor, const struct operand *operand,
     return parse_sized(cursor, operand->half, syntax_field(fields, operand->field));
 }
 
-/* -[A], |[A]|, -|[A]|, |[B]| */
+/* Parses -[A], |[A]|, -|[A]| or |[B]|. */
 static bool parse_signed(struct cursor *cursor, const struct operand *operand,
                          c205_fields *fields)
 {
@@ -199,7 +200,7 @@ static bool check_operands(struct cursor *cursor, struct instruction *instructio
            || report(cursor->assembler, cursor->line, at[blamed], "%s", problem);
 }
 
-/* What is before an operand that is not the first. */
+/* Parses the separator before an operand that is not the first. */
 static bool parse_between(struct cursor *cursor, const struct operand *operand,
                           c205_fields *fields)
 {
@@ -245,7 +246,7 @@ static bool parse_operands(struct cursor *cursor, struct instruction *instructio
     return good;
 }
 
-/* ",H" directly behind the mnemonic. */
+/* Parses ",H" directly after the mnemonic. */
 static bool parse_size(struct cursor *cursor, struct instruction *instruction)
 {
     const char *at = cursor->token.begin;
@@ -280,7 +281,8 @@ bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
     good = parse_size(cursor, instruction) && parse_operands(cursor, instruction);
     instruction->mentions = cursor->assembler->registers.mention_count
                             - instruction->mention;
-    item = layout_add(cursor, ITEM_INSTRUCTION, halves); /* errors or not */
+    item = layout_add(cursor, ITEM_INSTRUCTION, halves); /* also after errors, so that
+                                                          * later addresses are right */
     if (item)
         item->of.instruction = instruction;
     return good && item;

@@ -1,3 +1,4 @@
+/* operand_view.c - decodes the operands of an instruction and reads their values. */
 #include "asm/operand_view.h"
 
 #include <ctype.h>
@@ -38,7 +39,7 @@ static bool is_broadcast(const c205_fields *fields, char field)
     return fields->g & (field == 'A' ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
 }
 
-/* Of 64 bits unless the letter is a capital. */
+/* Returns the width of an element in bits: 64, or 32 for a capital letter, or 1. */
 static unsigned width_of(char letter)
 {
     if (strchr("beoz", letter))
@@ -46,8 +47,9 @@ static unsigned width_of(char letter)
     return isupper((unsigned char)letter) ? HALF_BITS : WORD_BITS;
 }
 
-/* "a" and "[A+X]" have it in X; a result and the control vector in the register
- * after the result, unless that bit says that Z is given. */
+/* Sets the register of an operand's offset. For "a" it is X or Y, for "[A+X]" it is X.
+ * For a result and the control vector it is the register after the result, unless the
+ * bit means that Z is given. */
 static void add_offset(struct operand_view *operand,
                        const struct instruction_view *view, const char *syntax)
 {
@@ -89,7 +91,7 @@ static void decode_one(struct operand_view *operand,
         add_offset(operand, view, syntax);
 }
 
-/* One letter of insn.def for each field of the syntax but the offset "+X". */
+/* Each field of the syntax except an offset "+X" has one letter in insn.def. */
 static void decode_operands(struct instruction_view *view)
 {
     const char *syntax = c205_format_syntax(view->insn->format);
@@ -137,7 +139,7 @@ static void describe(struct operand_view *operand, const c205 *machine)
                                                         : operand->length;
 }
 
-/* Register 0, and h0 and h1, as a number. */
+/* Returns whether the operand is register 0, h0 or h1, read as a number. */
 static bool reads_zero(const struct operand_view *operand)
 {
     return strchr("fFvV", operand->letter) && !operand->is_vector

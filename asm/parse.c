@@ -1,3 +1,4 @@
+/* parse.c - parses a statement: labels, then a directive or an instruction. */
 #include "asm/statement.h"
 #include "asm/suggest.h"
 
@@ -44,7 +45,7 @@ static bool parse_mnemonic(struct cursor *cursor)
     return parse_instruction(cursor, insn);
 }
 
-/* A directive or an instruction. */
+/* Parses a directive or an instruction. */
 static bool parse_body(struct cursor *cursor)
 {
     if (cursor->token.kind == TOKEN_DIRECTIVE)
@@ -54,7 +55,7 @@ static bool parse_body(struct cursor *cursor)
     return expected(cursor, "an instruction");
 }
 
-/* What is wrong in one part does not keep the others from being read. */
+/* Parses all parts of a statement, also after an error in one of them. */
 static bool parse_statement(struct cursor *cursor)
 {
     bool good = parse_labels(cursor);

@@ -1,9 +1,11 @@
+/* precision.c - computes how many bits an operation loses because an
+ * operand is an integer. */
 #include "asm/precision.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Names begin like this; behind it are the letters of their operands. */
+/* Mnemonics start with the stem; only letters of operands follow. */
 static const struct {
     const char *stem;
     enum precision_rule rule;
@@ -40,7 +42,7 @@ static int exponent_of(c205_word word, bool half)
 
 static int coefficient_bits(bool half)
 {
-    return half ? 23 : 47; /* without the sign */
+    return half ? 23 : 47; /* without the sign bit */
 }
 
 static int64_t coefficient_of(c205_word word, bool half)
@@ -52,7 +54,7 @@ static int64_t coefficient_of(c205_word word, bool half)
     return c < 1 << 23 ? c : c - (1 << 24);
 }
 
-/* The least n with -2^n <= coefficient < 2^n. */
+/* Returns the smallest n with -2^n <= coefficient < 2^n. */
 static int significant_bits(c205_word word, bool half)
 {
     int64_t c = coefficient_of(word, half);
@@ -98,7 +100,7 @@ static int greatest(int a, int b)
     return a > b ? a : b;
 }
 
-/* The exponent of the last bit that the result keeps. */
+/* Returns the exponent of the last bit that the result keeps. */
 static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word b,
                     double exact)
 {
@@ -116,8 +118,8 @@ static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word 
     return ilogb(exact) + 1 - greatest(s, 1);
 }
 
-/* Results are cut downwards; quotients towards zero before that, at the last
- * bit of the upper one. */
+/* Rounds the exact result as the machine does. All results are rounded down. A quotient
+ * is before that truncated towards zero at the last bit of the upper quotient. */
 static double cut(enum precision_rule rule, double exact, int last,
                   int last_of_quotient)
 {
@@ -126,7 +128,8 @@ static double cut(enum precision_rule rule, double exact, int last,
     return ldexp(floor(ldexp(exact, -last)), last);
 }
 
-/* A result with so many bits less than a normalised one is good enough. */
+/* A loss is reported only if more bits than these are lost, compared with
+ * a normalised result. */
 enum { SPARE = 7 };
 
 bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,

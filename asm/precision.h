@@ -1,10 +1,10 @@
-/* precision.h - bits that arithmetic loses because an operand is an integer
- * word.  Not public.
+/* precision.h - the bits that arithmetic loses because an operand is an
+ * integer word. Not public.
  *
- * An integer has the exponent 0 and as few significant bits as its value
- * needs.  The significant results (MPYS, DIVS, SQRT) have no more than the
- * operand that has fewer; the upper ones (ADDU, MPYU, DIVU) begin where the
- * coefficients do.  So 3 x 1 is 2 where both are integers, and no flag tells.
+ * An integer has exponent 0 and only the significant bits that its value needs. The
+ * significant results (MPYS, DIVS, SQRT) have no more bits than the operand with fewer
+ * bits. The upper results (ADDU, MPYU, DIVU) start at the position of the coefficients.
+ * So 3 x 1 is 2 if both are integers, and no data flag reports it.
  */
 #ifndef ASM_PRECISION_H
 #define ASM_PRECISION_H
@@ -22,19 +22,19 @@ enum precision_rule {
     PRECISION_UPPER_QUOTIENT
 };
 
-/* The rule of an instruction. */
+/* Returns the rule of an instruction. */
 enum precision_rule precision_rule(const c205_insn *insn);
 
-/* Exponent 0 and not normalised; half words at the left of a word. */
+/* Returns whether a word has exponent 0 and is not normalised. A half
+ * word is left-aligned. */
 bool precision_is_integer(c205_word word, bool half);
 
-/* What becomes of two operands. */
+/* The result of two operands: exact, and as the machine keeps it. */
 struct precision {
     double exact, kept;
 };
 
-/* Whether more than a few bits are lost that normalised operands would have
- * kept. */
+/* Returns whether more than a few bits are lost that normalised operands would keep. */
 bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,
                        struct precision *precision);
 

@@ -1,8 +1,9 @@
+/* print.c - prints the output of a program: numbers, texts and vectors. */
 #include "asm/print.h"
 
 #include <inttypes.h>
 
-/* A descriptor's 48-bit address and 16-bit length. */
+/* Returns the 48-bit address of a descriptor; length_of returns its 16-bit length. */
 static uint64_t address_of(c205_word descriptor)
 {
     return descriptor & ((UINT64_C(1) << 48) - 1);
@@ -13,8 +14,8 @@ static unsigned length_of(c205_word descriptor)
     return (unsigned)(descriptor >> 48);
 }
 
-/* Element i of a vector of elements of 1, 8 or 64 bits, at the right end of
- * *element.  False after telling that it lies where nothing is. */
+/* Reads element i of a vector of elements of 1, 8 or 64 bits, right-aligned. If it is
+ * not mapped, prints that and returns false. */
 static bool fetch(const struct printer *printer, const c205 *machine,
                   c205_word descriptor, unsigned i, unsigned bits, c205_word *element)
 {
@@ -30,12 +31,12 @@ static bool fetch(const struct printer *printer, const c205 *machine,
     return true;
 }
 
-/* How numbers are to look. */
+/* The layout of numbers. */
 struct number_columns {
-    unsigned notation; /* 0: as short as can be; 1 + c205_notation */
-    unsigned width;    /* blanks before what is shorter */
+    unsigned notation; /* 0: as short as possible; otherwise 1 + c205_notation */
+    unsigned width;    /* columns; shorter numbers are padded with blanks */
     unsigned digits;
-    unsigned in_line; /* so many elements of a vector; 0: all */
+    unsigned in_line; /* elements of a vector in a line; 0: all */
 };
 
 static struct number_columns columns_of(c205_word word)

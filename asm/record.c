@@ -1,7 +1,7 @@
-/* record.c - records: names for the places of their fields.
+/* record.c - records: constants for the positions of their fields.
  *
- * A record takes no memory; it numbers.  Each field is a constant, the place
- * where it begins, and the record's size is one more, NAME_SIZE.
+ * A record occupies no memory. Each field is a constant, its position in words, and the
+ * size of the record is the constant NAME_SIZE.
  */
 #include <string.h>
 
@@ -50,7 +50,7 @@ bool parse_record(struct cursor *cursor)
     return open->name != NULL;
 }
 
-/* NAME [, count] */
+/* Parses NAME [, count]. */
 bool parse_field(struct cursor *cursor)
 {
     struct open_record *open = &cursor->assembler->record;
@@ -68,7 +68,8 @@ bool parse_field(struct cursor *cursor)
     return true;
 }
 
-/* Back to a field that shares its words with the next ones, or on. */
+/* Sets the position of the next field: back, for fields that
+ * share words, or forward. */
 bool parse_at(struct cursor *cursor)
 {
     int64_t place;

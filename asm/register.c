@@ -1,11 +1,13 @@
-/* register.c - names of registers, and whose each register is.
+/* register.c - names of registers, and the warning if two names use one register.
  *
- * A register belongs to the name that it was given; the same name once more,
- * or a name given by that name, is the same owner's.  Another name is told of,
- * unless the first one has moved on to another register, or the one or the
- * other was declared to share: between .share and .endshare.  Names of one
- * such block do not share among themselves; with those outside it they do,
- * under a word only with those of blocks that have it, too.
+ * A register belongs to an owner, the first name that it is given. The same name
+ * declared again, or a name defined by that name, has the same owner. A name of another
+ * owner causes a warning, with these exceptions:
+ *
+ *   - The first name has since been given to another register.
+ *   - One of the two names was declared between .share and .endshare. Names in one such
+ *     block may share with names outside of it, but not with each other. If the block
+ *     has a word, they may share only with names in blocks that have it too.
  */
 #include "asm/statement.h"
 
@@ -19,7 +21,7 @@ static bool overlap(struct register_name a, struct register_name b)
     return a.half && b.half ? a.number == b.number : whole_number(a) == whole_number(b);
 }
 
-/* The naming that is behind an index as registers keep it, from 1. */
+/* Returns the naming with an index that counts from 1, or NULL for 0. */
 static struct naming *naming_at(const struct registers *registers, size_t index)
 {
     return index > 0 ? &registers->namings[index - 1] : NULL;
@@ -33,7 +35,7 @@ static bool encloses(const struct register_share *outer,
     return share == outer;
 }
 
-/* Words are compared as pointers: they are names of symbols. */
+/* Words are names of symbols, which are unique, so pointers are compared. */
 static bool has_word(const struct register_share *share,
                      const struct register_share *other, const char *word)
 {
@@ -43,8 +45,8 @@ static bool has_word(const struct register_share *share,
     return false;
 }
 
-/* What is declared in the one block says that it may be where what is
- * declared in the other does. */
+/* Returns whether a block that contains the first naming, but not the other one,
+ * permits sharing with it. */
 static bool allows_sharing(const struct register_share *share,
                            const struct register_share *other)
 {
@@ -64,8 +66,8 @@ static bool may_share(const struct naming *naming, const struct naming *other)
            || allows_sharing(other->share, naming->share);
 }
 
-/* Another owner of the register, among the last that still hold; NULL: there
- * is none.  Those that have ended are taken out of the list. */
+/* Returns a valid naming of the register with another owner, or NULL. Namings that have
+ * ended are removed from the list. */
 static const struct naming *other_owner(struct registers *registers,
                                         const struct naming *naming)
 {
@@ -106,7 +108,7 @@ static bool same_register(struct register_name a, struct register_name b)
     return a.half == b.half && a.number == b.number;
 }
 
-/* What the symbol named before ends here. */
+/* Ends the previous naming of the symbol, and returns the owner of the new one. */
 static size_t owner_of(struct registers *registers, const struct symbol *symbol,
                        struct register_name named)
 {
@@ -171,7 +173,8 @@ bool parse_reg(struct cursor *cursor)
            && name_register(cursor, name, length, named);
 }
 
-/* The one that was given to the next register next. */
+/* Returns the index of the following naming if it is the declaration of the next
+ * register, otherwise 0. */
 static size_t naming_behind(const struct registers *registers, size_t index)
 {
     const struct naming *naming = naming_at(registers, index);
@@ -185,8 +188,9 @@ static size_t naming_behind(const struct registers *registers, size_t index)
                : 0;
 }
 
-/* Consecutive registers; from a name on they are those that were named one
- * after another, under other names. */
+/* Names consecutive registers. If the first one is given by a name, the
+ * others are the registers declared directly after that name, and the new
+ * names have the same owners. */
 bool parse_regs(struct cursor *cursor)
 {
     const char *name;
@@ -210,7 +214,7 @@ bool parse_regs(struct cursor *cursor)
     return true;
 }
 
-/* With a word or without. */
+/* Parses .share, with a word or without. */
 bool parse_share(struct cursor *cursor)
 {
     struct registers *registers = &cursor->assembler->registers;
@@ -248,7 +252,7 @@ bool parse_endshare(struct cursor *cursor)
     return true;
 }
 
-/* A name is in an instruction. */
+/* Records the use of a name in an instruction. */
 bool mention_register(struct assembler *assembler, struct register_name named)
 {
     struct registers *registers = &assembler->registers;

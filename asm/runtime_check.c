@@ -1,3 +1,5 @@
+/* runtime_check.c - the runtime checks: finds the check site of each instruction,
+ * reports once for a line. */
 #include "asm/runtime_check.h"
 
 #include <ctype.h>
@@ -48,9 +50,9 @@ size_t runtime_errors(const struct runtime_checker *watch)
     return watch->errors;
 }
 
-/* ---- Telling ------------------------------------------------------------ */
+/* ---- Reports ------------------------------------------------------------ */
 
-/* Once for a line. */
+/* Returns whether the warning is new for its line. */
 static bool is_new(struct runtime_checker *watch, struct reported reported)
 {
     size_t i;
@@ -77,7 +79,7 @@ static void put(struct runtime_checker *watch, enum warning warning,
     diagnostics_free(&diagnostics);
 }
 
-/* Without source lines the instruction is told by its address. */
+/* Without source lines the instruction is reported by its address. */
 static void put_at_address(struct runtime_checker *watch, const struct site *site,
                            enum warning warning, const char *message)
 {
@@ -147,7 +149,8 @@ static void look_ahead(struct runtime_checker *watch, const c205 *machine)
         watch->quick[i].before(watch, machine, runtime_site(watch, machine, pc));
 }
 
-/* CPSV and its kin give their result a length, 0 among them. */
+/* Instructions like CPSV set the length of their result, also to 0. So their result
+ * counts as a register with a length. */
 static void take_lengths(struct runtime_checker *watch, const c205_event *event)
 {
     for (unsigned r = 0; r < C205_REGISTERS; r++) {
@@ -159,7 +162,7 @@ static void take_lengths(struct runtime_checker *watch, const c205_event *event)
     }
 }
 
-/* What lies behind EXIT is not executed. */
+/* The instruction after EXIT is not executed, so it is not checked. */
 static bool ends_run(const c205_event *event)
 {
     return event->insn->format == C205_FORMAT_REQUEST
@@ -185,10 +188,10 @@ void runtime_listen(void *context, const c205 *machine, const c205_event *event)
         look_ahead(watch, machine);
 }
 
-/* ---- The beginning ------------------------------------------------------ */
+/* ---- The start ---------------------------------------------------------- */
 
-/* What an instruction writes: w p m k, and where the machine sets lengths.  SWAP
- * may write all. */
+/* Records the registers that an instruction writes: the operands w p m k, and results
+ * whose length it sets. SWAP may write all registers. */
 static void note_writes(struct runtime_checker *watch,
                         const struct instruction_view *view)
 {
@@ -208,7 +211,8 @@ static void note_writes(struct runtime_checker *watch,
         memset(watch->is_written, true, sizeof watch->is_written);
 }
 
-/* What one instruction of the program writes may hold anything. */
+/* Finds the registers that no instruction of the program writes; these are never set.
+ * Without source lines all registers count as written. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine)
 {
     const struct object *object = watch->object;

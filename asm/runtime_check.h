@@ -1,10 +1,9 @@
-/* runtime_check.h - looks at a program while it runs, for what is no trap but hardly
- * meant: the warnings of asm/warning.def that a text does not show.
+/* runtime_check.h - checks a program while it runs, for the warnings of asm/warning.def
+ * that cannot be found in its text: legal operations that are probably mistakes.
  *
- * It looks at the operands of each instruction before it is executed, in full
- * the first 16 times and then the 32nd, the 64th ..; each warning is told once
- * for a source line.  It changes nothing: results and clocks are those of a
- * program that nobody watches.
+ * The operands of each instruction are examined before it is executed. Expensive checks
+ * run the first 16 times, then the 32nd, the 64th and so on. Each warning is reported
+ * once for a source line. The checks change neither results nor clocks.
  */
 #ifndef ASM_RUNTIME_CHECK_H
 #define ASM_RUNTIME_CHECK_H
@@ -13,21 +12,22 @@
 
 struct runtime_checker;
 
-/* The object and the choice must outlive it.  name is that of the program, for
- * objects that do not know their source lines.  NULL: no memory. */
+/* The object and the choice must outlive the checker. name: of the program, for objects
+ * without source lines. Returns NULL if memory is exhausted. */
 struct runtime_checker *runtime_new(const struct object *object, const char *name,
                                     const struct warning_choice *choice,
                                     const struct sink *report);
 void runtime_free(struct runtime_checker *watch);
 
-/* Before a machine with the program runs, and after it was restored. */
+/* Must be called before a machine with the program runs, and after it was restored. */
 void runtime_begin(struct runtime_checker *watch, const c205 *machine);
-/* The listener; its context is the watch. */
+/* The listener. Its context is the checker. */
 c205_listener runtime_listen;
 
-/* What it warned of, the program's own expectations included. */
+/* Returns the warnings that occurred, also those that the program
+ * declares as intended. */
 warning_set runtime_warned(const struct runtime_checker *watch);
-/* How many of them are errors. */
+/* Returns the number of warnings that count as errors. */
 size_t runtime_errors(const struct runtime_checker *watch);
 
 #endif

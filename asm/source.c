@@ -1,3 +1,4 @@
+/* source.c - finds the texts that .include names, in tables and in folders. */
 #include "asm/source.h"
 
 #include <errno.h>
@@ -52,7 +53,8 @@ static bool is_missing(int reason)
     return reason == ENOENT || reason == ENOTDIR;
 }
 
-/* False: there is none, or it cannot be read, and the error then has the reason. */
+/* Returns false if there is no such file or it cannot be read; in the latter case the
+ * error has the reason. */
 static bool read_source(struct assembler *assembler, const char *path,
                         struct asm_source *source, c205_error *error)
 {
@@ -73,7 +75,7 @@ static bool read_source(struct assembler *assembler, const char *path,
     return true;
 }
 
-/* folder is not NUL-terminated. */
+/* folder need not be NUL-terminated. */
 static bool read_from(struct assembler *assembler, const char *folder, size_t length,
                       const char *name, struct asm_source *source, c205_error *error)
 {

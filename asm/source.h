@@ -1,4 +1,4 @@
-/* source.h - finding the texts that .include names. */
+/* source.h - finds the texts that .include names. */
 #ifndef ASM_SOURCE_H
 #define ASM_SOURCE_H
 
@@ -9,9 +9,9 @@ struct asm_source {
     const char *text, *end;
 };
 
-/* A text that the caller or the library carries under this name; else a file
- * in the folder of the file from; else one in the folders to search.  False: the error has the
- * reason. */
+/* Searches, in this order, the tables of the caller and the library, the folder of
+ * the file `from`, and the folders of the options. Returns false and sets the error
+ * if nothing is found. */
 bool source_find(struct assembler *assembler, const char *name, const char *from,
                  struct asm_source *source, c205_error *error);
 

@@ -1,4 +1,4 @@
-/* state.c - see state.h. */
+/* state.c - saves a machine to a file and restores it. */
 #include "asm/state.h"
 
 #include <stdio.h>
@@ -13,7 +13,7 @@ static void set_path_error(c205_error *error, const char *path, const char *why)
     snprintf(error->message, sizeof error->message, "%.100s: %.150s", path, why);
 }
 
-/* A saved machine is read again by file_read, so it may be no larger. */
+/* A limit of the size: file_read reads a saved machine only up to FILE_LARGEST. */
 struct state_file {
     FILE *file;
     size_t left;

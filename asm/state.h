@@ -1,12 +1,12 @@
-/* state.h - saved machines as files (vm/save.c says what they hold). */
+/* state.h - saved machines as files; vm/save.c defines their contents. */
 #ifndef ASM_STATE_H
 #define ASM_STATE_H
 
 #include "vm/c205.h"
 
-/* Written whole or not at all. */
+/* Writes the whole file or leaves the old one unchanged. */
 bool state_save(const c205 *machine, const char *path, c205_error *error);
-/* NULL: it cannot be read, or is refused. */
+/* Returns NULL and the error if the file cannot be read or is rejected. */
 c205 *state_load(const char *path, const c205_model *model, c205_error *error);
 
 #endif

@@ -1,3 +1,5 @@
+/* storage.c - builds objects in an arena, and looks up their lines,
+ * regions and symbols. */
 #include "asm/storage.h"
 
 #include <stdlib.h>
@@ -19,7 +21,8 @@ void object_free(struct object *object)
     free(storage);
 }
 
-/* One more item in an array of the object: the array, with count raised. */
+/* Adds an item to an array of the object. Returns the array, with
+ * the count increased. */
 static void *grow(struct storage *storage, const void *items, size_t *count,
                   size_t *capacity, size_t size)
 {

@@ -1,3 +1,4 @@
+/* storage_map.c - finds the data that each label of a program names. */
 #include "asm/storage_map.h"
 
 #include <stdlib.h>
@@ -8,7 +9,7 @@ struct storage_span {
     const char *name;
 };
 
-/* Of several names of one address the last has the storage. */
+/* If several labels have the same address, the last one owns the storage. */
 struct storage_map {
     size_t count;
     struct storage_span spans[];
@@ -29,8 +30,8 @@ static bool holds(const c205_segment *segment, uint64_t address)
            && address - segment->address < 64 * (uint64_t)segment->length;
 }
 
-/* The end of the data that lie together with an address, which may be several
- * segments; 0: nothing is there, or it is the code. */
+/* Returns the end of the contiguous data at an address, which may have several
+ * segments. Returns 0 if nothing is there, or if it is the code. */
 static uint64_t end_of_data(const c205_program *program, uint64_t address)
 {
     uint64_t end = 0;

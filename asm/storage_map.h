@@ -1,7 +1,7 @@
-/* storage_map.h - what belongs to the names of a program's data.  Not public.
+/* storage_map.h - the storage that belongs to each label. Not public.
  *
- * The storage of a label goes from its address to the next label, or to the
- * end of the data that lie together.  Code has none.
+ * The storage of a label extends from its address to the next label, or to the end of
+ * the contiguous data. Code has no storage.
  */
 #ifndef ASM_STORAGE_MAP_H
 #define ASM_STORAGE_MAP_H
@@ -10,12 +10,12 @@
 
 struct storage_map;
 
-/* The object must outlive it.  NULL: no memory. */
+/* The object must outlive the map. Returns NULL if memory is exhausted. */
 struct storage_map *storage_map_new(const struct object *object);
 void storage_map_free(struct storage_map *map);
 
-/* The name of the storage that an address lies in, and where that ends; NULL:
- * the address belongs to no name. */
+/* Returns the label whose storage contains an address, and the end of the storage.
+ * Returns NULL if no label does. */
 const char *storage_at(const struct storage_map *map, uint64_t address, uint64_t *end);
 
 #endif

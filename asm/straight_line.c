@@ -1,7 +1,8 @@
-/* straight_line.c - see straight_line.h. */
+/* straight_line.c - least squares for a straight line. */
 #include "asm/straight_line.h"
 
-/* From the middle of the points, so that nothing large is taken from nearly the same. */
+/* Sums are taken relative to the mean of the points. Sums of the squares themselves
+ * would be subtracted from nearly equal ones, and lose most of their digits. */
 struct straight_line straight_line_through(const struct weighted_point *points,
                                            size_t count)
 {

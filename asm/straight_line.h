@@ -1,5 +1,5 @@
-/* straight_line.h - the straight line through points, by least squares: of all lines that
- * for which the sum of weight (y - line)^2 is least. */
+/* straight_line.h - the straight line through weighted points by least squares: the
+ * line with the smallest sum of weight (y - line)^2. */
 #ifndef ASM_STRAIGHT_LINE_H
 #define ASM_STRAIGHT_LINE_H
 
@@ -13,7 +13,7 @@ struct straight_line {
     double at_zero, slope;
 };
 
-/* Of points with two different x and weights above 0 at least. */
+/* Requires at least two points with different x and weights above 0. */
 struct straight_line straight_line_through(const struct weighted_point *points,
                                            size_t count);
 double straight_line_at(const struct straight_line *line, double x);

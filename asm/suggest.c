@@ -1,3 +1,4 @@
+/* suggest.c - suggests a known name for a misspelled one. */
 #include "asm/suggest.h"
 
 #include "base/spelling.h"
@@ -28,7 +29,7 @@ static void try_symbols(const struct assembler *assembler, enum suggestion kind,
 
 typedef const char *name_list(size_t i);
 
-/* One list after another. */
+/* The lists are concatenated. */
 const char *asm_directive(size_t i)
 {
     static name_list *const lists[] = { directive_name, expand_name, condition_name };

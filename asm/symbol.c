@@ -1,3 +1,5 @@
+/* symbol.c - the symbol table: a hash table with chains, and the
+ * rules of redefinition. */
 #include "asm/assembler.h"
 
 #include "base/hash.h"
@@ -44,7 +46,7 @@ struct symbol *symbol_intern(struct assembler *assembler, const char *name,
     return symbol;
 }
 
-/* Without leading zeros. */
+/* Names with leading zeros, such as r05, are not registers. */
 bool register_named(const char *name, size_t length, struct register_name *found)
 {
     int letter = length > 0 ? tolower((unsigned char)*name) : 0, number = 0;
@@ -72,7 +74,7 @@ static bool is_register(enum symbol_kind kind)
 static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
                     struct value value)
 {
-    if (is_register(kind)) /* a new name list for the code below */
+    if (is_register(kind)) /* a register may be renamed at any point */
         return is_register(symbol->kind);
     return kind == SYMBOL_CONSTANT && symbol->kind == kind
            && symbol->value.kind == value.kind && symbol->value.bits == value.bits;
@@ -80,8 +82,9 @@ static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
 
 static const char defined_by_command[] = "'%s' is defined by the command already";
 
-/* A name means one thing in a program; but registers are named again by each
- * routine, and a constant may be given the same value twice. */
+/* Defines a symbol. A name has one meaning in a program, with two exceptions: a
+ * register name may be declared again, by each routine, and a constant may be defined
+ * again with the same value. */
 bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
                    struct symbol *symbol, enum symbol_kind kind, struct value value)
 {

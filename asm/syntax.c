@@ -1,3 +1,5 @@
+/* syntax.c - the operands of an instruction, from the syntax of
+ * its format in insn.def. */
 #include "asm/syntax.h"
 
 #include <ctype.h>
@@ -20,9 +22,9 @@ uint8_t *syntax_field(c205_fields *fields, char letter)
     }
 }
 
-/* What the format's string does not say: the range of its immediate, how
- * many of its last operands may be left out, and whether a source must be a
- * vector, as it alone tells the length. */
+/* Properties that the syntax of a format does not contain: the range of its immediate,
+ * the number of optional operands at its end, and whether a source must be a vector
+ * because no other operand gives the length. */
 static const struct format_rule {
     c205_format format;
     int64_t low, high;
@@ -55,7 +57,8 @@ static const struct format_rule *find_rule(c205_format format)
     return NULL;
 }
 
-/* The G bits go by the field: sources are A and B, and only A has a minus. */
+/* The bits of G depend on the field: A and B have a magnitude,
+ * and only A has a minus. */
 static void add_sign(struct operand *operand, const c205_insn *insn, char letter)
 {
     if (!(insn->flags & C205_INSN_SIGN)
@@ -69,9 +72,9 @@ static void add_sign(struct operand *operand, const c205_insn *insn, char letter
     }
 }
 
-/* "[R, S]", "[A+X]" or "[R]"; after a result vector stands its offset,
- * register C+1, unless that bit says that Z is given.  Returns the end of the
- * operand and counts its letters. */
+/* Reads "[R, S]", "[A+X]" or "[R]". A result vector may have its offset after it, in
+ * register C+1, unless that bit means that Z is given. Returns the end of the operand,
+ * and advances over its letters. */
 static const char *read_bracket(struct operand *operand, const char *at,
                                 const c205_insn *insn, const char **letter)
 {
@@ -100,8 +103,8 @@ static void read_source(struct operand *operand, char field)
                                                : C205_G_BROADCAST_B;
 }
 
-/* Whether a bare register is a half one; with ",H" the letters named in
- * insn.def are as if they were capitals. */
+/* Returns whether a register without brackets is a half register. With ",H" the letters
+ * listed in insn.def count as capitals. */
 static bool is_half(const struct operand *operand, const c205_insn *insn, char letter,
                     bool half)
 {
@@ -168,7 +171,7 @@ size_t syntax_operands(const c205_insn *insn, bool half,
     return count;
 }
 
-/* ---- What no machine executes ---- */
+/* ---- Instructions that the machine rejects  */
 
 static const char *refuse_one(const struct operand *operand, c205_fields *fields)
 {
@@ -208,7 +211,7 @@ const char *syntax_refusal(const c205_insn *insn, const struct operand *operands
            " length";
 }
 
-/* ---- The form, as it is told -------------------------------------------- */
+/* ---- The syntax as text ------------------------------------------------- */
 
 static void write_operand(const struct operand *operand, const struct sink *sink)
 {

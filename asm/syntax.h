@@ -1,7 +1,7 @@
-/* syntax.h - how an instruction is written, from its row of vm/insn.def.
+/* syntax.h - the syntax of an instruction, derived from its row of vm/insn.def.
  *
- * The parser and the disassembler both walk these operands; neither knows
- * any instruction by name.
+ * The parser and the disassembler iterate over these operands. Neither has code for
+ * single instructions.
  */
 #ifndef ASM_SYNTAX_H
 #define ASM_SYNTAX_H
@@ -18,42 +18,43 @@ enum operand_kind {
     OPERAND_CONTROL /* ? [Z] or ?! [Z] */
 };
 
-/* The register after a comma inside brackets is the one after the first. */
+/* Means that the register after the comma is the one after the first. */
 #define SECOND_IS_NEXT '+'
 
 struct operand {
     enum operand_kind kind;
-    bool half;            /* a bare register is a half register */
-    bool in_two;          /* a result in this register and the one after it */
+    bool half;            /* a register without brackets is a half register */
+    bool in_two;          /* the result is in this register and the one after it */
     char field;           /* letter of the c205_fields member */
-    char second;          /* inside the brackets, after a comma; 0: none */
-    bool may_be_left_out; /* with all that follow it; the field is 0 then */
-    uint8_t broadcast;    /* G bits of a bare register, .. */
-    uint8_t negate;       /* .. of -[A], .. */
-    uint8_t magnitude;    /* .. of |[A]|, .. */
-    uint8_t given;        /* .. of ? [Z] in place of , [Z]; 0: not allowed */
+    char second;          /* field after a comma inside the brackets; 0: none */
+    bool may_be_left_out; /* optional, with all operands after
+                           * it; its field is then 0 */
+    uint8_t broadcast;    /* bits of G for a register without brackets */
+    uint8_t negate;       /* bits of G for -[A] */
+    uint8_t magnitude;    /* bits of G for |[A]| */
+    uint8_t given;        /* bits of G for ? [Z] in place of , [Z]; 0: not allowed */
     int64_t low, high;    /* of an immediate */
 };
 
 enum { MAX_OPERANDS = 8 };
 
-/* Written behind the mnemonic of an instruction on 32-bit operands. */
+/* Follows the mnemonic of an instruction with 32-bit operands. */
 #define SYNTAX_HALF ",H"
 
-/* half: with SYNTAX_HALF. */
+/* Returns the number of operands. half: with SYNTAX_HALF. */
 size_t syntax_operands(const c205_insn *insn, bool half,
                        struct operand operands[MAX_OPERANDS]);
 
-/* "ADDNV [r] or r, [r] or r, [r] (? [r])": as it is written; what may be left
- * out is in parentheses. */
+/* Writes "ADDNV [r] or r, [r] or r, [r] (? [r])"; optional
+ * operands are in parentheses. */
 void syntax_write(const c205_insn *insn, bool half, const struct sink *sink);
 
-/* The field with a letter of a syntax. */
+/* Returns the field for a letter of the syntax. */
 uint8_t *syntax_field(c205_fields *fields, char letter);
 
-/* Why no machine executes it, whatever its registers hold, and which operand
- * is to blame; NULL: one does.  A control vector that may be left out is
- * taken to be if it is r0. */
+/* Returns why the machine rejects the instruction for any contents of registers, and
+ * the operand in *blamed. Returns NULL if it is valid. An optional control vector
+ * counts as absent if it is r0. */
 const char *syntax_refusal(const c205_insn *insn, const struct operand *operands,
                            size_t count, c205_fields *fields, size_t *blamed);
 

@@ -1,3 +1,5 @@
+/* trap_report.c - reports a trap with its line, its rule and the
+ * values of the operands. */
 #include "asm/trap_report.h"
 
 #include <ctype.h>
@@ -17,7 +19,7 @@ static void put_number(const struct sink *sink, const struct operand_view *opera
     sink_print(sink, "X'%s' (%s)\n", hex, text);
 }
 
-/* Addresses are not known by their decimals. */
+/* Prints an operand that is often an address: hex, and the decimal integer. */
 static void put_integer(const struct sink *sink, const struct operand_view *operand)
 {
     char hex[C205_TEXT_SIZE];

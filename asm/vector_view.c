@@ -1,4 +1,5 @@
-/* vector_view.c - see vector_view.h. */
+/* vector_view.c - recognises vectors in registers and operands, and
+ * reads their elements. */
 #include "asm/vector_view.h"
 
 #include <string.h>
@@ -46,7 +47,7 @@ struct vector_view vector_of_operand(const struct instruction_view *view,
 
 /* ---- Elements ---------------------------------------------------------------- */
 
-/* As operands are read. */
+/* Makes the view that the reader of operands needs. */
 static struct operand_view elements_at(uint64_t address, size_t length, unsigned width)
 {
     return (struct operand_view){ .letter = 'v',
@@ -66,7 +67,8 @@ bool vector_get(const c205 *machine, const struct vector_view *vector, size_t fi
            && view_read(machine, &elements, first, count, words);
 }
 
-/* Pages are larger than what two of them lie apart by in a vector of words. */
+/* A vector of words has at most 65,535 elements, less than a page, so it is in at most
+ * two pages. The first and the last element are enough to check both. */
 bool vector_is_mapped(const c205 *machine, const struct vector_view *vector)
 {
     c205_word word;

@@ -1,3 +1,4 @@
+/* warning.c - the names of warnings, and the choice of those that are reported. */
 #include "asm/warning.h"
 
 #include <stdio.h>

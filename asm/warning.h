@@ -1,8 +1,9 @@
-/* warning.h - what is no error but hardly meant, and which of it to tell.
+/* warning.h - warnings: legal code that is probably a mistake, and the choice of
+ * those that are reported.
  *
- * Some warnings are found in the text, by the assembler, the others while a
- * program runs (asm/runtime_check.h).  All are reported except those that the user turns
- * off, and those that a program says it means, by "; expect-warning: NAME".
+ * Some warnings are found by the assembler in the text, others while a program runs
+ * (asm/runtime_check.h). All are reported except those that the user disables and those
+ * that the program declares as intended, by "; expect-warning: NAME".
  */
 #ifndef ASM_WARNING_H
 #define ASM_WARNING_H
@@ -20,29 +21,29 @@ enum warning {
     WARNINGS
 };
 
-/* A set: bit WARNING_x. */
+/* A set of warnings, with bit WARNING_x for each. */
 typedef uint32_t warning_set;
 #define WARNING_BIT(warning) ((warning_set)1 << (warning))
 
-/* What the user chose; all zero: to hear of each. */
+/* The choice of the user; all zero: all are reported. */
 struct warning_choice {
     warning_set off;
-    bool errors; /* each is one */
+    bool errors; /* warnings are errors */
 };
 
 const char *warning_name(enum warning warning); /* "run-off" */
 const char *warning_text(enum warning warning);
-/* WARNINGS: there is none of this name. */
+/* Returns WARNINGS if there is no warning of this name. */
 enum warning warning_named(const char *name);
 
-/* As the option -W gives it: NAME, no-NAME, all, no-all, error or no-error.
- * False: it is none of these. */
+/* Applies the argument of the option -W: NAME, no-NAME, all, no-all, error or no-error.
+ * Returns false if it is none of these. */
 bool warning_choose(struct warning_choice *choice, const char *text);
 
-/* Whether any is told. */
+/* Returns whether any warning is enabled. */
 bool warning_any(const struct warning_choice *choice);
 
-/* "message [-Wrun-off]" at a place, as a warning or as an error. */
+/* Adds "message [-Wrun-off]" at a position, as a warning or as an error. */
 void warning_add(struct diagnostics *diagnostics, const struct warning_choice *choice,
                  enum warning warning, const struct position *position,
                  const char *message);
