@@ -1,4 +1,5 @@
-/* c205.c - the command: run, assemble and look into programs of the machine.
+/* c205.c - the command c205, which runs, assembles and examines
+ * programs of the machine.
  */
 #include "asm/command/c205_command.h"
 

@@ -1,6 +1,7 @@
-/* c205_command.h - what the commands of c205 share.
+/* c205_command.h - shared by the commands of c205.
  *
- * A command is a file with its row, its options and its work (command.h).
+ * Each command is a file with its entry of the table, its options and its
+ * function (command.h).
  */
 #ifndef ASM_C205_COMMAND_H
 #define ASM_C205_COMMAND_H
@@ -22,28 +23,28 @@ extern const struct command run_command, asm_command, dis_command, isa_command,
 enum { CMD_DEFINES = 64 };
 struct cmd_defines {
     size_t count;
-    struct asm_define items[CMD_DEFINES + 1]; /* the last has no name */
+    struct asm_define items[CMD_DEFINES + 1]; /* the last has a NULL name */
 };
 
-/* One of them with a range. */
+/* The constants of a sweep: one has a range, the others are fixed. */
 struct cmd_swept {
     struct cmd_defines fixed;
     const char *name;
     struct swept_range range;
-    size_t ranges; /* that were given */
+    size_t ranges; /* number of ranges on the command line */
 };
 
 struct cmd_warnings {
     struct warning_choice choice;
-    bool list; /* all that there are, and do nothing else */
+    bool list; /* print the list of warnings and nothing else */
 };
 
 struct c205_arguments {
     const char *command;
     const char *model;
     struct command_output results;
-    const char *other_model;             /* of the second program; NULL: the same */
-    const char *output, *save, *restore; /* NULL: not wanted */
+    const char *other_model;             /* for the second program; NULL: the same */
+    const char *output, *save, *restore; /* NULL: not requested */
     uint64_t limit, from;
     bool check, trace, listing, names, points, markdown, grammar, card;
     bool no_limit, exit_status, profile, in_order, warm, dap, start, hints;
@@ -51,10 +52,10 @@ struct c205_arguments {
     struct cmd_swept swept;
     size_t point_count;
     struct cmd_warnings warnings;
-    const char *lesson, *folder; /* of answers */
+    const char *lesson, *folder; /* folder: with answers */
     struct command_texts folders;
-    const char *file;           /* what is no option: one, or .. */
-    struct command_texts files; /* .. any number */
+    const char *file;           /* the operand, of commands with one */
+    struct command_texts files; /* the operands, of the others */
     struct command_texts scripts;
 };
 
@@ -62,15 +63,15 @@ struct c205_arguments {
 
 #define CMD_PLACE(member) offsetof(struct c205_arguments, member)
 
-/* NAME=VALUE into cmd_defines. */
+/* Reads NAME=VALUE into a struct cmd_defines. */
 command_take cmd_take_define;
-/* -W into cmd_warnings. */
+/* Reads the argument of -W into a struct cmd_warnings. */
 command_take cmd_take_warning;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))
 #define CMD_RESULTS OUTPUT_OPTIONS(struct c205_arguments, results)
-/* .. of figures on a model. */
+/* The options of results that depend on a model. */
 #define CMD_FIGURES \
     CMD_RESULTS, OUTPUT_OPTION_PROVENANCE(struct c205_arguments, results)
 #define CMD_INCLUDE COMMAND_OPTION_INCLUDE(CMD_PLACE(folders))
@@ -95,31 +96,33 @@ command_take cmd_take_warning;
       .help = "a program text, or an object of c205 asm" }
 /* clang-format on */
 
-/* ---- Their work --------------------------------------------------------- */
+/* ---- Functions of the commands ------------------------------------------ */
 
-/* run --check: test programs and what they expect. */
+/* Runs test programs and compares them with their expectations (run --check). */
 int cmd_run_check(const struct c205_arguments *arguments);
 
-/* A program from its text or from an object file; NULL after all errors have
- * gone to the report.  It uses all names that are defined; read_any: or not. */
+/* Reads a program from its text or from an object file. Returns NULL after all errors
+ * were written to the report. cmd_read_program requires that the program uses all
+ * defined names; cmd_read_any does not. */
 struct object *cmd_read_any(const struct c205_arguments *arguments, const char *path,
                             const struct sink *report);
 struct object *cmd_read_program(const struct c205_arguments *arguments,
                                 const char *path, const struct sink *report);
 
-/* How long programs run unless they may run longer: 20 seconds of the machine; programs of more
- * are few, endless loops many. */
+/* Default limit of clocks: 20 seconds of the machine. Few programs need more, and
+ * endless loops are frequent. */
 #define CMD_LIMIT UINT64_C(1000000000)
-/* A machine with the program, its pages warm if the arguments ask that.  NULL: it cannot be. */
+/* Returns a machine with the program, with warm pages if the arguments request it; NULL
+ * and the error if it fails. */
 c205 *cmd_load(const struct c205_arguments *arguments, const struct object *object,
                const c205_model *model, c205_error *error);
-/* The program and the model that the arguments name; false after telling what is wrong.  The
+/* Opens the program and the model of the arguments. Returns false after a report. The
  * caller frees both in either case. */
 bool cmd_open(const struct c205_arguments *arguments, struct object **object,
               c205_model **model);
 
 
-/* -W list. */
+/* Prints the warnings: -W list. */
 int cmd_list_warnings(void);
 
 #endif

@@ -1,4 +1,4 @@
-/* cmd_asm.c - c205 asm: assemble a program. */
+/* cmd_asm.c - c205 asm: assembles a program. */
 #include "asm/command/c205_command.h"
 #include "asm/listing.h"
 #include "asm/object.h"

@@ -1,4 +1,4 @@
-/* cmd_check.c - c205 check: lessons, and what answers to them are worth. */
+/* cmd_check.c - c205 check: prints lessons and grades answers. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,7 +41,7 @@ static struct table *trial_table(const struct lesson_verdict *verdict)
     return table;
 }
 
-/* Of a piece of text below a sentence the first line. */
+/* Joins the sentences. Of the lines below a sentence only the first is included. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report)
 {
     struct sink sink = text_buffer_sink(buffer);
@@ -91,7 +91,7 @@ static int check_answer(const struct check_command *check, bool *passed)
 
 /* ---- The command ----------------------------------------------------------- */
 
-/* A teacher's own lesson lies in a folder. */
+/* A lesson that is not built in is read from the folder of that name. */
 static bool find_lesson(struct check_command *check, c205_error *error)
 {
     const char *name = check->arguments->lesson;
@@ -103,7 +103,7 @@ static bool find_lesson(struct check_command *check, c205_error *error)
     return check_read_lesson(&check->own, name, error);
 }
 
-/* Results are kept, good or not. */
+/* The results are written also if the answer has not passed. */
 static int work(const struct check_command *check, bool *good)
 {
     const struct c205_arguments *arguments = check->arguments;

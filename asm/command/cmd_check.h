@@ -1,4 +1,4 @@
-/* cmd_check.h - what the files of c205 check share. */
+/* cmd_check.h - shared by the files of c205 check. */
 #ifndef ASM_CMD_CHECK_H
 #define ASM_CMD_CHECK_H
 
@@ -9,26 +9,27 @@ struct check_command {
     const struct c205_arguments *arguments;
     struct command_output results;
     struct lessons lessons;
-    struct lesson own;           /* a teacher's, from a folder */
-    const struct lesson *lesson; /* that was named, or NULL */
+    struct lesson own;           /* read from a folder */
+    const struct lesson *lesson; /* the lesson of the arguments, or NULL */
 };
 
-/* Begin with zero; false: the folder is no lesson; to be freed in either case. */
+/* Reads a lesson, which must be zero at first, from a folder. Fails if the folder is
+ * not a lesson. The lesson must be freed in all cases. */
 bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *error);
-/* A file; the error does not name it. */
+/* Grades a file. The error does not contain its name. */
 bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error);
-/* Adds the sentences, in one line. */
+/* Appends all sentences as one line. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 
-/* cmd_check_lesson.c: all lessons; one, with what its tests have; its program to complete.  The
- * exit codes. */
+/* Print all lessons, or one lesson with its tests, or write its program to complete
+ * (cmd_check_lesson.c). All return the exit code. */
 int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);
 int check_start(const struct check_command *check);
 
-/* cmd_check_folder.c: a folder of answers; the exit code, and whether all that was there could be
- * graded. */
+/* Grades a folder of answers (cmd_check_folder.c). Returns the exit code, and whether
+ * all files could be graded. */
 int check_folder(const struct check_command *check, bool *all_graded);
 
 #endif

@@ -1,4 +1,4 @@
-/* cmd_check_folder.c - folders of lessons and of answers to them. */
+/* cmd_check_folder.c - reads lessons from folders, and grades folders of answers. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -38,7 +38,7 @@ static bool read_file(struct lesson *lesson, const char *folder, const char *nam
     return good;
 }
 
-/* Of "a/b/" it is "b". */
+/* Starts a lesson. The last component of the path is its name; for "a/b/" it is "b". */
 static bool begin_lesson(struct lesson *lesson, const char *path, c205_error *error)
 {
     struct text_line name = { 0 };
@@ -54,7 +54,8 @@ static bool begin_lesson(struct lesson *lesson, const char *path, c205_error *er
     return lesson_begin(lesson, name.text, error);
 }
 
-/* A wrong one is told before anybody is graded. */
+/* Checks all tests first, so that an error in a lesson is reported before the
+ * first answer is graded. */
 static bool check_tests(const struct lesson *lesson, c205_error *error)
 {
     bool good = true;
@@ -85,16 +86,17 @@ bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *erro
 
 /* ---- Answers --------------------------------------------------------------- */
 
-/* Of a class. */
+/* The answers of a class. */
 struct handed_in {
     const struct check_command *check;
     struct table *table;
     struct progress progress;
     size_t refused;
-    bool failed; /* no memory */
+    bool failed; /* memory is exhausted */
 };
 
-/* What is wrong in the first test that is not passed; or slow in the first that says so. */
+/* Reports the first test that is not passed; if all are passed, the
+ * first one with a report. */
 static void join_first(struct text_buffer *report, const struct lesson_verdict *verdict)
 {
     const struct lesson_trial *reported = NULL;
@@ -149,7 +151,8 @@ static void add(struct handed_in *all, const char *student,
     }
 }
 
-/* The reason goes to stderr, too. */
+/* Adds a row for an answer that cannot be graded. The reason is
+ * also printed on stderr. */
 static void refuse(struct handed_in *all, const char *student,
                    const struct lesson *lesson, const char *path, const char *reason)
 {
@@ -163,7 +166,8 @@ static void refuse(struct handed_in *all, const char *student,
     lesson_verdict_free(&verdict);
 }
 
-/* Every file gives a row; the lesson is NULL if the name of the file is that of none. */
+/* Grades a file, which gives a row in any case. lesson: NULL if the file has
+ * the name of no lesson. */
 static void grade(struct handed_in *all, const char *student,
                   const struct lesson *lesson, const char *path)
 {
@@ -183,13 +187,13 @@ static void grade(struct handed_in *all, const char *student,
     lesson_verdict_free(&verdict);
 }
 
-/* ---- Folders of them ------------------------------------------------------- */
+/* ---- Folders of answers ---------------------------------------------------- */
 
-/* What is done with a file or folder of a student; "": of nobody. */
+/* Handles a file or folder of a student; student is "" if it belongs to nobody. */
 typedef void take_file(struct handed_in *all, const char *student, const char *name,
                        const char *path);
 
-/* With each in turn. */
+/* Calls the function for each entry of a folder. */
 static void take_folder(struct handed_in *all, const char *student, const char *path,
                         take_file *take)
 {
@@ -212,7 +216,8 @@ static void take_folder(struct handed_in *all, const char *student, const char *
     folder_free(&folder);
 }
 
-/* The name without ".s", to be freed; empty: it has not this ending. */
+/* Returns the name without ".s", or empty if it does not end in that.
+ * The caller frees it. */
 static struct text_buffer stem_of(const char *name)
 {
     struct text_buffer stem = { 0 };
@@ -223,7 +228,7 @@ static struct text_buffer stem_of(const char *name)
     return stem;
 }
 
-/* A teacher's, or one of ours. */
+/* Finds a lesson by name, first the one from a folder, then the built-in ones. */
 static const struct lesson *lesson_named(const struct check_command *check,
                                          const char *name)
 {
@@ -234,7 +239,8 @@ static const struct lesson *lesson_named(const struct check_command *check,
                : lessons_find(&check->lessons, name, &error);
 }
 
-/* LESSON.s; answers to lessons that were not asked for are ignored. */
+/* Grades LESSON.s. If the arguments name a lesson, answers to other
+ * lessons are ignored. */
 static void take_answer(struct handed_in *all, const char *student, const char *name,
                         const char *path)
 {
@@ -249,7 +255,7 @@ static void take_answer(struct handed_in *all, const char *student, const char *
     }
 }
 
-/* STUDENT: a folder without an answer gives a row, too. */
+/* Grades the folder STUDENT. A folder without an answer gives a row too. */
 static void take_student(struct handed_in *all, const char *name, const char *path)
 {
     size_t rows = table_rows(all->table);
@@ -259,8 +265,9 @@ static void take_student(struct handed_in *all, const char *name, const char *pa
     }
 }
 
-/* The student who handed in a file that is in no folder of a student, to be freed; empty:
- * unknown.  A name without an ending is a student's, as those of folders are. */
+/* Returns the student of a file that is not in a folder of a student, or empty if
+ * unknown. A name without an ending is that of a student, like the name of a folder.
+ * The caller frees it. */
 static struct text_buffer student_of(const char *name, const struct lesson *asked)
 {
     struct text_buffer student = { 0 };
@@ -272,7 +279,7 @@ static struct text_buffer student_of(const char *name, const struct lesson *aske
     return student;
 }
 
-/* STUDENT, LESSON.s or STUDENT.s. */
+/* Handles an entry of the class: STUDENT, LESSON.s or STUDENT.s. */
 static void take_entry(struct handed_in *all, const char *nobody, const char *name,
                        const char *path)
 {

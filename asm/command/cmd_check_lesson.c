@@ -1,4 +1,4 @@
-/* cmd_check_lesson.c - lessons as c205 check prints them. */
+/* cmd_check_lesson.c - prints lessons for c205 check. */
 #include <inttypes.h>
 #include <string.h>
 
@@ -22,7 +22,7 @@ int check_list(const struct check_command *check)
     return output_show(&check->results, table, "lessons", NULL);
 }
 
-/* ---- What a test has ------------------------------------------------------- */
+/* ---- The data of a test ---------------------------------------------------- */
 
 static void put_name(struct text_line *line, const char *name)
 {
@@ -37,7 +37,8 @@ static void put_constant(struct text_line *line, const struct asm_symbol *symbol
     sink_print(&sink, " = %" PRId64, symbol->value);
 }
 
-/* Its constants, where it puts data, and where it looks for results. */
+/* Writes the constants of a test, the labels of its inputs, and
+ * those of its results. */
 static void print_symbols(struct table *table, const struct object *test)
 {
     struct text_line constants = { 0 }, data = { 0 }, results = { 0 };
@@ -101,10 +102,11 @@ static int show_tests(const struct check_command *check)
 
 /* ---- A lesson -------------------------------------------------------------- */
 
-/* For the eye: without comments, and without hints unless they are asked for. */
+/* Printing of a lesson: without comments, and without hints
+ * unless they are requested. */
 struct lesson_reading {
     FILE *file;
-    bool hints, hidden, blank; /* the line before is */
+    bool hints, hidden, blank; /* blank: the line before is blank */
 };
 
 static bool begins(const char *line, const char *text)
@@ -112,7 +114,7 @@ static bool begins(const char *line, const char *text)
     return strncmp(line, text, strlen(text)) == 0;
 }
 
-/* A hint's line is "<details><summary>First hint</summary>". */
+/* The line of a hint is "<details><summary>First hint</summary>". */
 static void put_line(struct lesson_reading *reading, const char *line, size_t length)
 {
     static const char before[] = "<details><summary>", behind[] = "</summary>";

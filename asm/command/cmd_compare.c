@@ -1,4 +1,5 @@
-/* cmd_compare.c - c205 compare: two programs, or two settings of one, side by side. */
+/* cmd_compare.c - c205 compare: compares two programs, or two
+ * settings of one program. */
 #include <stdio.h>
 #include <string.h>
 
@@ -51,7 +52,8 @@ static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *erro
     return compared_take(run, machine);
 }
 
-/* By one of the programs that have it. */
+/* Checks that each definition is used by at least one of the
+ * programs that receive it. */
 static bool uses_defines(const struct two_runs *runs)
 {
     const struct c205_arguments *arguments = runs->arguments;
@@ -70,7 +72,7 @@ static bool uses_defines(const struct two_runs *runs)
     return !unused;
 }
 
-/* What it prints is not asked. */
+/* Runs a program. Its output is discarded. */
 static bool run_side(struct two_runs *runs, int which)
 {
     struct side *side = &runs->side[which];

@@ -1,4 +1,4 @@
-/* cmd_debug.c - c205 debug: a program under control, by a person or a script. */
+/* cmd_debug.c - c205 debug: the debugger for a user or a script. */
 #include "asm/command/cmd_debug.h"
 #include "asm/command/repl.h"
 

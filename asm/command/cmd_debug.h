@@ -1,10 +1,10 @@
-/* cmd_debug.h - c205 debug, by lines and by messages. */
+/* cmd_debug.h - shared by the files of c205 debug. */
 #ifndef ASM_CMD_DEBUG_H
 #define ASM_CMD_DEBUG_H
 
 #include "asm/command/c205_command.h"
 
-/* debug --dap: for an editor, by messages on stdin and stdout. */
+/* Runs the debugger for an editor, with messages on stdin and stdout (debug --dap). */
 int cmd_debug_dap(const struct c205_arguments *arguments);
 
 #endif

@@ -1,4 +1,4 @@
-/* cmd_debug_dap.c - c205 debug --dap: what an editor says comes by stdin.
+/* cmd_debug_dap.c - c205 debug --dap: serves an editor on stdin and stdout.
  */
 #include "asm/command/cmd_debug.h"
 
@@ -32,7 +32,7 @@ static void put(void *context, const char *text, size_t length)
     fflush(stdout);
 }
 
-/* Not from stdin, where messages come from. */
+/* Finds a model. It cannot be read from stdin, which carries the messages. */
 static c205_model *find_model(const char *name, const struct sink *report)
 {
     c205_error error = { "a model cannot come from stdin" };
@@ -43,7 +43,7 @@ static c205_model *find_model(const char *name, const struct sink *report)
     return model;
 }
 
-/* The later of two values counts. */
+/* Adds a definition; it replaces an earlier one of the same name. */
 static bool add_define(struct cmd_defines *defines, const struct asm_define *define)
 {
     size_t i = 0;
@@ -58,7 +58,8 @@ static bool add_define(struct cmd_defines *defines, const struct asm_define *def
     return true;
 }
 
-/* What the client gives counts before what is on the command line. */
+/* Opens the program of a launch request. Arguments of the request
+ * override the command line. */
 static bool open_program(void *context, const struct dap_program *program,
                          const struct sink *report, struct object **object,
                          c205_model **model)

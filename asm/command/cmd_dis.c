@@ -1,4 +1,4 @@
-/* cmd_dis.c - c205 dis: a program as text that assembles to the same. */
+/* cmd_dis.c - c205 dis: prints a program as text that assembles to the same words. */
 #include "asm/command/c205_command.h"
 #include "asm/disassemble.h"
 

@@ -1,11 +1,12 @@
-/* cmd_isa.c - c205 isa: the instruction table, for the reader. */
+/* cmd_isa.c - c205 isa: prints the instruction table,
+ * instructions and the reference. */
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
 #include "asm/syntax.h"
 #include "base/word_wrap.h"
 
-/* What a line has room for. */
+/* The columns that fit a line. */
 static const struct table_column brief[] = {
     { "mnemonic", "name", TABLE_TEXT, 0 },
     { "code", "code", TABLE_TEXT, 0 },
@@ -25,7 +26,7 @@ static const struct table_column columns[] = {
 
 /* ---- One instruction ---------------------------------------------------- */
 
-/* Behind the name of a rule. */
+/* Column of the text after the name of a rule. */
 enum { TEXT_BEGINS = 14 };
 
 static void describe_operands(const c205_insn *insn)
@@ -130,7 +131,7 @@ static void add_row(struct table *table, const c205_insn *insn)
     table_text(table, insn->effect);
 }
 
-/* With the qualifier of 32-bit operands, where a row has it, or without. */
+/* Finds an instruction by name, with or without the qualifier ",H" if it has one. */
 static const c205_insn *row_named(const char *name)
 {
     size_t length = strcspn(name, ",");
@@ -175,8 +176,8 @@ static bool print_brief(void)
     return good;
 }
 
-/* The names alone; of those that were named all that is known; or a line of
- * each. */
+/* Prints the names alone, or the named instructions in detail, or a line
+ * for each instruction. */
 static bool print_text(const struct c205_arguments *arguments)
 {
     if (arguments->files.count == 0 && !arguments->names) {
@@ -196,7 +197,7 @@ static bool print_text(const struct c205_arguments *arguments)
     return true;
 }
 
-/* What is not text has the rows of the whole table in each case. */
+/* Formats other than text always have the complete rows. */
 static int show(const struct c205_arguments *arguments,
                 const struct command_output *results)
 {
@@ -210,7 +211,7 @@ static int show(const struct c205_arguments *arguments,
     return output_show(&rest, chosen_rows(arguments), "instructions", NULL);
 }
 
-/* What tells the model's clocks. */
+/* Writes the forms that contain clocks of a model. */
 static int with_model(const struct c205_arguments *arguments)
 {
     int code = CMD_DONE;
@@ -230,7 +231,7 @@ static int with_model(const struct c205_arguments *arguments)
     return code;
 }
 
-/* What is no table; NULL: a table is wanted. */
+/* Returns the name of an output that is not a table, or NULL for the table. */
 static const char *other_form(const struct c205_arguments *arguments)
 {
     return arguments->markdown  ? "markdown"

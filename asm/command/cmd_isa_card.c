@@ -1,16 +1,15 @@
-/* cmd_isa_card.c - the instructions on two pages of paper, as source for groff: the
- * rows and the clocks from the tables, what is beside them and how all of it
- * looks from the texts of asm/card.
+/* cmd_isa_card.c - c205 isa --card: the instructions on two pages, as source for groff.
+ * Rows and clocks are from the tables; the other texts and the layout are in asm/card.
  */
 #include <ctype.h>
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
 
-/* Operands of more characters may reach beyond their column. */
+/* Longer operands may extend beyond their column. */
 enum { MAX_OPERANDS = 14 };
 
-/* What a printer has a sign for. */
+/* Texts that have a sign in print. */
 static const struct {
     const char *written, *set;
 } signs[] = {
@@ -33,7 +32,8 @@ static void put_text(const char *name)
     }
 }
 
-/* How much of the text the sign stands for; NULL: a letter for itself. */
+/* Returns the sign for the start of a text and the length of the text that it replaces.
+ * Returns NULL and 1 if the character stays. */
 static const char *sign_at(const char *text, size_t *length)
 {
     for (size_t i = 0; i < SIGNS; i++) {
@@ -46,7 +46,7 @@ static const char *sign_at(const char *text, size_t *length)
     return NULL;
 }
 
-/* An argument of a macro. */
+/* Prints an argument of a macro. */
 static void put_argument(const char *text)
 {
     size_t length;
@@ -62,7 +62,7 @@ static void put_argument(const char *text)
     putchar('"');
 }
 
-/* One that is not broken. */
+/* Prints an argument in which no line break is allowed. */
 static void put_word(const char *text)
 {
     fputs(" \"", stdout);
@@ -73,7 +73,8 @@ static void put_word(const char *text)
     putchar('"');
 }
 
-/* Those of a family's rows by which its columns are laid out. */
+/* Returns the longest operands of a family, up to MAX_OPERANDS, which
+ * determine its columns. */
 static const char *usual_operands(const c205_insn *insn)
 {
     const c205_insn *end = c205_insns + c205_insn_count;
@@ -107,7 +108,7 @@ static void put_marks(const c205_insn *insn)
                                           : "");
 }
 
-/* With the initial of the part of the vector unit that it needs. */
+/* Prints the timing class, with the initial of the part of the vector unit. */
 static void put_class(const c205_insn *insn)
 {
     const char *part = strchr(c205_unit_name(insn->unit), ' ');

@@ -1,5 +1,5 @@
-/* cmd_isa_grammar.c - c205 isa --grammar: how an editor colours programs, a TextMate
- * grammar with the names of the instruction table.
+/* cmd_isa_grammar.c - c205 isa --grammar: a TextMate grammar, by which editors colour
+ * programs, with the names of the instruction table.
  */
 #include "asm/command/cmd_isa.h"
 
@@ -8,7 +8,7 @@
 #include "asm/syntax.h"
 #include "base/json.h"
 
-/* No name continues before it, or behind it. */
+/* A name must not continue before BEGINS or after ENDS. */
 #define BEGINS "(?<![\\w$.])"
 #define ENDS "(?![\\w$.])"
 
@@ -36,7 +36,7 @@ static void put_pattern(struct json *json, const char *name, const char *match)
     json_end(json);
 }
 
-/* In any case, those with 32-bit operands as well. */
+/* Writes the pattern of the mnemonics, in upper or lower case, with ",H" if allowed. */
 static bool put_names(struct json *json, const char *name, bool vector)
 {
     struct text_buffer match = { 0 };

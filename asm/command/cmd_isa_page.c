@@ -1,5 +1,5 @@
-/* cmd_isa_page.c - the reference of the instructions in Markdown, made from
- * insn.def, the machine model and the examples: docs/isa.md.
+/* cmd_isa_page.c - c205 isa --markdown: the reference of the instructions, generated
+ * from insn.def, the machine model and the examples (docs/isa.md).
  */
 #include <ctype.h>
 #include <stdlib.h>
@@ -65,7 +65,7 @@ enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
 
 /* ---- Markdown ----------------------------------------------------------- */
 
-/* A bar would end the cell. */
+/* Prints the text of a cell. A bar would end the cell, so it is escaped. */
 static void put_cell(const char *text)
 {
     for (; *text; text++) {
@@ -92,7 +92,7 @@ static void put_lower(const char *text)
     }
 }
 
-/* "[ADDNV](#addnv)" */
+/* Prints "[ADDNV](#addnv)". */
 static void put_link(const char *text)
 {
     printf("[%s](#", text);
@@ -173,7 +173,9 @@ static void put_stream(const c205_insn *insn, const c205_model *model,
     }
 }
 
-/* What a taken branch loses after its issue clock, what a swap takes. */
+/* Prints the clocks of a scalar instruction. For a branch these are the clocks
+ * that it loses after its issue when it is taken; for a swap they depend on
+ * the number of words. */
 static void put_latency(const c205_insn *insn, const c205_model *model,
                         const c205_constant *latency, const c205_constant *busy)
 {
@@ -190,8 +192,7 @@ static void put_latency(const c205_insn *insn, const c205_model *model,
     }
 }
 
-/* The closed formula of a vector instruction, the constants of a scalar
- * one. */
+/* Prints the formula of a vector instruction, or the constants of a scalar one. */
 static void put_time(const c205_insn *insn, const c205_model *model)
 {
     const char *timing = c205_timing_name(insn->timing);
@@ -220,7 +221,8 @@ static bool put_operands(const c205_insn *insn)
     return good;
 }
 
-/* Which flags have a line of their own: short sources have had theirs. */
+/* Prints a note for each flag except those of short sources and half words, which
+ * have their own rows. */
 static bool put_flags(const c205_insn *insn)
 {
     bool good = true;
@@ -259,7 +261,7 @@ static bool put_example(const c205_insn *insn)
     return true;
 }
 
-/* False: something is not explained, or there is no example. */
+/* Returns false if something has no explanation, or there is no example. */
 static bool put_insn(const c205_insn *insn, const c205_model *model)
 {
     char code[ISA_CODE], drawing[ISA_DRAWING], half[ISA_HALF];
@@ -328,7 +330,7 @@ static bool is_defined(unsigned opcode)
     return found;
 }
 
-/* "00-08, 0A-1D, .." */
+/* Prints "00-08, 0A-1D, ..". */
 static void put_free_codes(void)
 {
     const char *between = "";

@@ -1,17 +1,19 @@
-/* cmd_isa_words.c - see cmd_isa.h. */
+/* cmd_isa_words.c - the texts of cmd_isa.h: meanings of letters and
+ * flags, rules of formats. */
 #include <ctype.h>
 #include <stddef.h>
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
 
-/* What the letters of insn.def mean. */
+/* The meaning of a letter in insn.def. */
 struct meaning {
     char letter;
     const char *text;
 };
 
-/* Where a source is in brackets always, it is no register. */
+/* in_brackets: the meaning in formats where the source is always in brackets, so it
+ * cannot be a register. */
 static const struct operand_meaning {
     char letter;
     const char *text, *in_brackets;
@@ -126,7 +128,7 @@ static const struct {
 };
 enum { BYTE_FIELDS = sizeof byte_fields / sizeof *byte_fields };
 
-/* Put the letter at each bit of the mask. */
+/* Writes the letter at each bit of the mask. */
 static void mark(char letter, c205_word mask, char owners[WORD_BITS])
 {
     for (unsigned i = 0; i < WORD_BITS; i++) {
@@ -136,9 +138,9 @@ static void mark(char letter, c205_word mask, char owners[WORD_BITS])
     }
 }
 
-/* Which field owns each bit: fill one after another and look where the word
- * changes.  Those of the operation belong to G.  The distance of a relative
- * branch lies over Y and B. */
+/* Determines the field that owns each bit: sets one field after the other, encodes, and
+ * marks the bits that change. The bits of the operation belong to G. The distance of a
+ * relative branch overlays Y and B, so it is marked last. */
 static void probe_format(const c205_insn *insn, char owners[WORD_BITS])
 {
     c205_fields fields = { 0 };
@@ -178,7 +180,7 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
 
 /* ---- Operands and rules ------------------------------------------------- */
 
-/* A reduction of one number is refused. */
+/* A reduction requires a vector, so its source is always in brackets. */
 static bool is_in_brackets(const c205_insn *insn, char field)
 {
     return isupper((unsigned char)field) || insn->format == C205_FORMAT_REDUCE
@@ -232,7 +234,7 @@ static bool must_have_control(const c205_insn *insn)
     return strchr(c205_format_syntax(insn->format), '!') != NULL;
 }
 
-/* Formats with a rule of their own. */
+/* Formats whose length has a special rule. */
 static const struct {
     c205_format format;
     const char *length, *clocked;
@@ -287,7 +289,7 @@ const char *isa_length(const c205_insn *insn)
                : "that of A";
 }
 
-/* Nothing can be short where the length is that of the one source. */
+/* If the length is that of the only source, no source can be short. */
 const char *isa_padding(const c205_insn *insn)
 {
     bool sparse = insn->format == C205_FORMAT_SPARSE;
@@ -323,7 +325,8 @@ const char *isa_control(const c205_insn *insn)
 
 /* ---- 32-bit operands ---------------------------------------------------- */
 
-/* The fields whose letters are among these: "A, B and C". */
+/* Lists the fields whose letters are in `letters`: "A, B and C".
+ * Returns their number. */
 static size_t list_fields(const c205_insn *insn, const char *letters,
                           char text[ISA_FIELDS])
 {
@@ -342,7 +345,7 @@ static size_t list_fields(const c205_insn *insn, const char *letters,
     return count;
 }
 
-/* Which of a row's texts about a group of fields: one field, more. */
+/* Writes a text about a group of fields: `one` for one field, `more` for several. */
 static size_t put_group(const c205_insn *insn, const char *letters, const char *one,
                         const char *more, char *text, size_t size)
 {
@@ -391,9 +394,9 @@ const char *isa_specials(const c205_insn *insn)
 
 /* ---- Families ----------------------------------------------------------- */
 
-/* The rows of insn.def and the headings among them. */
+/* The rows of insn.def, with the headings between them. */
 static const struct entry {
-    const char *family; /* NULL: the next row */
+    const char *family; /* NULL: this entry is a row */
 } entries[] = {
 #define FAMILY(title) { title },
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \

@@ -1,4 +1,4 @@
-/* cmd_model.c - c205 model: machine models and their constants. */
+/* cmd_model.c - c205 model: lists the machine models and their constants. */
 #include "asm/command/c205_command.h"
 
 static const struct table_column model_columns[] = {

@@ -1,4 +1,4 @@
-/* cmd_run.c - c205 run: a program, and where its clocks went. */
+/* cmd_run.c - c205 run: runs a program and attributes its clocks. */
 #include <inttypes.h>
 
 #include "base/accounts_show.h"
@@ -12,7 +12,8 @@
 #include "asm/trap_report.h"
 #include "asm/runtime_check.h"
 
-/* Instructions lie on half words; a short one needs only the first. */
+/* Reads the word at an instruction, which may start on a half word. At the end of
+ * memory a short instruction needs only the first half. */
 static c205_word word_at(const c205 *machine, uint64_t address)
 {
     c205_word pair[2] = { 0, 0 };
@@ -84,9 +85,9 @@ static int show_accounts(const struct c205_arguments *arguments, const c205 *mac
     return code;
 }
 
-/* ---- How it ended -------------------------------------------------------- */
+/* ---- The end of a run ---------------------------------------------------- */
 
-/* As an exit code. */
+/* Returns the exit code. */
 static int judge_trap(const struct c205_arguments *arguments,
                       const struct object *object, const c205 *machine,
                       const c205_stop *stop)
@@ -144,15 +145,16 @@ static int save(const struct c205_arguments *arguments, const struct object *obj
     return CMD_DONE;
 }
 
-/* The output of the program is part of text results; it would spoil any other
- * format, and goes to stderr then. */
+/* The output of the program is part of results in text. It would corrupt any other
+ * format, so it is then written to stderr. */
 static FILE *program_stream(const struct command_output *results)
 {
     bool among = results->file == stdout && results->format == OUTPUT_TEXT;
     return among ? stdout : stderr;
 }
 
-/* Messages on stderr, where the program may have left a line open. */
+/* Prints a message on stderr, after closing a line that the program
+ * has left open there. */
 static void put_message(void *context, const char *text, size_t length)
 {
     struct sink report = visible_stream(stderr);
@@ -163,7 +165,7 @@ static void put_message(void *context, const char *text, size_t length)
     report.put(report.context, text, length);
 }
 
-/* A watch for a program whose object is known; not if nothing is warned of. */
+/* Starts the runtime checks if the object is known and any warning is enabled. */
 static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
                         const struct object *object, const struct sink *report,
                         struct runtime_checker **watch)
@@ -181,7 +183,7 @@ static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
     return true;
 }
 
-/* An interruption is not lost among the results. */
+/* Reports an interruption after the results, so that it is not overlooked. */
 static int conclude(const struct c205_arguments *arguments, const struct object *object,
                     const c205 *machine, const c205_stop *stop,
                     const struct command_output *results)
@@ -207,7 +209,7 @@ static uint64_t find_limit(const struct c205_arguments *arguments, const c205 *m
                : c205_clock(machine) + CMD_LIMIT;
 }
 
-/* In slices, between which it is asked for Ctrl-C. */
+/* Runs in slices, and checks for Ctrl-C between them. */
 static c205_stop run_slices(c205 *machine, uint64_t limit)
 {
     static const uint64_t slice = 5000000; /* clocks */
@@ -262,9 +264,9 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
     return code != CMD_DONE ? code : errors ? CMD_FAILED : verdict;
 }
 
-/* ---- Where the machine comes from --------------------------------------- */
+/* ---- The machine -------------------------------------------------------- */
 
-/* The object may be NULL. */
+/* Restores a saved machine. object: NULL, or the program that it must be running. */
 static c205 *restore(const char *path, const c205_model *model,
                      const struct object *object, c205_error *error)
 {
@@ -314,7 +316,7 @@ static int read_and_run(const struct c205_arguments *arguments, const c205_model
     return code;
 }
 
-/* CMD_DONE: these arguments make sense together. */
+/* Returns CMD_DONE if the combination of arguments is valid. */
 static int check_usage(const struct c205_arguments *arguments)
 {
     const char *command = arguments->command;

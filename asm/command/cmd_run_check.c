@@ -1,7 +1,8 @@
-/* cmd_run_check.c - c205 run --check: test programs and what they expect.
+/* cmd_run_check.c - c205 run --check: runs test programs and compares them
+ * with their expectations.
  *
- * A program runs on the model that the user names; else on the one that it
- * names itself, by expect-model; else on the default.
+ * A program runs on the model of the arguments if they name one, otherwise on the model
+ * of its expect-model, otherwise on the default model.
  */
 #include <string.h>
 
@@ -12,19 +13,19 @@
 #include "asm/runtime_check.h"
 #include "base/model.h"
 
-/* A program that never ends is a failure, too. */
+/* Limit of clocks. A program that exceeds it fails. */
 static const uint64_t patience = 100000000;
 
 struct checker {
     const struct c205_arguments *arguments;
     const struct command_output *results;
-    struct table *table; /* where results are not text */
-    c205_model *model;   /* of the last program, kept for the next */
+    struct table *table; /* NULL if results are text */
+    c205_model *model;   /* of the last program, reused if the next one has the same */
     c205 *machine;
     struct printer printer;
-    struct runtime_checker *watch; /* of this program, or NULL */
-    struct text_buffer printed;    /* by the program */
-    struct text_buffer report;     /* what is wrong */
+    struct runtime_checker *watch; /* of the current program, or NULL */
+    struct text_buffer printed;    /* output of the program */
+    struct text_buffer report;     /* the errors of the program */
     size_t failures;
 };
 
@@ -59,7 +60,8 @@ static void drop_machine(struct checker *checker)
     checker->model = NULL;
 }
 
-/* The machine stays, what watches the program does not. */
+/* The machine is reused for the next program, but each program has its own checker. So
+ * the listener calls the current one. */
 static void listen(void *context, const c205 *machine, const c205_event *event)
 {
     const struct checker *checker = context;
@@ -123,7 +125,7 @@ static bool run(struct checker *checker, const struct object *object, const char
     return good;
 }
 
-/* ---- What is told of them ------------------------------------------------ */
+/* ---- Results ------------------------------------------------------------- */
 
 static const struct table_column columns[] = {
     { "program", "program", TABLE_TEXT, 0 },
@@ -132,11 +134,12 @@ static const struct table_column columns[] = {
     { "report", "report", TABLE_TEXT, 0 },
 };
 
-/* What came of one program. */
+/* The result of one program. */
 struct verdict {
     const char *path;
     bool good;
-    const char *other_model; /* its clocks are not of this one; or NULL */
+    const char *other_model; /* model whose clocks differ from the
+                              * expected ones; or NULL */
     const char *report;
 };
 
@@ -148,7 +151,7 @@ static void print_row(struct table *table, const struct verdict *verdict)
     table_text(table, verdict->report);
 }
 
-/* The reasons stand a little to the right. */
+/* Prints the result, with the reasons indented below it. */
 static void print_text(const struct command_output *results,
                        const struct verdict *verdict)
 {
@@ -235,7 +238,7 @@ static int check_all(struct checker *checker)
                                    : CMD_DONE;
 }
 
-/* A model that the user names must be there. */
+/* Checks that the model of the arguments exists. */
 static bool check_model(const struct c205_arguments *arguments)
 {
     c205_model *model = model_open(arguments->command, arguments->model);
@@ -243,7 +246,7 @@ static bool check_model(const struct c205_arguments *arguments)
     return model != NULL;
 }
 
-/* What failed is a result, too: the JSON is kept. */
+/* Failures are results too, so the JSON is written in any case. */
 int cmd_run_check(const struct c205_arguments *arguments)
 {
     struct command_output results = arguments->results;

@@ -1,4 +1,4 @@
-/* cmd_shared.c - see c205_command.h. */
+/* cmd_shared.c - options and functions that several commands of c205 use. */
 #include "asm/command/c205_command.h"
 
 #include <errno.h>
@@ -121,7 +121,7 @@ static bool is_defined(const struct cmd_defines *defines, const char *name)
     return false;
 }
 
-/* The name is cut off in place. */
+/* Reads NAME=VALUE. The text is modified: the name ends at the "=". */
 bool cmd_take_define(char *text, void *value)
 {
     struct cmd_defines *defines = value;

@@ -1,4 +1,4 @@
-/* cmd_sweep.c - c205 sweep: a program, or two, against a constant. */
+/* cmd_sweep.c - c205 sweep: measures one or two programs over a range of a constant. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@ static double clocks_of(const struct swept_point *point, size_t which)
     return (double)accounts_clocks(&point->runs[which]);
 }
 
-/* ---- In words -------------------------------------------------------------- */
+/* ---- Sentences ------------------------------------------------------------- */
 
 static void print_line(const struct program_sweep *sweep, int which,
                        const struct command_output *results)
@@ -64,7 +64,8 @@ static void print_crossings(const struct program_sweep *sweep,
 
 /* ---- Results --------------------------------------------------------------- */
 
-/* Tables of which the reader is told in words; in print they are for other programs. */
+/* The sentences contain the same facts, so these tables are written
+ * only as CSV and JSON. */
 static int show_rest(const struct program_sweep *sweep,
                      const struct command_output *results)
 {
@@ -138,7 +139,7 @@ static bool draw(const struct program_sweep *sweep, const char *path, c205_error
 
 /* ---- The command ----------------------------------------------------------- */
 
-/* A range is the swept constant's. */
+/* Reads NAME=RANGE for the swept constant, or NAME=VALUE for a fixed one. */
 static bool take_swept(char *text, void *value)
 {
     struct cmd_swept *swept = value;

@@ -1,4 +1,4 @@
-/* cmd_time.c - c205 time: the speed of the vector instructions. */
+/* cmd_time.c - c205 time: measures the speed of the vector instructions. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -24,7 +24,7 @@ static const struct table_column point_columns[] = {
     { "clocks", "clocks", TABLE_COUNT, 0 },
 };
 
-/* A row for all that take the same time. */
+/* One row for all instructions of a class that take the same time. */
 static const struct table_column class_columns[] = {
     { "timing", "timing", TABLE_TEXT, 0 },
     { "startup", "start-up", TABLE_NUMBER, 1 },
@@ -41,7 +41,7 @@ struct measurements {
     struct measurement *items;
 };
 
-/* ---- Each for itself ---- */
+/* ---- Single instructions  */
 
 static const char *unit_of(const struct measurement *measured)
 {
@@ -107,7 +107,7 @@ static bool is_first(const struct measurements *measured, size_t number)
     return i == number;
 }
 
-/* Their names, one behind another. */
+/* Writes the names of all instructions of a class. */
 static void add_names(struct table *table, const struct measurements *measured,
                       const struct measurement *class)
 {
@@ -148,7 +148,7 @@ static struct table *class_table(const struct measurements *measured,
     return table;
 }
 
-/* ---- What is measured ---- */
+/* ---- Measurement --------- */
 
 static bool add_name(const struct c205_arguments *arguments, const c205_model *model,
                      const char *name, struct measurements *measured)
@@ -167,7 +167,7 @@ static bool add_name(const struct c205_arguments *arguments, const c205_model *m
     return true;
 }
 
-/* All of the table in one size, and the triad. */
+/* Measures all instructions with one size of operands, and the triad. */
 static bool measure_size(const struct c205_arguments *arguments,
                          const c205_model *model, const char *suffix,
                          struct measurements *measured)
@@ -184,7 +184,7 @@ static bool measure_size(const struct c205_arguments *arguments,
     return good && add_name(arguments, model, name, measured);
 }
 
-/* Those that were named, in that order; or all. */
+/* Measures the named instructions in that order, or all of them. */
 static bool measure_all(const struct c205_arguments *arguments, const c205_model *model,
                         struct measurements *measured)
 {
@@ -199,9 +199,9 @@ static bool measure_all(const struct c205_arguments *arguments, const c205_model
            && measure_size(arguments, model, SYNTAX_HALF, measured);
 }
 
-/* ---- What is told ---- */
+/* ---- Results --------- */
 
-/* JSON has them in any case. */
+/* The JSON always has the points. */
 static int show_points(const struct c205_arguments *arguments,
                        const struct measurements *measured,
                        const struct command_output *results)
@@ -217,8 +217,8 @@ static int show_points(const struct c205_arguments *arguments,
     return code;
 }
 
-/* Those that were named each for itself; all of them class by class.  Other
- * programs are told of each in any case. */
+/* Shows the named instructions one by one, or all of them by class. CSV and JSON always
+ * have single instructions. */
 static int show_speeds(const struct c205_arguments *arguments, const c205_model *model,
                        const struct measurements *measured,
                        const struct command_output *results)
@@ -285,7 +285,8 @@ static int run(void *given)
     return code;
 }
 
-/* Those that can be measured, and the triad. */
+/* Returns the names for completion: the instructions that can be
+ * measured, and the triad. */
 static const char *measured_choice(size_t number)
 {
     if (number > c205_insn_count) {

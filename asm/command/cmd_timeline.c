@@ -1,4 +1,5 @@
-/* cmd_timeline.c - c205 timeline: a run as a picture, or for a viewer. */
+/* cmd_timeline.c - c205 timeline: draws a run as a picture, or
+ * exports it for a viewer. */
 #include <inttypes.h>
 #include <stdio.h>
 
@@ -23,13 +24,13 @@ static int write_file(const struct c205_arguments *arguments,
     return CMD_DONE;
 }
 
-/* How the program did. */
+/* How the run ended. */
 struct ending {
-    bool ended; /* or it was left where it was */
+    bool ended; /* false: it was stopped at the last clock of the timeline */
     c205_stop stop;
 };
 
-/* What is drawn of a program that traps is kept all the same. */
+/* Reports a trap. The timeline up to the trap has been written. */
 static int print_trap(const struct c205_arguments *arguments, const c205 *machine,
                       const struct ending *ending)
 {
@@ -68,7 +69,8 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
     return code != CMD_DONE ? code : print_trap(arguments, machine, &ending);
 }
 
-/* Until the next instruction arrives there, or later. */
+/* Runs until an instruction arrives at that clock or later, or the
+ * default limit is reached. */
 static struct ending run_to(c205 *machine, uint64_t clock)
 {
     uint64_t end = clock < CMD_LIMIT ? clock : CMD_LIMIT;
@@ -81,7 +83,7 @@ static struct ending run_to(c205 *machine, uint64_t clock)
     return ending;
 }
 
-/* Not farther than is asked. */
+/* Runs the program up to the end of the timeline only. */
 static int run_program(const struct c205_arguments *arguments,
                        const struct object *object, const c205_model *model)
 {

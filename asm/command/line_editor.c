@@ -1,3 +1,4 @@
+/* line_editor.c - reads lines from a terminal with libedit, or plainly. */
 #include "asm/command/line_editor.h"
 
 #include <stdlib.h>
@@ -13,7 +14,7 @@
 #include <sys/select.h>
 #endif
 
-/* WebAssembly's system interface opens no libraries and has no signals. */
+/* WASI has neither dynamic libraries nor signals. */
 #ifdef __wasi__
 
 static bool wait_for_input(void)
@@ -28,7 +29,9 @@ static void open_library(struct typed_lines *lines, const char *(*name)(size_t i
 
 #else
 
-/* False: a signal has come, at any time since the last one was forgotten. */
+/* Waits for input. Returns false if a signal has arrived since interrupt_clear.
+ * Signals are blocked between the check and pselect, which unblocks them
+ * atomically, so none is missed. */
 static bool wait_for_input(void)
 {
     sigset_t all, before;
@@ -48,11 +51,11 @@ static bool wait_for_input(void)
     return !interrupt_pending();
 }
 
-/* What libedit has of readline's interface. */
+/* The parts of readline's interface that libedit has. */
 typedef char *generator(const char *text, int state);
 typedef int getter(FILE *file);
 
-/* libedit's own function continues after the first signal. */
+/* Replaces libedit's own function, which continues after the first signal. */
 static int read_byte(FILE *file)
 {
     unsigned char byte;
@@ -61,9 +64,10 @@ static int read_byte(FILE *file)
     return wait_for_input() && read(STDIN_FILENO, &byte, 1) == 1 ? byte : EOF;
 }
 
-static const char *(*names)(size_t i); /* libedit knows no context */
+static const char *(*names)(size_t i); /* global, since libedit's
+                                        * callbacks have no context */
 
-/* The state-th name that begins so, its own copy. */
+/* Returns a copy of the state-th name that begins with the text, or NULL. */
 static char *complete(const char *text, int state)
 {
     size_t length = strlen(text);
@@ -129,7 +133,7 @@ static const char *read_plain(struct typed_lines *lines, const char *prompt)
     return text_stream_next(&lines->stream) ? lines->stream.line : NULL;
 }
 
-/* A line without an end, since Ctrl-C came: there is another one. */
+/* Returns whether a line was abandoned by Ctrl-C; the next line is then read. */
 static bool is_dropped(const struct typed_lines *lines)
 {
     return lines->terminal && interrupt_pending() && !interrupt_ends();

@@ -1,7 +1,7 @@
-/* line_editor.h - lines from a person or a file.
+/* line_editor.h - reads lines from a terminal or a file.
  *
- * On a terminal the package libedit reads them, if it is installed: with a history,
- * and Tab completes.  It is opened only there.
+ * On a terminal the library libedit reads the lines if it is installed: it provides a
+ * history and completion by Tab. It is loaded only for a terminal.
  */
 #ifndef ASM_LINE_EDITOR_H
 #define ASM_LINE_EDITOR_H
@@ -12,17 +12,17 @@
 #include "base/text_file.h"
 
 struct typed_lines {
-    struct text_stream stream; /* without libedit */
+    struct text_stream stream; /* used without libedit */
     bool terminal;
-    char *text; /* the last line of libedit */
-    /* libedit's, or NULL */
+    char *text; /* the last line from libedit */
+    /* functions of libedit, or NULL */
     char *(*read)(const char *prompt);
     int (*keep)(const char *line);
 };
 
-/* The names are those that Tab completes; each call gives one, NULL behind the last. */
+/* name: returns the i-th name for completion, or NULL after the last. */
 struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i));
-/* NULL: there are no more, or no memory. */
+/* Returns NULL at the end of the input, or if memory is exhausted. */
 const char *typed_lines_next(struct typed_lines *lines, const char *prompt);
 void typed_lines_free(struct typed_lines *lines);
 

@@ -1,3 +1,4 @@
+/* repl.c - executes the lines of a terminal, a pipe or scripts in a debugger. */
 #include "asm/command/repl.h"
 
 #include <errno.h>
@@ -13,15 +14,16 @@ struct repl {
     bool quit, terminal, interrupted;
 };
 
-/* Ctrl-C ends one movement. */
+/* An interruption by Ctrl-C applies to one movement, so it is
+ * cleared after each line. */
 static void note_interrupt(struct repl *dialogue)
 {
     dialogue->interrupted |= interrupt_pending();
     interrupt_clear();
 }
 
-/* Lines of a script are shown as if somebody had typed them.  The reason why they
- * cannot be read, or NULL. */
+/* Executes all lines of a file. Lines that are not typed on a terminal are printed
+ * after a prompt. Returns the reason of a read error, or NULL. */
 static const char *obey_all(struct repl *dialogue, FILE *file)
 {
     const char *prompt = dialogue->setup->prompt;

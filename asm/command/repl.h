@@ -1,4 +1,4 @@
-/* repl.h - what a person, a pipe or scripts say to a debugger. */
+/* repl.h - the read-execute loop of a debugger, for a terminal, a pipe or scripts. */
 #ifndef ASM_REPL_H
 #define ASM_REPL_H
 
@@ -6,16 +6,17 @@
 #include "base/command.h"
 
 struct repl_setup {
-    const char *command; /* for complaints */
+    const char *command; /* for error messages */
     const char *prompt;
-    const char *(*verb)(size_t i);       /* those that Tab completes */
-    const struct command_texts *scripts; /* files; none: stdin */
+    const char *(*verb)(size_t i);       /* names for completion by Tab */
+    const struct command_texts *scripts; /* files; none: read stdin */
 };
 
-/* All of it, until somebody quits; Ctrl-C is caught.  The exit code: of a script or a pipe
- * CMD_FAILED after a fault, a person's mistakes are none. */
+/* Executes lines until the input ends or a line is quit. Ctrl-C is caught. Returns the
+ * exit code: CMD_FAILED if a line of a script or a pipe failed. Errors of a user at a
+ * terminal do not count. */
 int repl_hold(const struct repl_setup *setup, struct debugger *debugger);
-/* For a debugger's setup: Ctrl-C has come. */
+/* The setup's interrupted: returns whether Ctrl-C was pressed. */
 bool repl_interrupted(void *asked);
 
 #endif
