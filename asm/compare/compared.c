@@ -1,4 +1,4 @@
-/* compared.c - see compared.h. */
+/* compared.c - tables and a sentence that compare the accounts of two runs. */
 #include "asm/compare/compared.h"
 
 #include <math.h>
@@ -79,7 +79,7 @@ static uint64_t clocks_of(const struct compared_run *run, const char *region)
     return account ? accounts_clocks(account) : 0;
 }
 
-/* Those of the first, then those that the second alone has. */
+/* Lists the regions of the first run, then those that only the second has. */
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
 {
     struct table *table = table_new(TABLE_COLUMNS(region_columns));
@@ -98,7 +98,7 @@ struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
     return table;
 }
 
-/* With the decimals of the account of c205 run. */
+/* Adds a figure with the number of decimals that c205 run prints. */
 static void add_figure(struct table *table, const char *name, int decimals,
                        double first, double second)
 {
@@ -139,7 +139,7 @@ struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS])
     return table;
 }
 
-/* ---- In words -------------------------------------------------------------- */
+/* ---- Sentence -------------------------------------------------------------- */
 
 static double difference_of(const struct compared_run runs[COMPARED_RUNS], int cause)
 {
@@ -147,8 +147,8 @@ static double difference_of(const struct compared_run runs[COMPARED_RUNS], int c
            - (double)runs[COMPARED_FIRST].all.clocks[cause];
 }
 
-/* The cause with the largest difference that goes the same way as all of it, besides one; below
- * 0: there is none. */
+/* Returns the cause with the largest difference of the same sign as the whole, except
+ * `besides`; -1 if there is none. */
 static int largest(const struct compared_run runs[COMPARED_RUNS], double whole,
                    int besides)
 {

@@ -1,6 +1,5 @@
-/* compared.h - two runs side by side, and what makes the difference.
- *
- * All figures are those of the machines' accounts.
+/* compared.h - compares two runs by the accounts of their machines, and finds the main
+ * causes of the difference.
  */
 #ifndef ASM_COMPARED_H
 #define ASM_COMPARED_H
@@ -11,21 +10,22 @@ enum { COMPARED_FIRST, COMPARED_SECOND, COMPARED_RUNS };
 
 struct compared_run {
     struct accounts accounts;
-    c205_account all; /* of all regions together */
+    c205_account all; /* sum over all regions */
 };
 
-/* What a machine has done, on its model, which outlives it.  Begin with zero.  False: no
- * memory. */
+/* Stores the accounts of a machine that has run. The run must be zero at first; the
+ * model must outlive it. Fails if memory is exhausted. */
 bool compared_take(struct compared_run *run, const c205 *machine);
 void compared_free(struct compared_run *run);
 
-/* Clocks by cause, and by region: those of the first, then those that the second alone
- * has; milliseconds, Mflop/s and the like.  NULL: no memory. */
+/* Return tables of the clocks by cause, of the clocks by region (first those of the
+ * first run, then those that only the second has), and of figures such as milliseconds
+ * and Mflop/s. Return NULL if memory is exhausted. */
 struct table *compared_causes(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS]);
 struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS]);
 
-/* The one or two causes that make the difference, in a sentence. */
+/* Writes a sentence with the one or two causes of most of the difference. */
 enum { COMPARED_SENTENCE = 256 };
 void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
                        char text[COMPARED_SENTENCE]);

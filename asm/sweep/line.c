@@ -1,4 +1,4 @@
-/* line.c - the line through the points of a sweep. */
+/* line.c - fits the line through the points of a sweep. */
 #include <math.h>
 
 #include "asm/sweep/swept.h"
@@ -11,7 +11,7 @@ static uint64_t operations_of(const c205_account *account)
     return account->operations;
 }
 
-/* Relative errors; what is 0 has none. */
+/* Fits a line by relative errors. A point with the value 0 has the weight 0. */
 static struct straight_line fit(const struct program_sweep *sweep, int which,
                                 figure_of *figure)
 {

@@ -1,7 +1,7 @@
-/* plot.c - a sweep as a picture: clocks against the constant, both by powers of ten.
+/* plot.c - draws a sweep: clocks against the constant, on logarithmic axes.
  *
- * A line by its start-up and rate is a curve there, flat as long as it is start-up, and steep
- * from n-half on, where it has twice the clocks of the start-up.
+ * A line start-up + value / rate is a curve on these axes: flat while the start-up
+ * dominates, and steep from n-half on, where the clocks are twice the start-up.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -17,21 +17,21 @@ enum {
     LEFT = 90,
     WIDTH = 760,
     RIGHT = 30,
-    KEY = 38, /* the first row of the key */
+    KEY = 38, /* y of the first row of the key */
     ROW = 18,
     HEIGHT = 400,
     BELOW = 52
 };
-/* Labelled lines across, at most. */
+/* Most ticks with labels on an axis. */
 enum { MAX_TICKS = 14, LABEL = 32 };
-/* Half lengths, and as many crossings as have room. */
+/* Marks: half lengths, and as many crossings as fit. */
 enum { MAX_MARKS = SWEPT_PROGRAMS + 4 };
 
 static const char *const colors[SWEPT_PROGRAMS] = { "#2f6fb0", "#c0561c" };
 
 struct log_axis {
-    double low, high;     /* what it shows */
-    double begin, length; /* pixels; < 0: upwards */
+    double low, high;     /* shown range */
+    double begin, length; /* pixels; length < 0: upwards */
 };
 
 struct swept_picture {
@@ -61,7 +61,8 @@ static double clocks_of(const struct swept_point *point, size_t which)
 
 /* ---- Axes ------------------------------------------------------------------ */
 
-/* A little more than there is, and rows for the marks below. */
+/* Sets the range of the axes: a little more than that of the points, with room below
+ * for the labels of the marks. */
 static void set_axes(struct swept_picture *picture)
 {
     const struct program_sweep *sweep = picture->sweep;
@@ -84,7 +85,7 @@ static void set_axes(struct swept_picture *picture)
     picture->x = (struct log_axis){ low / room, high * room, LEFT, WIDTH };
 }
 
-/* "16,384" */
+/* Writes "16,384". */
 static void label_of(uint64_t value, char label[LABEL])
 {
     char digits[LABEL];
@@ -118,7 +119,7 @@ static void put_tick(const struct swept_picture *picture, bool upright, uint64_t
     sink_put(picture->sink, "\n");
 }
 
-/* Less than two octaves: as on any axis. */
+/* Writes evenly spaced ticks, for an axis of less than two octaves. */
 static void put_even_ticks(const struct swept_picture *picture, bool upright,
                            const struct log_axis *axis)
 {
@@ -129,7 +130,8 @@ static void put_even_ticks(const struct swept_picture *picture, bool upright,
         put_tick(picture, upright, value, true);
 }
 
-/* 1, 2 and 5 times the powers of ten, all with their labels as long as these have room. */
+/* Writes ticks at 1, 2 and 5 times the powers of ten. All have labels if these fit;
+ * otherwise only the powers of ten have. */
 static void put_ticks(const struct swept_picture *picture, bool upright)
 {
     const struct log_axis *axis = upright ? &picture->x : &picture->y;
@@ -168,7 +170,7 @@ static void put_axes(const struct swept_picture *picture)
 
 /* ---- Programs -------------------------------------------------------------- */
 
-/* Which program, and its line. */
+/* Writes the name of a program and the formula of its line. */
 static void put_key(const struct swept_picture *picture, size_t which)
 {
     const struct swept_line *line = &picture->lines[which];
@@ -189,7 +191,7 @@ static void put_key(const struct swept_picture *picture, size_t which)
     sink_print(picture->sink, "%s</text>\n", line->good ? " clocks" : "");
 }
 
-/* The line, or what connects the points if there is none. */
+/* Draws the fitted line, or the polygon of the points if there is no line. */
 static void put_curve(const struct swept_picture *picture, size_t which)
 {
     enum { PARTS = 120 };
@@ -215,7 +217,7 @@ static void put_curve(const struct swept_picture *picture, size_t which)
     sink_put(picture->sink, "\"/>\n");
 }
 
-/* Whoever points at one reads what it is. */
+/* Draws the points, each with a tooltip. */
 static void put_points(const struct swept_picture *picture, size_t which)
 {
     const struct program_sweep *sweep = picture->sweep;
@@ -238,7 +240,7 @@ static void put_points(const struct swept_picture *picture, size_t which)
 
 /* ---- Marks ----------------------------------------------------------------- */
 
-/* The label is written by the caller.  NULL: there is no room. */
+/* Adds a mark, whose label the caller writes. Returns NULL if there is no room. */
 static struct swept_mark *new_mark(struct swept_picture *picture, double value,
                                    double clocks, const char *color)
 {
@@ -289,8 +291,8 @@ static void find_marks(struct swept_picture *picture)
         mark_crossing(picture, &picture->sweep->crossings[i]);
 }
 
-/* A ring, and from there down to the axis; the labels are in rows of their own, above all
- * these lines, on that side of their own where there is more room. */
+/* Draws a ring for each mark and a line from it down to the axis. The labels are drawn
+ * after all lines, each in its own row, on the side with more room. */
 static void put_marks(const struct swept_picture *picture)
 {
     int bottom = picture->top + HEIGHT;

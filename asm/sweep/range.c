@@ -1,4 +1,4 @@
-/* range.c - the values of a swept constant. */
+/* range.c - parses the range of a swept constant and computes its values. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 
 #include "asm/sweep/swept.h"
 
-/* An integer from 1 on, and what is behind it. */
+/* Reads an integer of at least 1 and advances *at past it. */
 static bool take_count(const char **at, uint64_t *count)
 {
     char *end;

@@ -1,4 +1,5 @@
-/* run.c - the runs of a sweep, and where two programs change places. */
+/* run.c - executes the runs of a sweep, and searches the values where the
+ * faster program changes. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -40,7 +41,8 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
     return !name;
 }
 
-/* Warnings are the same for all values: those of the first run are told. */
+/* Assembles a program for a value. Warnings are the same for all values, so only those
+ * of the first run are reported. */
 static struct object *assemble_at(struct program_sweep *sweep,
                                   const struct swept_program *program, uint64_t value)
 {
@@ -64,7 +66,7 @@ static struct object *assemble_at(struct program_sweep *sweep,
     return object;
 }
 
-/* In slices, between which it is asked whether to continue. */
+/* Runs in slices, and asks between them whether to continue. */
 static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
 {
     static const uint64_t slice = 5000000; /* clocks */
@@ -79,7 +81,7 @@ static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
     return stop;
 }
 
-/* Of all regions together. */
+/* Adds the accounts of all regions. */
 static bool take_account(const struct program_sweep *sweep, const c205 *machine,
                          c205_account *account, c205_error *error)
 {
@@ -158,8 +160,8 @@ static bool second_is_faster(const struct swept_point *point)
            < accounts_clocks(&point->runs[SWEPT_FIRST]);
 }
 
-/* Where there is a crossing behind the points that were looked at; false: there is none any
- * more, or no memory, and then the error says so. */
+/* Finds the next two points between which the faster program changes. Returns false if
+ * there are none, or if memory is exhausted; then the error is set. */
 static bool find_crossing(struct program_sweep *sweep, c205_error *error)
 {
     struct swept_crossing *grown;
@@ -183,8 +185,9 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
     return false;
 }
 
-/* The range is halved as long as there is something in it; of several crossings between two
- * points one is found. */
+/* Bisects the interval of a crossing. If an interval has several crossings, one
+ * of them is found. Values between the points are tried only if the range has
+ * neither step nor factor. */
 static bool halve(struct program_sweep *sweep, c205_error *error)
 {
     bool all = sweep->range.step == 0 && sweep->range.factor == 0;
@@ -206,7 +209,7 @@ static bool halve(struct program_sweep *sweep, c205_error *error)
     return true;
 }
 
-/* *over: there are no more. */
+/* Makes one step of the search. *over: there are no more crossings. */
 static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
 {
     if (sweep->inside)
@@ -216,7 +219,7 @@ static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
     return sweep->inside || !*error->message;
 }
 
-/* ---- All of it ------------------------------------------------------------- */
+/* ---- The sweep ------------------------------------------------------------- */
 
 static bool begin(struct program_sweep *sweep, c205_error *error)
 {

@@ -1,4 +1,4 @@
-/* tables.c - what a sweep has found, as tables. */
+/* tables.c - the results of a sweep as tables. */
 #include <math.h>
 #include <string.h>
 
@@ -72,7 +72,8 @@ struct table *swept_causes(const struct program_sweep *sweep)
     return table;
 }
 
-/* Of what is no line only how far it is from one. */
+/* Adds the line of a program. If there is no line, only its
+ * largest deviation is given. */
 static void add_line(struct table *table, const struct program_sweep *sweep, int which)
 {
     struct swept_line line = swept_line_of(sweep, which);

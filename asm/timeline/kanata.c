@@ -1,16 +1,16 @@
-/* kanata.c - a timeline as a log of Konata's format, Kanata 0004: a line a command, its words
- * apart by tabs.
+/* kanata.c - writes a timeline in the format Kanata 0004 of the viewer Konata. Each
+ * command is a line; its words are separated by tabs.
  *
- *   Kanata 0004      C= CLOCK         the clock at the beginning
+ *   Kanata 0004      C= CLOCK         the clock at the start
  *   C N              N clocks pass
- *   I ID NUMBER 0    an instruction is there
- *   L ID 0|1 TEXT    what is written of it, and what is shown besides
- *   S ID 0 STAGE     it comes into a stage;  E ID 0 STAGE  leaves it
- *   R ID NUMBER 0    it is done, the first, the second .. of all
+ *   I ID NUMBER 0    an instruction arrives
+ *   L ID 0|1 TEXT    its text; 1: additional text
+ *   S ID 0 STAGE     it enters a stage;  E ID 0 STAGE  it leaves the stage
+ *   R ID NUMBER 0    it retires; NUMBER counts retired instructions
  *
- * Stages: W waits to issue, X works (scalar); Su start-up, Tm translation misses, Pf page
- * faults, Bc bank conflicts, St stream (vector).  Source: Shioya, Konata's own description of
- * the format.
+ * Stages of scalar instructions: W waits to issue, X executes. Stages of vector
+ * instructions: Su start-up, Tm translation misses, Pf page faults, Bc bank conflicts,
+ * St stream. Source: Shioya, Konata's own description of the format.
  */
 #include <inttypes.h>
 #include <stdlib.h>
@@ -18,14 +18,14 @@
 #include "asm/timeline/timeline.h"
 #include "base/plural.h"
 
-/* What happens at a clock; at one clock in the order of the run. */
+/* The kinds of happenings. Those at the same clock are in the order of the run. */
 enum { LEAVES, RETIRES, APPEARS, ENTERS };
 
 struct happening {
     uint64_t clock;
     size_t insn;
     int kind;
-    size_t order; /* of those of one instruction */
+    size_t order; /* order in which it was added */
     const char *stage;
 };
 
@@ -60,7 +60,7 @@ static bool add(struct log *log, uint64_t clock, size_t insn, int kind,
     return true;
 }
 
-/* None of no length. */
+/* Adds a stage; one of no clocks is omitted. */
 static bool add_stage(struct log *log, size_t insn, uint64_t begin, uint64_t end,
                       const char *stage)
 {

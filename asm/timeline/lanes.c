@@ -1,3 +1,4 @@
+/* lanes.c - places the spans of a timeline into lanes and rows. */
 #include "asm/timeline/lanes.h"
 
 #include <stdlib.h>
@@ -13,7 +14,8 @@ const char *lane_name(enum lane lane)
     return names[lane];
 }
 
-/* The first row that is free at its beginning; ends has the end of each row. */
+/* Returns the first row that is free at the start of a span. ends:
+ * the end of each row. */
 enum { MAX_ROWS = 64 };
 
 static unsigned find_row(const struct timed_span *span, uint64_t ends[MAX_ROWS])

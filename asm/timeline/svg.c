@@ -1,6 +1,7 @@
-/* svg.c - a timeline as a picture: a lane for what was charged, above those of the units.
+/* svg.c - draws a timeline: a lane for the causes charged, and below it
+ * the lanes of the units.
  *
- * What is in a box when there is room is told of all of them when they are pointed at.
+ * Each box has a tooltip. Its name is also written in the box if there is room.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -40,8 +41,8 @@ struct timeline_picture {
     const struct timeline *timeline;
     const struct sink *sink;
     struct lanes lanes;
-    double scale;        /* pixels a clock */
-    unsigned top[LANES]; /* of each lane */
+    double scale;        /* pixels per clock */
+    unsigned top[LANES]; /* y of each lane */
     unsigned bottom;
 };
 

@@ -1,3 +1,4 @@
+/* timeline.c - a listener that records the times of instructions. */
 #include "asm/timeline/timeline.h"
 
 #include <string.h>
@@ -5,7 +6,7 @@
 #include "asm/disassemble.h"
 #include "asm/operand_view.h"
 
-/* Room in an array of the timeline, or NULL. */
+/* Grows an array of the timeline by one item; NULL if memory is exhausted. */
 #define ROOM(timeline, what) \
     arena_grow(&(timeline)->kept, (timeline)->what##s, (timeline)->what##_count, \
                &(timeline)->what##_capacity, sizeof *(timeline)->what##s)

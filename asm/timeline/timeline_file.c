@@ -1,3 +1,5 @@
+/* timeline_file.c - selects the format of a timeline by the name of
+ * its file, and saves it. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>

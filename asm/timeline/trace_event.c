@@ -1,6 +1,6 @@
-/* trace_event.c - a timeline as trace events for Perfetto and chrome://tracing: complete events,
- * "X", in threads that are the rows of lanes.  A microsecond there is a clock here.
- * Source: Trace Event Format, Google.
+/* trace_event.c - writes a timeline as trace events for Perfetto and chrome://tracing:
+ * complete events "X", in threads that are the rows of the lanes. A clock is written as
+ * one microsecond. Source: Trace Event Format, Google.
  */
 #include <inttypes.h>
 
@@ -23,7 +23,7 @@ static void put_escaped(const struct sink *sink, const char *text)
     }
 }
 
-/* Threads are numbered through all rows. */
+/* Threads are numbered consecutively through the rows of all lanes. */
 static unsigned thread_of(const struct lanes *lanes, enum lane lane, unsigned row)
 {
     unsigned number = 1 + row;
