@@ -1,14 +1,17 @@
-; atan2.s - atan2 and vatan2: f_r = the angle, in radians from -pi to pi, of the point whose
-; ordinate is f_x and whose abscissa f_y: as FORTRAN's ATAN2 the ordinate first.
+; atan2.s - atan2 and vatan2: f_r = the angle, in radians from -pi to pi,
+; of the point with ordinate f_x and abscissa f_y. As in FORTRAN's ATAN2
+; the ordinate is first.
 ;
-;   n = the less of |x| and |y|,  d = the greater
-;   t = (n - d) / (n + d) and a = pi/4 where n is above tan(pi/8) d, else t = n / d, a = 0
+;   n = the smaller of |x| and |y|,  d = the larger
+;   t = (n - d) / (n + d), a = pi/4  if n > tan(pi/8) d;  else t = n / d, a = 0
 ;   b = a + atan t = a + t + t^3 A(t^2),  |t| <= tan(pi/8)
 ;
-; The angle is b, or pi/2 - b where |ordinate| is above |abscissa|; then pi less that where the
-; abscissa is below 0, and its negative where the ordinate is.  A goes through
-; (atan t - t) / t^3 at the ten Chebyshev points of t^2.  What is added to b stands in two
-; parts.  Of the origin, and of indefinite, the result is indefinite.
+; The angle is b, or pi/2 - b if |ordinate| > |abscissa|. If the abscissa is
+; negative it is subtracted from pi; if the ordinate is negative it is negated.
+; A interpolates (atan t - t) / t^3 at the ten Chebyshev points of t^2. Each
+; constant that is added to b is a sum of two parts. For the origin, and for
+; indefinite operands, the result is indefinite.
+;
 ; Source: textbook; parts and polynomial are derived for this format.
 
         .ifndef atan2.s
@@ -28,7 +31,7 @@ atan2.constants:
         .word   0.41421356237309504880169       ; tan(pi/8)
         .word   -1.0
         .word   X'FFD1 6487 ED51 10B4'          ; pi/4
-        .word   X'FFA1 4D9E B2E6 0A6A'          ; what is left of it, for one of it
+        .word   X'FFA1 4D9E B2E6 0A6A'          ; the rest of it, relative to 1
         .word   X'FFD2 6487 ED51 10B4', X'FFA2 611A 6263 3146'  ; pi/2
         .word   X'FFD3 6487 ED51 10B4', X'FFA3 611A 6263 3146'  ; pi
 atan2.polynomial:

@@ -1,11 +1,13 @@
-; divide.s - divide and vdivide: f_r = the quotient of the integers f_x and f_y, cut towards
-; zero, f_s = what remains, with the sign of f_x.  For vectors f_s is a descriptor too.
+; divide.s - divide and vdivide: f_r = the quotient of the integers f_x and
+; f_y, truncated towards zero, and f_s = the remainder, with the sign of f_x.
+; For vectors f_s is a descriptor too.
 ;
 ;   q = the integer part of |x| / |y|,  |x| = q |y| + |s|
 ;
-; Floating-point numbers are cut to integers first. A quotient is cut to 47 digits towards
-; zero, so its integer part is right. Where f_y is 0, and where one of the two has
-; more than 47 digits, both results are indefinite.
+; Floating-point numbers are first truncated to integers. A quotient is
+; truncated to 47 digits towards zero, so its integer part is exact. If f_y is
+; 0, or if an operand has more than 47 digits, both results are indefinite.
+;
 ; Source: derived for this format.
 
         .ifndef divide.s

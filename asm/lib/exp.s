@@ -3,12 +3,15 @@
 ;   k = floor(x / ln 2 + 1/2),  r = x - k ln 2,  |r| <= ln 2 / 2
 ;   e^r = 1 + r + r^2 Q(r),  e^x = 2^k e^r
 ;
-; ln 2 stands in two parts, of which the first has 32 digits, so that k times it is
-; exact.  Q goes through (e^r - 1 - r) / r^2 at the nine Chebyshev points.  2^k is
-; added to the exponent of the coefficient.  Beyond the numbers of the machine the
-; result is machine zero, or indefinite; of indefinite it is indefinite.
-; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
-; Elementary Functions, 1980); parts and polynomial are derived for this format.
+; ln 2 is the sum of two parts. The first has 32 digits, so that k times it is
+; exact. Q interpolates (e^r - 1 - r) / r^2 at the nine Chebyshev points. To
+; multiply by 2^k, k is added to the exponent of the coefficient. A result
+; below the numbers of the machine is machine zero, one above them indefinite.
+; For an indefinite operand the result is indefinite.
+;
+; Source: the method is textbook (W. J. Cody and W. Waite, Software
+; Manual for the Elementary Functions, 1980); parts and polynomial are
+; derived for this format.
 
         .ifndef exp.s
         .equ    exp.s, 1
@@ -26,8 +29,8 @@ exp.constants:
         .word   -20000.0, 20000.0
         .word   1.4426950408889634073599        ; 1 / ln 2
         .word   0.5
-        .word   X'FFD1 A746 F404 8000'          ; -ln 2, 32 digits of it
-        .word   X'FFB1 9718 432A 1B0E'          ; .. and the others
+        .word   X'FFD1 A746 F404 8000'          ; -ln 2, first 32 digits
+        .word   X'FFB1 9718 432A 1B0E'          ; the remaining digits
         .word   1.0
 exp.polynomial:
         .word   5.0000000000000000000000e-01, 1.6666666666648302851375e-01
@@ -54,7 +57,7 @@ exp.polynomial:
         exp_of_rest \form, \r
         .endm
 
-; \r = 2^k e^r, of r in f_0 and k in f_1.
+; \r = 2^k e^r, for r in f_0 and k in f_1.
         .macro  exp_of_rest form, r
         \form\()_line f_0, exp_8, exp_7, f_2
         \form\()_step f_0, exp_6, f_2

@@ -1,14 +1,15 @@
-; formula.s - formulas that are written once and computed in two forms: of a number,
-; and of a vector.
+; formula.s - formulas that are written once and assembled in two forms: for
+; numbers and for vectors.
 ;
-; A formula is a macro whose first argument, form, is number or vector; it is made of
-; the operations below as \form\()_times and so on.  Both forms do the same operations
-; in the same order, so their results are equal, bit for bit; the vector form links two
-; of them into one stream where it can, and stores by control vector what the form of
-; numbers jumps over.
+; A formula is a macro whose first argument, form, is number or vector.
+; It consists of the operations below, written \form\()_times and so on.
+; Both forms execute the same operations in the same order, so their
+; results are equal, bit for bit. The vector form links two operations
+; into one stream where possible. It stores by control vector, where the
+; form for numbers branches.
 ;
-; a, b, c are registers of numbers, or descriptors of vectors of one length; k is a
-; number in both forms.
+; In the list a, b, c are registers with numbers, or descriptors of vectors of
+; the same length; k and l are numbers in both forms.
 ;
 ;       normal a, c             c = a, normalised
 ;       times a, b, c           c = a b           plus a, b, c        c = a + b
@@ -19,20 +20,25 @@
 ;       step x, k, c            c = c x + k, a step of Horner's rule
 ;       add_scaled a, k, c      c = c + a k
 ;       scaled_plus a, k, b, c  c = b + a k
-;       floor a, c              c = the integer not above a, exponent 0
+;       floor a, c              c = the largest integer not above a, exponent 0
 ;       exponent a, c           c = the exponent of a, an integer
-;       add_index a, b, c       c = a + b of integers        shift_index a, k, c     c = a + k
+;       add_index a, b, c       c = a + b of integers
+;       shift_index a, k, c     c = a + k of integers
 ;       minus_index a, b, c     c = a - b of integers
-;       upper_product a, b, c   c = the first 47 digits of a b      low_product a, b, c: the others,
-;                               which of integers below 2^47 are all
-;       pick i, at, c           c = word number i from the address in register at on
+;       upper_product a, b, c   c = the first 47 digits of a b
+;       low_product a, b, c     c = the other digits of a b; for integers
+;                               below 2^47 these are all digits
+;       pick i, at, c           c = word i of a table; at: register with its
+;                               address
 ;       pack e, a, c            c = the exponent e with the coefficient of a
-;       pack_all k, a, c        the same, of one exponent for all
+;       pack_all k, a, c        the same with one exponent k for all elements
 ;       truncate a, c           c = the integer part of a, exponent 0
-;       copy a, c               c = a             clear c             c = 0, machine zero
+;       copy a, c               c = a
+;       clear c                 c = 0, machine zero
 ;
-; Cases: what stands between the question and end_if label is computed for all of a vector,
-; but what is then_.. is stored only where the answer is yes.  Where a is indefinite it is no.
+; Conditions: for a vector, all operations between the condition and end_if
+; label are computed for all elements. Operations then_.. are stored only for
+; elements for which the condition is true. For an indefinite a it is false.
 ;
 ;       if_above a, b, label            is a > b?
 ;       if_above_number a, k, label     is a > k?
@@ -40,14 +46,16 @@
 ;       if_equal_number a, k, label     is a = k?
 ;       if_beyond_number a, k, label    is |a| > k?
 ;       if_bit a, k, label              has the integer a the bit of k?
-;       otherwise end, label            from here on up to end_if end: where it is no
-;       unless_above_number a, k, label where a > k is not so
-;       then_set k, c    then_copy a, c    then_plus a, b, c    then_from k, a, c
-;       then_shift_index a, k, c           then_negate a, c     then_shift a, k, c
-;       then_negate_index a, c             of an integer               then_clear c
-;       otherwise_set k, c                 otherwise_copy a, c      where it is no
+;       unless_above_number a, k, label is a > k false?
+;       otherwise end, label            from here to end_if end: elements for
+;                                       which the condition is false
+;       then_set k, c      then_copy a, c            then_plus a, b, c
+;       then_from k, a, c  then_shift a, k, c        then_shift_index a, k, c
+;       then_negate a, c   then_negate_index a, c    then_clear c
+;       otherwise_set k, c       if the condition is false
+;       otherwise_copy a, c      if the condition is false
 ;
-; Registers 208 to 255 are those of the library: docs/functions.md.
+; Registers 208 to 255 belong to the library: docs/functions.md.
 
         .ifndef formula.s
         .equ    formula.s, 1
@@ -63,24 +71,24 @@
         .reg    f_constants, r232       ; up to r255
         .endshare
 
-; A formula computes strips of so many elements of a vector at a time.
+; Length of the strips into which the vector form splits a vector.
         .ifndef F_STRIP
         .equ    F_STRIP, 2048
         .endif
         .if     F_STRIP < 1 || F_STRIP > 65535
         .error  "F_STRIP is the length of a vector: 1 to 65535"
         .endif
-        .equ    F_WORK, 10              ; vectors for what lies between
+        .equ    F_WORK, 10              ; vectors for intermediate results
 
         .data
 f_work: .space  F_WORK * F_STRIP
         .bitvector f_work_bits, F_STRIP
         .code
 
-; ---- Routines ------------------------------------------------------------------
+; ---- Routines ----------------------------------------------------------------
 
-; The routines name and vname of a formula that takes form, x, y, r, s.  A program that
-; comes by jumps over them.
+; Defines the routines name and vname of a formula with the arguments form, x,
+; y, r, s. A program that reaches them in sequence branches over them.
         .macro  routines name, formula
         BIM     \name\().over
         .kernel \name
@@ -142,15 +150,15 @@ v\name\().done:
         ADDLEN  \vector, f_n, \vector
         .endm
 
-; What a formula begins with: its constants, count words at name.constants.
+; The start of a formula: loads its constants, count words at name.constants.
         .macro  load_constants name, count
         EX      f_target, \name\().constants
         ELEN    f_target, \count
         SWAP    [f_target], f_constants, [r0]
         .endm
 
-; r = routine x, and routine x, y, of numbers; for vectors x, y, r are descriptors and
-; the routine's name begins with v.
+; r = routine(x), and r = routine(x, y), for numbers. For vectors x, y, r are
+; descriptors, and the name of the routine begins with v.
         .macro  apply routine, x, r
         RTOR    \x, f_x
         RTOR    \r, f_r
@@ -162,7 +170,7 @@ v\name\().done:
         apply   \routine, \x, \r
         .endm
 
-; ---- Operations on numbers -----------------------------------------------------
+; ---- Operations on numbers ---------------------------------------------------
 
         .macro  number_normal a, c
         ADDN    \a, r0, \c
@@ -312,7 +320,7 @@ v\name\().done:
         SUBU    r0, \a, \c
         .endm
 
-; ---- Operations on vectors -----------------------------------------------------
+; ---- Operations on vectors ---------------------------------------------------
 
         .macro  vector_normal a, c
         ADDNV   [\a], r0, [\c]

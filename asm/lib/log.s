@@ -3,13 +3,14 @@
 ;   x = 2^k f,  sqrt(1/2) <= f < sqrt(2),  g = f - 1,  s = g / (1 + f)
 ;   ln f = 2 artanh s = g - s (g - s^2 R(s^2)),  ln x = k ln 2 + ln f
 ;
-; so that near 1 the first term, g, is exact.  R goes through
-; (2 artanh s - 2 s) / s^3 at the six Chebyshev points of s^2.  f is made by writing
-; an exponent over that of x.  ln 2 stands in two parts, of which the first has 32 digits,
-; so that k times it is exact.  Of what is not above 0, and of indefinite, the result is
-; indefinite.
-; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
-; Elementary Functions, 1980); parts and polynomial are derived for this format.
+; Near 1 the first term, g, is exact. R interpolates (2 artanh s - 2 s) / s^3
+; at the six Chebyshev points of s^2. f is x with another exponent. ln 2 is the
+; sum of two parts. The first has 32 digits, so that k times it is exact. If x
+; is not above 0, or indefinite, the result is indefinite.
+;
+; Source: the method is textbook (W. J. Cody and W. Waite, Software
+; Manual for the Elementary Functions, 1980); parts and polynomial are
+; derived for this format.
 
         .ifndef log.s
         .equ    log.s, 1
@@ -28,8 +29,8 @@ log.constants:
         .word   47, -47, -1
         .word   0.7071067811865475244008        ; sqrt(1/2)
         .word   1.0, -1.0
-        .word   X'FFD1 58B9 0BFB 8000'          ; ln 2, 32 digits of it
-        .word   X'FFB1 68E7 BCD5 E4F2'          ; .. and the others
+        .word   X'FFD1 58B9 0BFB 8000'          ; ln 2, first 32 digits
+        .word   X'FFB1 68E7 BCD5 E4F2'          ; the remaining digits
         .word   X'7000 0000 0000 0000'
 log.polynomial:
         .word   6.6666666666662083223228e-01, 4.0000000011206506321435e-01

@@ -1,14 +1,14 @@
-; print.s - requests to the monitor that print.
+; print.s - macros that request output from the monitor.
 ;
-; None ends the line but newline.  They cost the clocks of an EXIT request.
+; Only newline ends a line. Each costs the clocks of an EXIT request.
 
         .ifndef print.s
         .equ    print.s, 1
 
         .include "core.s"
 
-; The number in register r in decimal, as an integer (its low 48 bits), or
-; as the 16 hex digits of the word.
+; Print register r: the number in decimal, the integer in the low 48 bits, or
+; the word as 16 hex digits.
         .macro  print_number r
         EXIT    \r, r0, 1
         .endm
@@ -19,9 +19,9 @@
         EXIT    \r, r0, 3
         .endm
 
-; Numbers in columns: so wide, blanks before them, to the nearest of so many digits behind
-; the point, or in all with the power of ten behind an e; integers; and vectors, so many
-; elements a line (0: all in one).  scratch gets what the monitor is told.
+; Print numbers in columns of a width: fixed, rounded to digits after the
+; point; scientific, with an exponent; integers; and vectors, with in_line
+; elements in a line (0: all). scratch is overwritten with the format.
         .macro  print_as kind, width, digits, in_line, scratch
         .if     (\width) < 0 || (\width) > 255 || (\digits) < 0 || (\digits) > 17
         .error  "a column is 0 to 255 wide and has 0 to 17 digits"
@@ -51,14 +51,14 @@
         EXIT    \d, \scratch, 6
         .endm
 
-; The number in half register h, by way of a whole register.
+; Prints the number in half register h. scratch holds it as a word.
         .macro  print_half h, scratch
         EXTH    \h, \scratch
         print_number \scratch
         .endm
 
-; A text: print_text "clocks: ", r9.  Its bytes go among the data; scratch
-; gets their descriptor.
+; Prints a text: print_text "clocks: ", r9. Its bytes are stored in the data;
+; scratch is overwritten with their descriptor.
         .macro  print_text text, scratch
         .data
 print_text.\@:
@@ -72,8 +72,8 @@ print_text.\@:
         EXIT    r0, r0, 5
         .endm
 
-; The numbers of the vector that descriptor d describes, blanks between them;
-; the bits of a bit vector.
+; Print the numbers of the vector of descriptor d, separated by blanks; or the
+; bits of a bit vector.
         .macro  print_vector d
         EXIT    \d, r0, 6
         .endm
@@ -81,8 +81,8 @@ print_text.\@:
         EXIT    \d, r0, 7
         .endm
 
-; The half words that descriptor d describes, extended first to the vector of
-; words that descriptor whole describes, which is as long.
+; Prints the half words of descriptor d. They are first extended to the vector
+; of words of descriptor whole, which must have the same length.
         .macro  print_half_vector d, whole
         EXTV    [\d], [\whole]
         print_vector \whole

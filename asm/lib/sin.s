@@ -1,15 +1,21 @@
-; sin.s - sin, cos, vsin, vcos: f_r = the sine, the cosine of f_x, in radians.
+; sin.s - sin, cos, vsin, vcos: f_r = the sine or cosine of f_x, in radians.
 ;
 ;   k = floor(x 2/pi + 1/2),  r + d = x - k pi/2,  |r| <= pi/4
 ;   sin r = r + (r^3 S(r^2) + d),  cos r = 1 - r^2 / 2 + r^4 C(r^2)
 ;
-; where d is what did not fit r.  The sine of x is sin r, cos r, -sin r, -cos r as k mod 4 is
-; 0, 1, 2, 3; for the cosine k is one more.  pi/2 stands in four parts; the first three have
-; 24 digits, so that k times them is exact, and so is what the first two leave of x.  Where |x| is above 2^23 pi/2, which is where k has too many
-; digits, and of indefinite, the result is indefinite.  S and C go through
-; (sin r - r) / r^3 and (cos r - 1 + r^2 / 2) / r^4 at six and five Chebyshev points of r^2.
-; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
-; Elementary Functions, 1980); parts and polynomials are derived for this format.
+; d is the part of the difference that r cannot hold. The sine of x is sin r,
+; cos r, -sin r, -cos r for k mod 4 = 0, 1, 2, 3; for the cosine k is increased
+; by 1. pi/2 is the sum of four parts. The first three have 24 digits, so that
+; k times each is exact; the remainders of x after the first two are exact too.
+; S and C interpolate (sin r - r) / r^3 and (cos r - 1 + r^2 / 2) / r^4 at six
+; and five Chebyshev points of r^2.
+;
+; If |x| is above 2^23 pi/2, k has too many digits; then, and for an indefinite
+; x, the result is indefinite.
+;
+; Source: the method is textbook (W. J. Cody and W. Waite, Software
+; Manual for the Elementary Functions, 1980); parts and polynomials are
+; derived for this format.
 
         .ifndef sin.s
         .equ    sin.s, 1
@@ -26,14 +32,14 @@
 
         .data
 sin.constants:
-        .word   13176794.0                      ; the greatest below 2^23 pi/2 without fraction
+        .word   13176794.0                      ; largest integer < 2^23 pi/2
         .word   X'7000 0000 0000 0000'
         .word   0.63661977236758134307554       ; 2 / pi
         .word   0.5
-        .word   X'FFD2 9B78 1300 0000'          ; -pi/2, 24 digits of it
-        .word   X'FFBA AEEF 4C00 0000'          ; .. 24 more
-        .word   X'FFA2 9EE5 9E00 0000'          ; .. and 24 more
-        .word   X'FF8A 9CCE BA3F 91F2'          ; .. and the others
+        .word   X'FFD2 9B78 1300 0000'          ; -pi/2, first 24 digits
+        .word   X'FFBA AEEF 4C00 0000'          ; the next 24 digits
+        .word   X'FFA2 9EE5 9E00 0000'          ; the next 24 digits
+        .word   X'FF8A 9CCE BA3F 91F2'          ; the remaining digits
         .word   1, 2
 sin.polynomial:
         .word   -1.6666666666666664623545e-01, 8.3333333333309484855453e-03

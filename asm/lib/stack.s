@@ -1,4 +1,4 @@
-; stack.s - registers kept on a stack, by functions that call others or themselves.
+; stack.s - saves registers on a stack, for functions that call functions.
 
         .ifndef stack.s
         .equ    stack.s, 1
@@ -7,7 +7,7 @@
 
         .reg    stack, r207
 
-; Once, at the beginning: room for so many words.
+; Must be used once, at the start: reserves a stack of that many words.
         .macro  begin_stack words
         .data
 stack.words:
@@ -16,7 +16,7 @@ stack.words:
         EX      stack, stack.words
         .endm
 
-; So many registers, from the first on, to the stack and back.
+; Save and restore count registers, from the first on.
         .macro  push first, count
         ELEN    stack, \count
         SWAP    [r0], \first, [stack]
