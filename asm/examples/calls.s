@@ -1,15 +1,15 @@
-; calls.s - functions with arguments: one that calls another, one that calls itself.
+; calls.s - functions with arguments: one calls another, one calls itself.
 ;
-; Arguments are in f_x and f_y, the result in f_r; call leaves in f_link where return goes.
-; A function keeps what its caller has in the registers below 208: those it needs itself it
-; saves on the stack, its link too if it calls others.
+; Arguments are in f_x and f_y, the result in f_r; call sets f_link to the
+; return address. A function preserves the registers below 208 of its caller:
+; it saves those that it uses on the stack, and f_link if it calls functions.
 
         .include "print.s"
         .include "stack.s"
         .include "exp.s"
 
         .regs   r10, a, b, c
-        .regs   r20, n, k, part, link   ; binomial saves them
+        .regs   r20, n, k, part, link   ; saved by binomial
 
         begin_stack 200
 
@@ -29,7 +29,7 @@
         newline
         EXIT
 
-; sqrt(x^2 + y^2); it calls nothing.
+; sqrt(x^2 + y^2); it calls no function.
 hypotenuse:
         MPYS    f_x, f_x, f_0
         MPYS    f_y, f_y, f_1
@@ -37,7 +37,7 @@ hypotenuse:
         SQRT    f_0, f_r
         return  f_link
 
-; (e^x - e^-x) / 2; exp leaves its result in f_r and keeps no register from 208 on.
+; (e^x - e^-x) / 2; exp returns in f_r and may change registers from 208 on.
 sinh:   push    n, 4
         RTOR    f_link, link
         apply   exp, f_x, part
@@ -50,7 +50,7 @@ sinh:   push    n, 4
         pop     n, 4
         return  f_link
 
-; C(n, k) = C(n-1, k-1) + C(n-1, k), of integers; 1 where k is 0 or n.
+; C(n, k) = C(n-1, k-1) + C(n-1, k) for integers; 1 if k is 0 or n.
 binomial:
         ES      f_r, 1
         IBXEQ   f_y, r0, r0, binomial.edge

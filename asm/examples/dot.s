@@ -1,8 +1,8 @@
 ; dot.s - the length of a vector: the square root of its dot product with
-; itself, and the same from a product and a sum.
+; itself, computed by DOTV, and by a product and a sum.
 ;
-; DOTV makes two flops for each element, and takes one element a clock.  Its sum,
-; and that of SUMV, comes in two parts, upper and lower, which two additions join.
+; DOTV executes two flops per element and takes one element per clock. Its sum,
+; like that of SUMV, has two parts, upper and lower, joined by two additions.
 
         .include "print.s"
 
@@ -43,9 +43,9 @@ squares:
 ; expect-print: length 9
 
 ; 4 clocks for the descriptors; the dot product 116 + 4, and 1,030 for the
-; first touch of the data's page; its two additions 10; issue of the root, which
-; runs on beneath the product; 51 + 2 and 96 + 2, 2 of them hidden; two additions
-; 10; the rest 7:
+; first touch of the data's page; its two additions 10; issue of the root,
+; which overlaps the product; 51 + 2 and 96 + 2, 2 of them hidden; two
+; additions 10; the rest 7:
 ; expect-clocks: 1331
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

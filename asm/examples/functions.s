@@ -1,6 +1,6 @@
-; functions.s - a damped oscillation, y = e^(-x/8) cos x, number by number and in vectors.
+; functions.s - a damped oscillation, y = e^(-x/8) cos x, of numbers and of vectors.
 ;
-; Both forms of a routine do the same operations, so the two vectors are equal, word by word.
+; Both forms of a routine do the same operations, so the two vectors are identical.
 
         .include "print.s"
         .include "exp.s"

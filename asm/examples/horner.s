@@ -1,9 +1,9 @@
-; horner.s - a polynomial of many arguments, by Horner's rule.
+; horner.s - a polynomial for many arguments, by Horner's rule.
 ;
 ;   p(x) = 2 x^3 - 3 x^2 + 5 = ((2 x - 3) x + 0) x + 5
 ;
 ; Each step is a product with x and a sum with a broadcast coefficient: a
-; linked pair, one stream for two flops an element.
+; linked pair, one stream with two flops per element.
 
         .include "core.s"
 
@@ -41,7 +41,7 @@ p:      .space  n
 ; expect: [p] = 5.0, 4.0, 0.0, 9.0, 4.5, 1705.0
 
 ; 14 clocks for descriptors and constants, 1,030 for the first touch of the
-; data's page; three pairs of 84 + 3, the later ones 3 less:
+; data's page; three pairs of 84 + 3, the second and third with 3 hidden:
 ; expect-clocks: 1299
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

@@ -1,8 +1,8 @@
 ; interval_sum.s - the integral of 4 / (1 + x x) from 0 to 1, which is pi, by
 ; the midpoint rule with 1,000 strips.
 ;
-; INTVLV makes the midpoints, the sum comes from SUMV, in two parts; nothing is
-; looped over.
+; INTVLV generates the midpoints. SUMV computes the sum, in two parts. The
+; program has no loop.
 
         .include "print.s"
 
@@ -40,8 +40,8 @@ f:      .space  n
 ; expect-print: pi is about 3.14159273692483
 
 ; 12 clocks for descriptors and constants, 1,030 for the first touch of the
-; data's page; 551, 551, 551, 80 + 1,625, 96 + 500, of which four times 10
-; hide; two additions 10, the product 5, the rest 3:
+; data's page; 551, 551, 551, 80 + 1,625, 96 + 500, of which four times 10 are
+; hidden; two additions 10, the product 5, the rest 3:
 ; expect-clocks: 4974
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

@@ -1,12 +1,12 @@
-; lookup.s - a function from a table, with linear interpolation.
+; lookup.s - a function given by a table, with linear interpolation.
 ;
-; The squares of 0 .. 10 stand in a table.  For each argument u
+; The table has the squares of 0 .. 10. For each argument u
 ;
 ;   i = floor(u),  f = u - i,  y = t(i) + f (t(i + 1) - t(i))
 ;
-; The floor of a vector is a vector of integers, and so a list of indices: two
-; gathers fetch the entries.  Results go to their places in another order by a
-; scatter.
+; FLRV rounds a vector down to integers, which are a list of indices.
+; Two gathers load the entries of the table. A scatter stores the
+; results in another order.
 
         .include "core.s"
 
@@ -56,7 +56,7 @@ sorted: .space  n
 
 ; 17 clocks for the descriptors, 1,030 for the first touch of the data's page;
 ; 51 + 3 for each of the five simple instructions, 69 + 5 for a gather, 71 + 5
-; for the scatter, less what hides: 3, but 5 after a gather:
+; for the scatter; hidden of each start-up are 3 clocks, but 5 after a gather:
 ; expect-clocks: 1516
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

@@ -1,8 +1,8 @@
 ; saxpy_linked.s - y := a x + y as one stream.
 ;
-; LINKV hands each product straight to the addition: one start-up of 84
-; clocks, and nothing of the product is stored.  The memory has two read paths,
-; which x and y take; the scale is broadcast.
+; LINKV passes each product directly to the addition: there is one start-up of
+; 84 clocks, and no product is stored. x and y use the two read paths of the
+; memory; the scale is broadcast.
 
         .include "saxpy_data.inc"
 
@@ -12,7 +12,7 @@
         LOD     [xs], scale
         descriptor xs, x, n
         descriptor ys, y, n
-        descriptor link, y, n           ; only a name, as long as the result
+        descriptor link, y, n           ; never stored; only its length counts
 
         .kernel saxpy
         LINKV
@@ -25,7 +25,7 @@
 ; expect: [y + 99*64] = 199.0
 
 ; 1,030 clocks for the first touch of the data's page, 16 until the scale is
-; loaded, 84 + 50, the exit hidden beneath:
+; loaded, 84 + 50; the exit is hidden under the stream:
 ; expect-clocks: 1180
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

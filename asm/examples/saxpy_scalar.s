@@ -1,8 +1,8 @@
-; saxpy_scalar.s - y := a x + y, one element after another.
+; saxpy_scalar.s - y := a x + y, one element after the other.
 ;
-; The loop keeps the addresses of both vectors in registers and counts up the
-; index.  Each turn waits for its loads (15 clocks), the product and the sum (5
-; each), and loses 8 at the branch: 35 clocks for two flops, 2.9 Mflop/s.
+; The addresses of both vectors are in registers; the loop increments the index.
+; An iteration waits for its loads (15 clocks), the product and the sum (5 each),
+; and loses 8 at the branch: 35 clocks for two flops, 2.9 Mflop/s.
 
         .include "saxpy_data.inc"
 
@@ -31,7 +31,7 @@ loop:   LOD     [xs, index], left
 ; expect: [y + 99*64] = 199.0
 
 ; 1,030 clocks for the first touch of the data's page, 7 for the instructions
-; before the loop, 99 turns of 35, the last of 27, the exit:
+; before the loop, 99 iterations of 35, the last of 27, the exit:
 ; expect-clocks: 4530
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

@@ -1,8 +1,8 @@
 ; saxpy_vector.s - y := a x + y with vector instructions.
 ;
-; The product goes to memory and comes back: two instructions, each of a
-; start-up of 51 clocks and half a clock for each element on two pipes.  Part
-; of the second start-up (10 clocks) hides under the first stream.
+; The product is stored in memory and loaded again. Two instructions each have
+; a start-up of 51 clocks and take half a clock per element on two pipes. The
+; first 10 clocks of the second start-up overlap the first stream.
 
         .include "saxpy_data.inc"
 
@@ -28,7 +28,7 @@ t:      .space  n
 ; expect: [y + 99*64] = 199.0
 
 ; 1,030 clocks for the first touch of the data's page, 16 until the scale is
-; loaded, 101 + 101 - 10, the exit hidden beneath:
+; loaded, 101 + 101 - 10; the exit is hidden under the stream:
 ; expect-clocks: 1238
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

@@ -1,10 +1,10 @@
 ; sieve.s - the primes below 200 by the sieve of Eratosthenes, as a bit vector.
 ;
-; Bit i of the vector prime says that no divisor of i has been found.  For each
-; prime p up to the root of the limit an interval p p, p p + p, .. is made by
-; the vector unit, and a scatter of zeros over those places strikes them out:
-; the flags are words (1.0, or machine zero if struck out), so that they can be
-; scattered, and a comparison packs them into bits at the end.
+; A flag for each i says whether no divisor of i has been found. For each prime
+; p up to the root of the limit, the vector unit generates p p, p p + p, .. below
+; the limit, and a scatter of zeros clears the flags at these places. The flags
+; are words (1.0, or machine zero) so that they can be scattered; at the end a
+; comparison packs them into bits.
 
         .include "print.s"
 
@@ -21,7 +21,7 @@ places: .space  limit
         .regs   r10, fs, ps, bits, list, one, p, square, end, step
         .regs   r20, flag, length, shift, primes, text
 
-; all flags 1.0, those of 0 and 1 zero
+; Set all flags to 1.0, then those of 0 and 1 to zero.
         load_constant flag, 1.0
         descriptor fs, flags, limit
         .kernel sieve
@@ -35,14 +35,14 @@ places: .space  limit
 next:   LOD     [fs, p], flag
         CFPEQ   flag, r0, composite
 
-; as many multiples from p p on as there are below the limit:
-; (limit - 1 - p p) / p + 1
+; The number of multiples from p p on that are below the limit is
+; (limit - 1 - p p) / p + 1.
         MPYX    p, p, square
         SUBX    end, square, step
         ADDX    step, p, step
         IS      step, -1
-        DIVU    step, p, length         ; integers: the quotient's exponent is
-        TRU     length, length          ; not zero, truncation makes it so
+        DIVU    step, p, length         ; integers: the exponent of the
+        TRU     length, length          ; quotient is not 0; TRU makes it 0
         EX      list, places
         ADDLEN  list, length, list
         INTVLV  square, p, [list]
@@ -68,7 +68,7 @@ composite:
 ; expect-print: 001101010001010001010001000001
 ; expect-bits: [prime + 190] = 0101000101
 
-; Of these 1,030 for the first touch of the data's page:
+; 1,030 of these clocks are for the first touch of the data's page:
 ; expect-clocks: 3190
 ; expect-model: cyber205-2pipe-prior
-; (its constants are round, the fitted ones are not)
+; (its constants are round numbers, the fitted ones are not)

@@ -1,4 +1,4 @@
-; tables.s - data that are not typed: computed at assembly, and read from a file.
+; tables.s - data computed at assembly, and data read from a file.
 
         .include "print.s"
 
@@ -19,7 +19,7 @@ loads_end:
 
         .regs   r10, index, load, wave, table
 
-; Each load times the sine at its place.
+; Multiplies each load by the sine at its place.
         descriptor index, places, count
         descriptor load, loads, count
         descriptor wave, waves, count

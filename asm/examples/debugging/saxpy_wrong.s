@@ -1,5 +1,5 @@
-; saxpy_wrong.s - y := a x + y as in ../saxpy_scalar.s, but for one mistake, which
-; docs/debugging.md looks for.
+; saxpy_wrong.s - y := a x + y as in ../saxpy_scalar.s with one mistake, which
+; docs/debugging.md finds.
 
         .include "saxpy_data.inc"
 

@@ -1,5 +1,5 @@
-; matrix_2.s - c := a b by inner products: each column of b is gathered once, for its
-; elements lie a row apart.
+; matrix_2.s - c := a b by inner products. Each column of b is gathered once,
+; because its elements are one row apart in memory.
 
         .include "matrix_data.inc"
 

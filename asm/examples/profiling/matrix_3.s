@@ -1,5 +1,5 @@
-; matrix_3.s - c := a b by rows: a row of c is the sum of rows of b, each times a number of
-; a.  Nothing is gathered and nothing reduced.
+; matrix_3.s - c := a b by rows: a row of c is the sum of the rows of b, each
+; multiplied by an element of a. There is no gather and no reduction.
 
         .include "matrix_data.inc"
 

@@ -1,5 +1,5 @@
-; matrix_4.s - c := a b by rows, as in matrix_3.s; a link hands each product to the sum, so
-; there is one start-up where there were two, and nothing of it is stored.
+; matrix_4.s - c := a b by rows, as in matrix_3.s. A link passes each product
+; to the sum, so there is one start-up, not two, and no product is stored.
 
         .include "matrix_data.inc"
 
@@ -7,7 +7,7 @@
         .regs   r20, factor, one, count, word, row
 
 
-        descriptor t_row, c, n          ; only a name
+        descriptor t_row, c, n          ; never stored
         descriptor c_row, c, n
         EX      a_at, a
         EX      count, n
