@@ -35,8 +35,8 @@ static void put_operand(struct dap *dap, struct json *json,
     json_end(json);
 }
 
-/* Registers that are only written are not shown, nor is a control vector that is
- * absent. */
+/* Immediates, branch targets, registers that are only written, and an absent control
+ * vector are not shown. */
 static bool is_shown(const struct operand_view *operand)
 {
     return operand->field && !strchr("wWpP", operand->letter)

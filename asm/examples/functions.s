@@ -1,6 +1,6 @@
-; functions.s - a damped oscillation, y = e^(-x/8) cos x, of numbers and of vectors.
+; functions.s - damped oscillation y = e^(-x/8) cos x, for numbers and vectors.
 ;
-; Both forms of a routine do the same operations, so the two vectors are identical.
+; Both forms of a routine do the same operations, so the vectors are identical.
 
         .include "print.s"
         .include "exp.s"

@@ -1,8 +1,8 @@
 ; saxpy_scalar.s - y := a x + y, one element after the other.
 ;
-; The addresses of both vectors are in registers; the loop increments the index.
-; An iteration waits for its loads (15 clocks), the product and the sum (5 each),
-; and loses 8 at the branch: 35 clocks for two flops, 2.9 Mflop/s.
+; Both addresses are in registers; the loop increments the index. An iteration
+; waits for its loads (15 clocks), the product and the sum (5 each), and loses
+; 8 at the branch: 35 clocks for two flops, 2.9 Mflop/s.
 
         .include "saxpy_data.inc"
 

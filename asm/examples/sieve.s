@@ -1,8 +1,8 @@
 ; sieve.s - the primes below 200 by the sieve of Eratosthenes, as a bit vector.
 ;
 ; A flag for each i says whether no divisor of i has been found. For each prime
-; p up to the root of the limit, the vector unit generates p p, p p + p, .. below
-; the limit, and a scatter of zeros clears the flags at these places. The flags
+; p up to the root of the limit, the vector unit generates the multiples p p,
+; p p + p, .. below the limit; a scatter of zeros clears their flags. The flags
 ; are words (1.0, or machine zero) so that they can be scattered; at the end a
 ; comparison packs them into bits.
 
