@@ -1,4 +1,4 @@
-/* about.c - what there is: models, instructions, directives. */
+/* about.c - the request about: models, instructions, directives and lessons. */
 #include "asm/syntax.h"
 #include "web/engine/engine_internal.h"
 
@@ -22,7 +22,7 @@ static bool put_models(struct json *reply, c205_error *error)
     return true;
 }
 
-/* How it is written, without its name. */
+/* Writes the operands of the syntax, without the mnemonic. */
 static void put_operands(const c205_insn *insn, bool half, const char *key,
                          struct json *reply)
 {

@@ -1,4 +1,4 @@
-/* answer.c - what an engine is asked, who answers, and in what slices. */
+/* answer.c - reads requests, dispatches them, and divides long work into slices. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 
 #include "web/engine/engine_internal.h"
 
-/* ---- What is wrong ----------------------------------------------------------- */
+/* ---- Errors ------------------------------------------------------------------ */
 
 bool refuse(c205_error *error, const char *format, ...)
 {
@@ -26,7 +26,8 @@ bool refuse_of(c205_error *error, const char *name)
     return refuse(error, "%.80s: %.160s", name, why.message);
 }
 
-/* Without what a line of a dialogue has besides; NULL: nothing was said. */
+/* Returns the debugger's report without "error: " and the last newline, or
+ * NULL if there is none. */
 static const char *said_text(struct engine *engine)
 {
     static const char error[] = "error: ";
@@ -176,7 +177,7 @@ bool slice_is_over(void *given)
     uint64_t clock = c205_clock(engine_machine(engine));
 
     slice->to_the_limit = clock >= slice->ends_at;
-    if (clock < slice->from) /* it has gone back */
+    if (clock < slice->from) /* the program has gone back */
         slice->from = clock;
     return slice->to_the_limit
            || (slice->clocks > 0 && clock - slice->from >= slice->clocks)
@@ -190,7 +191,7 @@ bool slice_is_full(const struct engine *engine)
     return (slice->clocks > 0 && slice->spent >= slice->clocks) || time_is_over(slice);
 }
 
-/* ---- Requests ---------------------------------------------------------------------- */
+/* ---- Requests ------------------------------------------------------------ */
 
 static void drop_work(struct engine *engine)
 {
@@ -210,7 +211,7 @@ static bool answer_more(struct engine *engine, const struct json_value *request,
     return take_slice(engine, request, error) && goes_on(engine, reply, error);
 }
 
-/* What becomes of work that waits for `more`. */
+/* Whether work that waits for `more` is kept when another request comes. */
 enum keeps { KEEPS_NOTHING, KEEPS_MOVEMENT, KEEPS_ALL };
 
 static const struct {
@@ -254,7 +255,7 @@ static bool answer(struct engine *engine, const struct json_value *request,
     return requests[i].answer(engine, request, reply, error);
 }
 
-/* NULL: no memory. */
+/* Returns the reply for a failed request, or NULL if memory is exhausted. */
 static char *put_refusal(const struct engine *engine, const char *why)
 {
     struct text_buffer text = { .text = NULL };
@@ -303,7 +304,7 @@ char *engine_answer(struct engine *engine, const char *request, size_t length)
     return text;
 }
 
-/* ---- To begin and to end -------------------------------------------------------------- */
+/* ---- Create and free ----------------------------------------------------- */
 
 struct engine *engine_new(void)
 {

@@ -1,4 +1,4 @@
-/* compare.c - two programs side by side. */
+/* compare.c - the request compare: runs two programs and compares their accounts. */
 #include <stdlib.h>
 
 #include "asm/compare/compared.h"
@@ -14,7 +14,7 @@ struct compared_text {
 
 struct text_comparison {
     struct compared_text sides[COMPARED_RUNS];
-    int which;     /* side that is at work */
+    int which;     /* the side that is running */
     c205 *machine; /* its machine, or NULL */
     uint64_t limit;
 };
@@ -40,7 +40,7 @@ void compare_drop(struct engine *engine)
 
 /* ---- Runs -------------------------------------------------------------------- */
 
-/* *over: it has come to its end, and its accounts are kept. */
+/* Runs a side for a slice. *over: it has ended, and its accounts are stored. */
 static bool run(struct engine *engine, struct text_comparison *comparison, bool *over,
                 c205_error *error)
 {
@@ -89,7 +89,7 @@ static bool go_on(struct engine *engine, struct text_comparison *comparison,
 
 /* ---- The reply ------------------------------------------------------------------ */
 
-/* As c205 compare has it in its JSON, and its sentence. */
+/* Writes the members of c205 compare --json, and the sentence. */
 static bool put_comparison(const struct text_comparison *comparison, struct json *reply,
                            c205_error *error)
 {
@@ -132,7 +132,7 @@ static bool slice(struct engine *engine, struct json *reply, c205_error *error)
     return good;
 }
 
-/* ---- The request ------------------------------------------------------------------ */
+/* ---- The request --------------------------------------------------------- */
 
 static bool take_side(struct engine *engine, const struct json_value *request,
                       const struct json_value *from, const struct asm_options *options,

@@ -1,8 +1,9 @@
-/* engine_internal.h - the inside of an engine.  Not public.
+/* engine_internal.h - the internals of an engine. Not public.
  *
- * A request is a function that reads its members and writes those of its reply.  One that
- * cannot do its work tells why in the error, and what it has written is dropped.  One
- * that takes long leaves in `goes_on` what does the next slice, which `more` asks for.
+ * A request is a function that reads its members and writes those of its reply. If
+ * it fails it sets the error, and the reply written so far is discarded. A request
+ * that takes long sets `goes_on` to the function of its next slice, which the
+ * request `more` calls.
  */
 #ifndef WEB_ENGINE_ENGINE_INTERNAL_H
 #define WEB_ENGINE_ENGINE_INTERNAL_H
@@ -19,22 +20,22 @@
 
 /* ---- A slice of work ------------------------------------------------------- */
 
-/* It is over when so many milliseconds of the host have passed, or so many clocks of the
- * machine. */
+/* A slice ends after a number of milliseconds of the host, or of
+ * clocks of the machine. */
 struct slice {
-    double begun, ms;  /* ms below 0: as long as it takes */
-    uint64_t clocks;   /* 0: as many as it takes */
-    uint64_t from;     /* the clock at which it began */
-    uint64_t spent;    /* by other work than the program's: clocks, or points */
-    uint64_t ends_at;  /* this one ends the whole movement */
-    bool to_the_limit; /* it has */
+    double begun, ms;  /* ms below 0: no limit */
+    uint64_t clocks;   /* 0: no limit */
+    uint64_t from;     /* the clock at its start */
+    uint64_t spent;    /* by work other than the program's: clocks, or points */
+    uint64_t ends_at;  /* the clock at which the whole movement ends */
+    bool to_the_limit; /* ends_at was reached */
 };
 
 /* ---- What a program has printed ---------------------------------------------- */
 
-enum { MAX_PRINTED = 1 << 20 }; /* bytes that are kept */
+enum { MAX_PRINTED = 1 << 20 }; /* bytes stored at most */
 
-/* So many bytes had been printed behind a step. */
+/* The length of the output after a step. */
 struct printed_mark {
     uint64_t step;
     size_t length;
@@ -44,143 +45,145 @@ struct printed {
     struct text_buffer text;
     size_t count;
     struct printed_mark *marks;
-    bool cut; /* there was more, at the last mark or behind it */
+    bool cut; /* output was dropped, at or after the last mark */
 };
 
 /* ---- A movement ----------------------------------------------------------------- */
 
 struct movement {
     enum execution_end (*move)(struct engine *engine);
-    uint64_t step, clock; /* where it is to go */
-    uint64_t left;        /* so many are still to come */
-    bool inside;          /* a call, which comes back to: */
+    uint64_t step, clock; /* the target */
+    uint64_t left;        /* steps that remain */
+    bool inside;          /* inside a call, which returns to `behind` */
     uint64_t behind;
     struct back_search search;
 };
 
-/* ---- A run again, for who listens ------------------------------------------------- */
+/* ---- A replay for listeners ---------------------------------------------- */
 
-/* From the beginning to the end, and back to where the program stands. */
+/* A run from the start to a step, and back to the current step. */
 struct replay {
     bool begun;
-    struct line_profile *profile;     /* NULL: it does not listen */
-    struct timeline *timeline;        /* likewise */
-    uint64_t stands, end;             /* steps */
-    bool halted;                      /* it is where it cannot go on */
-    bool in_order;                    /* the lines of the profile */
-    const struct timeline_form *form; /* of the timeline as a file */
+    struct line_profile *profile;     /* NULL: not requested */
+    struct timeline *timeline;        /* NULL: not requested */
+    uint64_t stands, end;             /* steps: the current one, and the last one */
+    bool halted;                      /* the program cannot continue
+                                       * from the current step */
+    bool in_order;                    /* order of the profile's lines */
+    const struct timeline_form *form; /* of a timeline as a file; NULL: as spans */
 };
 
-/* ---- An engine ------------------------------------------------------------------------ */
+/* ---- An engine ----------------------------------------------------------- */
 
 typedef bool engine_request(struct engine *engine, const struct json_value *request,
                             struct json *reply, c205_error *error);
-/* The next slice; it clears goes_on when all is done. */
+/* Executes the next slice, and clears goes_on after the last. */
 typedef bool engine_slice(struct engine *engine, struct json *reply, c205_error *error);
 
 struct engine {
-    char *name; /* of the program; NULL: there is none */
+    char *name; /* of the program; NULL: none is loaded */
     struct object *object;
     c205_model *model;
     struct debugger *debugger;
-    uint64_t bound; /* clocks of a movement or a run, at most */
+    uint64_t bound; /* most clocks of a movement or a run */
     struct printed printed;
-    struct text_buffer said;        /* by the debugger, and not told yet */
+    struct text_buffer said;        /* reports of the debugger, not yet in a reply */
     struct diagnostics diagnostics; /* of the text of this request */
     struct slice slice;
-    engine_slice *goes_on; /* NULL: nothing is left to be done */
+    engine_slice *goes_on; /* NULL: no unfinished work */
     struct movement movement;
     struct replay replay;
     struct timeline timeline;
-    struct laboratory *laboratory;      /* a sweep that is at work, or NULL */
-    struct text_comparison *comparison; /* likewise */
+    struct laboratory *laboratory;      /* the current sweep, or NULL */
+    struct text_comparison *comparison; /* the current comparison, or NULL */
 };
 
 engine_request answer_about, answer_load, answer_breaks, answer_go, answer_view,
     answer_timeline, answer_profile, answer_accounts, answer_printf, answer_sweep,
     answer_compare, answer_grade;
 
-/* Of about. */
+/* Writes the lessons of the request about. */
 bool put_lessons(struct json *reply, c205_error *error);
 
 void sweep_drop(struct engine *engine);
 void compare_drop(struct engine *engine);
 
-/* ---- Members of a request (answer.c) --------------------------------------------------- */
+/* ---- Members of a request (answer.c) ------------------------------------- */
 
-/* False after telling: it is missing, or no text. */
+/* Reads a text. Fails if it is missing, or not a text. */
 bool take_text(const struct json_value *request, const char *key, const char **text,
                c205_error *error);
-/* One that may be missing, and is no text of another kind then. */
+/* Reads an optional text. Fails if it is not a text. */
 bool take_text_or(const struct json_value *request, const char *key, const char **text,
                   c205_error *error);
-/* true or false; missing: it stays. */
+/* Reads true or false; if it is missing, *truth is unchanged. */
 bool take_truth(const struct json_value *request, const char *key, bool *truth,
                 c205_error *error);
-/* An integer from 0 on; missing: it stays. */
+/* Reads an integer of at least 0; if it is missing, *count is unchanged. */
 bool take_count(const struct json_value *request, const char *key, uint64_t *count,
                 c205_error *error);
-/* "limit" of a request, unless it is missing: clocks, not beyond the engine's bound. */
+/* Reads the optional "limit" in clocks, and reduces it to the engine's bound. */
 bool take_limit(const struct engine *engine, const struct json_value *request,
                 uint64_t *limit, c205_error *error);
-/* "ms" and "clocks". */
+/* Reads "ms" and "clocks", and starts a slice. */
 bool take_slice(struct engine *engine, const struct json_value *request,
                 c205_error *error);
-/* For who runs the program: is the slice over? */
+/* The debugger's `interrupted`: returns whether the slice is over. */
 bool slice_is_over(void *engine);
-/* .. for other work, by what it has spent. */
+/* Returns whether the slice is over, for other work, by its `spent`. */
 bool slice_is_full(const struct engine *engine);
 
-/* One sentence; false. */
+/* Sets the error to a sentence and returns false. */
 bool refuse(c205_error *error, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
-/* The reason so far, behind a name; false. */
+/* Prefixes the error with a name and returns false. */
 bool refuse_of(c205_error *error, const char *name);
-/* The debugger's own words, without "error: ". */
+/* Sets the error to the debugger's report, without "error: ", and returns false. */
 bool refuse_as_said(struct engine *engine, c205_error *error);
-/* .. as a member, and nothing is said any more. */
+/* Writes the debugger's report as a member, and clears it. */
 bool put_said(struct engine *engine, struct json *reply, const char *key,
               c205_error *error);
-/* NULL: no memory. */
+/* Returns NULL if memory is exhausted. */
 char *copy_of(const char *text);
 bool needs_program(const struct engine *engine, c205_error *error);
 
-/* ---- Programs (program.c) --------------------------------------------------------- */
+/* ---- Programs (program.c) ------------------------------------------------ */
 
 void program_drop(struct engine *engine);
 void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply);
-/* "defines" and "files" of a request, kept in an arena. */
+/* Reads "defines" and "files" of a request into an arena. */
 bool take_options(const struct json_value *request, struct arena *arena,
                   struct asm_options *options, c205_error *error);
-/* "warm", if it is there. */
+/* Reads the optional "warm". */
 bool take_warm(const struct json_value *request, struct object *object,
                c205_error *error);
-/* Whether one of the programs uses each name that is defined. */
+/* Checks that at least one of the programs uses each defined name. */
 bool uses_defines(const struct asm_options *options, struct object *const *objects,
                   size_t count, c205_error *error);
-/* NULL: it cannot be assembled, the diagnostics of the engine say why. */
+/* Returns NULL if the text cannot be assembled; the engine's
+ * diagnostics have the reason. */
 struct object *engine_assemble(struct engine *engine, const char *name,
                                const char *text, const struct asm_options *options,
                                c205_error *error);
-/* The model by that name, or that which the program names, or the usual; NULL: there is
- * none. */
+/* Returns the named model, or that of the program's expect-model, or the default one.
+ * Returns NULL and the error if there is none. */
 c205_model *program_model(const char *name, const struct object *object,
                           c205_error *error);
-/* The line of a program's own text: of a macro that is called there, the call.  0: none is
- * known. */
+/* Returns the line of the program's own text; for an instruction of a macro, that of
+ * the call. Returns 0 if none is known. */
 size_t program_line(const struct engine *engine, uint64_t address);
 
-/* What was printed behind a step was of another run. */
+/* Drops the output after a step, since it belongs to another run. */
 void printed_forget(struct printed *printed, uint64_t step);
-/* How much had been printed when the program stood at a step. */
+/* Returns the length of the output up to a step. */
 size_t printed_until(const struct printed *printed, uint64_t step);
-/* .. and whether there was more that is not kept. */
+/* Returns whether output up to a step was dropped. */
 bool printed_is_cut(const struct printed *printed, uint64_t step);
 
-/* ---- Views (view.c, registers.c, instruction.c) ----------------------------------- */
+/* ---- Views (view.c, registers.c, instruction.c) -------------------------- */
 
 const c205 *engine_machine(const struct engine *engine);
 void put_hex(struct json *json, const char *key, c205_word word);
@@ -193,23 +196,24 @@ void put_next_insn(const struct engine *engine, struct json *reply);
 bool put_last_insn(const struct engine *engine, struct json *reply, c205_error *error);
 bool put_accounts(const struct engine *engine, struct json *reply, c205_error *error);
 
-/* The table is freed. */
+/* Writes a table and frees it. */
 bool put_table(struct table *table, const char *key, struct json *reply,
                c205_error *error);
 
-/* ---- Once more (replay.c) ---------------------------------------------------------- */
+/* ---- Replays (replay.c) -------------------------------------------------- */
 
-/* The ear of the program's machine: whoever wants to listen does. */
+/* The listener of the program's machine. It calls the listeners
+ * of the current replay. */
 c205_listener replay_listen;
-/* From here on whoever listens is the replay's; none of both: there was no memory.  To a
- * step, which is known. */
+/* Starts a replay up to the step `end`, which must be known. The replay owns its
+ * listeners from here on. Fails if both are NULL, since memory is then exhausted. */
 bool replay_begin(struct engine *engine, struct line_profile *profile,
                   struct timeline *timeline, uint64_t end, c205_error *error);
-/* As far as the slice allows; when all has been heard it is put, else there will be more by
- * `again`. */
+/* Replays until the end of the slice. After the last slice it calls `put`; otherwise
+ * `again` is the next slice. */
 bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again,
                   engine_slice *put, c205_error *error);
-/* Nobody listens any more, and the program is where it stood. */
+/* Ends a replay, frees its listeners, and goes back to the step before it. */
 void replay_drop(struct engine *engine);
 
 #endif

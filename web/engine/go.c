@@ -1,9 +1,10 @@
-/* go.c - movements, a slice at a time. */
+/* go.c - the request go, which moves the program slice by slice,
+ * and the request say. */
 #include <string.h>
 
 #include "web/engine/engine_internal.h"
 
-/* ---- Ways to go -------------------------------------------------------------- */
+/* ---- Movements --------------------------------------------------------------- */
 
 static enum execution_end go_to_end(struct engine *engine)
 {
@@ -21,7 +22,7 @@ static enum execution_end go_steps(struct engine *engine)
                            engine->movement.step - debugger_step(engine->debugger));
 }
 
-/* A call that was interrupted continues to where it comes back. */
+/* Steps over calls. A call that was interrupted continues up to its return. */
 static enum execution_end go_next(struct engine *engine)
 {
     struct movement *movement = &engine->movement;
@@ -74,7 +75,7 @@ static const struct {
 };
 enum { WAYS = sizeof ways / sizeof *ways };
 
-/* ---- How it ended -------------------------------------------------------------- */
+/* ---- The reply ----------------------------------------------------------------- */
 
 static const char *why(const struct engine *engine, enum execution_end ended)
 {
@@ -128,7 +129,7 @@ static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
 
 /* ---- go -------------------------------------------------------------------------- */
 
-/* A sum that is too large is the largest there is. */
+/* Adds; a sum that is too large is UINT64_MAX. */
 static uint64_t plus(uint64_t a, uint64_t b)
 {
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
@@ -171,9 +172,10 @@ bool answer_go(struct engine *engine, const struct json_value *request,
            && take_movement(engine, request, error) && go_on(engine, reply, error);
 }
 
-/* ---- say --------------------------------------------------------------------------- */
+/* ---- say ----------------------------------------------------------------- */
 
-/* One line at a time: what runs on stops at the end of the slice, and says so. */
+/* Executes one line. A movement that exceeds the slice is
+ * interrupted and reports that. */
 bool answer_printf(struct engine *engine, const struct json_value *request,
                    struct json *reply, c205_error *error)
 {

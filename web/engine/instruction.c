@@ -1,5 +1,5 @@
-/* instruction.c - the next instruction and what it is about to work on; the last one and
- * why it took its time.
+/* instruction.c - writes the next instruction with its operands, and the
+ * last one with its times.
  */
 #include <inttypes.h>
 
@@ -8,7 +8,7 @@
 #include "web/engine/engine_internal.h"
 #include "base/plural.h"
 
-/* ---- The next one -------------------------------------------------------------- */
+/* ---- The next instruction ------------------------------------------------------ */
 
 static void put_text(const struct engine *engine, const char *key, uint64_t pc,
                      struct json *reply)
@@ -55,7 +55,7 @@ static void put_operand(const struct engine *engine,
     json_end(reply);
 }
 
-/* Not where it continues, nor that there is no control vector. */
+/* Immediates, branch targets and an absent control vector are not shown. */
 static bool is_shown(const struct operand_view *operand)
 {
     return operand->field && !(operand->letter == 'z' && operand->number == 0);
@@ -86,7 +86,7 @@ void put_next_insn(const struct engine *engine, struct json *reply)
     put_operands(engine, reply);
 }
 
-/* ---- The last one ----------------------------------------------------------------- */
+/* ---- The last instruction ------------------------------------------------ */
 
 static void put_term(const struct sink *sink, const char *before, uint64_t clocks,
                      c205_cause cause)
@@ -94,7 +94,8 @@ static void put_term(const struct sink *sink, const char *before, uint64_t clock
     sink_print(sink, "%s%" PRIu64 " %s", before, clocks, c205_cause_name(cause));
 }
 
-/* "101 = 51 vector start-up + 50 vector stream": sums of what the clock has told. */
+/* Writes the sums of the clock's record: "101 = 51 vector start-up
+ * + 50 vector stream". */
 static bool put_formula(const c205_event *event, struct json *reply, c205_error *error)
 {
     const c205_times *record = event->record;

@@ -1,4 +1,4 @@
-/* lessons.c - the lessons of the course, and what an answer to one is worth. */
+/* lessons.c - the lessons of the course, and the request grade. */
 #include <string.h>
 
 #include "asm/lesson/lesson.h"
@@ -75,7 +75,7 @@ static bool grade(const struct lesson *lesson, const char *name, const char *tex
     return good;
 }
 
-/* The tests' own limits end what would go on for ever: it is done in one go. */
+/* Grades in one slice: the limits of the tests end any endless loop. */
 bool answer_grade(struct engine *engine, const struct json_value *request,
                   struct json *reply, c205_error *error)
 {

@@ -1,4 +1,5 @@
-/* program.c - the program of an engine: from its text to a debugger that has it. */
+/* program.c - the requests load and breaks: assembles a program and
+ * creates its debugger. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,7 @@
 #include "vm/text.h"
 #include "web/engine/engine_internal.h"
 
-/* ---- What is said of a text ------------------------------------------------------ */
+/* ---- Diagnostics ----------------------------------------------------------------- */
 
 static const char *severity_name(enum severity severity)
 {
@@ -21,7 +22,7 @@ static const char *severity_name(enum severity severity)
     }
 }
 
-/* Of the word at its place, for an editor to underline. */
+/* Returns the length of the word at the position, which an editor underlines. */
 static size_t length_of(const struct diagnostic *diagnostic)
 {
     const char *source = diagnostic->source;
@@ -51,7 +52,7 @@ void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply)
     json_end(reply);
 }
 
-/* ---- From a text ------------------------------------------------------------------- */
+/* ---- Options ------------------------------------------------------------- */
 
 static size_t count_of(const struct json_value *list)
 {
@@ -68,9 +69,9 @@ static bool is_object(const struct json_value *value)
     return !value || value->kind == JSON_OBJECT;
 }
 
-enum { MAX_DEFINES = 100 }; /* as many as a sweep takes */
+enum { MAX_DEFINES = 100 }; /* as many as a sweep accepts */
 
-/* "defines": { "n": 100 } */
+/* Reads "defines": { "n": 100 }. */
 static bool take_defines(const struct json_value *request, struct arena *arena,
                          struct asm_options *options, c205_error *error)
 {
@@ -94,7 +95,7 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
     return true;
 }
 
-/* "files": { "data.inc": "..." }: others are not read. */
+/* Reads "files": { "data.inc": "..." }. A program can include no other files. */
 static bool take_files(const struct json_value *request, struct arena *arena,
                        struct asm_options *options, c205_error *error)
 {
@@ -152,7 +153,7 @@ struct object *engine_assemble(struct engine *engine, const char *name,
     return object;
 }
 
-/* Of files there are none here. */
+/* Accepts only built-in models, since the engine reads no files. */
 c205_model *program_model(const char *name, const struct object *object,
                           c205_error *error)
 {
@@ -172,7 +173,7 @@ c205_model *program_model(const char *name, const struct object *object,
     return NULL;
 }
 
-/* ---- What it prints ------------------------------------------------------------------ */
+/* ---- Output of the program ----------------------------------------------- */
 
 static void keep_mark(struct printed *printed, uint64_t step)
 {
@@ -202,7 +203,8 @@ void printed_forget(struct printed *printed, uint64_t step)
                                : 0;
 }
 
-/* By the instruction behind the steps so far; in another run there was more. */
+/* Stores the output of the instruction after the current step. Output of later steps
+ * belongs to an earlier run and is dropped. */
 static void print(void *context, const char *text, size_t length)
 {
     struct engine *engine = context;
@@ -248,11 +250,11 @@ static void forget_printed(struct printed *printed)
     *printed = (struct printed){ .count = 0 };
 }
 
-/* ---- Its debugger ------------------------------------------------------------------------ */
+/* ---- The debugger -------------------------------------------------------- */
 
-enum { MAX_HISTORY = 64 << 20 }; /* bytes: it lives in a page of a browser */
+enum { MAX_HISTORY = 64 << 20 }; /* bytes: it is in the page of a browser */
 
-/* With an ear for who wants to hear a run again. */
+/* Creates the machine with the listener of replays. */
 static c205 *make_machine(void *context, c205_error *error)
 {
     struct engine *engine = context;
@@ -298,7 +300,7 @@ void program_drop(struct engine *engine)
     engine->name = NULL;
 }
 
-/* ---- load ---------------------------------------------------------------------------------- */
+/* ---- load ---------------------------------------------------------------- */
 
 size_t program_line(const struct engine *engine, uint64_t address)
 {
@@ -345,7 +347,7 @@ static int compare_lines(const void *a, const void *b)
     return (one > other) - (one < other);
 }
 
-/* Those of the text itself, rising. */
+/* Writes the lines of the text that have code, in ascending order. */
 static bool put_lines(const struct engine *engine, struct json *reply,
                       c205_error *error)
 {
@@ -377,7 +379,7 @@ bool take_warm(const struct json_value *request, struct object *object,
     return take_truth(request, "warm", &object->program.warm, error);
 }
 
-/* In place of the one before. */
+/* Replaces the program. */
 static bool begin_program(struct engine *engine, const char *name,
                           struct object *object, c205_model *model, c205_error *error)
 {
@@ -433,9 +435,9 @@ bool answer_load(struct engine *engine, const struct json_value *request,
     return put_lines(engine, reply, error);
 }
 
-/* ---- breaks -------------------------------------------------------------------------------- */
+/* ---- breaks -------------------------------------------------------------- */
 
-/* Each of them, and where it really stands; what cannot be is told with it. */
+/* Sets a breakpoint and writes its actual line, or the reason why it cannot be set. */
 static bool put_break(struct engine *engine, struct json *reply, int64_t wanted,
                       c205_error *error)
 {

@@ -1,10 +1,10 @@
-/* registers.c - registers and vectors in memory, as numbers and as bits. */
+/* registers.c - writes registers and vectors as numbers and as bits. */
 #include <stdlib.h>
 
 #include "asm/vector_view.h"
 #include "web/engine/engine_internal.h"
 
-/* ---- Words ------------------------------------------------------------------------ */
+/* ---- Words --------------------------------------------------------------- */
 
 void put_hex(struct json *json, const char *key, c205_word word)
 {
@@ -30,7 +30,7 @@ void put_half(struct json *json, const char *key, c205_word half)
     json_text(json, key, text);
 }
 
-/* ---- Registers -------------------------------------------------------------------- */
+/* ---- Registers ----------------------------------------------------------- */
 
 static bool is_written(const struct engine *engine, unsigned number)
 {
@@ -39,7 +39,7 @@ static bool is_written(const struct engine *engine, unsigned number)
     return last && last->written[number / 64] >> number % 64 & 1;
 }
 
-/* The label at which a vector begins; "": none. */
+/* Returns the label at the start of a vector, or "". */
 static const char *label_of(const struct engine *engine, uint64_t address)
 {
     const struct object *object = engine->object;
@@ -66,7 +66,7 @@ static void put_descriptor(const struct engine *engine, c205_word word,
     json_end(reply);
 }
 
-/* The name that a half register was given last; NULL: none. */
+/* Returns the last name that was given to a half register, or NULL. */
 static const char *half_name(const struct engine *engine, unsigned number)
 {
     const struct object *object = engine->object;
@@ -129,11 +129,12 @@ void put_registers(const struct engine *engine, bool all, struct json *reply)
     json_end(reply);
 }
 
-/* ---- Vectors ------------------------------------------------------------------------ */
+/* ---- Vectors ------------------------------------------------------------- */
 
 enum { MAX_VECTORS = 256, MAX_ELEMENTS = 65536 };
 
-/* 0: that is no data, or of no kind with elements. */
+/* Returns the width of an element in bits, or 0 if the symbol has
+ * no data with elements. */
 static unsigned width_of(const struct asm_symbol *symbol)
 {
     if (!symbol->is_label || symbol->count == 0)
@@ -146,7 +147,7 @@ static unsigned width_of(const struct asm_symbol *symbol)
     }
 }
 
-/* Which elements the last instruction stored into, of so many ranges. */
+/* Writes the ranges of elements that the last instruction has stored. */
 static bool put_stored(const struct engine *engine, const struct vector_view *vector,
                        struct json *reply)
 {
@@ -176,7 +177,7 @@ static bool put_stored(const struct engine *engine, const struct vector_view *ve
     return any;
 }
 
-/* Numbers are texts in a list, bits one text. */
+/* Writes numbers as a list of texts, bits as one text. */
 static bool put_values(const struct engine *engine, const struct vector_view *vector,
                        size_t first, size_t count, struct json *reply)
 {
@@ -229,7 +230,7 @@ static bool put_symbol(const struct engine *engine, const struct asm_symbol *sym
     return good;
 }
 
-/* "first": { "x": 100 } */
+/* Reads "first": { "x": 100 }. */
 static bool take_window(const struct json_value *request, const char *label,
                         struct window *window, c205_error *error)
 {

@@ -1,9 +1,9 @@
-/* replay.c - the run so far once more, for who listens; and where its clocks went line by
- * line.  What somebody has changed on the way is changed again.
+/* replay.c - repeats the run for listeners, and the request profile. Changes that the
+ * user has made to the state are repeated at their steps.
  */
 #include "web/engine/engine_internal.h"
 
-/* ---- Once more ------------------------------------------------------------------ */
+/* ---- Replay --------------------------------------------------------------------- */
 
 void replay_listen(void *context, const c205 *machine, const c205_event *event)
 {
@@ -23,7 +23,8 @@ static void fall_silent(struct replay *replay)
     *replay = (struct replay){ .begun = false };
 }
 
-/* To a step; where nothing could go on there it is tried again. */
+/* Goes to a step. If the program had halted there, the step is executed again so
+ * that it halts again. */
 static enum execution_end stand_at(struct engine *engine, uint64_t step, bool halted)
 {
     enum execution_end ended = execution_to_step(engine->debugger, step);
@@ -66,7 +67,8 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
     return true;
 }
 
-/* A timeline shows nothing more, once it is full or its end is there. */
+/* Returns whether the replay is complete. A timeline is complete as soon as it is full
+ * or its last clock has passed. */
 static bool has_recorded_all(const struct engine *engine)
 {
     const struct timeline *timeline = engine->replay.timeline;
@@ -77,7 +79,7 @@ static bool has_recorded_all(const struct engine *engine)
                    || c205_clock(engine_machine(engine)) >= timeline->to));
 }
 
-/* *done: all has been heard. */
+/* Replays for a slice. *done: the replay is complete. */
 static bool go_on(struct engine *engine, bool *done, c205_error *error)
 {
     enum { AT_ONCE = 512 };
@@ -120,9 +122,9 @@ bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again
     return good;
 }
 
-/* ---- profile ---------------------------------------------------------------------- */
+/* ---- profile ------------------------------------------------------------- */
 
-/* As c205 run --profile has it in its JSON. */
+/* Writes the lines as c205 run --profile --json does. */
 static bool put_profile(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct profile_view view = { engine->replay.in_order ? PROFILE_AS_WRITTEN

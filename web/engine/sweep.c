@@ -1,17 +1,17 @@
-/* sweep.c - a program, or two, against a constant: the laboratory for n-half. */
+/* sweep.c - the request sweep: one or two programs against a constant. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "asm/sweep/swept.h"
 #include "web/engine/engine_internal.h"
 
-/* All that it is made of lives as long as it does. */
+/* A sweep with all that it refers to. */
 struct laboratory {
     struct arena arena;
     struct asm_options options;
     c205_model *model;
-    struct text_buffer report; /* nobody reads it: the first values have been
-                                  assembled before */
+    struct text_buffer report; /* not used: the first values were assembled
+                                * before, with a report */
     struct program_sweep sweep;
 };
 
@@ -48,7 +48,7 @@ static bool put_picture(const struct program_sweep *sweep, struct json *reply,
     return good || refuse(error, "no memory");
 }
 
-/* As c205 sweep has it in its JSON, and its picture. */
+/* Writes the members of c205 sweep --json, and the picture. */
 static bool put_sweep(const struct program_sweep *sweep, struct json *reply,
                       c205_error *error)
 {
@@ -83,7 +83,7 @@ static bool slice(struct engine *engine, struct json *reply, c205_error *error)
     return good;
 }
 
-/* ---- The request ------------------------------------------------------------------ */
+/* ---- The request --------------------------------------------------------- */
 
 static bool take_values(const struct engine *engine, const struct json_value *request,
                         struct program_sweep *sweep, c205_error *error)
@@ -109,7 +109,8 @@ static bool take_values(const struct engine *engine, const struct json_value *re
     return true;
 }
 
-/* The options with the constant's first value; NULL: no memory. */
+/* Returns the options with the constant's first value added, or NULL if
+ * memory is exhausted. */
 static struct asm_options *at_first(struct laboratory *laboratory)
 {
     struct arena *arena = &laboratory->arena;
@@ -131,7 +132,8 @@ static struct asm_options *at_first(struct laboratory *laboratory)
     return options;
 }
 
-/* The first value of it is assembled for what there is to be said of the text. */
+/* Reads a program and assembles it with the first value, to report
+ * errors and warnings. */
 static bool take_program(struct engine *engine, const struct json_value *request,
                          const char *key, const char *name_key, c205_error *error)
 {

@@ -1,10 +1,10 @@
-/* timeline.c - when each instruction of a run was at work: spans for a picture of the page, or a
- * file as c205 timeline writes it.
+/* timeline.c - the request timeline: spans for a picture of the page, or a file in a
+ * format of c205 timeline.
  */
 #include "asm/timeline/lanes.h"
 #include "web/engine/engine_internal.h"
 
-/* ---- Spans ------------------------------------------------------------------------ */
+/* ---- Spans --------------------------------------------------------------- */
 
 static void put_pieces(const struct timed_piece *pieces, size_t first, size_t count,
                        const char *key, struct json *reply)
@@ -54,7 +54,8 @@ static void put_span(const struct timeline *timeline, struct json *reply,
     json_end(reply);
 }
 
-/* What the clock was charged to is in the first lane. */
+/* Writes the lanes and spans. The first lane has the causes charged; they are also
+ * written as a list of their own. */
 static void put_lanes(const struct timeline *timeline, const struct lanes *lanes,
                       struct json *reply)
 {
@@ -100,9 +101,9 @@ static bool put_spans(const struct engine *engine, struct json *reply,
     return good || refuse(error, "no memory");
 }
 
-/* ---- Files ------------------------------------------------------------------------ */
+/* ---- Files --------------------------------------------------------------- */
 
-/* As c205 timeline writes one of this form. */
+/* Writes the text of a file in the format of c205 timeline. */
 static bool put_file(const struct engine *engine, struct json *reply, c205_error *error)
 {
     const struct replay *replay = &engine->replay;
@@ -120,7 +121,7 @@ static bool put_file(const struct engine *engine, struct json *reply, c205_error
     return good || refuse(error, "no memory");
 }
 
-/* ---- timeline --------------------------------------------------------------------- */
+/* ---- timeline ------------------------------------------------------------ */
 
 static bool put_timeline(struct engine *engine, struct json *reply, c205_error *error)
 {
@@ -141,7 +142,7 @@ static bool timeline_slice(struct engine *engine, struct json *reply, c205_error
     return replay_slice(engine, reply, timeline_slice, put_timeline, error);
 }
 
-/* NULL: spans are wanted, no file. */
+/* Reads the name of a file. *form is NULL if there is none: then spans are written. */
 static bool take_form(const struct json_value *request,
                       const struct timeline_form **form, c205_error *error)
 {
@@ -155,7 +156,7 @@ static bool take_form(const struct json_value *request,
                             ".json at its end");
 }
 
-/* Of all the run that is known, wherever the program stands. */
+/* Replays all steps so far, also those after the current one. */
 bool answer_timeline(struct engine *engine, const struct json_value *request,
                      struct json *reply, c205_error *error)
 {

@@ -1,4 +1,4 @@
-/* view.c - all that is seen where the program stands. */
+/* view.c - the requests view and accounts: the state of the program and its clocks. */
 #include <math.h>
 
 #include "base/accounts.h"
@@ -46,7 +46,7 @@ static void put_account(const struct accounts *accounts, const c205_account *acc
     put_causes(account->clocks, accounts->clocks, reply);
 }
 
-/* Of the regions those that took time. */
+/* Writes the accounts; regions without clocks are omitted. */
 bool put_accounts(const struct engine *engine, struct json *reply, c205_error *error)
 {
     struct accounts accounts = { .model = engine->model };
@@ -83,7 +83,7 @@ bool put_table(struct table *table, const char *key, struct json *reply,
     return good || refuse(error, "no memory");
 }
 
-/* As c205 run has them in its JSON. */
+/* Writes the accounts as c205 run --json does. */
 bool answer_accounts(struct engine *engine, const struct json_value *request,
                      struct json *reply, c205_error *error)
 {
@@ -103,7 +103,7 @@ bool answer_accounts(struct engine *engine, const struct json_value *request,
     return good;
 }
 
-/* ---- view ------------------------------------------------------------------------- */
+/* ---- view ---------------------------------------------------------------- */
 
 static void put_place(const struct engine *engine, struct json *reply)
 {

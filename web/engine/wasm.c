@@ -1,6 +1,5 @@
-/* wasm.c - an engine for the host of a WebAssembly module, which has one: bytes of a
- * request are written where room says, and the reply is a text that is given
- * back.
+/* wasm.c - an engine for the host of a WebAssembly module. The host writes the bytes of
+ * a request at the address that room returns, calls answer, and frees the reply.
  */
 #include <stdlib.h>
 
@@ -14,13 +13,13 @@ void host_free(char *text) EXPORTED("free");
 
 static struct engine *engine;
 
-/* NULL: no memory. */
+/* Returns NULL if memory is exhausted. */
 char *host_room(size_t length)
 {
     return malloc(length + 1);
 }
 
-/* The request is freed; NULL: no memory. */
+/* Frees the request. Returns NULL if memory is exhausted. */
 char *host_answer(char *request, size_t length)
 {
     char *reply;
