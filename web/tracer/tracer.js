@@ -1,23 +1,24 @@
-// tracer.js - rt205 as a function: arguments and files in; exit code, files, and on
-// the way text and rows of the picture out.
+// tracer.js - rt205 as a function. It takes arguments and files, returns the exit code
+// and files, and passes on text and rows of the picture while it runs.
 //
-// For node and for a worker of the page; a program that loops is ended by ending its worker.
+// For node and for a worker of the page. To stop a program that does not end, terminate
+// its worker.
 import { Exit, System } from "./wasi.js";
 
-const between = 100; // ms from one view of a picture that grows to the next
+const between = 100; // ms between two views of a growing picture
 
 /**
- * Compiles the program: rt205.wasm's bytes.  What it gives is
+ * Compiles the bytes of rt205.wasm and returns the function
  *
  *   run(args, files, on) -> { code, files }
  *
- * args: those of the command, as ["render", "a.pov", "-o", "a.png"].
- * files: { path: text or bytes }, all that the program finds.
- * on.stdout(text), on.stderr(text): as the program writes them.
- * on.progress(done, all): now and then; false stops the work.
+ * args: arguments of the command, such as ["render", "a.pov", "-o", "a.png"].
+ * files: { path: text or bytes }, the only files that the program can read.
+ * on.stdout(text), on.stderr(text): called when the program writes.
+ * on.progress(done, all): called from time to time; false stops the work.
  * on.rows({ width, height, first, rows, rgba, clocks, seconds, causes }): rows of a
- *   picture from the first on, as they stand in the machine's memory, and its clocks so far.
- * code: what the program ends with; files: those that it wrote, as bytes.
+ *   picture from `first` on, as in the machine's memory, and its clocks so far.
+ * code: the exit code; files: the files that the program wrote, as bytes.
  */
 export async function loadTracer(bytes) {
   const module = await WebAssembly.compile(bytes);
@@ -46,7 +47,7 @@ function run(module, args, files, on) {
   return { code: 0, files: system.written() };
 }
 
-// What web/tracer/platform/watch.c asks of the page.
+// The imports of web/tracer/platform/watch.c.
 function watching(system, on) {
   let shown = performance.now();
   return {

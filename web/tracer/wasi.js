@@ -1,9 +1,9 @@
-// wasi.js - as much of a system as rt205 asks for: its arguments, two streams, and
+// wasi.js - the part of a system that rt205 needs: its arguments, two streams, and
 // files in memory.
 //
-// The calls are those of WASI preview 1 that the program imports; each answers
-// with an error number.  There is one folder, /, that all paths begin in; others
-// are there as long as a file is in them.
+// The calls are those of WASI preview 1 that the program imports; each returns an error
+// number. All paths start in the one root folder, /. Any other folder exists as long as
+// it contains a file.
 // Source: the interface wasi_snapshot_preview1 (github.com/WebAssembly/WASI).
 
 const errors = {
@@ -12,9 +12,9 @@ const errors = {
 };
 const kinds = { unknown: 0, folder: 3, file: 4 };
 const opening = { create: 1, folder: 2, exclusive: 4, truncate: 8 };
-const root = 3; // its descriptor; 0 to 2 are the streams
+const root = 3; // descriptor of /; 0 to 2 are the streams
 
-/** What a program ends with: thrown through it. */
+/** The exit code of a program, thrown through the program to end it. */
 export class Exit extends Error {
   constructor(code) {
     super(`exit ${code}`);
@@ -38,7 +38,7 @@ class Bytes {
   constructor(bytes = new Uint8Array()) {
     this.room = bytes;
     this.length = bytes.length;
-    this.written = false; // till then the bytes are the caller's
+    this.written = false; // until it is true, the bytes belong to the caller
   }
   get all() {
     return this.room.subarray(0, this.length);
@@ -62,10 +62,10 @@ class Bytes {
 
 /**
  * The imports of a program.
- * words: its name and arguments.  given: its files, as bytes or text by their paths.
- * streams: what takes the bytes of stdout and stderr.
- * .memory is to be set once the program has one; .written() has the files that it
- * left, by their paths.
+ * words: its name and arguments. given: its files, as bytes or text by path.
+ * streams: functions that receive the bytes of stdout and stderr.
+ * The caller must set .memory when the program has one. .written() returns the files
+ * that the program wrote, by path.
  */
 export class System {
   constructor(words, given, streams) {
@@ -105,7 +105,7 @@ export class System {
     this.view.setBigUint64(at, BigInt(value), true);
     return errors.none;
   }
-  // The pieces of memory that a list names.
+  // Yields the pieces of memory in a list of addresses and lengths.
   *pieces(list, count) {
     for (let i = 0; i < count; i++)
       yield this.bytes(this.view.getUint32(list + 8 * i, true),
@@ -118,7 +118,7 @@ export class System {
     return path === ""
       || [...this.files.keys()].some((name) => name.startsWith(path + "/"));
   }
-  // What is in a folder: names and their kinds.
+  // Returns the names and kinds of the entries of a folder.
   entries(folder) {
     const before = folder === "" ? "" : folder + "/";
     const kindOf = new Map();
@@ -132,13 +132,13 @@ export class System {
   pathAt(at, length) {
     return plain(this.text(at, length));
   }
-  // An entry of a folder, and which one is the next.
+  // Returns the bytes of an entry of a folder, with the number of the next one.
   entry(next, name, kind) {
     const bytes = new TextEncoder().encode(name);
     const entry = new Uint8Array(24 + bytes.length);
     const view = new DataView(entry.buffer);
     view.setBigUint64(0, BigInt(next), true);
-    view.setBigUint64(8, 1n, true); // a number other than 0
+    view.setBigUint64(8, 1n, true); // inode: any number but 0
     view.setUint32(16, bytes.length, true);
     view.setUint8(20, kind);
     entry.set(bytes, 24);
@@ -152,7 +152,7 @@ export class System {
   }
   statusOf(to, path) {
     const file = this.files.get(path);
-    if (file) // its number: files are told apart by it
+    if (file) // its number identifies the file
       return this.status(to, kinds.file, file.length,
         1 + [...this.files.values()].indexOf(file));
     return this.isFolder(path) ? this.status(to, kinds.folder, 0, 0)

@@ -1,5 +1,5 @@
-/* dynamic_library.c - the page opens no libraries: what writes its pictures is linked to
- * it, and nothing else is there.
+/* dynamic_library.c - dynamic libraries in the page: only the writer of PNG files
+ * exists, and it is linked statically.
  */
 #include "rt/platform/dynamic_library.h"
 

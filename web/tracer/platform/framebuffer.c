@@ -1,4 +1,4 @@
-/* framebuffer.c - in the page a frame of any size is in memory. */
+/* framebuffer.c - frames in the page: always in memory, for any size. */
 #include "rt/platform/framebuffer.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
 #include "web/tracer/platform/png.h"
+/* png.c - writes PNG files with stored blocks, without a library. */
 
 #include <stdarg.h>
 #include <stdint.h>
@@ -15,11 +16,12 @@ enum {
     ADLER_BASE = 65521
 };
 
-/* A picture on its way; whether all could be written, the file itself knows. */
+/* A picture that is being written. Write errors are left in the FILE, where
+ * the caller checks them. */
 struct png {
     FILE *file;
     size_t width;
-    uint32_t adler[2]; /* of all that is stored (RFC 1950, 8.2) */
+    uint32_t adler[2]; /* checksum of all stored bytes (RFC 1950, 8.2) */
 };
 
 /* ---- Chunks -------------------------------------------------------------- */
@@ -30,7 +32,7 @@ static void put_number(unsigned char bytes[4], uint32_t number)
         bytes[i] = (unsigned char)(number >> (24 - 8 * i));
 }
 
-/* ISO/IEC 15948, annex D, bit by bit. */
+/* The checksum of ISO/IEC 15948, annex D, bit by bit. */
 static uint32_t crc(uint32_t sum, const unsigned char *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -79,7 +81,7 @@ static unsigned char *put_block(unsigned char *to, const unsigned char *bytes,
     return to + BLOCK_HEAD + count;
 }
 
-/* A chunk of blocks. */
+/* Writes a chunk of stored blocks. Fails if memory is exhausted. */
 static bool store(struct png *png, const unsigned char *bytes, size_t count)
 {
     size_t blocks = count / MAX_BLOCK + 1;
@@ -121,7 +123,7 @@ static void put_head(FILE *file, const struct picture_image *image)
     put_chunk(file, "sRGB", (const unsigned char *)"", 1);
 }
 
-/* A name of up to 79 letters, a zero, the text. */
+/* Writes a tEXt chunk: a name of up to 79 characters, a zero byte, and the text. */
 static void put_note(FILE *file, const struct picture_note *note)
 {
     unsigned char bytes[512];
@@ -194,7 +196,7 @@ static bool end(void *picture, bool whole, struct picture_error *error)
     return true;
 }
 
-/* ---- What cannot be read ------------------------------------------------- */
+/* ---- Reading is not supported -------------------------------------------- */
 
 static const char no_reader[] = "there is no OpenImageIO in the page to read "
                                 "pictures";

@@ -1,10 +1,10 @@
-/* png.h - what writes pictures where there is no OpenImageIO: PNG, as the
- * tables of picture_oiio.h have it, and reads none.
+/* png.h - writes PNG files in the page, where OpenImageIO is not available, through the
+ * function table of picture_oiio.h. It cannot read pictures.
  *
- * The pixels are those of OpenImageIO's file, not squeezed: a picture in the
- * page is small, and its readers do not mind.
- * Source: Portable Network Graphics, second edition (ISO/IEC 15948); RFC 1950
- * and 1951.
+ * The pixels are equal to those of OpenImageIO's file, but are not compressed: pictures
+ * in the page are small, and every reader accepts stored blocks.
+ *
+ * Source: Portable Network Graphics, second edition (ISO/IEC 15948); RFC 1950 and 1951.
  */
 #ifndef WEB_TRACER_PNG_H
 #define WEB_TRACER_PNG_H
@@ -13,7 +13,7 @@
 
 extern const struct picture_adapter png_adapter;
 
-/* An encoded sample between 0 and 1 as 8 bits, as OpenImageIO rounds it. */
+/* Converts an encoded sample between 0 and 1 to 8 bits, rounded as in OpenImageIO. */
 unsigned char png_byte(float sample);
 
 #endif

@@ -1,5 +1,5 @@
-/* processes.c - in the page there are no other processes: none can be begun, and
- * a file is always this one's alone.
+/* processes.c - processes in the page: none can be started, so a file is never
+ * locked by another process.
  */
 #include "rt/platform/processes.h"
 

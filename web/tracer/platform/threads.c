@@ -1,4 +1,4 @@
-/* threads.c - the page has one thread, and nobody to lock out. */
+/* threads.c - threads in the page: there is one, so locks do nothing. */
 #include "rt/platform/threads.h"
 
 #include <stdlib.h>

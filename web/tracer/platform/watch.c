@@ -1,5 +1,5 @@
-/* watch.c - in the page who waits sees how far the machines are, and the picture as
- * it is in their memory.
+/* watch.c - reports the progress of a trace to the page, and the rows of the picture in
+ * the machines' memory.
  */
 #include <stdlib.h>
 
@@ -8,13 +8,14 @@
 #include "rt/command/rt205_command.h"
 #include "web/tracer/platform/png.h"
 
-/* What web/tracer/tracer.js gives. */
+/* Imports from web/tracer/tracer.js. */
 #define OF_PAGE(name) __attribute__((import_module("rt205"), import_name(#name)))
-/* False: stop. */
+/* Returns false to stop. */
 OF_PAGE(progress) bool page_progress(size_t done, size_t all);
-/* Whether to show the picture now, of which a band is done or is not. */
+/* Returns whether to show the picture now. done: whether the band is complete. */
 OF_PAGE(wants_rows) bool page_wants_rows(bool done);
-/* Rows of a frame, as sRGB, 4 bytes a pixel, and a text of JSON: the clocks so far. */
+/* Passes rows of a frame as sRGB, 4 bytes per pixel, and a JSON text
+ * with the clocks so far. */
 OF_PAGE(rows)
 void page_rows(size_t width, size_t height, size_t first_row, size_t rows,
                const unsigned char *rgba, const char *clocks, size_t length);
@@ -25,7 +26,7 @@ static bool report_progress(void *context, size_t done, size_t all)
     return page_progress(done, all);
 }
 
-/* Of the bands that are done, and of this one so far. */
+/* Writes the clocks of the completed bands and of the current one. */
 static bool put_clocks(const struct trace *trace, const struct band *band,
                        struct text_buffer *text)
 {
@@ -81,7 +82,8 @@ static void show(const struct trace *trace, const struct band *band)
     frame_free(&part);
 }
 
-/* Without memory nothing is shown, and the work continues. */
+/* Shows the current band if the page requests it. If memory is exhausted, nothing is
+ * shown, and the work continues. */
 static void look(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done)
 {
