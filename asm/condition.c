@@ -1,4 +1,4 @@
-/* condition.c - .if, .ifdef, .ifndef, .elseif, .else, .endif */
+/* condition.c - the conditional directives: .if .ifdef .ifndef .elseif .else .endif. */
 #include "asm/expand.h"
 #include "asm/suggest.h"
 #include "asm/expression.h"

@@ -156,6 +156,9 @@ static int compare_items(const void *a, const void *b)
     return (first->order > second->order) - (first->order < second->order);
 }
 
+/* Reports items that overlap, in one pass over the items sorted by address. `last`
+ * is the item with the greatest end so far. Consecutive items of the text that
+ * overlap are reported once, at the first of them. */
 static bool check_overlap(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;

@@ -281,6 +281,9 @@ static const struct expression *parse_unary(struct cursor *cursor)
     return left ? join(cursor, node, code, left, NULL) : NULL;
 }
 
+/* Parses a chain of binary operators by precedence climbing: an operand, then all
+ * operators of at least this level. The right operand of each takes only operators
+ * of higher levels, so operators of one level associate to the left. */
 static const struct expression *parse_chain(struct cursor *cursor, int level)
 {
     const struct expression *left = parse_unary(cursor), *right;

@@ -189,6 +189,8 @@ static void lex_name(struct token *token, const char *end, enum token_kind kind)
     token->end = at;
 }
 
+/* Reads the next token of a line. The lexer has no state other than the position, so a
+ * copy of a cursor is enough to look ahead. */
 static struct token lex(const char *at, const char *end)
 {
     static const struct token empty;

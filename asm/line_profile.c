@@ -63,6 +63,9 @@ static void find_firsts(const struct called_line *places, size_t count, size_t *
     }
 }
 
+/* Finds the first line with the same call and region, for each line. The lines are
+ * sorted by call and region, so that equal ones are adjacent, and by index, so that
+ * the first one leads. */
 static bool sort_places(const struct object *object, size_t *first)
 {
     size_t i, count = object->line_count;

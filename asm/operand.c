@@ -212,6 +212,9 @@ static bool parse_between(struct cursor *cursor, const struct operand *operand,
     return true;
 }
 
+/* Parses all operands. After an error the parser continues at the next comma, so
+ * that one run reports the errors of all operands. The number of operands is checked
+ * only if there was no error, since it is then uncertain where each one ends. */
 static bool parse_operands(struct cursor *cursor, struct instruction *instruction)
 {
     struct operand operands[MAX_OPERANDS];

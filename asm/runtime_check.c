@@ -121,6 +121,9 @@ void runtime_report(struct runtime_checker *watch, const struct site *site,
 
 /* ---- The instructions --------------------------------------------------- */
 
+/* Returns the check site of an instruction. The sites are a direct-mapped cache with
+ * the half word address as its index. Two instructions with the same index replace
+ * each other, and the count of executions starts again. */
 struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc)
 {

@@ -25,6 +25,9 @@ struct symbol *symbol_find(const struct assembler *assembler, const char *name,
     return symbol;
 }
 
+/* Returns the symbol of a name, and adds it if it is new. Symbols are neither moved
+ * nor removed during an assembly, so pointers to them stay valid, and two names are
+ * equal exactly if their symbols are the same. */
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length)
 {

@@ -285,8 +285,8 @@ static int run(void *given)
     return code;
 }
 
-/* Returns the names for completion: the instructions that can be
- * measured, and the triad. */
+/* Returns name i for completion: an instruction, "" if it cannot be measured, or the triad.
+ * Returns NULL after the last. */
 static const char *measured_choice(size_t number)
 {
     if (number > c205_insn_count) {

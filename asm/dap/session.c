@@ -106,6 +106,9 @@ static void respond(struct dap *dap, const struct json_value *request, const cha
     send_response(dap, request, body);
 }
 
+/* Executes a request and responds. A request may arrive while an earlier one is
+ * running the program. Its reports are collected separately, so the reports of the
+ * earlier request are saved in `outer`. */
 static void handle_request(struct dap *dap, const struct json_value *request)
 {
     struct text_buffer body, outer = dap->said;

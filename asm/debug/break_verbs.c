@@ -42,7 +42,7 @@ bool verb_tbreak(struct debugger *debugger, struct text_cursor *cursor)
     return make_break(debugger, cursor, true);
 }
 
-/* watch ADDRESS [, WORDS] [if CONDITION] */
+/* Creates a watchpoint: watch ADDRESS [, WORDS] [if CONDITION] */
 bool verb_watch(struct debugger *debugger, struct text_cursor *cursor)
 {
     struct breakpoint stop = { .number = 0 };

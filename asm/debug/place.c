@@ -247,6 +247,10 @@ static bool begins_code(const struct debugger *debugger, uint64_t address)
                                                   : begins_decoded(debugger, address);
 }
 
+/* Instructions have different lengths, so the one before an address cannot be
+ * decoded directly. A LINKV starts one to three half words before an instruction
+ * that it links. Each of these addresses is tried; it must also be the start of a
+ * source line. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address)
 {
     struct instruction_view view;

@@ -79,8 +79,8 @@ static int find_most(const c205_account *all, int first)
     return most;
 }
 
-/* For a short scalar program the issue of instructions is unavoidable work. There the
- * longest wait is reported in its place. */
+/* For a short scalar program the issue of instructions is unavoidable work, so its
+ * longest wait is reported. */
 static void print_cause(const struct lesson_trial *trial, const c205_account *all,
                         struct lesson_report *report)
 {

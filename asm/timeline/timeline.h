@@ -26,8 +26,7 @@ struct timed_piece {
 
 struct timed_insn {
     uint64_t pc, arrived, issued, ready;
-    uint64_t done;         /* clock at which its results are available and
-                            * the clock has passed it */
+    uint64_t done; /* clock when its results are available and the next arrives */
     const c205_insn *insn; /* NULL: the results in flight at the end of the run */
     const char *text;
     size_t elements;

@@ -66,7 +66,7 @@ struct replay {
     bool begun;
     struct line_profile *profile;     /* NULL: not requested */
     struct timeline *timeline;        /* NULL: not requested */
-    uint64_t stands, end;             /* steps: the current one, and the last one */
+    uint64_t stands, end;             /* steps: to return to, and the last to replay */
     bool halted;                      /* the program cannot continue
                                        * from the current step */
     bool in_order;                    /* order of the profile's lines */

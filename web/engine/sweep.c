@@ -62,6 +62,7 @@ static bool put_sweep(const struct program_sweep *sweep, struct json *reply,
            && put_picture(sweep, reply, error);
 }
 
+/* Runs points until the end of the slice. The last slice writes the results. */
 static bool slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct program_sweep *sweep = &engine->laboratory->sweep;
