@@ -19,8 +19,8 @@ struct site {
     enum precision_rule rule;
     uint64_t looks; /* number of executions */
     /* In a linked pair the first instruction passes its result to the second and stores
-     * none. hands_over in the first and is_handed in the second are the register of that
-     * result; 0: not linked. */
+     * none. hands_over in the first and is_handed in the second are the register of
+     * that result; 0: not linked. */
     uint8_t hands_over, is_handed;
 };
 

@@ -100,10 +100,10 @@ static int greatest(int a, int b)
     return a > b ? a : b;
 }
 
-/* Returns the exponent of the last bit that the result keeps. For an upper
- * result it depends only on the exponents of the operands. A significant result has as
- * many bits as the operand with fewer significant bits, counted from the first bit of
- * the exact result. */
+/* Returns the exponent of the last bit that the result keeps. For an upper result it
+ * depends only on the exponents of the operands. A significant result has as many bits
+ * as the operand with fewer significant bits, counted from the first bit of the exact
+ * result. */
 static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word b,
                     double exact)
 {

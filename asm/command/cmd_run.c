@@ -13,7 +13,7 @@
 #include "asm/runtime_check.h"
 
 /* Reads the word at an instruction, which may start on a half word. At the end of
- * memory a short instruction needs only the first half. */
+ * memory only the first word can be read, which is enough for a short instruction. */
 static c205_word word_at(const c205 *machine, uint64_t address)
 {
     c205_word pair[2] = { 0, 0 };

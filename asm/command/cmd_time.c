@@ -285,8 +285,8 @@ static int run(void *given)
     return code;
 }
 
-/* Returns name i for completion: an instruction, "" if it cannot be measured, or the triad.
- * Returns NULL after the last. */
+/* Returns name i for completion: an instruction or the triad, "" if it cannot be
+ * measured, NULL after the last. */
 static const char *measured_choice(size_t number)
 {
     if (number > c205_insn_count) {

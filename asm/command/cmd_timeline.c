@@ -26,7 +26,7 @@ static int write_file(const struct c205_arguments *arguments,
 
 /* How the run ended. */
 struct ending {
-    bool ended; /* false: it was stopped at the last clock of the timeline */
+    bool ended; /* false: it was stopped at a limit of clocks */
     c205_stop stop;
 };
 

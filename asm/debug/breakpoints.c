@@ -65,8 +65,7 @@ static bool holds(struct debugger *debugger, const struct breakpoint *stop)
 
 enum { WANTED_TEXT = MAX_TEXT + 40 };
 
-/* Builds the expression that must hold after a number of hits: "5 > 4", "6 % 3 ==
- * 0". */
+/* Builds the expression that must hold after a number of hits, as "6 % 3 == 0". */
 static void wanted_text(char text[WANTED_TEXT], const char *wanted, uint64_t hits)
 {
     snprintf(text, WANTED_TEXT, "%" PRIu64 " %s%s%s", hits,

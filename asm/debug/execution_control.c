@@ -255,8 +255,8 @@ static void begin_stretch(struct back_search *search)
 /* Searches back for the last stop before the current step. The machine can only be
  * executed forward from a snapshot, so intervals are replayed: the last 64 steps, then
  * the 128 before them, with a double length each time. An interval finds stops at the
- * steps from begin + 1 to end - 1; so the next one ends at begin + 1. A near stop costs
- * few steps; a far one at most about twice the steps of the way. */
+ * steps from begin + 1 to end - 1; so the next one ends at begin + 1. A
+ * search replays at most about twice as many steps as it goes back. */
 static enum execution_end search_back(struct debugger *debugger,
                                       struct back_search *search)
 {

@@ -229,8 +229,8 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
     return false;
 }
 
-/* Reports each line "test-small.s:7: expected ..." as a sentence without its position,
- * since the position is in a file that the student does not have. */
+/* Reports each line "test-small.s:7: expected ..." as a sentence without the
+ * position in the test. */
 static void print_expectations(struct lesson_report *report, const char *text)
 {
     static const char before[] = "expected ";

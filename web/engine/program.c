@@ -95,7 +95,7 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
     return true;
 }
 
-/* Reads "files": { "data.inc": "..." }. A program can include no other files. */
+/* Reads "files": { "data.inc": "..." }. A program can include these and the library. */
 static bool take_files(const struct json_value *request, struct arena *arena,
                        struct asm_options *options, c205_error *error)
 {
