@@ -1,5 +1,5 @@
-#include "web/tracer/platform/png.h"
 /* png.c - writes PNG files with stored blocks, without a library. */
+#include "web/tracer/platform/png.h"
 
 #include <stdarg.h>
 #include <stdint.h>
