@@ -148,8 +148,9 @@ static const struct {
               { "goals", take_goals_note },
               { "tolerance", take_tolerance_note } };
 
-/* Rejects a name that is almost one of the notes: it is more likely a misspelling than
- * prose. Only names of four letters or more are compared. */
+/* Rejects a name that is almost one of the notes, since it is more likely a
+ * misspelling than prose. Names of four letters or more are compared, with goals and
+ * tolerance only. */
 static bool check_name(const struct test_note *note, size_t length)
 {
     enum { NEAR = 2, LONG = 4 };
