@@ -1,3 +1,4 @@
+/* band.c - traces one band of a frame on a machine. */
 #include "rt/trace/band.h"
 
 #include <stdio.h>
@@ -8,7 +9,7 @@
 #include "rt/layout/program.h"
 
 static const struct {
-    const char *name, *counter; /* in the program's data */
+    const char *name, *counter; /* a symbol in the program's data */
 } kinds[RAY_KINDS] = {
     [RAY_PRIMARY] = { "primary", "rays_primary" },
     [RAY_REFLECTED] = { "reflected", "rays_reflected" },
@@ -46,7 +47,7 @@ c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
     return NULL;
 }
 
-/* Calls of the routine that makes rays, from its account. */
+/* Returns the number of calls of the routine that makes rays, from its account. */
 static size_t calls_begun(const c205 *machine)
 {
     for (size_t i = 0; i < c205_account_count(machine); i++) {
@@ -98,7 +99,7 @@ static void listen_band(void *context, const c205 *machine, const c205_event *ev
     watch->observer->listen(watch->band, machine, event);
 }
 
-/* All that observe the work, on the machine. */
+/* Registers all observers of the work with the machine. */
 static bool listen(struct band_tracer *tracer, c205_error *error)
 {
     const struct observer *const *observers = tracer->work->observers;
@@ -170,8 +171,10 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
     return true;
 }
 
-/* Rows whose pixels are all done: those of a call are when the next one is
- * made, but samples become pixels at the end, and what a queue reflects may wait for others up to the band's end. */
+/* Returns the number of rows whose pixels are all final. The pixels of a call are
+ * final when the next call starts. Samples, however, become pixels only at the end
+ * of the band, and reflected rays of a queue may wait until then; in these cases
+ * no row counts as done. */
 static size_t rows_done(const struct band_work *work, const c205 *machine, size_t rows)
 {
     size_t calls = calls_begun(machine), done;
@@ -207,7 +210,7 @@ static bool collect(const struct band_work *work, const c205 *machine,
            && accounts_add(&band->accounts, machine);
 }
 
-/* What is done of a band that was stopped; without memory nothing is. */
+/* Collects the rows of a stopped band that are done. Without memory none are. */
 static void collect_rows(const struct band_work *work, const c205 *machine,
                          const struct frame_layout *layout, struct band *band)
 {
@@ -216,7 +219,7 @@ static void collect_rows(const struct band_work *work, const c205 *machine,
         band->rows_done = 0;
 }
 
-/* The machine that traced the last band, or a new one. */
+/* Provides the machine: the one that traced the last band, or a new one. */
 static bool ready(struct band_tracer *tracer, c205_error *error)
 {
     if (tracer->machine)

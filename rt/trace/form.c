@@ -1,3 +1,4 @@
+/* form.c - selects and assembles the kernels that a scene needs. */
 #include "rt/trace/form.h"
 
 #include <stdio.h>
@@ -48,7 +49,7 @@ enum trace_mode trace_mode_besides(enum trace_mode mode)
     return mode == TRACE_VECTOR ? TRACE_VECTOR : TRACE_SCALAR;
 }
 
-/* What the kernels have room for unless they are told. */
+/* The kernels' default of MAX_CROSSINGS. */
 enum { CROSSINGS_USUAL = 6 };
 
 static bool is_orthographic(const struct scene *scene)
@@ -61,8 +62,9 @@ static bool has_fogs(const struct scene *scene)
     return scene->fog_count > 0;
 }
 
-/* Surfaces of different regions may coincide.  Who asks all crossings gets those of
- * each region. */
+/* True if the kernels compare keys. Surfaces of different regions may coincide; a
+ * region that yields then loses. A query of every crossing reports those of each
+ * region and needs no such key. */
 static bool has_keys(const struct scene *scene)
 {
     for (size_t i = 0; !scene->every_crossing && i < scene->region_count; i++)
@@ -71,7 +73,7 @@ static bool has_keys(const struct scene *scene)
     return scene_has_interiors(scene);
 }
 
-/* What kernels can do besides, for the scenes that ask for it. */
+/* Optional parts of the kernels, with the test whether a scene needs them. */
 static const struct feature {
     const char *symbol;
     bool (*is_in)(const struct scene *scene);
@@ -90,9 +92,9 @@ static const struct feature {
 };
 enum { FEATURES = sizeof features / sizeof *features };
 
-/* The constants that a program is assembled with. */
+/* The constants that the program is assembled with. */
 struct defines {
-    struct asm_define list[FEATURES + PRIMITIVE_KINDS + 11]; /* the last is NULL */
+    struct asm_define list[FEATURES + PRIMITIVE_KINDS + 11]; /* the last one is NULL */
     size_t count;
 };
 
@@ -101,7 +103,7 @@ static void define(struct defines *defines, const char *symbol, size_t value)
     defines->list[defines->count++] = (struct asm_define){ symbol, (int64_t)value };
 }
 
-/* The kernels of shapes that are in the scene. */
+/* Enables the kernels of the shapes that are in the scene. */
 static void define_shapes(struct defines *defines, const struct scene *scene)
 {
     bool there[PRIMITIVE_KINDS] = { false };
@@ -113,7 +115,7 @@ static void define_shapes(struct defines *defines, const struct scene *scene)
             define(defines, shapes[i]->symbol, 1);
 }
 
-/* What the kernels have to know of a scene. */
+/* Defines the constants that depend on the scene. */
 static void define_scene(struct defines *defines, const struct scene *scene)
 {
     size_t crossings = most_crossings(scene);

@@ -1,27 +1,27 @@
-/* form.h - the program that traces a scene: in one of three forms, with those
- * kernels that the scene asks for.
- */
+/* form.h - assembles the program that traces a scene, in one of three forms, with
+ * only the kernels that the scene needs. */
 #ifndef RT_FORM_H
 #define RT_FORM_H
 
 #include "rt/trace/trace.h"
 
-/* NULL: it cannot be assembled.  The options' samples are those that are taken. */
+/* Returns the program, or NULL if it cannot be assembled. options->samples is the
+ * number of samples that is used, lens included. */
 struct object *form_assemble(const struct trace_options *options,
                              const struct scene *scene, c205_error *error);
 
-/* The name of its text, as lines of it have it. */
+/* Returns the file name of the program's source, as its lines record it. */
 const char *form_program(enum trace_mode mode);
 
-/* .. that finds all that is seen along lines (lines.h), of a scene whose surfaces are
- * plain; with normals, and with counts of bodies, if asked. */
+/* Assembles the program for all-hits queries along lines (lines.h), for a scene
+ * with plain surfaces. Normals and counts of bodies are computed on request. */
 struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool normals,
                                    bool bodies, const struct scene *scene,
                                    c205_error *error);
 
-/* .. that meets no primitives and is called beside those that do: "heat/faces" is
- * heat/faces_scalar.s or heat/faces_vector.s (trace_mode_besides).  The defines may be
- * NULL. */
+/* Assembles a program that intersects no primitives and runs in addition to those
+ * that do. "heat/faces" is heat/faces_scalar.s or heat/faces_vector.s
+ * (trace_mode_besides). The defines may be NULL. */
 struct object *form_assemble_beside(const char *name, enum trace_mode mode,
                                     const struct asm_define *defines,
                                     c205_error *error);

@@ -1,10 +1,10 @@
-/* observer.h - what watches the machines that trace a frame.
+/* observer.h - the interface of observers of the machines that trace a frame.
  *
- * Each band is watched by a state of its own: begin makes it, listen hears all
- * events of the band's machine, merge adds it to what the observer gathers
- * once the band is done, end frees it.  Bands are traced in threads; begin,
- * merge and end are never called twice at a time.  The bands come in any
- * order, so what is gathered must not depend on it: sums.
+ * Each band has its own state: begin creates it, listen receives all events of the
+ * band's machine, merge adds it to the observer's total when the band is done, and
+ * end frees it. Bands are traced in threads. Calls of begin, merge and end never
+ * overlap. Bands finish in any order, so the totals must not depend on the order;
+ * sums do not.
  */
 #ifndef RT_OBSERVER_H
 #define RT_OBSERVER_H
@@ -12,12 +12,12 @@
 #include "asm/assemble.h"
 
 struct observer {
-    /* NULL: the error says why. */
+    /* Returns NULL on failure, with the reason in the error. */
     void *(*begin)(void *context, const struct object *program, c205_error *error);
     c205_listener *listen; /* its context is the band's state */
     void (*merge)(void *context, const void *band);
     void (*end)(void *band);
-    void *context; /* the observer's own, of begin and merge */
+    void *context; /* passed to begin and merge */
 };
 
 #endif

@@ -1,3 +1,4 @@
+/* order.c - the names of the pixel orders. */
 #include "rt/trace/order.h"
 
 static const char *const orders[ORDERS] = {

@@ -1,3 +1,4 @@
+/* processors.c - counts the processors of the host. */
 #include "rt/trace/processors.h"
 
 #include <unistd.h>

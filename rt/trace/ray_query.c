@@ -1,3 +1,4 @@
+/* ray_query.c - runs all-hits ray queries on machines, packet by packet. */
 #include "rt/trace/ray_query.h"
 
 #include <math.h>
@@ -14,14 +15,15 @@
 struct ray_query {
     struct ray_query_options options;
     const struct scene *scene;
-    size_t **orders; /* of meshes, the numbers of their triangles */
+    size_t **orders; /* for each mesh: the original indices of its triangles */
     struct object *program;
     struct query_layout *layout;
 };
 
-/* ---- To begin ------------------------------------------------------------ */
+/* ---- Setup --------------------------------------------------------------- */
 
-/* The shapes alone: surfaces are one colour, which lets no light pass. */
+/* Copies the geometry of a scene. All surfaces get one opaque colour; camera, sky,
+ * fogs, lights and images are left out. */
 static bool lay_bare(const struct scene *scene, struct scene *bare)
 {
     *bare = *scene;
@@ -131,7 +133,7 @@ const struct object *ray_query_program(const struct ray_query *lines)
     return lines->program;
 }
 
-/* ---- What was found ------------------------------------------------------ */
+/* ---- Results ------------------------------------------------------------- */
 
 void ray_hits_free(struct ray_hits *found)
 {
@@ -141,10 +143,10 @@ void ray_hits_free(struct ray_hits *found)
     *found = (struct ray_hits){ 0 };
 }
 
-/* Where the words of a crossing stand, among the planes of its column. */
+/* The offsets of the fields of a crossing, in planes of its column. */
 struct seen_fields {
     size_t size, distance, primitive, crossing, point;
-    size_t normal, object_depth, scene_depth; /* if asked */
+    size_t normal, object_depth, scene_depth; /* if requested */
 };
 
 static size_t field(const struct ray_query *lines, const char *name)
@@ -168,7 +170,7 @@ static struct seen_fields find_fields(const struct ray_query *lines)
     };
 }
 
-/* The planes of a column, a word for each line. */
+/* The planes of one column: the k-th crossing of every line, a word for each line. */
 struct column {
     const struct ray_query *lines;
     struct seen_fields fields;
@@ -186,7 +188,8 @@ static int integer_of(const struct column *column, size_t field, size_t line)
     return (int)c205_to_integer(word_of(column, field, line));
 }
 
-/* Of a mesh the point is where its row is in the table. */
+/* Returns the index of the triangle. For a mesh, the point of a crossing is the
+ * position of the triangle's row in the table. */
 static size_t triangle_of(const struct column *column, size_t line, size_t primitive)
 {
     const struct ray_query *lines = column->lines;
@@ -220,8 +223,8 @@ static struct ray_hit crossing_of(const struct column *column, size_t line)
     return seen;
 }
 
-/* Where those of each of the lines begin, from the first one on; returns the most that
- * any has. */
+/* Computes the index of each line's first crossing, from the entry of the first
+ * line. Returns the largest number of crossings of a line. */
 static size_t sum_counts(const c205_word *counts, size_t count, size_t *first)
 {
     size_t most = 0;
@@ -260,7 +263,7 @@ static bool read_column(struct column *column, const c205 *machine, uint64_t fou
     return true;
 }
 
-/* The packet's crossings, behind those of the packets before. */
+/* Appends the crossings of the packet to those of the packets before it. */
 static bool read_columns(struct column *column, const c205 *machine,
                          const struct packet_layout *packet, const size_t *first,
                          size_t most, struct ray_hits *found)
@@ -297,7 +300,7 @@ static bool collect(const struct ray_query *lines, const c205 *machine,
     return good;
 }
 
-/* ---- To find them -------------------------------------------------------- */
+/* ---- Queries ------------------------------------------------------------- */
 
 static bool is_line(const struct scene_ray *line)
 {
@@ -397,7 +400,7 @@ bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
     return good;
 }
 
-/* ---- Units of work along lines --------------------------------------------- */
+/* ---- Checkpoints of queries ------------------------------------------------ */
 
 bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
                     const char *kind, const uint64_t *choices, size_t count,

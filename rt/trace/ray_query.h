@@ -1,15 +1,16 @@
-/* ray_query.h - all that is seen of a scene along lines, found by machines.
+/* ray_query.h - all-hits ray queries: every visible crossing of a line with a scene,
+ * computed on machines.
  *
- * A crossing of a line with a surface is seen where the tree of its region has
- * another value before it than behind it (docs/solids.md).  ray_query_new assembles
- * the program and lays the scene out once; ray_query_find finds the crossings of any
- * lines, packet by packet, and gives them line by line, from near to far.
+ * A crossing is visible if the tree of its region has a different value just
+ * before it than just after it (docs/solids.md). ray_query_new assembles the program
+ * and lays the scene out once. ray_query_find computes the crossings of any number of
+ * lines, packet by packet, and returns them line by line, from near to far.
  *
- * What belongs to bodies comes in pairs: the senses of a region's crossings are 1 and
- * -1 in turn where a line begins outside.  An object is one region or, where it is a
- * union that stands by itself, several, whose bodies may overlap: a piece of the line
- * is inside of it from where `inside` comes from 0 to 1 to where it falls to 0 again,
- * and outside of everything where `within` is 0.
+ * Crossings of bodies come in pairs: if a line begins outside, the senses of a
+ * region's crossings alternate between 1 and -1. An object is one region or, if it
+ * is a union at the top level, several regions whose bodies may overlap. The line
+ * is inside the object from the crossing where `inside` changes from 0 to 1 until
+ * the one where it returns to 0, and outside of everything where `within` is 0.
  */
 #ifndef RT_LINES_H
 #define RT_LINES_H
@@ -20,70 +21,75 @@
 
 struct ray_query_options {
     enum trace_mode mode;
-    size_t queue; /* lines at a time; not in scalar mode */
-    /* Lines that a machine takes at most, before it is loaded again; 0:
+    size_t queue; /* lines at a time; ignored in scalar mode */
+    /* At most this many lines run on a machine before it is loaded again; 0:
      * QUERY_PACKET. */
     size_t packet;
-    /* Lines begin so far behind their origins, a length in the world, not below
-     * 0; what lies behind an origin has a distance below 0. */
+    /* Lines begin at this distance before their origins: a length in the world, at
+     * least 0. Crossings before an origin have a distance below 0. */
     double behind;
-    bool normals;            /* are asked, too */
-    bool bodies;             /* .. in how many of them lines are */
+    bool normals;            /* compute normals, too */
+    bool bodies;             /* compute inside and within, too */
     bool no_bounds, flat;    /* as in trace_options */
     const c205_model *model; /* must outlive the lines */
 };
-/* Four queues: what is found of so many fills a few of the 16 pages that are in
- * memory. */
+/* Four queues. The results of this many lines fill a few of the 16 pages that are
+ * in memory. */
 enum { QUERY_PACKET = 8000 };
 
-/* What the machine found, in its own words where these are numbers. */
+/* A crossing. Numbers are in the machine's own format. */
 struct ray_hit {
     c205_word distance;  /* from the line's origin, a length in the world */
-    c205_word normal[3]; /* if asked: of length one, against the line */
-    size_t primitive;    /* of the scene's, from 0 on */
-    size_t object;       /* .. the object that it is a part of */
-    size_t triangle;     /* .. of a mesh, of its triangles; else 0 */
-    /* 1: the line comes into the body of the region, -1: it leaves it, 0: the
-     * region has none: a surface in it is open, or cuts and is not seen. */
+    c205_word normal[3]; /* if requested: unit length, against the line */
+    size_t primitive;    /* index among the scene's primitives, from 0 */
+    size_t object;       /* the object that it belongs to */
+    size_t triangle;     /* index among the triangles of a mesh; else 0 */
+    /* 1: the line enters the body of the region. -1: it leaves it. 0: the region has
+     * no body, because a surface in it is open, or cuts and is not seen. */
     int crossing;
-    /* If asked: in how many bodies of the object the line is behind it, and of
-     * all objects: senses added up, 0 where the line begins. */
+    /* If requested: the number of bodies of this object, and of all objects, that
+     * contain the line just after the crossing. They are running sums of the senses, 0
+     * where the line begins. */
     int object_depth, scene_depth;
 };
 
-/* Line by line. */
+/* The crossings of all lines, grouped by line. */
 struct ray_hits {
     size_t line_count;
-    size_t *first; /* of each line, and behind the last: line_count + 1 */
+    size_t *first; /* line_count + 1 indices into list: the first crossing of each
+                    * line, then the end */
     struct ray_hit *list;
-    struct accounts accounts; /* of the machines that found them */
+    struct accounts accounts; /* of the machines that ran the queries */
 };
 void ray_hits_free(struct ray_hits *found);
 
 struct ray_query;
 
-/* NULL: options or a scene that cannot be; the error says why.  The scene must
- * outlive the lines. */
+/* Returns NULL for invalid options or an invalid scene; the error gives the
+ * reason. The scene must outlive the lines. */
 struct ray_query *ray_query_new(const struct scene *scene,
                                 const struct ray_query_options *options,
                                 c205_error *error);
 void ray_query_free(struct ray_query *lines);
 
-/* Those of each of the lines, which the caller frees; any number of threads may ask
- * at a time.  False: a direction without length, a number that is not finite, a trap,
- * no memory; the error says which, and nothing is found. */
+/* Computes the crossings of each line. The caller frees them. Threads may call
+ * this concurrently. Fails for a direction of length 0, a number that is not
+ * finite, a trap, or lack of memory; the error says which, and the result is
+ * empty. */
 bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
                     size_t count, struct ray_hits *found, c205_error *error);
 
-/* As it was assembled. */
+/* Returns the assembled program. */
 const struct object *ray_query_program(const struct ray_query *lines);
-/* The machine of these lines, one packet, before it begins; the caller frees it. */
+/* Returns a machine that is loaded with these lines as one packet and has not run
+ * yet. The caller frees it. */
 c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *list,
                         size_t count, c205_error *error);
 
-/* Open the files of a job set (rt/jobs/job_set.h) for a run along such lines, of that kind and with
- * these choices besides, unless they are open or there is none (NULL).  False: one is of
- * another run. */
+/* Opens the checkpoint files of a job set (rt/jobs/job_set.h) for a run along these
+ * lines, of the given kind and with these additional choices. Does nothing if the
+ * job set is NULL or has no files, or if they are open. Returns false if a file
+ * belongs to another run. */
 struct job_set;
 bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
                     const char *kind, const uint64_t *choices, size_t count,

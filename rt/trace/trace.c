@@ -1,3 +1,4 @@
+/* trace.c - traces a frame band by band and collects the bands. */
 #include "rt/trace/trace.h"
 
 #include <math.h>
@@ -20,35 +21,35 @@ struct trace {
     struct scene_layout *layout;
     struct band_work work;
     double gamma; /* of the frame's colours */
-    double unit;  /* of the scene's lengths, in the file's */
+    double unit;  /* of the scene's lengths, in units of the scene file */
     bool gamma_off;
 
-    size_t band_rows; /* of each band but perhaps the last */
+    size_t band_rows; /* of each band, except perhaps the last */
     size_t band_count;
-    struct frame_planes planes; /* FRAME_CHANNELS, as far as they are done */
+    struct frame_planes planes; /* FRAME_CHANNELS planes; unfinished rows are zeros */
     size_t hits;
     size_t rows_done, bands_done;
-    size_t rows_of_parts; /* done, of bands that were stopped */
+    size_t rows_of_parts; /* finished rows of bands that were stopped */
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
-    struct job_set alone, *job_set; /* alone: if there is no other one */
+    struct job_set alone, *job_set; /* alone: used if the options have no job set */
 
-    /* While it runs, all of the above that changes is under the lock. */
+    /* During a run the lock protects all fields above that change. */
     struct lock *lock, *watching;
     struct job *jobs;
     size_t job_count;
     bool stop;
-    c205_error error; /* why it stopped */
+    c205_error error; /* the reason for stopping */
 };
 
-/* One thread's work: a band at a time. */
+/* The work of one thread: one band at a time. */
 struct job {
     struct trace *trace;
     struct band_tracer tracer;
-    size_t pixels; /* of its band that are begun */
+    size_t pixels; /* started, of its current band */
 };
 
-/* ---- Whether to continue ---------------------------------------------------- */
+/* ---- Progress --------------------------------------------------------------- */
 
 static size_t pixels_done(const struct trace *trace)
 {
@@ -59,7 +60,7 @@ static size_t pixels_done(const struct trace *trace)
     return done;
 }
 
-/* Whether to continue, of whoever follows the progress; under the lock. */
+/* Reports the progress and returns whether to continue. Called under the lock. */
 static bool ask(struct trace *trace)
 {
     const struct trace_options *options = &trace->options;
@@ -84,9 +85,10 @@ static bool go_on(void *context)
     return going;
 }
 
-/* ---- To begin ------------------------------------------------------------ */
+/* ---- Setup --------------------------------------------------------------- */
 
-/* As many as are asked for, and one for each point of a lens at least. */
+/* Returns the samples across a pixel: the requested number, raised until there is
+ * one ray for each point of the lens. */
 static size_t samples_across(const struct trace_options *options,
                              const struct scene *scene)
 {
@@ -99,7 +101,7 @@ static size_t samples_across(const struct trace_options *options,
     return samples;
 }
 
-/* What a threshold does not go with. */
+/* Rejects options and cameras that cannot be combined with a threshold. */
 static bool check_threshold(const struct trace_options *options,
                             const struct scene *scene, c205_error *error)
 {
@@ -129,7 +131,7 @@ static void divide(struct trace *trace)
     size_t least = 1;
 
     if (options->threshold > 0) {
-        samples = 1; /* of most pixels */
+        samples = 1; /* the samples of most pixels */
         least = TRACE_BLOCK;
     }
     trace->band_rows = pixels / (samples * options->width) / least * least;
@@ -262,7 +264,7 @@ size_t trace_samples(const struct trace *trace)
     return trace->options.samples;
 }
 
-/* ---- Bands that are done ------------------------------------------------- */
+/* ---- Finished bands ------------------------------------------------------ */
 
 static void copy_rows(struct trace *trace, const struct band *band)
 {
@@ -294,7 +296,7 @@ static bool add_band(struct trace *trace, const struct band *band)
     return true;
 }
 
-/* A band that is done, here or elsewhere. */
+/* Adds a finished band, computed here or in another process. */
 static bool take_band(void *context, size_t number, struct serialized_result *words,
                       c205_error *error)
 {
@@ -330,7 +332,7 @@ void trace_forget(struct trace *trace)
 
 /* ---- Jobs ---------------------------------------------------------------- */
 
-/* Under the lock. */
+/* Called under the lock. */
 static void look(const struct job *job, bool done)
 {
     const struct trace_options *options = &job->trace->options;
@@ -362,7 +364,7 @@ static void keep_part(struct trace *trace, const struct band *band)
     lock_give_back(trace->lock);
 }
 
-/* Why this band is not done: of all that are stopped the reason is one. */
+/* Sets the reason why this band is not done. All stopped bands share one reason. */
 static bool end_stopped(struct trace *trace, const struct band *band, c205_error *error)
 {
     keep_part(trace, band);
@@ -449,7 +451,7 @@ bool trace_run(struct trace *trace, c205_error *error)
     return good;
 }
 
-/* ---- What came of it ----------------------------------------------------- */
+/* ---- Results ------------------------------------------------------------- */
 
 static size_t pixels_of(const struct trace *trace)
 {

@@ -1,3 +1,4 @@
+/* vector_use.c - counts vector elements by observing instructions. */
 #include "rt/trace/vector_use.h"
 
 #include <stdio.h>
@@ -15,8 +16,8 @@ static unsigned ones(c205_word word)
     return count;
 }
 
-/* The bits of a word that are at or after first and before last, the first
- * bit being the highest. */
+/* Returns the bits of a word at positions first to last - 1, where bit 0 is the
+ * highest. */
 static c205_word bits_between(c205_word word, uint64_t first, uint64_t last)
 {
     if (first > 0)
@@ -26,7 +27,8 @@ static c205_word bits_between(c205_word word, uint64_t first, uint64_t last)
     return word;
 }
 
-/* Ones among count bits from an address on; 0 where nothing is mapped. */
+/* Returns the number of ones among count bits from an address on; 0 if the memory
+ * is not mapped. */
 static uint64_t count_ones(const c205 *machine, uint64_t address, uint64_t count)
 {
     c205_word words[CONTROL_WORDS];

@@ -1,8 +1,8 @@
-/* vector_use.h - how long a program's vectors are, and how many of the
- * elements under a control vector are wanted.
+/* vector_use.h - counts the elements of a program's vector instructions, and how
+ * many of those under a control vector are used.
  *
- * Counted by the host as it watches the machine's instructions, which costs
- * the machine nothing.
+ * The host counts them by observing the machine's instructions, which costs the
+ * machine no clocks.
  */
 #ifndef RT_VECTOR_USE_H
 #define RT_VECTOR_USE_H
@@ -12,10 +12,11 @@
 struct vector_use {
     uint64_t instructions, elements;
     uint64_t controlled; /* elements under a control vector */
-    uint64_t wanted;     /* of these, those it lets through */
+    uint64_t wanted;     /* of the controlled ones, those that it permits */
 };
 
-/* Of all bands of a frame; zero the sum to begin. */
+/* Returns an observer that adds up all bands of a frame. The caller sets the sum
+ * to zero first. */
 struct observer vector_use_observer(struct vector_use *sum);
 
 #endif

@@ -1,3 +1,4 @@
+/* visible.c - the names of the methods for visible crossings. */
 #include "rt/trace/visible.h"
 
 static const char *const csg_methods[CSG_METHODS] = {

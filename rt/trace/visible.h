@@ -1,13 +1,12 @@
-/* visible.h - which crossings of a solid the vector form looks at to find the
- * nearest that can be seen: the numbers of VISIBLE in
- * rt/kernels/solids/visible_vector.s, which has the default.
- */
+/* visible.h - the methods by which the vector form finds the nearest visible
+ * crossing of a solid. They are the values of VISIBLE in
+ * rt/kernels/solids/visible_vector.s, which also has the default. */
 #ifndef RT_VISIBLE_H
 #define RT_VISIBLE_H
 
 enum visible {
     VISIBLE_DEFAULT,
-    VISIBLE_STEPPING, /* one after another, until one is seen */
+    VISIBLE_STEPPING, /* one crossing after another, until one is visible */
     VISIBLE_EVERY,
     CSG_METHODS
 };
