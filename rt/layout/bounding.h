@@ -1,13 +1,13 @@
-/* bounding.h - which bounds the machine asks before it meets what they bound. */
+/* bounding.h - which bounding volumes the machine tests before primitives. */
 #ifndef RT_BOUNDING_H
 #define RT_BOUNDING_H
 
-/* What spares rays the primitives that they cannot meet. */
+/* How rays avoid primitives that they cannot hit. */
 enum bounding {
-    BOUNDING_HIERARCHY, /* the bounds of nodes, then of the regions below;
-                           of trees with many parts likewise */
-    BOUNDING_FLAT,      /* those of all regions, in the scene's order, and
-                           of trees as they are written */
+    BOUNDING_HIERARCHY, /* a hierarchy over the regions' bounds, and over the parts
+                         * of large trees */
+    BOUNDING_FLAT,      /* the bounds of all regions in the scene's order, and of
+                         * trees as written */
     BOUNDING_NONE
 };
 

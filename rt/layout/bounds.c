@@ -1,3 +1,4 @@
+/* bounds.c - computes bounding spheres and boxes for the nodes of trees. */
 #include "rt/layout/bounds.h"
 
 #include <math.h>
@@ -5,7 +6,7 @@
 
 #include "rt/shapes/shape.h"
 
-/* The bounds of a node's children, one after another; how many. */
+/* Copies the bounds of a node's children in order. Returns their number. */
 static size_t gather(const struct scene *scene, size_t node, const struct bound *bounds,
                      struct bound *children)
 {
@@ -17,7 +18,8 @@ static size_t gather(const struct scene *scene, size_t node, const struct bound 
     return count;
 }
 
-/* In a tree; alone it has what is seen of it. */
+/* Bounds a leaf in a tree. A primitive that is a region of its own has a bound
+ * around its visible part (bound_alone); in a tree an endless shape has none. */
 static void bound_leaf(const struct primitive *primitive, struct bound *bound)
 {
     if (shape_of(primitive)->endless)
@@ -49,7 +51,7 @@ static void bound_node(const struct scene *scene, size_t node, struct bound *bou
     }
 }
 
-/* Backwards, so that what is below a node comes before it. */
+/* Runs backwards, so that children come before their parents. */
 bool bound_nodes(const struct scene *scene, struct bound *bounds)
 {
     struct bound *children = malloc((scene->node_count + 1) * sizeof *children);

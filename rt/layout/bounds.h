@@ -1,12 +1,13 @@
-/* bounds.h - spheres and boxes that nothing of a solid reaches beyond. */
+/* bounds.h - computes bounding spheres and boxes for the nodes of trees. */
 #ifndef RT_BOUNDS_H
 #define RT_BOUNDS_H
 
 #include "rt/shapes/bound.h"
 
-/* Each node of the scene's trees, in their order: an intersection has the
- * least of its children's spheres and what their boxes have in common, a union
- * bounds about them all, a complement none.  False: no memory. */
+/* Computes the bound of each node of the scene's trees, in their order. An
+ * intersection gets the smallest of its children's spheres and the intersection of
+ * their boxes. A union gets bounds around all children, and a complement has none.
+ * Returns false without memory. */
 bool bound_nodes(const struct scene *scene, struct bound *bounds);
 
 #endif

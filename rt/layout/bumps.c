@@ -1,3 +1,4 @@
+/* bumps.c - writes bump maps and other changes of normals as records. */
 #include "rt/layout/bumps.h"
 
 #include <math.h>
@@ -10,10 +11,10 @@
 #include "rt/shapes/primitive.h"
 
 enum { CORNERS = 4, CORNER_WORDS = 6, HEIGHT_SIZE = 6 };
-#define BEYOND 4e30 /* the kernels' big, for certain */
-#define STEP 1e-30  /* what is nearer is in the same place */
+#define BEYOND 4e30 /* certainly above `big` of the kernels */
+#define STEP 1e-30  /* places closer than this are the same place */
 
-/* POV-Ray's, as its digits are. */
+/* POV-Ray's constants, with its digits. */
 static const double corners[CORNERS][3] = {
     { .942809041, -.333333333, 0 },
     { -.471404521, -.333333333, .816496581 },
@@ -43,7 +44,7 @@ static bool is_quilted(const struct bump *bump)
 
 /* ---- Heights ------------------------------------------------------------- */
 
-/* A list has a row a place; a map one before its first entry, too. */
+/* A list has a row for each place. A map has one more, before its first entry. */
 static size_t height_rows(const struct bump *bump)
 {
     size_t listed = pigment_list_count(&bump->pattern);
@@ -81,7 +82,7 @@ static void put_slope(const struct slope_stop *stop, const struct slope_stop *ne
     row[5] = stop->slope + next->slope - 2 * rise;
 }
 
-/* The kernels have values from 0 to 1 of a list, as far from one another. */
+/* The kernels assign equally spaced values from 0 to 1 to the entries of a list. */
 static void put_listed(const struct bump *bump, size_t count,
                        double rows[][HEIGHT_SIZE])
 {
@@ -124,7 +125,8 @@ static void put_heights(struct record *record, const struct bump *bump)
 
 /* ---- Spaces -------------------------------------------------------------- */
 
-/* As the pattern's function wants it: of what slopes along an axis, that one. */
+/* Writes the pattern's function. A pattern of slopes along an axis has a routine
+ * of its own for that axis. */
 static void put_pattern(struct record *record, const struct bump *bump,
                         const struct transform *to_local)
 {
@@ -143,7 +145,8 @@ static void put_pattern(struct record *record, const struct bump *bump,
     put_heights(record, bump);
 }
 
-/* Of the distance from the middle of a cube: POV-Ray's, as its digits are. */
+/* The quilt depends on the distance from the centre of a cube. The constant is
+ * POV-Ray's, with its digits. */
 static void put_quilt(struct record *record, const struct bump *bump)
 {
     double scale = 1.154700538 * bump->amount;
@@ -176,7 +179,7 @@ static void put_corners(struct record *record, const struct bump *bump)
     record_numbers(record, "BUMP_CORNERS", words, CORNERS * CORNER_WORDS);
 }
 
-/* The transposed linear part. */
+/* Writes the transposed linear part of a map. */
 static void put_back(struct record *record, const struct transform *map,
                      const char *field)
 {
@@ -188,7 +191,7 @@ static void put_back(struct record *record, const struct transform *map,
     record_numbers(record, field, words, 9);
 }
 
-/* .. of the inverse, times a length. */
+/* Writes the transposed linear part of the inverse map, times a length. */
 static void put_carry(struct record *record, const struct transform *to_local,
                       double length)
 {
@@ -204,8 +207,9 @@ static void put_carry(struct record *record, const struct transform *to_local,
     }
 }
 
-/* A bump whose pattern's space has another one around it, or none.  A normal of
- * which the length counts has the length that it has in the file's unit. */
+/* Writes a bump. The space of its pattern may be nested in another one (around),
+ * or not (NULL). If the length of a normal matters, the normal has the length that
+ * it has in the file's unit. */
 static void put_bump(struct record *record, const struct bump *bump,
                      const struct transform *around, const struct transform *to_local,
                      bool unscaled, double unit)
@@ -227,7 +231,7 @@ static void put_bump(struct record *record, const struct bump *bump,
 
 /* ---- Maps ---------------------------------------------------------------- */
 
-/* The kernels want two entries to choose between: one stands twice. */
+/* The kernels choose between two entries, so a single entry is written twice. */
 static size_t entry_rows(const struct bump_list *list)
 {
     return list->count == 1 ? 2 : list->count;
@@ -238,8 +242,9 @@ static const struct bump_entry *entry_of(const struct bump_list *list, size_t ro
     return &list->entries[row < list->count ? row : list->count - 1];
 }
 
-/* Where among the values of its map it counts: from the entry before on, from its own
- * place on; of the first and the last everywhere. */
+/* Writes the range of map values in which an entry has weight: from the previous
+ * entry on (BUMP_FROM) and from its own place on (BUMP_LOW) up to BUMP_TO. The
+ * first and the last entry extend to all values beyond. */
 static void put_share(struct record *record, const struct bump_list *list, size_t i)
 {
     size_t last = entry_rows(list) - 1;
@@ -294,9 +299,10 @@ static void put_bumps(struct record *record, const struct bumps *bumps, double u
     record_write(record);
 }
 
-/* ---- All of them --------------------------------------------------------- */
+/* ---- The whole scene ----------------------------------------------------- */
 
-/* Records and words of heights of those that are not the ones before. */
+/* Counts the records and the words of heights, without repetitions of the bump
+ * before. */
 static void count_bumps(const struct scene *scene, size_t *records, size_t *words)
 {
     const struct bumps *before = NULL;

@@ -1,14 +1,15 @@
-/* bumps.h - what changes normals, as the kernels want it (rt/kernels/light/bump.s). */
+/* bumps.h - writes bump maps and other changes of normals as records for the
+ * kernels (rt/kernels/light/bump.s). */
 #ifndef RT_LAYOUT_BUMPS_H
 #define RT_LAYOUT_BUMPS_H
 
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* Whether the kernels need light/bump.s for one of its surfaces. */
+/* Returns true if a surface of the scene needs the kernel light/bump.s. */
 bool scene_has_bumps(const struct scene *scene);
-/* For each primitive the address of its bump, 0: none.  Neighbours of one normal have
- * one. */
+/* Sets the address of the bump record of each primitive; 0: none. Consecutive
+ * primitives with the same normal share a record. */
 void layout_bumps(struct record_layout *layout, const struct scene *scene,
                   uint64_t *addresses);
 

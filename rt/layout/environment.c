@@ -1,3 +1,4 @@
+/* environment.c - writes a scene's sky and fogs into the machine's memory. */
 #include "rt/layout/environment.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 #include "rt/layout/pigment.h"
 #include "rt/scene/elementary.h"
 
-/* Where a sky's map has its routines and its numbers: as sky.s has it. */
+/* Writes the routines and the numbers of a sky's map, in the order of sky.s. */
 static void put_sky_map(struct record_layout *layout, const struct pigment *sky,
                         const char *function, const char *wave, const double *numbers,
                         const c205_word stops[2])
@@ -26,7 +27,8 @@ static void put_sky_map(struct record_layout *layout, const struct pigment *sky,
     layout_words(layout, layout_symbol(layout, "sky_map"), words, 2 + MAP_NUMBERS + 2);
 }
 
-/* Of a sky that is no plain gradient; where its stops are. */
+/* Writes a sky with a pattern, which is more than a gradient; stops has the
+ * address and the number of its stops. */
 static void layout_sky_pattern(struct record_layout *layout, const struct pigment *sky,
                                const c205_word stops[2])
 {
@@ -37,7 +39,7 @@ static void layout_sky_pattern(struct record_layout *layout, const struct pigmen
                 stops);
 }
 
-/* .. that is an image, which is in place of stops. */
+/* Writes a sky that is an image. The image's address takes the place of the stops. */
 static void layout_sky_image(struct record_layout *layout, const struct pigment *sky,
                              const uint64_t *images)
 {
@@ -79,7 +81,7 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
     free(stops);
 }
 
-/* light/fog.s has the formula. */
+/* The formula is in light/fog.s. */
 static void put_fog(struct record *record, const struct fog *fog)
 {
     double scale = -1 / (fog->distance * elementary_log(2)), pass[3];

@@ -1,3 +1,4 @@
+/* find_viewpoints.c - finds the points of a scene through which many rays pass. */
 #include "rt/layout/find_viewpoints.h"
 
 #include <string.h>

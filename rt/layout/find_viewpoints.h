@@ -1,12 +1,12 @@
-/* find_viewpoints.h - the points of a scene that many rays go through. */
+/* find_viewpoints.h - finds the points of a scene through which many rays pass. */
 #ifndef RT_LAYOUT_FIND_VIEWPOINTS_H
 #define RT_LAYOUT_FIND_VIEWPOINTS_H
 
 #include "rt/scene/scene.h"
 #include "rt/shapes/viewpoints.h"
 
-/* Where the camera is, if its rays start at one point, then the lights that cast
- * shadows from one, as far as there is room. */
+/* Collects the viewpoints: the camera, if its rays start at one point, then the
+ * lights that cast shadows from one point, up to MAX_EYES. */
 void viewpoints_find(const struct scene *scene, struct viewpoints *viewpoints);
 
 #endif

@@ -1,3 +1,4 @@
+/* hierarchy.c - builds bounding volume hierarchies by a surface area heuristic. */
 #include "rt/layout/hierarchy.h"
 
 #include <math.h>
@@ -7,18 +8,18 @@
 #include "rt/shapes/cuts.h"
 
 enum {
-    EXACT = 64,       /* more parts have a sphere about their box */
-    HALVED_FROM = 64, /* as deep as this a row is cut in halves */
+    EXACT = 64,       /* with more parts, the sphere is the one around their box */
+    HALVED_FROM = 64, /* at this depth and below, rows are halved */
 };
 
 struct build {
-    struct cutting cutting; /* of the boxes about the spheres */
+    struct cutting cutting; /* works on the boxes around the spheres */
     const struct bound *bounds;
     struct hierarchy *hierarchy;
-    struct bound *parts; /* room for the bounds of EXACT */
+    struct bound *parts; /* room for the bounds of EXACT parts */
 };
 
-/* In proportion to the surface of the sphere about the box. */
+/* Returns a value proportional to the surface of the sphere around the box. */
 static double surface_of(const struct box *box)
 {
     double sum = 0;
@@ -31,9 +32,8 @@ static double surface_of(const struct box *box)
     return sum;
 }
 
-/* Tests below a node, of a ray that comes near it: the chance that a ray which
- * comes near a sphere also comes near one within it is the ratio of their
- * surfaces. */
+/* Returns the expected tests below a node, for a ray that hits the node's sphere.
+ * The probability that it also hits a sphere inside is the ratio of the surfaces. */
 static double cost_of(const struct cut_part *part, const struct box *whole)
 {
     double surface = surface_of(whole);
@@ -51,7 +51,7 @@ static void take_bound(const struct bound *bound, struct boxed *thing)
     }
 }
 
-/* --- nodes --------------------------------------------------------------- */
+/* ---- Nodes --------------------------------------------------------------- */
 
 static void bound_many(const struct build *build, const size_t *row, size_t count,
                        const struct box *box, struct bound *whole)
@@ -88,7 +88,9 @@ static void find_way(struct hierarchy_node *nodes, size_t node)
         nodes[node].way[i] = second->center[i] - first->center[i];
 }
 
-/* The node of regions first .. first + count of the order and all below it. */
+/* Builds the node of the regions first to first + count - 1 of the order, and the
+ * subtree below it. A cut by cost may be very uneven. From the depth HALVED_FROM
+ * on, rows are halved, which bounds the depth of the hierarchy (HIERARCHY_DEPTH). */
 static void build_node(const struct build *build, size_t first, size_t count,
                        size_t depth)
 {
@@ -114,9 +116,9 @@ static void build_node(const struct build *build, size_t first, size_t count,
     node->next = hierarchy->node_count;
 }
 
-/* --- the whole ----------------------------------------------------------- */
+/* ---- The whole hierarchy ------------------------------------------------- */
 
-/* Those without a bound first. */
+/* Moves the regions without a bound to the front. */
 static void put_loose(struct hierarchy *hierarchy, const struct bound *bounds)
 {
     size_t bound = 0, loose = 0;
@@ -144,7 +146,7 @@ bool hierarchy_none(size_t count, struct hierarchy *hierarchy)
     return hierarchy->order;
 }
 
-/* A hierarchy of one leaf is none. */
+/* A hierarchy of a single leaf is dropped: it would save no test. */
 static void build_all(const struct build *build)
 {
     struct hierarchy *hierarchy = build->hierarchy;

@@ -1,11 +1,10 @@
-/* hierarchy.h - a bounding hierarchy over regions: what the machine walks
- * instead of looking at every region in turn.
+/* hierarchy.h - a bounding volume hierarchy over regions, which the machine
+ * traverses instead of testing every region.
  *
- * The host plans it, and traces nothing.  The parts of a great tree are put together
- * by one as well (nesting.h).  Each node has a sphere about all
- * regions below it; nodes are in preorder, so that the first of two nodes
- * below another is behind it, and the second where the first one's next
- * points.
+ * The host builds it and traces no rays. nesting.h uses one to group the parts of
+ * a large tree. Each node has a sphere around all regions below it. Nodes are in
+ * preorder: the first child of a node follows the node directly, and the second
+ * child is at the first child's `next`.
  */
 #ifndef RT_HIERARCHY_H
 #define RT_HIERARCHY_H
@@ -14,30 +13,30 @@
 
 struct hierarchy_node {
     struct bound bound;
-    size_t next;   /* the node behind all that is below this one */
-    size_t first;  /* of a leaf: its regions' places in the order */
-    size_t count;  /* .. and how many; 0: there are two nodes below */
-    double way[3]; /* from the centre of the first one to the second's */
+    size_t next;   /* the node after the subtree of this one */
+    size_t first;  /* leaf: position of its first region in the order */
+    size_t count;  /* leaf: number of regions; 0: an inner node */
+    double way[3]; /* from the centre of the first child to the second's */
 };
 
-/* The most nodes on a path of the hierarchy, both ends included: what the
- * machine's stack has room for. */
+/* The largest number of nodes on a path from the root to a leaf. The machine's
+ * stack has room for that many. */
 enum { HIERARCHY_DEPTH = 96 };
 
 struct hierarchy {
     size_t count;
-    size_t *order; /* the regions' numbers, the loose ones first; the others
-                      as the leaves have them */
-    size_t loose;  /* so many stand under no node: they have no bound, or a
-                      hierarchy of them would be no gain */
+    size_t *order; /* region numbers: the loose ones first, then those of the leaves
+                    * in order */
+    size_t loose;  /* number of regions under no node, because they have no bound or
+                    * because a hierarchy of them would not help */
     size_t node_count;
     struct hierarchy_node *nodes;
 };
 
-/* Of so many regions.  False: no memory. */
+/* Builds a hierarchy over count regions. Returns false without memory. */
 bool hierarchy_build(const struct bound *bounds, size_t count,
                      struct hierarchy *hierarchy);
-/* All of them loose, in their own order. */
+/* Makes an empty hierarchy: all regions are loose, in their own order. */
 bool hierarchy_none(size_t count, struct hierarchy *hierarchy);
 void hierarchy_free(struct hierarchy *hierarchy);
 

@@ -1,3 +1,4 @@
+/* image.c - collects the contents of memory and loads them into machines. */
 #include "rt/layout/image.h"
 
 #include <stdlib.h>
@@ -23,7 +24,7 @@ bool image_reserve(struct image *image, uint64_t address, size_t count)
     return add(image, (struct image_block){ address, count, NULL, NULL, true });
 }
 
-/* The mapped block that has the words, or NULL. */
+/* Returns the mapped block that contains the words, or NULL. */
 static struct image_block *block_of(struct image *image, uint64_t address, size_t count)
 {
     for (size_t i = image->count; i-- > 0;) {

@@ -1,7 +1,7 @@
-/* image.h - what memory is to hold before a program begins.
+/* image.h - the contents of memory at the start of a program.
  *
- * A scene is turned into words once; every machine that traces a part of the
- * frame gets a copy.
+ * A scene is converted to words once. Each machine that traces a part of the frame
+ * gets a copy.
  */
 #ifndef RT_IMAGE_H
 #define RT_IMAGE_H
@@ -10,13 +10,13 @@
 
 #include "vm/c205.h"
 
-/* Words from an address on: mapped by the image, or of what the program has
- * there anyway. */
+/* Words at consecutive addresses. A block is either mapped by the image, or
+ * overwrites words of the program. */
 struct image_block {
     uint64_t address;
     size_t count;
-    c205_word *words;    /* NULL: zeros, or .. */
-    c205_shared *shared; /* .. these */
+    c205_word *words;    /* NULL: the words are zeros or in `shared` */
+    c205_shared *shared; /* read-only words that machines share */
     bool mapped;
 };
 
@@ -25,16 +25,17 @@ struct image {
     struct image_block *blocks;
 };
 
-/* A block of zeros.  False: no memory. */
+/* Adds a block of zeros. Returns false without memory. */
 bool image_reserve(struct image *image, uint64_t address, size_t count);
-/* Words into a block that was reserved, or among those of the program.
- * False: no memory. */
+/* Writes words into a reserved block, or over words of the program. Returns false
+ * without memory. */
 bool image_write(struct image *image, uint64_t address, const c205_word *words,
                  size_t count);
-/* Nothing more is written: machines have in common what they only read, as far as there
- * is memory for that. */
+/* Ends the writing. Machines then share the blocks that they only read, as far as
+ * memory permits. */
 void image_share(struct image *image);
-/* Into a machine's memory; the image stays as long as that runs or is looked at. */
+/* Loads the image into a machine's memory. The image must outlive all use of the
+ * machine. */
 bool image_load(const struct image *image, c205 *machine, c205_error *error);
 void image_free(struct image *image);
 

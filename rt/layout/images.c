@@ -1,10 +1,11 @@
+/* images.c - writes the images of pigments into the machine's memory. */
 #include "rt/layout/images.h"
 
 #include <stdlib.h>
 
 enum { PIXEL_SIZE = 3 }; /* red, green, blue */
 
-/* Which coordinates of a place show that it is outside: none; v; u, too. */
+/* Which coordinates can put a place outside of the image: none, v, or u and v. */
 enum { OUTSIDE_NEVER, OUTSIDE_V, OUTSIDE_U_V };
 
 bool scene_has_images(const struct scene *scene)
@@ -54,7 +55,7 @@ void image_numbers(const struct image_map *map, double numbers[])
     numbers[3] = map->once;
 }
 
-/* Row after row, so that the words are here but once. */
+/* Converts one row at a time, so that the host holds only one row of extra words. */
 static void put_rows(struct record_layout *layout, const struct image_table *table,
                      const c205_word *light, uint64_t address)
 {

@@ -1,3 +1,4 @@
+/* interiors.c - numbers the bodies that rays can be in. */
 #include "rt/layout/interiors.h"
 
 #include <math.h>
@@ -6,7 +7,7 @@
 #include "rt/layout/surface.h"
 #include "rt/shapes/primitive.h"
 
-enum { BITS = 46 }; /* one fewer than whole numbers have */
+enum { BITS = 46 }; /* one bit fewer than integers have */
 
 bool scene_has_interiors(const struct scene *scene)
 {
@@ -37,7 +38,7 @@ bool interiors_find(const struct scene *scene, struct interiors *interiors)
     interiors->index = calloc(bodies->count + 1, sizeof *interiors->index);
     if (!interiors->index)
         return false;
-    interiors->index[0] = 1; /* of air */
+    interiors->index[0] = 1; /* air */
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
 
@@ -82,7 +83,7 @@ void interiors_layout(struct record_layout *layout, const struct interiors *inte
                       const struct scene *scene)
 {
     enum { NUMBERS = 5 };
-    int bits = 1, room; /* of a body's number; for so many bodies */
+    int bits = 1, room; /* bits of a body's number; bodies that fit a word */
     double base, full;
     c205_word words[1 + NUMBERS];
 

@@ -1,5 +1,5 @@
-/* interiors.h - the bodies that rays are in, numbered for the kernels, in the order
- * of rt/kernels/light/interior.s. */
+/* interiors.h - numbers the bodies that rays can be in, and writes their table in
+ * the order of rt/kernels/light/interior.s. */
 #ifndef RT_LAYOUT_INTERIORS_H
 #define RT_LAYOUT_INTERIORS_H
 
@@ -7,23 +7,24 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* So many rays that go straight on may be in a chain besides max_trace_level: they
- * are of the level of the ray before. */
+/* A chain may have this many straight transmitted rays in addition to
+ * max_trace_level. They have the level of the ray before. */
 enum { MAX_STRAIGHT = 64 };
 
-/* Whether light passes through anything: the kernels need light/interior.s. */
+/* Returns true if light passes through a surface of the scene. The kernels then
+ * need light/interior.s. */
 bool scene_has_interiors(const struct scene *scene);
 
-/* Those of the primitives that light passes through, and of mirrors by Fresnel's
- * formulas: the kernels number them from 1 on. */
+/* The bodies of clear primitives, and of mirrors by Fresnel's formulas. The
+ * kernels number them from 1. */
 struct interiors {
-    struct rank_index bodies; /* of the scene's numbers */
-    double *index;            /* of refraction: of air, then of each */
+    struct rank_index bodies; /* ranks the interior numbers of the scene */
+    double *index;            /* refractive indices: air, then each body */
 };
-/* False: no memory. */
+/* Returns false without memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);
 void interiors_free(struct interiors *interiors);
-/* A primitive's, 0 if rays need not know it. */
+/* Returns the number of a primitive's body, or 0 if rays need not know it. */
 size_t interiors_number(const struct interiors *interiors,
                         const struct primitive *primitive);
 void interiors_layout(struct record_layout *layout, const struct interiors *interiors,

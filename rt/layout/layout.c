@@ -1,3 +1,4 @@
+/* layout.c - writes a scene as records in the machine's memory. */
 #include "rt/layout/layout.h"
 
 #include <stdlib.h>
@@ -15,7 +16,8 @@
 #include "rt/layout/trees.h"
 #include "rt/picture/picture.h"
 
-/* So many rays in a chain: without mirrors and glass none come of others. */
+/* Returns the largest number of rays in a chain. It is 1 without mirrors and
+ * glass. */
 static size_t count_levels(const struct scene *scene)
 {
     if (scene_has_interiors(scene))
@@ -51,7 +53,8 @@ static void layout_camera(struct record_layout *layout, const struct scene *scen
     layout_words(layout, layout_symbol(layout, "scene_background"), words, 3);
 }
 
-/* Of samples that are averaged in linear light, perhaps through a lens. */
+/* Writes the settings of samples that are averaged in linear light, possibly
+ * through a lens. */
 static void layout_samples(struct record_layout *layout, double gamma,
                            const struct camera *camera, struct frame_layout *frame)
 {
@@ -61,7 +64,7 @@ static void layout_samples(struct record_layout *layout, double gamma,
         layout_lens(layout, camera, frame->samples);
 }
 
-/* The rays that a program makes first: some rows of a frame of them. */
+/* The camera rays of a program: some rows of a grid. */
 struct ray_grid {
     size_t columns, first_row, rows;
 };
@@ -71,24 +74,24 @@ static size_t count_rays(const struct ray_grid *grid)
     return grid->columns * grid->rows;
 }
 
-/* All samples of all pixels. */
+/* One ray for each sample of each pixel. */
 static struct ray_grid all_samples(const struct frame_layout *frame, size_t samples)
 {
     return (struct ray_grid){ frame->width * samples, frame->first_row * samples,
                               frame->rows * samples };
 }
 
-/* One for each pixel, and for those left of the frame and above the band, with
- * which pixels are compared. */
+/* One ray for each pixel, and for the pixels left of the frame and above the band,
+ * with which the first ones are compared. */
 static struct ray_grid first_rays(const struct frame_layout *frame)
 {
     return (struct ray_grid){ frame->width + 1, frame->first_row, frame->rows + 1 };
 }
 
-/* Of the colours that are compared (POV-Ray's Antialias_Gamma). */
+/* The gamma of colours that are compared (POV-Ray's Antialias_Gamma). */
 #define COMPARED_GAMMA 2.5
 
-/* What adaptive.s works with: planes, the samples that are traced at a time. */
+/* Reserves the memory of adaptive.s: planes, and the samples of one batch. */
 static void layout_adaptive(struct record_layout *layout, double gamma,
                             const struct frame_layout *frame,
                             const struct ray_grid *grid)
@@ -156,7 +159,7 @@ static void layout_frame(struct record_layout *layout, double gamma,
 struct scene_layout {
     const struct object *program;
     struct image image;
-    uint64_t end; /* the next address that nothing uses */
+    uint64_t end; /* the next unused address */
     double gamma; /* of the scene's colours; 0: not given */
     struct camera camera;
 };

@@ -1,27 +1,29 @@
-/* lens.c - points all over a camera's lens, one for each ray of a pixel.
+/* lens.c - distributes points over a camera's lens, one for each ray of a pixel.
  *
- * A square of samples x samples cells covers the lens: the middle of cell i, j at
+ * A square of samples x samples cells covers the lens. The centre of cell i, j is
  *
  *     a = (2 i + 1)/samples - 1,   b = (2 j + 1)/samples - 1
  *
- * goes to the point of the unit disk at the radius a and the angle pi/4 b/a if |a| > |b|,
- * else at the radius b and the angle pi/2 - pi/4 a/b: equal areas stay equal
- * (Shirley and Chiu, "A Low Distortion Map Between Disk and Square", 1997).
+ * It is mapped to a point of the unit disk: to the radius a and the angle pi/4 b/a
+ * if |a| > |b|, else to the radius b and the angle pi/2 - pi/4 a/b. This map
+ * preserves areas (Shirley and Chiu, "A Low Distortion Map Between Disk and
+ * Square", 1997).
  *
- * Neighbours in a pixel are to be strangers on the lens, and a row or column of
- * the pixel is to meet all of it: the ray in row r and column c has the cell
+ * Neighbours in a pixel should be far apart on the lens, and each row and column
+ * of the pixel should cover all of it. The ray in row r and column c has the cell
  *
  *     i = r + c,   j = r + 2 c    (modulo samples),
  *
- * Arnold's cat map, which leaves no cell out.  All pixels have the same points: no
- * noise, but few of them show as several pictures over each other.
+ * which is Arnold's cat map. It uses every cell once. All pixels have the same
+ * points. This avoids noise, but with few points the picture looks like several
+ * pictures over each other.
  */
 #include "rt/layout/lens.h"
 
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
-/* Of the unit disk. */
+/* Maps a point of the square to the unit disk. */
 static void disk_point(double a, double b, double point[2])
 {
     bool by_a = fabs(a) > fabs(b);
@@ -32,8 +34,8 @@ static void disk_point(double a, double b, double point[2])
     point[1] = radius * elementary_sin(angle);
 }
 
-/* Two vectors as long as the lens's radius, at right angles to the direction
- * and to each other. */
+/* Computes two vectors with the length of the lens radius, perpendicular to the
+ * direction and to each other. */
 static void lens_axes(const struct camera *camera, double x[3], double y[3])
 {
     double ahead[3];

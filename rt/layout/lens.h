@@ -1,12 +1,12 @@
-/* lens.h - a camera's lens in the machine's memory. */
+/* lens.h - writes a camera's lens into the machine's memory. */
 #ifndef RT_LENS_H
 #define RT_LENS_H
 
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* The points of a lens for a pixel of samples x samples rays, as the words that
- * rt/kernels/frame/lens.s names. */
+/* Writes the points on the lens for a pixel of samples x samples rays, to the
+ * words that rt/kernels/frame/lens.s names. */
 void layout_lens(struct record_layout *layout, const struct camera *camera,
                  size_t samples);
 

@@ -1,9 +1,10 @@
+/* lights.c - writes a scene's lights into the machine's memory. */
 #include "rt/layout/lights.h"
 
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
-/* What is narrower is a sharp edge, which is drawn so wide. */
+/* A narrower edge is sharp; it is drawn with this width. */
 #define EDGE_LEAST 1e-9
 
 static bool fades(const struct light *light)
@@ -11,13 +12,14 @@ static bool fades(const struct light *light)
     return light->fade_power > 0 && light->fade_distance != 0;
 }
 
-/* Not the same in all directions and everywhere on them. */
+/* True if the light's intensity varies with direction or distance. */
 static bool dims(const struct light *light)
 {
     return light->beam != BEAM_NONE || fades(light);
 }
 
-/* Points from which it casts shadows; 0: the one where it is. */
+/* Returns the number of points of an area light that casts shadows. 0: shadows
+ * come from the light's position. */
 static size_t points_of(const struct light *light)
 {
     size_t count = light->area_size[0] * light->area_size[1];
@@ -65,8 +67,9 @@ bool scene_has_areas(const struct scene *scene)
 
 /* ---- Areas --------------------------------------------------------------- */
 
-/* What point number at counts of those from first to last.  POV-Ray's: of each
- * half of a side a half, where the middle one is in both, until there are two. */
+/* Returns the weight of point `at` among the points first to last. As in POV-Ray,
+ * each half of a side gets half of the weight, recursively, until two points are
+ * left. The middle point belongs to both halves. */
 static double weight_of(size_t first, size_t last, size_t at)
 {
     size_t sum = first + last;
@@ -78,14 +81,15 @@ static double weight_of(size_t first, size_t last, size_t at)
     return (weight_of(first, sum / 2, at) + weight_of((sum + 1) / 2, last, at)) / 2;
 }
 
-/* From -.5 to .5. */
+/* Returns a place from -.5 to .5. */
 static double place_on_side(size_t at, size_t size)
 {
     return size > 1 ? (double)at / (double)(size - 1) - .5 : 0;
 }
 
-/* POV-Ray's: the border of a square goes to the circle within, each line to the
- * middle is drawn together evenly; with a point in the middle it is moved. */
+/* Maps a place of the square to the disk, as POV-Ray does: the border goes to the
+ * inscribed circle, and each line to the centre is scaled evenly. The offset
+ * avoids a division by 0 at the centre. */
 static void draw_together(double place[2])
 {
     double most;
@@ -137,10 +141,10 @@ static void layout_points(struct record_layout *layout, const struct scene *scen
 
 /* ---- Beams --------------------------------------------------------------- */
 
-/* Where q is (light/beam.s) the edge begins, and how it grows from there. */
+/* Writes the value of q (light/beam.s) at which the edge begins, and its slope. */
 static void put_edge(struct record *record, const struct light *light)
 {
-    double edge[2] = { -1, 1 }; /* none */
+    double edge[2] = { -1, 1 }; /* no edge */
     double low = 0, high = 0;
     bool soft = false;
 

@@ -1,3 +1,4 @@
+/* materials.c - finds equal materials with a hash table. */
 #include "rt/layout/materials.h"
 
 #include <stdlib.h>
@@ -11,7 +12,8 @@ struct look {
     uint64_t address;
 };
 
-/* Open addressing: places has numbers of looks from 1 on. */
+/* A hash table with open addressing. An entry of places is 0 or an index of a row
+ * plus 1. */
 struct looks {
     size_t count, mask;
     struct look *rows;

@@ -1,7 +1,8 @@
-/* materials.h - which primitives look alike, so that they can be shaded at once.
+/* materials.h - finds primitives with equal materials, so that they can be shaded
+ * together.
  *
- * A look is a row of words; each goes by the address of the first primitive
- * that has it.
+ * A material is a row of words. Its address is that of the first primitive that
+ * has it.
  */
 #ifndef RT_MATERIALS_H
 #define RT_MATERIALS_H
@@ -12,12 +13,12 @@ enum { LOOK_WORDS = 62 };
 
 struct looks;
 
-/* For so many primitives at most; NULL: no memory. */
+/* Returns an empty set for up to count primitives, or NULL without memory. */
 struct looks *looks_new(size_t count);
 void looks_free(struct looks *looks);
 
-/* The address that goes with these words: this one if they are new, and 0 if
- * there is no memory for them. */
+/* Returns the address that is recorded for these words. If the words are new, it
+ * records `address` and returns it. Returns 0 without memory. */
 uint64_t looks_first(struct looks *looks, const c205_word words[LOOK_WORDS],
                      uint64_t address);
 

@@ -1,3 +1,4 @@
+/* nesting.c - regroups trees with many parts by a hierarchy. */
 #include "rt/layout/nesting.h"
 
 #include <stdlib.h>
@@ -6,9 +7,9 @@
 #include "rt/layout/bounds.h"
 #include "rt/layout/hierarchy.h"
 
-enum { MANY = 8 }; /* fewer parts stay side by side */
+enum { MANY = 8 }; /* fewer parts are not grouped */
 
-/* The tree as it is, and as it becomes. */
+/* The original scene and the nested one. */
 struct nesting {
     const struct scene *scene;
     const struct bound *bounds; /* of its nodes */
@@ -16,11 +17,11 @@ struct nesting {
     bool failed; /* no memory */
 };
 
-/* Children of a node that are put together. */
+/* The children of a node that can be grouped. */
 struct part_list {
     size_t count;
     size_t *nodes;
-    struct bound whole; /* about them all */
+    struct bound whole; /* a bound around all parts */
     struct hierarchy hierarchy;
 };
 
@@ -44,10 +45,10 @@ static void close_node(struct nesting *nesting, size_t node)
     nested->nodes[node].next = nested->node_count;
 }
 
-/* --- parts --------------------------------------------------------------- */
+/* ---- Parts --------------------------------------------------------------- */
 
-/* What of a child can be put together with others: a solid of a union, or what
- * is taken away; 0: nothing. */
+/* Returns the node of a child that can be grouped with others: a solid of a union,
+ * or the solid that a complement in an intersection takes away. 0: none. */
 static size_t part_of(const struct nesting *nesting, size_t parent, size_t child)
 {
     const struct tree_node *nodes = nesting->scene->nodes;
@@ -103,11 +104,11 @@ static void put_some(struct nesting *nesting, const struct part_list *parts,
         nest_node(nesting, parts->nodes[parts->hierarchy.order[first + i]]);
 }
 
-/* What a node of the hierarchy has below it, as children of the one under way. */
+/* Writes the parts below a node of the hierarchy as children of the current node. */
 static void put_below(struct nesting *nesting, const struct part_list *parts,
                       size_t number);
 
-/* As one child. */
+/* Writes a node of the hierarchy as a single child. */
 static void put_group(struct nesting *nesting, const struct part_list *parts,
                       size_t number)
 {
@@ -143,8 +144,8 @@ static void put_all(struct nesting *nesting, const struct part_list *parts)
         put_some(nesting, parts, 0, parts->count);
 }
 
-/* So many parts of a node: of a union as its children, what is taken away as
- * the complement of a union. */
+/* Writes count parts of a node: those of a union as its children, and the solids
+ * that are taken away as the complement of a union. */
 static void nest_parts(struct nesting *nesting, size_t node, size_t count)
 {
     struct part_list parts = { .count = count };
@@ -165,7 +166,7 @@ static void nest_parts(struct nesting *nesting, size_t node, size_t count)
     hierarchy_free(&parts.hierarchy);
 }
 
-/* --- nodes --------------------------------------------------------------- */
+/* ---- Nodes --------------------------------------------------------------- */
 
 static void nest_node(struct nesting *nesting, size_t node)
 {
@@ -182,7 +183,7 @@ static void nest_node(struct nesting *nesting, size_t node)
     close_node(nesting, nested);
 }
 
-/* --- the whole ----------------------------------------------------------- */
+/* ---- The whole scene ----------------------------------------------------- */
 
 static void nest_regions(struct nesting *nesting)
 {
@@ -199,7 +200,8 @@ static void nest_regions(struct nesting *nesting)
     }
 }
 
-/* n parts make fewer than n nodes and two about them. */
+/* Allocates the nested scene. A group of n parts adds fewer than n nodes, and two
+ * nodes around them. */
 static bool take_room(const struct scene *scene, struct nested_scene *nested)
 {
     size_t nodes = 3 * scene->node_count + 1, regions = scene->region_count;

@@ -1,24 +1,25 @@
-/* nesting.h - trees with many parts, as nested ones that a ray passes over.
+/* nesting.h - regroups trees with many parts, so that a ray can skip groups.
  *
- * A union of many solids becomes unions of unions, and what a difference takes
- * away likewise: A less B, C, .. is A less the union of B, C, ..  Those that are near
- * each other are put together, by the hierarchy that regions have.  What is inside
- * of the tree does not change, nor which surface shows.
+ * A union of many solids becomes a union of unions. A difference A less B, C, ..
+ * becomes A less the union of B, C, .., which is nested likewise. Parts that are
+ * near each other are grouped, by the same hierarchy that regions use. The
+ * interior of the tree does not change, nor do its visible surfaces.
  */
 #ifndef RT_NESTING_H
 #define RT_NESTING_H
 
 #include "rt/shapes/bound.h"
 
-/* A scene with nodes and regions of its own, all else another's, and with the
- * bounds of its nodes: those that they had (bounds.h), and of parts that are put
- * together one about these. */
+/* A scene with nodes and regions of its own, which shares all else with the
+ * original. The bounds of its original nodes are those of bounds.h. A group of
+ * parts has a bound around the parts. */
 struct nested_scene {
     struct scene scene;
     struct bound *bounds;
 };
 
-/* As deep in calls as the scene's trees are.  False: no memory. */
+/* Nests the trees of a scene. The recursion is as deep as the trees. Returns false
+ * without memory. */
 bool nesting_make(const struct scene *scene, struct nested_scene *nested);
 void nesting_free(struct nested_scene *nested);
 

@@ -1,3 +1,4 @@
+/* pigment.c - computes the words of a pigment that has a map. */
 #include "rt/layout/pigment.h"
 
 #include <stdlib.h>
@@ -7,9 +8,9 @@
 #include "rt/shapes/primitive.h"
 #include "rt/scene/vector.h"
 
-/* STOP_AT, STOP_SLOPE, STOP_COLOR, STOP_CHANGE */
+/* The fields are STOP_AT, STOP_SLOPE, STOP_COLOR and STOP_CHANGE. */
 enum { STOP_SIZE = 8 };
-#define STEP 1e-30 /* what is nearer is in the same place */
+#define STEP 1e-30 /* places closer than this are the same place */
 
 void gradient_words(const struct pigment *pigment, double words[GRADIENT_STOPS])
 {
@@ -107,8 +108,9 @@ size_t stops_size(const struct pigment *pigment)
     return STOP_SIZE * (stop_count(pigment) + 1);
 }
 
-/* The kernels have values from 0 to 1 of a list, as far from one another: halfway
- * from one to the next its colour becomes that one's. */
+/* Returns stop i of a list. The kernels assign equally spaced values from 0 to 1
+ * to the entries of a list. Halfway between two entries the colour changes to the
+ * second one. */
 static struct color_stop step(const struct pigment *pigment, size_t i)
 {
     double last = (double)pigment_list_count(pigment) - 1;
@@ -123,7 +125,7 @@ static struct color_stop stop_of(const struct pigment *pigment, size_t i)
     return pigment_list_count(pigment) > 0 ? step(pigment, i) : pigment->map.stops[i];
 }
 
-/* One with nothing behind it is the next one itself. */
+/* Writes a stop. If no distance follows it, its slope and its change are 0. */
 static void put_stop(const struct color_stop *stop, const struct color_stop *next,
                      double row[STOP_SIZE])
 {
@@ -136,7 +138,7 @@ static void put_stop(const struct color_stop *stop, const struct color_stop *nex
         row[5 + i] = far > STEP ? next->color[i] - stop->color[i] : 0;
 }
 
-/* Before the first there is one as it. */
+/* Returns the rows of the stops. A copy of the first stop comes before it, at -1. */
 c205_word *stops_words(const struct pigment *pigment)
 {
     c205_word *words = calloc(stops_size(pigment) + 1, sizeof *words);

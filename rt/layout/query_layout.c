@@ -1,3 +1,4 @@
+/* query_layout.c - writes a scene, and lines through it, into the machine's memory. */
 #include "rt/layout/query_layout.h"
 
 #include <stdlib.h>
@@ -10,13 +11,13 @@
 struct query_layout {
     const struct object *program;
     struct image image;
-    uint64_t end; /* the next address that nothing uses */
-    size_t most;  /* crossings of a line */
+    uint64_t end; /* the next unused address */
+    size_t most;  /* largest number of crossings of a line */
     size_t objects;
 };
 
-/* Plain surfaces have no bodies that rays remember, and no images; lines come from
- * anywhere. */
+/* Lays out the primitives. Plain surfaces have no interiors and no images, and
+ * lines have no common viewpoint. */
 static void layout_bare_solids(struct record_layout *layout, const struct scene *scene,
                                enum bounding bounding)
 {
@@ -63,7 +64,7 @@ void query_layout_free(struct query_layout *layout)
     free(layout);
 }
 
-/* Six planes: origins, then directions. */
+/* Writes six planes: origins, then directions. */
 static void layout_rays(struct record_layout *layout,
                         const struct packet_layout *packet)
 {

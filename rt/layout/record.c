@@ -1,3 +1,4 @@
+/* record.c - writes records into the image of a machine's memory. */
 #include "rt/layout/record.h"
 
 #include <math.h>
@@ -94,7 +95,7 @@ struct row record_row(const struct record *record)
     return (struct row){ record->address, record->size };
 }
 
-/* After every so many records. */
+/* Calls go_on after every ASKED_EACH records. */
 static void ask(struct record_layout *layout)
 {
     enum { ASKED_EACH = 4096 };
@@ -120,7 +121,7 @@ void record_end(struct record *record)
     record->words = NULL;
 }
 
-/* Where a field of so many words begins, or NULL: it does not fit. */
+/* Returns the position of a field of count words, or NULL if it does not fit. */
 static c205_word *find_field(struct record *record, const char *name, size_t count)
 {
     uint64_t offset = layout_symbol(record->layout, name);
@@ -154,8 +155,8 @@ void put_numbers(c205_word *words, const double *values, size_t count)
         words[i] = c205_from_double(values[i]);
 }
 
-/* A double's exponents are far fewer than the machine's: what squares and
- * reciprocals make of a scene's numbers may be beyond them. */
+/* The exponents of a double have a far smaller range than the machine's. Squares
+ * and reciprocals of a scene's numbers may exceed it. */
 void record_check(struct record *record, const double *values, size_t count)
 {
     for (size_t i = 0; i < count; i++)

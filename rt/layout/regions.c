@@ -1,3 +1,4 @@
+/* regions.c - writes the regions of a scene as records. */
 #include "rt/layout/regions.h"
 
 #include <math.h>
@@ -10,18 +11,20 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/shape_words.h"
 
-/* What the records of a scene's regions refer to. */
+/* The data that the records of a scene's regions refer to. */
 struct places {
     const struct scene *scene;
     const struct bound *bounds; /* of the nodes */
-    struct tree_join *joins;    /* .. their steps, of the whole scene's */
-    bool *needed;               /* .. without which their trees have no value */
-    size_t *kept;               /* how many nodes before each are no complements */
-    size_t *results;            /* of the regions: the value of its tree */
-    int *bodies;                /* .. R_BODY */
-    uint64_t *clear;            /* .. the address of its word, or 0 */
+    struct tree_join *joins;    /* of the nodes: their steps, numbered in the whole
+                                 * scene */
+    bool *needed;               /* of the nodes: without it the tree has no value */
+    size_t *kept;               /* number of nodes before each that are not
+                                 * complements */
+    size_t *results;            /* of the regions: the value of the tree */
+    int *bodies;                /* of the regions: R_BODY */
+    uint64_t *clear;            /* of the regions: the address of its word, or 0 */
     struct hierarchy hierarchy;
-    bool *spheres; /* its nodes with spheres alone below */
+    bool *spheres; /* of the hierarchy: only spheres are below the node */
     const struct region_places *given;
     struct row steps, nodes, regions;
 };
@@ -31,7 +34,7 @@ static uint64_t node_at(const struct places *places, size_t i)
     return row_at(&places->nodes, places->kept[i]);
 }
 
-/* --- steps --------------------------------------------------------------- */
+/* ---- Steps --------------------------------------------------------------- */
 
 static void layout_step(struct record *record, const struct row *values,
                         const struct tree_step *step)
@@ -43,7 +46,8 @@ static void layout_step(struct record *record, const struct row *values,
     record_write(record);
 }
 
-/* The steps of a region, behind so many of others; returns how many then. */
+/* Writes the steps of a region after the `before` steps of earlier regions.
+ * Returns the new number of steps. */
 static size_t layout_tree(struct record *record, struct places *places, size_t i,
                           struct tree_step *steps, size_t before)
 {
@@ -83,10 +87,10 @@ static void layout_steps(struct record_layout *layout, struct places *places)
     free(steps);
 }
 
-/* --- nodes --------------------------------------------------------------- */
+/* ---- Nodes --------------------------------------------------------------- */
 
-/* The parts of an intersection are needed where it is; complements are not
- * recorded. */
+/* Marks the nodes that are needed: the root, and each part of a needed
+ * intersection. Complements have no records. */
 static void find_needed(const struct scene *scene, const struct region *region,
                         bool *needed)
 {
@@ -155,10 +159,10 @@ static void layout_nodes(struct record_layout *layout, struct places *places)
     record_end(&record);
 }
 
-/* --- regions ------------------------------------------------------------- */
+/* ---- Regions ------------------------------------------------------------- */
 
-/* 0: none, 1: a full shadow, 2: parts of it are clear.  One primitive that
- * casts a shadow is enough for all. */
+/* Returns 0: no shadow, 1: a full shadow, 2: a shadow with clear parts. One
+ * primitive that casts a shadow is enough for the region. */
 static size_t shadow_of(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
@@ -171,7 +175,7 @@ static size_t shadow_of(const struct scene *scene, const struct region *region)
     return casts ? 1 + clear : 0;
 }
 
-/* The rays that see none of its primitives: R_HIDDEN_FROM. */
+/* Returns the rays that see none of the region's primitives: R_HIDDEN_FROM. */
 static unsigned hidden_from(const struct scene *scene, const struct region *region)
 {
     unsigned rays = HIDDEN_FROM_IMAGE | HIDDEN_FROM_REFLECTIONS;
@@ -189,7 +193,8 @@ bool scene_hides(const struct scene *scene)
     return false;
 }
 
-/* The node that bounds a region: what is not bounds nothing. */
+/* Returns the bound of a region. A complement has the bound of its operand, since
+ * that contains its surfaces. */
 static const struct bound *bound_of(const struct places *places,
                                     const struct region *region)
 {
@@ -200,9 +205,10 @@ static const struct bound *bound_of(const struct places *places,
     return &places->bounds[solid];
 }
 
-/* Do so much fewer rays pass its box than its sphere that it is worth a test?
- * On the mean over all directions that is a fourth of its surface, and of the
- * sphere's. */
+/* Returns true if a region's box is worth a test in addition to its sphere. The
+ * mean cross-section of a convex body over all directions is a fourth of its
+ * surface. The box is used if its cross-section is less than `worth` times that of
+ * the sphere. */
 static bool is_boxed(const struct bound *bound)
 {
     static const double worth = 0.8;
@@ -215,7 +221,7 @@ static bool is_boxed(const struct bound *bound)
                   < worth * PI * bound->radius * bound->radius;
 }
 
-/* The middle and half of each side. */
+/* Writes the centre of the box and half of each side. */
 static void layout_box(struct record *record, const struct bound *bound)
 {
     double words[6];
@@ -258,7 +264,7 @@ static void layout_region(struct record *record, const struct places *places, si
     record_write(record);
 }
 
-/* A word for each region whose shadow is not full. */
+/* Reserves a word for each region with a shadow that is not full. */
 static void layout_clear(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;
@@ -276,8 +282,8 @@ static void layout_clear(struct record_layout *layout, struct places *places)
     layout_word(layout, "scene_clear_count", c205_from_integer((int64_t)count));
 }
 
-/* One opaque sphere that is in the world's space, casts a shadow, and is seen by
- * all rays? */
+/* Returns true if the region is one opaque sphere in world space that casts a
+ * shadow and is seen by all rays. */
 static bool is_sphere(const struct scene *scene, const struct region *region)
 {
     const struct primitive *first = &scene->primitives[region->first_primitive];
@@ -289,7 +295,8 @@ static bool is_sphere(const struct scene *scene, const struct region *region)
            && hidden_from(scene, region) == 0;
 }
 
-/* Of which nodes all regions below are such spheres, and few in a leaf? */
+/* Marks the nodes below which all regions are such spheres, with at most `most` of
+ * them in a leaf. */
 static void find_spheres(struct places *places, size_t most)
 {
     const struct hierarchy *hierarchy = &places->hierarchy;
@@ -341,7 +348,7 @@ static void layout_hierarchy(struct record_layout *layout, struct places *places
     layout_word(layout, "scene_hierarchy", hierarchy->node_count > 0 ? row.first : 0);
 }
 
-/* In the hierarchy's order. */
+/* Writes the regions in the order of the hierarchy. */
 static void layout_ordered(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;
@@ -359,7 +366,7 @@ static void layout_ordered(struct record_layout *layout, struct places *places)
                 c205_from_integer((int64_t)scene->region_count));
 }
 
-/* --- the whole ----------------------------------------------------------- */
+/* ---- The whole scene ----------------------------------------------------- */
 
 static bool plan_hierarchy(struct places *places, enum bounding bounding)
 {
@@ -396,7 +403,7 @@ static void layout_records(struct record_layout *layout, struct places *places)
     layout_hierarchy(layout, places);
 }
 
-/* The scene, with its trees as they are walked. */
+/* Writes the regions of a scene whose trees are in their final form. */
 static void layout_scene(struct record_layout *layout, const struct scene *scene,
                          enum bounding bounding, const struct bound *bounds,
                          const struct region_places *given)

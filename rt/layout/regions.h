@@ -1,4 +1,4 @@
-/* regions.h - what is traced as one thing, as records in the machine's memory. */
+/* regions.h - writes the regions of a scene as records in the machine's memory. */
 #ifndef RT_REGIONS_H
 #define RT_REGIONS_H
 
@@ -6,16 +6,17 @@
 #include "rt/layout/record.h"
 #include "rt/scene/scene.h"
 
-/* What they refer to. */
+/* The rows that the records of regions refer to. */
 struct region_places {
     struct row primitives;
     struct row values; /* of a tree */
 };
 
-/* Whether some rays do not see a region: the kernels need R_HIDDEN_FROM. */
+/* Returns true if a region is hidden from some rays. The kernels then need
+ * R_HIDDEN_FROM. */
 bool scene_hides(const struct scene *scene);
 
-/* All regions, and the lists for one of them. */
+/* Writes all regions, and reserves the lists that one region needs. */
 void layout_regions(struct record_layout *layout, const struct scene *scene,
                     enum bounding bounding, const struct region_places *places);
 

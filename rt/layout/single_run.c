@@ -1,3 +1,4 @@
+/* single_run.c - runs a program once on a machine of its own. */
 #include "rt/layout/single_run.h"
 
 #include "base/error.h"
@@ -48,7 +49,7 @@ static bool run_on(struct single_run *run, c205 *machine, uint64_t from,
            && c205_read(machine, from, words, count);
 }
 
-/* All regions of the run, as the other machine would take them. */
+/* Adds the projected clocks of all regions of the run. */
 static bool add_projected(const struct single_run *run, const c205 *machine,
                           const c205_projection *projection)
 {

@@ -1,3 +1,4 @@
+/* solids.c - writes a scene's primitives and regions into memory. */
 #include "rt/layout/solids.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@
 #include "rt/layout/trees.h"
 #include "rt/shapes/shape_words.h"
 
-/* False: there is no memory. */
+/* Converts the integers of a table. Returns false without memory. */
 static bool put_integers(const struct primitive *primitive,
                          const struct viewpoints *viewpoints, const double *table,
                          size_t count, c205_word *words)
@@ -55,7 +56,7 @@ static void put_table(struct record *record, const struct primitive *primitive,
     free(words);
 }
 
-/* Of P_ON_PATCH. */
+/* Returns P_ON_PATCH of a mesh. */
 static size_t mesh_sort(const struct primitive *primitive,
                         const struct shape_words *shape)
 {
@@ -69,7 +70,7 @@ static void put_shape(struct record *record, const struct primitive *primitive,
 {
     struct shape_words shape;
     const char *kernel;
-    bool carried; /* into its own space, to meet the ray */
+    bool carried; /* the ray is transformed into the primitive's space */
 
     if (!plan->simple || !shape_words_historical(primitive, &shape)
         || !object_symbol(record->layout->program, shape.kernel))
@@ -96,17 +97,17 @@ static void put_shape(struct record *record, const struct primitive *primitive,
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
-/* Where the stops of the map before are, which the next pigment may have, too;
- * where all images are. */
+/* The stops of the last map, which the next pigment may share, and the addresses
+ * of all images. */
 struct map_place {
     const struct pigment *pigment;
     c205_word address;
     const uint64_t *images;
 };
 
-/* Neighbours in one space have its number, so that a ray is carried over once.
- * Numbers count from 1, by the first primitive of each; before: the number of
- * the one before. */
+/* Returns the number of a primitive's space: the index from 1 of the first of
+ * consecutive primitives with this space. A ray is then transformed once for all
+ * of them. `before` is the number of the previous primitive's space. */
 static size_t space_of(const struct scene *scene, size_t i, size_t before)
 {
     const struct transform *space = &scene->primitives[i].to_local;
@@ -118,7 +119,8 @@ static size_t space_of(const struct scene *scene, size_t i, size_t before)
                : i + 1;
 }
 
-/* Of the colours as they are in the record: times their opacity, or not yet. */
+/* Writes the finish. Ambient, emission and diffuse are multiplied by the opacity
+ * here if the colours of the record are not. */
 static void put_finish(struct record *record, const struct scene *scene,
                        const struct finish *finish, double opacity)
 {
@@ -135,7 +137,7 @@ static void put_finish(struct record *record, const struct scene *scene,
     record_numbers(record, "P_FINISH", words, 8);
 }
 
-/* Of a program that has finishes that depend on the angle. */
+/* Writes the part of a finish that depends on the angle, if the program uses it. */
 static void put_gloss(struct record *record, const struct finish *finish)
 {
     const double gloss[2] = { finish->brilliance, finish->metallic };
@@ -152,7 +154,8 @@ static void put_gloss(struct record *record, const struct finish *finish)
     record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
-/* The stops of the pigment's map: map has them and their address then. */
+/* Writes the stops of the pigment's map, unless they are the same as those of the
+ * map before. Updates the map and its address. */
 static void put_stops(struct record *record, const struct pigment *pigment,
                       struct map_place *map)
 {
@@ -200,7 +203,7 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
     record_integer(record, "P_MAP_STOP_COUNT", stop_count(pigment));
 }
 
-/* Of an image the table is in place of stops. */
+/* An image's table takes the place of the stops. */
 static void put_image(struct record *record, const struct pigment *pigment,
                       const struct map_place *map)
 {
@@ -256,13 +259,13 @@ static void put_interior(struct record *record, const struct interiors *interior
         record_numbers(record, "P_INTERIOR", &number, 1);
 }
 
-/* A region with clear parts has a rank among those that have them, by which coincident
- * faces are ordered (docs/solids.md). */
+/* A region with clear parts has a rank among the regions with clear parts. The
+ * rank orders coincident faces (docs/solids.md). */
 struct clear_ranks {
-    size_t region; /* the next one */
-    size_t end;    /* of the primitives of the one before */
-    size_t rank;   /* .. its rank, or 0 */
-    double yield;  /* .. of its opaque surfaces */
+    size_t region; /* the next region */
+    size_t end;    /* end of the previous region's primitives */
+    size_t rank;   /* rank of the previous region, or 0 */
+    double yield;  /* yield of the previous region's opaque surfaces */
     size_t used, count;
 };
 
@@ -283,7 +286,8 @@ static struct clear_ranks ranks_of(const struct scene *scene)
     return ranks;
 }
 
-/* Primitives come in the order of the regions. */
+/* Writes the rank and the yield of primitive i. Primitives are in the order of
+ * their regions. */
 static void put_rank(struct record *record, const struct scene *scene, size_t i,
                      struct clear_ranks *ranks)
 {
@@ -337,8 +341,8 @@ static size_t table_words(const struct scene *scene, const struct leaf_plan *pla
     return count;
 }
 
-/* Spheres in the world's space that have the same surface look alike; any
- * other primitive looks like none. */
+/* Returns the address of the primitive's material. Spheres in world space with
+ * equal surfaces share a material; any other primitive has its own. */
 static uint64_t look_of(struct record *record, const struct primitive *primitive,
                         struct looks *looks)
 {
@@ -380,7 +384,7 @@ static uint64_t look_of(struct record *record, const struct primitive *primitive
     return look;
 }
 
-/* Where a primitive's part in its tree stands. */
+/* Writes the positions of a primitive's crossings and of its value in the tree. */
 static void put_part(struct record *record, const struct leaf_plan *plan,
                      const struct row *crossings, const struct row *values)
 {
@@ -439,8 +443,8 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     return row;
 }
 
-/* Values, and the lists of leaves and of branches at hand, of which one more is
- * written before it is known to be none. */
+/* Reserves the values, and the lists of leaves and of branches. One more entry of
+ * a list is written before it is known to be unused. */
 static struct row layout_values(struct record_layout *layout, const struct scene *scene)
 {
     size_t most = most_leaves(scene);

@@ -1,4 +1,4 @@
-/* solids.h - a scene's primitives and regions in the machine's memory. */
+/* solids.h - writes a scene's primitives and regions into the machine's memory. */
 #ifndef RT_LAYOUT_SOLIDS_H
 #define RT_LAYOUT_SOLIDS_H
 
@@ -7,8 +7,9 @@
 #include "rt/layout/record.h"
 #include "rt/shapes/viewpoints.h"
 
-/* The images' pixels are laid out: where, by number.  Eyes: through which many rays
- * go; NULL: none. */
+/* Writes the primitives and regions. The images must be laid out already; images
+ * has their addresses by number. The eyes are points through which many rays pass,
+ * or NULL. */
 void layout_solids(struct record_layout *layout, const struct scene *scene,
                    const struct interiors *interiors, const uint64_t *images,
                    const struct viewpoints *viewpoints, enum bounding bounding);

@@ -1,3 +1,4 @@
+/* surface.c - the light that a surface transmits and reflects. */
 #include "rt/layout/surface.h"
 
 #include <math.h>
@@ -56,8 +57,8 @@ void surface_passing(const struct pigment *pigment, int which, double passing[3]
                      + pigment->transmit[which];
 }
 
-/* POV-Ray's: what passes more dimly than the limit is not followed, whatever
- * its greatest part. */
+/* As in POV-Ray, a ray whose brightness is at most the limit is not followed, even
+ * if its largest channel exceeds the limit. */
 double surface_passing_weight(const double passing[3], double least)
 {
     double brightness = .297 * passing[0] + .589 * passing[1] + .114 * passing[2];

@@ -1,11 +1,13 @@
+/* trees.c - plans the evaluation of a region's tree. */
 #include "rt/layout/trees.h"
 
 #include <stdlib.h>
 
 #include "rt/shapes/shape_words.h"
 
-/* With room for more than three segments: of meshes there are any number, which
- * their kernels write where the region has room for them. */
+/* The room in scenes with meshes in trees, enough for more than three segments. A
+ * mesh may have any number of crossings; its kernel writes them where the region
+ * has room for them. */
 enum { CROSSINGS_WITH_MESHES = 8 };
 
 bool primitive_is_mesh(const struct primitive *primitive)
@@ -13,7 +15,7 @@ bool primitive_is_mesh(const struct primitive *primitive)
     return shape_of(primitive)->crossings != NULL;
 }
 
-/* --- crossings ----------------------------------------------------------- */
+/* ---- Crossings ----------------------------------------------------------- */
 
 bool region_is_simple(const struct scene *scene, const struct region *region)
 {
@@ -39,7 +41,7 @@ bool region_is_closed(const struct scene *scene, const struct region *region)
     return true;
 }
 
-/* Crossings, and their triangles. */
+/* Places the crossings of a mesh, and their triangles. */
 static size_t place_mesh(const struct primitive *primitive,
                          const struct shape_words *shape, size_t next,
                          struct leaf_plan *plan)
@@ -52,8 +54,9 @@ static size_t place_mesh(const struct primitive *primitive,
     return next + (primitive->unseen ? 1 : 2) * shape->events;
 }
 
-/* A solid's segments are what can be seen of it; other shapes have both, and
- * a patch the two parameters of each behind its crossings. */
+/* Places the crossings of a primitive. The ends of a solid's segments are its
+ * visible crossings. Other shapes have both kinds separately, and a patch has the
+ * two parameters of each crossing after its crossings. */
 static size_t place_leaf(const struct primitive *primitive, size_t next,
                          struct leaf_plan *plan)
 {
@@ -108,7 +111,8 @@ bool scene_has_crossed_meshes(const struct scene *scene)
     return false;
 }
 
-/* That kernels list: a blob alone gives its nearest one, and meshes count their own. */
+/* Returns the number of crossings that a kernel lists. A blob by itself reports
+ * only its nearest one, and meshes count their own. */
 static size_t crossings_of(const struct primitive *primitive, bool alone)
 {
     struct shape_words shape;
@@ -152,23 +156,24 @@ size_t seen_crossings_most(const struct scene *scene)
     return most;
 }
 
-/* --- the tree ------------------------------------------------------------ */
+/* ---- The tree ------------------------------------------------------------ */
 
-/* A value under way: where it stands, or where its complement does. */
+/* A value during the evaluation: its index, or the index of its complement. */
 struct tree_term {
     size_t place;
     bool complement;
 };
 
-/* The values of the nodes that have no parent yet, the first node's on top. */
+/* A stack of the values of nodes without a parent so far. The first node's value
+ * is on top. */
 struct evaluation {
     struct tree_plan *plan;
     size_t leaf_count, depth;
     struct tree_term *stack;
 };
 
-/* x and y, by de Morgan's rules without complements of their own.  Each step
- * has a value to itself, so that all can be looked at afterwards. */
+/* Computes x and y. De Morgan's rules avoid steps for complements. Each step has
+ * its own value, so that all of them can be inspected afterwards. */
 static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
                              struct tree_term y)
 {
@@ -198,7 +203,7 @@ static struct tree_term either(struct evaluation *evaluation, struct tree_term x
     return value;
 }
 
-/* The topmost values become one. */
+/* Combines the topmost count values into one. */
 static void join(struct evaluation *evaluation, size_t count,
                  enum tree_operation operation)
 {
@@ -246,7 +251,7 @@ static void evaluate(struct evaluation *evaluation, const struct scene *scene,
     made->step_count = plan->step_count - made->first_step;
 }
 
-/* Backwards, so that what is below a node comes before it. */
+/* Runs backwards, so that children come before their parents. */
 bool plan_tree(const struct scene *scene, const struct region *region,
                struct tree_plan *plan)
 {

@@ -1,73 +1,73 @@
-/* trees.h - how a region's tree is evaluated.
+/* trees.h - plans the evaluation of a region's tree.
  *
- * It is worked out here, once: the order of the steps, where their results
- * stand, and where the crossings of its primitives do.
+ * The plan is computed once. It has the order of the steps, the positions of their
+ * results, and the positions of the crossings of the primitives.
  */
 #ifndef RT_TREES_H
 #define RT_TREES_H
 
 #include "rt/scene/scene.h"
 
-/* One opaque primitive, of which the nearest crossing ahead is all that is
- * wanted, with no yield. */
+/* Returns true for a region that is one opaque primitive with no yield, if only
+ * its nearest crossing ahead is needed. */
 bool region_is_simple(const struct scene *scene, const struct region *region);
 
-/* Are all its surfaces those of bodies, and seen?  Then a line is inside of it
- * between one crossing and another. */
+/* Returns true if all surfaces of the region belong to bodies and are visible. A
+ * line is then inside of it between two crossings. */
 bool region_is_closed(const struct scene *scene, const struct region *region);
 
 bool primitive_is_mesh(const struct primitive *primitive);
-/* Whether any mesh is not simple: the kernels need
- * shapes/mesh_crossings_vector.s. */
+/* Returns true if a mesh of the scene is in a region that is not simple. The
+ * kernels then need shapes/mesh_crossings_vector.s. */
 bool scene_has_crossed_meshes(const struct scene *scene);
 
-/* Of one primitive in its region. */
+/* The plan of a primitive in its region. */
 struct leaf_plan {
-    bool simple;        /* its region is this primitive, and opaque */
-    size_t first_state; /* which of the region's crossings are its
-                           segments, */
-    size_t first_event; /* and which are those that can be seen; */
-    size_t value;       /* its place among the tree's values */
+    bool simple;        /* its region is simple (region_is_simple) */
+    size_t first_state; /* its first crossing that bounds a segment */
+    size_t first_event; /* its first crossing that can be visible */
+    size_t value;       /* its index among the tree's values */
 };
 
-/* One for each of the scene's primitives.  Returns the crossings of the region
- * that has most. */
+/* Plans each of the scene's primitives. Returns the largest number of crossings of
+ * a region. */
 size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans);
-/* The crossings of the primitive that has most: what the kernels have room
- * for, if it is more than they have anyway (MAX_CROSSINGS in records.s). */
+/* Returns the largest number of crossings of a primitive. The kernels need room
+ * for it if it exceeds their default (MAX_CROSSINGS in records.s). */
 size_t most_crossings(const struct scene *scene);
-/* The crossings of a line with all of the scene that may be seen, at most. */
+/* Returns a bound on the visible crossings of a line with the whole scene. */
 size_t seen_crossings_most(const struct scene *scene);
 
-/* A step of the evaluation, with the numbers of T_OPERATION. */
+/* A step of the evaluation. The operations are the values of T_OPERATION. */
 enum step_operation { STEP_AND, STEP_OR, STEP_AND_NOT };
 struct tree_step {
     enum step_operation operation;
     size_t left, right, result; /* values: the primitives', then the steps' */
 };
 
-/* Of a node: where its value stands, or what it is not, and the steps that make
- * it of the values of its children.  What has a bound is not a complement, so
- * where no ray comes near a node its value is false. */
+/* For a node: the index of its value, or of its complement's value, and the steps
+ * that compute it from its children's values. A node with a bound is not a
+ * complement, so its value is false for rays that miss the bound. */
 struct tree_join {
     size_t value, first_step, step_count;
 };
 
 struct tree_plan {
     size_t step_count;
-    size_t result;           /* the value of the tree, or what it is not: the same
-                      surfaces */
-    bool complement;         /* .. the latter */
-    struct tree_step *steps; /* those of a node before those above it */
+    size_t result;           /* the value of the tree, or of its complement, which
+                              * has the same surfaces */
+    bool complement;         /* the result is that of the complement */
+    struct tree_step *steps; /* children come before their parents */
     struct tree_join *joins;
 };
 
-/* Into room for as many steps as the region has primitives, and as many joins
- * as it has nodes.  False: no memory. */
+/* Plans a region's tree. The caller provides room for as many steps as the region
+ * has primitives, and for as many joins as it has nodes. Returns false without
+ * memory. */
 bool plan_tree(const struct scene *scene, const struct region *region,
                struct tree_plan *plan);
-/* The primitives of the region that has most; n make n values, and n - 1 steps
- * as many more, so no more branches have any. */
+/* Returns the largest number of primitives of a region. n primitives make n values
+ * and n - 1 steps with a value each. At most as many branches have a value. */
 size_t most_leaves(const struct scene *scene);
 
 #endif
