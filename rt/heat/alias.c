@@ -1,9 +1,10 @@
+/* alias.c - builds alias tables by Vose's method. */
 #include "rt/heat/alias.h"
 
 #include <stdlib.h>
 
-/* Columns with less than an even share, and the others; one list from each end
- * of the same room. */
+/* The columns with a share below 1, and the others. The two lists grow from the
+ * two ends of one array. */
 struct columns {
     size_t *list, scarce, ample, count;
 };
@@ -16,7 +17,9 @@ static void put_column(struct columns *columns, const double *share, size_t i)
         columns->list[columns->count - ++columns->ample] = i;
 }
 
-/* What a column lacks it takes from one that has more. */
+/* Fills each scarce column from an ample one. The ample column loses the same
+ * amount and is filed again. Each step completes one column, so the time is
+ * linear. */
 static void fill(struct columns *columns, double *share, size_t *alias)
 {
     while (columns->scarce > 0 && columns->ample > 0) {
@@ -45,7 +48,7 @@ bool alias_build(const double *weights, size_t count, double *share, size_t *ali
         put_column(&columns, share, i);
     }
     fill(&columns, share, alias);
-    for (; columns.scarce > 0; columns.scarce--) /* but for roundings */
+    for (; columns.scarce > 0; columns.scarce--) /* nonempty only through rounding */
         share[columns.list[columns.scarce - 1]] = 1;
     for (; columns.ample > 0; columns.ample--)
         share[columns.list[count - columns.ample]] = 1;

@@ -1,9 +1,9 @@
-/* alias.h - a table by which one of many things is chosen with its probability,
- * in one step (rt/kernels/heat/pieces.s).
+/* alias.h - builds an alias table, which picks one of many items by its
+ * probability in one step (rt/kernels/heat/pieces.s).
  *
- * A column i is chosen evenly; then i itself with the probability share[i], else
- * alias[i].  Source: Walker 1977; Vose, "A linear algorithm for generating random
- * numbers with a given distribution" (1991).
+ * A column i is picked uniformly. The item is i with the probability share[i],
+ * else alias[i]. Sources: Walker 1977; Vose, "A linear algorithm for generating
+ * random numbers with a given distribution" (1991).
  */
 #ifndef RT_ALIAS_H
 #define RT_ALIAS_H
@@ -11,8 +11,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* weights: as many as count, none below 0, one above; probabilities are theirs over
- * their sum.  share and alias: likewise; shares are 0 .. 1.  False: no memory. */
+/* Builds the table. There are `count` weights, none negative, at least one
+ * positive. An item's probability is its weight over their sum. share and alias
+ * have `count` elements; shares are from 0 to 1. Returns false without memory. */
 bool alias_build(const double *weights, size_t count, double *share, size_t *alias);
 
 #endif

@@ -1,3 +1,4 @@
+/* chords.c - random lines through a sphere, from its emission. */
 #include "rt/heat/chords.h"
 
 #include <math.h>

@@ -1,11 +1,11 @@
-/* color_scale.c - see color_scale.h. */
+/* color_scale.c - draws a colour bar below a picture. */
 #include "rt/heat/color_scale.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* In dots: a letter and the space behind it, and from top to bottom a margin, the
- * bar, lines of text with their distances, a margin. */
+/* Sizes in dots: a letter and the space after it; then, from top to bottom, a
+ * margin, the bar, lines of text with their spacing, and a margin. */
 enum {
     LETTER_WIDTH = 5,
     LETTER_HEIGHT = 7,
@@ -14,10 +14,10 @@ enum {
     MARGIN = 4,
     BAR = 8,
     BAR_END = MARGIN + BAR + 3,
-    COLUMNS = 320 /* of a picture for each dot's size */
+    COLUMNS = 320 /* picture columns for each pixel of a dot's size */
 };
 
-/* Rows of a letter from the top, the left dot is the highest of five bits. */
+/* The rows of a letter from the top. The left dot is the highest of five bits. */
 static const struct letter {
     char letter;
     unsigned char rows[LETTER_HEIGHT];
@@ -57,7 +57,7 @@ static const struct letter {
     { 'w', { 0x00, 0x00, 0x11, 0x11, 0x15, 0x15, 0x0A } },
 };
 
-/* ---- Where everything is --------------------------------------------------- */
+/* ---- Layout ---------------------------------------------------------------- */
 
 enum { NUMBER_SIZE = 32 };
 
@@ -69,7 +69,7 @@ struct scale_layout {
     size_t width;      /* dots */
     double begin, end; /* shares at the ends of the bar */
     char least[NUMBER_SIZE], most[NUMBER_SIZE];
-    bool apart; /* the two numbers need a line each */
+    bool apart; /* each number needs a line of its own */
 };
 
 static size_t text_width(const char *text)
@@ -102,7 +102,7 @@ size_t color_scale_rows(const struct color_scale *scale, size_t width)
 
 /* ---- Drawing --------------------------------------------------------------- */
 
-/* A square of pixels; beyond the frame there is nothing. */
+/* Draws a dot as a square of pixels. Pixels outside of the frame are skipped. */
 static void put_dot(const struct scale_layout *layout, size_t x, size_t y,
                     const double color[3])
 {
@@ -134,7 +134,7 @@ static void put_text(const struct scale_layout *layout, size_t x, size_t y,
                             white);
 }
 
-/* Where a text begins that is to be around a column, or end there. */
+/* Returns the column at which a text of this width begins if it ends at `column`. */
 static size_t before(size_t column, size_t width)
 {
     return column > width ? column - width : 0;

@@ -1,3 +1,4 @@
+/* emission.c - generates points of a surface and directions, on a machine. */
 #include "rt/heat/emission.h"
 
 #include <math.h>
@@ -15,11 +16,11 @@
 struct emission {
     struct emission_options options;
     struct object *program;
-    struct image image;    /* what is given, but for the choice */
+    struct image image;    /* the input, without the choice */
     uint64_t choice, made; /* addresses */
 };
 
-/* ---- What is given -------------------------------------------------------- */
+/* ---- Input ---------------------------------------------------------------- */
 
 static double determinant(const struct transform *map)
 {
@@ -30,7 +31,7 @@ static double determinant(const struct transform *map)
     return dot3(rows[0], product);
 }
 
-/* The rows of the transposed inverse, turned round with the solid. */
+/* Writes the rows of the transposed inverse, negated for an inverted solid. */
 static void put_to_face(struct record *record, const struct transform *inverse,
                         bool inverted)
 {
@@ -58,7 +59,8 @@ static void put_place(struct record *record, const struct primitive *primitive,
     put_to_face(record, &inverse, primitive->inverted);
 }
 
-/* The columns of the table, one behind another: shares, aliases, words. */
+/* Fills the columns of the table, in this order: shares, aliases, then the words
+ * of the pieces. */
 static void fill_columns(const struct emitter *emitter, const double *share,
                          const size_t *alias, c205_word *columns)
 {
@@ -224,7 +226,7 @@ void emission_free(struct emission *emission)
 static bool load(const struct emission *emission, c205 *machine,
                  const struct emission_choice *choice, c205_error *error)
 {
-    /* Integers have the exponent 0. */
+    /* An integer of the machine is a word with the exponent 0. */
     const c205_word words[] = { choice->seed, choice->first, choice->m, choice->shift };
 
     return c205_load(machine, &emission->program->program, error)

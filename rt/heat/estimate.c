@@ -1,3 +1,4 @@
+/* estimate.c - means and ratios with their standard errors. */
 #include "rt/heat/estimate.h"
 
 #include <math.h>
@@ -11,7 +12,8 @@ static double mean_of(const double *values, size_t count)
     return sum / (double)count;
 }
 
-/* The standard error of a mean, from the squares about it of so many. */
+/* Returns the standard error of a mean of count values, from the sum of their
+ * squared deviations. */
 static double error_of(double squares, size_t count)
 {
     double n = (double)count;

@@ -1,4 +1,5 @@
-/* estimate.h - figures of independent repeats, with their standard errors. */
+/* estimate.h - means and ratios of independent repeats, with their standard
+ * errors. */
 #ifndef RT_ESTIMATE_H
 #define RT_ESTIMATE_H
 
@@ -8,8 +9,9 @@ struct estimate {
     double value, error;
 };
 
-/* Of so many repeats, 2 or more: the mean; the mean of the shares over that of the
- * wholes, whose error is that of share - ratio whole. */
+/* Both need 2 or more repeats. estimate_mean returns the mean. estimate_ratio
+ * returns the mean of the shares divided by the mean of the wholes; its error is
+ * that of share - ratio * whole. */
 struct estimate estimate_mean(const double *values, size_t count);
 struct estimate estimate_ratio(const double *shares, const double *wholes,
                                size_t count);

@@ -1,3 +1,4 @@
+/* exchange.c - solves the equations of radiative exchange on a machine. */
 #include "rt/heat/exchange.h"
 
 #include <math.h>
@@ -38,7 +39,7 @@ static bool check(const struct exchange_given *given, c205_error *error)
     return true;
 }
 
-/* Planes of the machine, and its columns of factors. */
+/* Returns the columns of factors, followed by the planes of the surfaces. */
 static c205_word *lay_words(const struct exchange_given *given)
 {
     size_t n = given->count;
@@ -60,7 +61,7 @@ static c205_word *lay_words(const struct exchange_given *given)
     return words;
 }
 
-/* What the program makes: three planes, and behind them three words. */
+/* The output of the program: three planes, then three words. */
 enum { MADE_PLANES = 3, MADE_OUTSIDE = 0, MADE_SUM, MADE_SINGULAR, MADE_WORDS };
 
 static bool run(const struct exchange_given *given, struct object *program,

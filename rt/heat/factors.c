@@ -1,3 +1,4 @@
+/* factors.c - computes shape factors from packets of rays. */
 #include "rt/heat/factors.h"
 
 #include <stdlib.h>
@@ -6,7 +7,7 @@
 #include "base/hash.h"
 #include "rt/heat/packet.h"
 
-/* ---- To begin ------------------------------------------------------------- */
+/* ---- Setup ---------------------------------------------------------------- */
 
 struct factors {
     struct packet_programs programs;
@@ -69,8 +70,9 @@ void factor_row_free(struct factor_row *row)
 
 /* ---- Pieces --------------------------------------------------------------- */
 
-/* Packets of a repeat.  Lines cross a shape several times: four times on average
- * may still be fewer than MAX_EMISSION. */
+/* The points of a piece. In the source by lines, a line crosses a shape several
+ * times. With four crossings per line on average there may still be fewer than
+ * MAX_EMISSION. */
 enum { PIECE = 1 << 14 };
 
 static size_t piece_count(const struct factors_options *options)
@@ -83,7 +85,7 @@ static size_t packet_count(const struct factors_options *options)
     return options->repeats * piece_count(options);
 }
 
-/* The number of the first point of a piece, and how many points it has. */
+/* Returns the number of points of a piece, and sets the number of its first point. */
 static size_t find_piece(const struct factors_options *options, size_t piece,
                          size_t *first)
 {
@@ -93,14 +95,14 @@ static size_t find_piece(const struct factors_options *options, size_t piece,
                                               : options->points - *first;
 }
 
-/* What a row comes from: the packets of each repeat. */
+/* The input of a row: the packets of all repeats. */
 struct repeats {
     size_t count, pieces, points, receivers;
     const struct packet *packets;
-    double *areas, *shares; /* of each */
+    double *areas, *shares; /* for each repeat */
 };
 
-/* Of a repeat, the mean over its points of what a receiver gets. */
+/* Returns the mean weight of a receiver over the points of repeat k. */
 static double share_of(const struct repeats *repeats, size_t k, size_t receiver)
 {
     const struct packet *packet = &repeats->packets[k * repeats->pieces];
@@ -111,7 +113,7 @@ static double share_of(const struct repeats *repeats, size_t k, size_t receiver)
     return sum / (double)repeats->points;
 }
 
-/* Of each repeat, all but what is covered. */
+/* Computes the visible area of each repeat: the total less the covered part. */
 static void find_areas(const struct repeats *repeats)
 {
     for (size_t k = 0; k < repeats->count; k++)
@@ -145,7 +147,7 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
     return good;
 }
 
-/* False: no memory. */
+/* Computes a row from its packets. Returns false without memory. */
 static bool conclude(const struct packet_programs *programs,
                      const struct packet *packets, struct factor_row *row)
 {
@@ -172,17 +174,17 @@ static bool conclude(const struct packet_programs *programs,
     return good;
 }
 
-/* ---- Packets, done by a job set ------------------------------------------------ */
+/* ---- Packets as units of a job set --------------------------------------------- */
 
-/* The source of a thread's last packet, which its next one often needs as well. */
+/* The source of a thread's last packet. The next packet often has the same one. */
 struct emitting {
     struct heat_source *source;
     size_t primitive, points;
 };
 
-/* The packets of an emitter, as they come. */
+/* The packets of an emitter that have arrived. */
 struct coming {
-    struct packet *packets; /* of all repeats; NULL: none has come */
+    struct packet *packets; /* of all repeats; NULL before the first */
     size_t count;
 };
 
@@ -190,9 +192,9 @@ struct rows_work {
     const struct packet_programs *programs;
     const size_t *emitters; /* primitives, in order */
     size_t emitter_count, job_count;
-    struct emitting *emitting; /* of each job */
-    struct coming *coming;     /* of each emitter */
-    struct factor_row *rows;   /* .. */
+    struct emitting *emitting; /* one for each job */
+    struct coming *coming;     /* one for each emitter */
+    struct factor_row *rows;   /* one for each emitter */
 };
 
 static bool begin_source(const struct rows_work *work, struct emitting *emitting,
@@ -261,7 +263,7 @@ static bool begin_coming(const struct rows_work *work, struct coming *coming)
     return good;
 }
 
-/* With the last of its packets a row is found, and they go. */
+/* The last packet of an emitter completes its row. The packets are then freed. */
 static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
@@ -289,7 +291,8 @@ static size_t unit_count(const struct rows_work *work)
 
 /* ---- All rows ---------------------------------------------------------------- */
 
-/* All that packets depend on, but for the scene. */
+/* Opens the files with a key of all that packets depend on, in addition to the
+ * scene. */
 static bool keep(const struct rows_work *work, struct job_set *job_set,
                  c205_error *error)
 {

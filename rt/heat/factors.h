@@ -1,12 +1,12 @@
-/* factors.h - where the rays go that a primitive of a scene emits: shape factors,
- * and the areas of what is seen of it.
+/* factors.h - computes shape factors by tracing the rays that primitives emit, and
+ * the areas of their visible parts.
  *
- * A packet is one repeat of an emitter, or a piece of it: its points, which of these are seen, and what
- * receives the rays that go out from them.  All of that, and the counts and sums of weights
- * by receiver, are the machine's: packet by packet, in machines of its own, by a
- * job set.  They do not depend on the form,
- * the queue, the jobs or the ranks; of the few sums the host finds means and errors.
- * Source: docs/heat.md.
+ * A packet is one repeat of an emitter, or a piece of a repeat: its points, the
+ * visible ones among them, and the receivers of the rays from these. Machines
+ * compute all of this, including the counts and sums of weights by receiver,
+ * packet by packet, as the units of a job set. The results do not depend on the form,
+ * the queue, the jobs or the ranks. The host computes means and errors from the
+ * sums. Source: docs/heat.md.
  */
 #ifndef RT_FACTORS_H
 #define RT_FACTORS_H
@@ -18,56 +18,58 @@
 #include "rt/heat/step.h"
 #include "rt/trace/ray_query.h"
 
-/* Of a repeat; more than a vector holds are found in pieces. */
+/* Points of a repeat. A repeat with more points than a vector holds is divided
+ * into pieces. */
 enum { MAX_FACTORS_POINTS = 1 << 20 };
 
 struct factors_options {
     enum trace_mode mode;
-    size_t queue;   /* in vector mode: of points and of rays */
-    size_t points;  /* of each repeat: 1 .. MAX_FACTORS_POINTS; of the
-                             lattice a power of two is best */
+    size_t queue;   /* of points and of rays; vector mode only */
+    size_t points;  /* of each repeat: 1 .. MAX_FACTORS_POINTS; a power of two is
+                     * best for the lattice */
     size_t repeats; /* 2 or more: their spread gives the errors */
-    bool lattice;   /* .. under independent shifts; else random */
+    bool lattice;   /* use the lattice under independent shifts; else random points */
     uint64_t seed;
     size_t jobs;             /* packets at a time; 0: one */
     struct job_set *job_set; /* as in job_set_work */
-    /* Asked now and then, with packets; false: stop.  NULL: nobody wants to know. */
+    /* Called at intervals with packets. Returns false to stop. May be NULL. */
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
-    /* What receives as one: of each of the scene's primitives a number, below so many;
-     * NULL: each for itself. */
+    /* The receiver of each of the scene's primitives, a number below receivers. NULL:
+     * each primitive is a receiver of its own. */
     const size_t *receiver_of;
     size_t receivers;
     const c205_model *model; /* must outlive the factors */
 };
 
-/* Of one emitter. */
+/* The factors from one emitter. */
 struct factor_row {
-    struct estimate area;        /* seen of it, in the world */
-    uint64_t tried, sent;        /* points, and the rays of those that stayed */
-    size_t receivers;            /* all that receive, and the environment */
-    uint64_t *count;             /* of rays, by receiver; their sum is sent */
-    struct estimate *factor;     /* .. as a share of the area; their sum is 1 */
+    struct estimate area;        /* of the visible part, in the world */
+    uint64_t tried, sent;        /* points, and the rays of the visible points */
+    size_t receivers;            /* number of receivers, including the environment */
+    uint64_t *count;             /* rays by receiver; their sum is sent */
+    struct estimate *factor;     /* by receiver; their sum is 1 */
     struct accounts accounts;    /* of all machines */
-    uint64_t clocks[HEAT_STEPS]; /* .. of them */
+    uint64_t clocks[HEAT_STEPS]; /* the clocks of these machines, by step */
 };
 void factor_row_free(struct factor_row *row);
 
 struct factors;
 
-/* NULL: options that cannot be, no memory; the error says why.  The scene must outlive
- * the factors. */
+/* Returns NULL for invalid options, or without memory; the error gives the reason.
+ * The scene must outlive the factors. */
 struct factors *factors_new(const struct scene *scene,
                             const struct factors_options *options, c205_error *error);
 void factors_free(struct factors *factors);
 
-/* Those from so many primitives, numbers of the scene's from 0 on, on their outward sides:
- * rows, which the caller frees.  Where the job set does not collect packets
- * (job_set_collects), the rows stay empty.  False: one has no emission, a trap, no memory, a
- * file of another run; the rows are empty then. */
+/* Computes a row for each emitter, which is an index of the scene's primitives;
+ * rays leave on the outward side. The caller frees the rows. If the job set does not
+ * collect packets (job_set_collects), the rows stay empty. Returns false, with empty
+ * rows, if a primitive has no emission, after a trap, without memory, or if a file
+ * belongs to another run. */
 bool factors_find(const struct factors *factors, const size_t *emitters, size_t count,
                   struct factor_row *rows, c205_error *error);
-/* Packets of so many emitters. */
+/* Returns the number of packets for count emitters. */
 size_t factors_units(const struct factors *factors, size_t count);
 
 #endif

@@ -1,3 +1,4 @@
+/* global_lines.c - computes shape factors from lines through the whole scene. */
 #include "rt/heat/global_lines.h"
 
 #include <math.h>
@@ -13,9 +14,9 @@
 #include "rt/trace/form.h"
 #include "rt/trace/ray_query.h"
 
-/* Gaps shorter than that, a length in the world, are none: surfaces touch there. */
+/* Shorter gaps, a length in the world, are ignored: the surfaces touch there. */
 static const double least_gap = 1e-7;
-/* The sphere is larger than the box about the scene. */
+/* The factor by which the sphere exceeds the box around the scene. */
 static const double larger = 1.001;
 
 enum { MAX_SURFACES = 1023, MAX_ENDS = 65535 };
@@ -27,10 +28,10 @@ struct global_work {
     struct chords chords;
     struct ray_query *lines;
     struct object *gaps;
-    size_t lines_of_packet, packets; /* packets: of a repeat */
+    size_t lines_of_packet, packets; /* packets of a repeat */
 };
 
-/* The surfaces and the environment. */
+/* Returns the number of surfaces, including the environment. */
 static size_t width_of(const struct global_work *work)
 {
     return work->found->surfaces + 1;
@@ -46,7 +47,7 @@ static size_t unit_count(const struct global_work *work)
     return work->options->repeats * work->packets;
 }
 
-/* ---- The sphere about the scene ------------------------------------------- */
+/* ---- The sphere around the scene ------------------------------------------ */
 
 static bool join_box(const struct bound *bound, const struct region *region,
                      double low[3], double high[3], c205_error *error)
@@ -84,7 +85,7 @@ static bool find_sphere(struct global_work *work, c205_error *error)
     return good;
 }
 
-/* ---- To begin -------------------------------------------------------------- */
+/* ---- Setup ----------------------------------------------------------------- */
 
 static size_t surface_count(const struct scene *scene,
                             const struct global_lines_options *options)
@@ -175,12 +176,12 @@ static void end(struct global_work *work)
 struct global_packet {
     const struct global_work *work;
     size_t unit;
-    c205_word *planes; /* of the sphere's points */
+    c205_word *planes; /* of the points where lines end */
     struct scene_ray *lines;
     struct ray_hits seen;
     c205_word *counts; /* of gaps, a row for each surface */
     struct accounts accounts;
-    uint64_t clocks[HEAT_STEPS]; /* .. of them */
+    uint64_t clocks[HEAT_STEPS]; /* the clocks of these machines, by step */
     c205_error *error;
 };
 
@@ -203,12 +204,12 @@ static bool make_lines(struct global_packet *packet)
     return true;
 }
 
-/* As in gaps.s. */
+/* The planes of an end, as in gaps.s. */
 enum { GAP_DISTANCE, GAP_SURFACE, GAP_WITHIN, GAP_PLANES };
 
 struct ends {
     size_t count;
-    c205_word *planes[GAP_PLANES]; /* one behind the other */
+    c205_word *planes[GAP_PLANES]; /* consecutive in one allocation */
 };
 
 static void add_end(struct ends *ends, c205_word distance, size_t surface, int within)
@@ -227,7 +228,9 @@ static size_t surface_of(const struct global_packet *packet, size_t primitive)
     return surfaces ? surfaces[primitive] : primitive;
 }
 
-/* Before each line and behind the last is the environment, nowhere near what is seen. */
+/* Lays out the ends of gaps: the crossings of each line, preceded by an end of the
+ * environment, with one more after the last line. The distance of these ends is
+ * not close to any crossing. */
 static bool lay_ends(const struct global_packet *packet, struct ends *ends)
 {
     const struct ray_hits *seen = &packet->seen;
@@ -250,7 +253,7 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
     return words != NULL;
 }
 
-/* Gaps from the end `first` on, so many, are added to the packet's counts. */
+/* Adds the `count` gaps from the end `first` on to the packet's counts. */
 static bool count_gaps(struct global_packet *packet, const struct ends *ends,
                        size_t first, size_t count)
 {
@@ -336,10 +339,10 @@ static void end_packet(struct global_packet *packet)
     accounts_free(&packet->accounts);
 }
 
-/* ---- As units of work, done by a job set --------------------------------------- */
+/* ---- Packets as units of a job set --------------------------------------------- */
 
-/* Most surfaces do not see most others: what they have is their numbers, and how many
- * that are. */
+/* Writes the counts that are not 0, with their number and indices. Most pairs of
+ * surfaces do not see each other. */
 static void put_counts(const struct global_packet *packet,
                        struct serialized_result *words)
 {
@@ -375,7 +378,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
     return good;
 }
 
-/* A gap from i to j is one from j to i as well. */
+/* A gap from i to j is also a gap from j to i. */
 static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
                      uint64_t count)
 {
@@ -386,7 +389,7 @@ static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
     ends[j * width + i] += count;
 }
 
-/* Whether the next words are what put_counts puts. */
+/* Returns true if the next words have the format of put_counts. */
 static bool are_counts(const struct global_work *work,
                        const struct serialized_result *words)
 {
@@ -404,7 +407,7 @@ static bool are_counts(const struct global_work *work,
     return good && !look.failed;
 }
 
-/* All of it, or nothing. */
+/* Adds all of a packet, or nothing. */
 static bool take_unit(void *context, size_t unit, struct serialized_result *words,
                       c205_error *error)
 {
@@ -427,7 +430,8 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     return good || error_set(error, "a packet has no words");
 }
 
-/* All that packets depend on, but for the scene. */
+/* Opens the files with a key of all that packets depend on, in addition to the
+ * scene. */
 static bool keep(const struct global_work *work, struct job_set *job_set,
                  c205_error *error)
 {
@@ -494,7 +498,7 @@ void global_lines_free(struct global_lines *found)
     *found = (struct global_lines){ 0 };
 }
 
-/* ---- What they say ----------------------------------------------------------- */
+/* ---- Results ----------------------------------------------------------------- */
 
 static uint64_t count_in(const struct global_lines *found, size_t repeat, size_t i,
                          size_t j)
@@ -504,7 +508,7 @@ static uint64_t count_in(const struct global_lines *found, size_t repeat, size_t
     return found->ends[(repeat * width + i) * width + j];
 }
 
-/* All ends of gaps at i. */
+/* Returns the number of gap ends at i. */
 static uint64_t row_in(const struct global_lines *found, size_t repeat, size_t i)
 {
     uint64_t sum = 0;
@@ -532,9 +536,9 @@ uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j
     return sum;
 }
 
-/* The standard error of a sum over repeats, from the squares about its mean.  Repeats of the
- * lattice may all count alike; then one line, with its two ends,
- * more or less in one of them is left open. */
+/* Returns the standard error of a sum over repeats, from the sum of squared
+ * deviations. The repeats of a lattice may all have the same counts. The error
+ * then still allows for one line, with its two ends, in one repeat. */
 static double error_of(const struct global_lines *found, double squares)
 {
     double n = (double)found->repeats;
@@ -556,7 +560,7 @@ struct estimate global_lines_area(const struct global_lines *found, size_t i)
     return (struct estimate){ unit * sum, unit * error_of(found, squares) };
 }
 
-/* A ratio: its error is that of count - factor row. */
+/* Returns a ratio. Its error is that of count - factor * row. */
 struct estimate global_lines_factor(const struct global_lines *found, size_t i,
                                     size_t j)
 {

@@ -1,3 +1,4 @@
+/* heat.c - computes shape factors and the radiative exchange of a scene. */
 #include "rt/heat/heat.h"
 
 #include <math.h>
@@ -10,7 +11,7 @@
 #include "rt/heat/source.h"
 #include "rt/scene/named_values.h"
 
-/* What there is besides while it is found. */
+/* The temporary state of a computation. */
 struct heat_work {
     struct heat *heat;
     size_t emitter_count, *emitters; /* primitives, in order */
@@ -73,7 +74,8 @@ static bool find_rows(struct heat_work *work)
     return good;
 }
 
-/* The rows of emitters become those of their primitives. */
+/* Moves each emitter's row to the index of its primitive. The order is downward,
+ * since that index is at least the row's own. */
 static void place_rows(const struct heat_work *work)
 {
     for (size_t i = work->emitter_count; i-- > 0;) {
@@ -159,7 +161,7 @@ static bool find_by_lines(struct heat_work *work)
     return good;
 }
 
-/* ---- Until it is precise --------------------------------------------------- */
+/* ---- Precision ------------------------------------------------------------- */
 
 bool heat_is_precise(const struct heat *heat)
 {
@@ -168,8 +170,8 @@ bool heat_is_precise(const struct heat *heat)
     return tolerance == 0 || heat->worst <= tolerance;
 }
 
-/* Where all repeats say the same there is no spread; what a ray more or less would say is
- * not known better for that. */
+/* Returns the error of a factor, at least the contribution of one ray. If all
+ * repeats agree, their spread is 0, but the factor is not known better than that. */
 static double error_of(const struct surface *surface, size_t to)
 {
     return fmax(surface->factor[to].error, 1 / (double)surface->sent);
@@ -192,7 +194,7 @@ static void find_worst(struct heat *heat)
         }
 }
 
-/* Lines are drawn in powers of two. */
+/* Returns the limit. For lines it is rounded down to a power of two. */
 static size_t limit_of(const struct heat_request *request)
 {
     size_t limit = request->limit;
@@ -201,7 +203,8 @@ static size_t limit_of(const struct heat_request *request)
                                           : limit;
 }
 
-/* How many are drawn in the next round; 0: none is needed, or allowed. */
+/* Returns the number drawn in the next round; 0: no further round is needed or
+ * allowed. */
 static uint64_t find_next(struct heat *heat)
 {
     size_t limit = limit_of(heat->request);
@@ -243,7 +246,7 @@ static bool find_factors(struct heat_work *work)
     return true;
 }
 
-/* ---- What is given --------------------------------------------------------- */
+/* ---- Input ----------------------------------------------------------------- */
 
 static bool take_given(const struct heat *heat, struct named_values *given,
                        const char *const *texts, size_t count, const char *besides,
@@ -274,7 +277,7 @@ bool heat_begin(const struct scene *scene, const struct heat_request *request,
                          request->temperature_count, thermal_environment, error);
 }
 
-/* ---- What follows from factors ---------------------------------------------- */
+/* ---- Smoothing and exchange ------------------------------------------------- */
 
 static bool smooth(const struct heat_work *work)
 {
@@ -306,7 +309,7 @@ static bool find_exchange(const struct heat_work *work)
     return true;
 }
 
-/* Areas, and flows from them, in the file's unit of length. */
+/* Converts areas, and the flows of whole areas, to the file's unit of length. */
 static void enlarge(struct heat *heat)
 {
     double unit = ldexp(1, 2 * heat->scene->unit_log);
@@ -343,7 +346,7 @@ void heat_free(struct heat *heat)
     *heat = (struct heat){ .request = NULL };
 }
 
-/* ---- What was found -------------------------------------------------------- */
+/* ---- Results --------------------------------------------------------------- */
 
 const char *heat_receiver(const struct heat *heat, size_t to)
 {

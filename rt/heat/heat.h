@@ -1,6 +1,5 @@
-/* heat.h - the shape factors between the surfaces of a scene, found by rays or by lines,
- * with errors that are small enough; and what these surfaces exchange.
- */
+/* heat.h - computes the shape factors between the surfaces of a scene, by rays or
+ * by lines, until their errors are small enough, and the radiative exchange. */
 #ifndef RT_HEAT_H
 #define RT_HEAT_H
 
@@ -10,18 +9,21 @@ struct heat_request {
     enum trace_mode mode;
     size_t queue, jobs;
     enum surfaces_by by;
-    /* Of each repeat: points of each primitive, 1 .. MAX_FACTORS_POINTS, or lines through all of
-     * the scene, a power of two.  By lines no primitive is without emission. */
+    /* The number drawn of each repeat: points of each primitive, 1 ..
+     * MAX_FACTORS_POINTS, or lines through the whole scene, a power of two. By lines
+     * every primitive can emit. */
     bool by_lines;
     size_t drawn;
     size_t repeats; /* 2 or more */
-    bool lattice;   /* or random */
+    bool lattice;   /* else random */
     uint64_t seed;
-    /* With four times as many until no factor's standard error, or what one of its rays
-     * says, is larger; 0: once. */
+    /* The number is increased fourfold until no factor's standard error exceeds the
+     * tolerance, where the error is at least the contribution of one ray. 0: one
+     * round. */
     double tolerance;
-    size_t limit; /* drawn at most, if there is a tolerance */
-    bool smooth;  /* factors, too, and the exchange is by them (smooth.h) */
+    size_t limit; /* largest number drawn, if there is a tolerance */
+    bool smooth;  /* also smooth the factors (smooth.h), and use these for the
+                   * exchange */
     bool exchange;
     const char *const *emissivities, *const *temperatures; /* NAME=VALUE */
     size_t emissivity_count, temperature_count;
@@ -38,28 +40,30 @@ struct heat {
     const char **refusals; /* of each primitive, as in source.h */
     struct named_values emissivities, temperatures;
     struct surfaces surfaces;
-    struct thermal thermal;      /* if the exchange is asked */
-    struct accounts accounts;    /* of all machines that found it */
-    uint64_t clocks[HEAT_STEPS]; /* .. of them */
-    size_t drawn, units; /* of the last round; packets, done here or elsewhere */
-    double worst;        /* the largest error of a factor, one ray at least, */
-    size_t worst_from, worst_to; /* .. and whose it is */
+    struct thermal thermal;      /* if the exchange was requested */
+    struct accounts accounts;    /* of all machines */
+    uint64_t clocks[HEAT_STEPS]; /* the clocks of these machines, by step */
+    size_t drawn, units; /* of the last round; packets, from this or other processes */
+    double worst;        /* the largest error of a factor, at least that of one ray */
+    size_t worst_from, worst_to; /* the factor that has it */
 };
 
-/* What is given must outlive the heat.  False: a scene without surfaces, names and values
- * that cannot be; no memory.  Free it in either case. */
+/* Prepares a computation. The arguments must outlive the heat. Returns false for a
+ * scene without surfaces, for invalid names and values, or without memory. Call
+ * heat_free in either case. */
 bool heat_begin(const struct scene *scene, const struct heat_request *request,
                 struct heat *heat, c205_error *error);
-/* Where the job set does not collect packets nothing but their number is found.  False: a trap,
- * no memory, a file of another run, whatever factors.h, global_lines.h and thermal.h
- * refuse. */
+/* Computes everything. If the job set does not collect packets, only their number is
+ * set. Returns false after a trap, without memory, if a file belongs to another
+ * run, or for errors of factors.h, global_lines.h and thermal.h. */
 bool heat_find(struct heat *heat, c205_error *error);
 void heat_free(struct heat *heat);
 
 bool heat_is_precise(const struct heat *heat);
-/* The surface to which a factor goes: the last one is the environment. */
+/* Returns the name of a receiver. The last one is the environment. */
 const char *heat_receiver(const struct heat *heat, size_t to);
-/* That is what both found: the same counts and the same bits of areas, factors and flows. */
+/* Returns true if both have the same counts, and bitwise equal areas, factors and
+ * flows. */
 bool heat_is_same(const struct heat *one, const struct heat *other);
 
 #endif

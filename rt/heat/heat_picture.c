@@ -1,3 +1,4 @@
+/* heat_picture.c - draws a scene coloured by heat flows or shape factors. */
 #include "rt/heat/heat_picture.h"
 
 #include <math.h>
@@ -30,8 +31,8 @@ struct heat_drawing {
     const struct heat_look *look;
     struct heat_drawn *drawn;
     double *values;     /* of each surface; NaN: none */
-    size_t from;        /* of factors */
-    struct scene scene; /* recoloured */
+    size_t from;        /* the emitting surface of factors */
+    struct scene scene; /* with the new colours */
     struct light lamp;
     c205_error *error;
 };
@@ -116,7 +117,7 @@ static bool find_values(struct heat_drawing *drawing)
 
 static const double grey[3] = { .25, .25, .25 }, green[3] = { .1, .55, .1 };
 
-/* On the way through so many colours, at a share of it. */
+/* Interpolates in a list of count colours; share is from 0 to 1. */
 static void mix(const double (*way)[3], size_t count, double share, double color[3])
 {
     double at = fmin(fmax(share, 0), 1) * (double)(count - 1);
@@ -126,7 +127,8 @@ static void mix(const double (*way)[3], size_t count, double share, double color
         color[k] = way[i][k] + (at - (double)i) * (way[i + 1][k] - way[i][k]);
 }
 
-/* From -1, the largest gain, to 1, the largest loss or factor. */
+/* Computes a colour of the scale, from -1, the largest gain, to 1, the largest
+ * loss or factor. */
 static void color_at(const void *given, double share, double color[3])
 {
     const struct heat_drawing *drawing = given;
@@ -151,7 +153,8 @@ static void color_of(const struct heat_drawing *drawing, size_t surface,
     const struct heat_drawn *drawn = drawing->drawn;
     double value = drawing->values[surface];
     double most = value < 0 ? -drawn->least : drawn->most;
-    double share = most > 0 ? value / most : 0; /* losses and gains apart */
+    double share = most > 0 ? value / most : 0; /* losses and gains are scaled
+                                                 * separately */
 
     if (isnan(value))
         memcpy(color, grey, sizeof grey);
@@ -162,7 +165,7 @@ static void color_of(const struct heat_drawing *drawing, size_t surface,
         color_at(drawing, share, color);
 }
 
-/* Of one colour, half of it without any light. */
+/* Gives a primitive one colour. Half of it does not depend on light. */
 static void paint(struct primitive *primitive, const double color[3])
 {
     primitive->pigment = (struct pigment){ .kind = PIGMENT_COLOR };

@@ -1,3 +1,4 @@
+/* heat_tables.c - the results of a heat computation as tables. */
 #include "rt/heat/heat_tables.h"
 
 #include <math.h>
@@ -47,7 +48,8 @@ size_t heat_unseen(const struct heat *heat)
     return count;
 }
 
-/* As many more decimals as the square of the scene's unit has digits after the point. */
+/* Returns the decimals of an area: as many more as the square of the scene's unit
+ * has digits after the point. */
 static int decimals_of(const struct heat *heat, const struct table_column *column)
 {
     return column->decimals - (int)(2 * heat->scene->unit_log * log10(2));

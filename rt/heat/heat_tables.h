@@ -1,19 +1,22 @@
-/* heat_tables.h - what is found of a scene's heat, as tables.  NULL: no memory. */
+/* heat_tables.h - the results of a heat computation as tables. Functions return
+ * NULL without memory. */
 #ifndef RT_HEAT_TABLES_H
 #define RT_HEAT_TABLES_H
 
 #include "base/table.h"
 #include "rt/heat/heat.h"
 
-/* Of a part or a material the kind and the line are those of its first primitive.  Surfaces
- * of which nothing is seen are left out unless all are wanted. */
+/* Returns the areas. The kind and line of a part or material are those of its
+ * first primitive. Surfaces without a visible part are left out unless `all` is
+ * set. */
 struct table *heat_table_of_areas(const struct heat *heat, bool all);
-/* How many of them were tried and have no area that is seen. */
+/* Returns the number of surfaces that were sampled and have no visible area. */
 size_t heat_unseen(const struct heat *heat);
 struct table *heat_table_of_factors(const struct heat *heat);
-/* .. beside those that are smoothed, and by how many standard errors these are off. */
+/* Returns the factors with their smoothed values, and the change in standard
+ * errors. */
 struct table *heat_table_of_smoothed(const struct heat *heat);
-/* Then that of the environment, and of all together. */
+/* Returns the flows of the surfaces, of the environment, and their sum. */
 struct table *heat_table_of_flows(const struct heat *heat);
 
 #endif

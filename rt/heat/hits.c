@@ -1,3 +1,4 @@
+/* hits.c - computes the fraction of radiation that strikes cylinders. */
 #include "rt/heat/hits.h"
 
 #include <math.h>
@@ -12,7 +13,7 @@
 
 /* ---- Cylinders ---------------------------------------------------------------- */
 
-/* As in hits.s. */
+/* The words of a cylinder, as in hits.s. */
 enum { CYLINDER_WORDS = 8 };
 
 static void transform_point(const struct transform *map, const double point[3],
@@ -22,7 +23,7 @@ static void transform_point(const struct transform *map, const double point[3],
         to[i] = dot3(map->rows[i], point) + map->rows[i][3];
 }
 
-/* By how much it makes all lengths larger; 0: not all alike. */
+/* Returns the factor by which a map scales all lengths, or 0 if it is not uniform. */
 static double scale_of(const struct transform *map)
 {
     double columns[3][3], scale;
@@ -68,8 +69,8 @@ struct hits_work {
     struct object *program, *received;
     double *cylinders;    /* [count][CYLINDER_WORDS] */
     c205_word *planes;    /* of a repeat's points */
-    c205_word *reported;  /* of each, whether it strikes; then what that sums to */
-    double *share, *area; /* of each repeat, means over its points */
+    c205_word *reported;  /* for each point, 1 if its ray strikes */
+    double *share, *area; /* of each repeat: means over its points */
     c205_error *error;
 };
 
@@ -108,7 +109,8 @@ static bool list_cylinders(const struct hits_work *work)
            || error_set(work->error, "there is no cylinder to be struck");
 }
 
-/* ---- A repeat ------------------------------------------------------------------- */
+/* ---- A repeat
+ * ------------------------------------------------------------------- */
 
 static bool run_hits(struct hits_work *work)
 {
@@ -136,7 +138,8 @@ static bool run_hits(struct hits_work *work)
     return single_run_end(&run, made, work->reported, points, &clocks);
 }
 
-/* The sums of weights: of rays that strike none, of those that strike, of all. */
+/* Computes the sums of weights: of rays that miss, of rays that strike, and of
+ * all. */
 static bool run_received(struct hits_work *work, size_t repeat)
 {
     enum { RECEIVERS = 2, SUMS = 2 * RECEIVERS + 1 };
@@ -197,7 +200,8 @@ static bool run_emitter(struct hits_work *work, size_t primitive)
     return good;
 }
 
-/* ---- All of them ------------------------------------------------------------------ */
+/* ---- All emitters
+ * ----------------------------------------------------------------- */
 
 static bool run_emitters(struct hits_work *work)
 {

@@ -1,8 +1,10 @@
-/* hits.h - which share of what a surface radiates strikes some cylinders, by rays of which
- * nothing is asked but whether they strike: the case of the paper of 1984.
+/* hits.h - computes the fraction of a surface's radiation that strikes a set of
+ * cylinders, by rays that only report whether they strike. This is the case of the
+ * paper of 1984.
  *
- * All that emits radiates from all of its points, and nothing but the cylinders is in the
- * way: solid ones, each an object of its own, or one of a union that stands by itself.
+ * The emitter radiates from all of its points, and nothing but the cylinders is in
+ * the way. The cylinders are solid, each of them an object or an element of a
+ * top-level union.
  */
 #ifndef RT_HITS_H
 #define RT_HITS_H
@@ -18,20 +20,20 @@ struct hits_options {
     uint64_t seed;
     const char *from; /* the part or material that emits */
     const c205_model *model;
-    const c205_model *projection; /* of another machine, for the scalar
-                                     form; NULL: none */
+    const c205_model *projection; /* another machine, on which the scalar form is
+                                   * projected; NULL: none */
 };
 
 struct hits {
     struct estimate factor;
     uint64_t rays, struck;
     size_t cylinders;
-    struct accounts accounts; /* of what tells whether they strike, alone */
+    struct accounts accounts; /* of the program that decides which rays strike, alone */
     uint64_t projected;       /* its clocks on the other machine */
 };
 
-/* False: nobody of that name; what cannot emit, or be struck; a trap, no memory: the error
- * says which. */
+/* Returns false if nothing has this name, if a shape cannot emit or is no
+ * cylinder, after a trap, or without memory; the error gives the reason. */
 bool hits_find(const struct scene *scene, const struct named_parts *parts,
                const struct hits_options *options, struct hits *hits,
                c205_error *error);

@@ -1,3 +1,4 @@
+/* packet.c - runs packets of rays and counts their receivers. */
 #include "rt/heat/packet.h"
 
 #include <stdlib.h>
@@ -6,10 +7,10 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* Lines through points along their normals begin so far below them. */
+/* Lines along the normals of points begin at this distance below the points. */
 static const double below = 1e-3;
 
-/* ---- To begin ------------------------------------------------------------- */
+/* ---- Setup ---------------------------------------------------------------- */
 
 static struct ray_query *begin_lines(const struct packet_programs *programs,
                                      double behind, bool bodies, c205_error *error)
@@ -48,7 +49,7 @@ void packet_programs_end(struct packet_programs *programs)
     object_free(programs->received);
 }
 
-/* ---- Its words ------------------------------------------------------------ */
+/* ---- Words ---------------------------------------------------------------- */
 
 size_t packet_receivers(const struct packet_programs *programs)
 {
@@ -106,18 +107,19 @@ struct packet_work {
     struct packet_choice choice;
     struct packet *packet;
     struct sourced made; /* all points */
-    c205_word *stays;    /* planes of those that stay, and their number */
+    c205_word *stays;    /* planes of the points that are kept, then their number */
     struct scene_ray *lines;
     c205_error *error;
 };
 
-/* What the machines have taken since the step before. */
+/* Charges the clocks since the last call to a step. */
 static void charge(const struct packet_work *work, enum heat_step step)
 {
     heat_charge(work->packet->clocks, &work->packet->accounts, step);
 }
 
-/* Each primitive has shifts, or rays, of its own. */
+/* Generates the points. Each primitive and repeat has its own shift, or its own
+ * random numbers. */
 static bool emit(struct packet_work *work)
 {
     const struct factors_options *options = &work->programs->options;
@@ -133,7 +135,8 @@ static bool emit(struct packet_work *work)
     return true;
 }
 
-/* Those crossings that lines find from the points on in directions of these planes. */
+/* Runs the query along the first count points, in directions from the given
+ * planes. */
 static bool follow(const struct packet_work *work, const struct ray_query *lines,
                    const c205_word *planes, enum emitted direction, size_t count,
                    struct ray_hits *found)
@@ -208,7 +211,7 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
     return true;
 }
 
-/* Points that are not on a face go. */
+/* Drops the points that are not on a visible face. */
 static bool keep_faces(const struct packet_work *work)
 {
     const struct packet_programs *programs = work->programs;
@@ -228,7 +231,8 @@ static bool keep_faces(const struct packet_work *work)
     return good;
 }
 
-/* A line that leaves more bodies than it comes into began within one. */
+/* Returns true if a line leaves more bodies than it enters, so it began within
+ * one. */
 static bool begins_within(const struct ray_hits *found, size_t line)
 {
     for (size_t k = found->first[line]; k < found->first[line + 1]; k++)
@@ -244,8 +248,8 @@ static size_t receiver_of(const struct packet_programs *programs, size_t primiti
     return receivers ? receivers[primitive] : primitive;
 }
 
-/* Of each ray, what it meets first; of one that meets nothing, the environment; of one from
- * a point that another body covers, nothing: the place behind the environment. */
+/* Lists the receiver of each ray: the first hit, or the environment. A ray from a
+ * point that another body covers gets the number after the environment. */
 static void list_receivers(const struct packet_work *work, const struct ray_hits *found,
                            c205_word *list)
 {
@@ -283,7 +287,7 @@ static bool run_received(const struct packet_work *work, const c205_word *list)
     return single_run_end(&run, sums, made->sums, 2 * receivers + 1, &clocks);
 }
 
-/* The weights of rays go to what these meet first. */
+/* Adds the weights of rays to their receivers. */
 static bool receive(const struct packet_work *work)
 {
     size_t rays = (size_t)work->packet->stay;

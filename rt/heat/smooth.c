@@ -1,3 +1,4 @@
+/* smooth.c - adjusts shape factors for reciprocity and closure, on a machine. */
 #include "rt/heat/smooth.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* ---- The machine's work ----------------------------------------------------- */
+/* ---- The adjustment on a machine -------------------------------------------- */
 
 static bool is_positive(double value)
 {
@@ -34,7 +35,7 @@ static bool check(const struct smooth_given *given, c205_error *error)
     return true;
 }
 
-/* Columns, as the machine has them. */
+/* Transposes rows to the machine's columns. */
 static void lay_columns(const double *rows, size_t n, c205_word *words)
 {
     for (size_t i = 0; i < n; i++)
@@ -42,7 +43,7 @@ static void lay_columns(const double *rows, size_t n, c205_word *words)
             words[j * n + i] = c205_from_double(rows[i * (n + 1) + j]);
 }
 
-/* Two matrices and a plane. */
+/* Returns the words of the input: two matrices and a plane. */
 static c205_word *lay_words(const struct smooth_given *given)
 {
     size_t n = given->count, size = n * (n + 1);
@@ -57,7 +58,7 @@ static c205_word *lay_words(const struct smooth_given *given)
     return words;
 }
 
-/* What the program makes: columns, a plane, a word. */
+/* The size of the output: columns, a plane, a word. */
 static size_t made_size(size_t n)
 {
     return n * (n + 1) + n + 1;
@@ -123,17 +124,17 @@ bool smooth_flows(const struct smooth_given *given, double *flows,
     return good;
 }
 
-/* ---- Of surfaces ------------------------------------------------------------ */
+/* ---- Surfaces --------------------------------------------------------------- */
 
 struct smoothing {
     struct surfaces *surfaces;
     size_t count;
-    size_t *seen; /* of each, the number of its surface */
+    size_t *seen; /* the index of each visible surface */
     const char **names;
     double *areas, *flows, *variances;
 };
 
-/* A flow with its variance; where rays went and none arrived one might have. */
+/* Returns a flow with its error. If none of the rays arrived, one might have. */
 static struct estimate flow_of(const struct surface *from, size_t to)
 {
     double error = from->count[to] > 0 ? from->factor[to].error
@@ -143,7 +144,7 @@ static struct estimate flow_of(const struct surface *from, size_t to)
                               from->area.value * error };
 }
 
-/* What both ways say. */
+/* Returns the mean of both directions, weighted by their variances. */
 static struct estimate flow_between(const struct smoothing *smoothing, size_t i,
                                     size_t j)
 {

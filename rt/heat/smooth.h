@@ -1,6 +1,5 @@
-/* smooth.h - factors of which reciprocity and closure hold, nearest to those that were
- * found, by a machine (rt/kernels/heat/smooth.s has the equations).
- */
+/* smooth.h - adjusts shape factors so that reciprocity and closure hold, with the
+ * smallest change, on a machine (rt/kernels/heat/smooth.s has the equations). */
 #ifndef RT_SMOOTH_H
 #define RT_SMOOTH_H
 
@@ -8,26 +7,28 @@
 
 enum { MAX_SMOOTH = 1024 }; /* surfaces */
 
-/* Of each surface a row: flows x_ij = A_i F_ij to all of them and, as the last one, to the
- * environment, with their variances v_ij; x_ij = x_ji, v_ij = v_ji. */
+/* The input. Each surface has a row of flows x_ij = A_i F_ij to all surfaces and,
+ * as the last element, to the environment, with their variances v_ij. x_ij = x_ji
+ * and v_ij = v_ji. */
 struct smooth_given {
     enum trace_mode mode;
     size_t count;                    /* surfaces, 1 .. MAX_SMOOTH */
-    const double *flows, *variances; /* [count][count + 1]; not below 0 */
+    const double *flows, *variances; /* [count][count + 1]; not negative */
     const double *areas;
     const char *const *names; /* for errors */
     const c205_model *model;
 };
 
-/* Into flows [count][count + 1], in which each row's sum is the area.  False: numbers that
- * cannot be, flows without a solution, whose surface the error tells; a trap, no memory. */
+/* Computes adjusted flows [count][count + 1]. The sum of each row is the area.
+ * Returns false for invalid numbers, for flows without a solution, whose surface
+ * the error names, after a trap, or without memory. */
 bool smooth_flows(const struct smooth_given *given, double *flows,
                   struct accounts *accounts, c205_error *error);
 
-/* Of all surfaces that something is seen of: surface.smooth.  What one found of a factor and
- * the other found back weighs by its variance; where neither met the other there is none.
- * The machine's accounts are added.  False: a surface that receives alone, too, or one that
- * has no name among those of the error. */
+/* Sets surface.smooth of all visible surfaces. The two estimates of a flow, in
+ * either direction, are weighted by their variances. If neither surface hit the
+ * other, the flow is 0. Adds the machine's accounts. Also returns false for a
+ * surface that only receives. */
 bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
                      const c205_model *model, struct accounts *accounts,
                      c205_error *error);

@@ -1,3 +1,4 @@
+/* source.c - generates points of any bounded primitive. */
 #include "rt/heat/source.h"
 
 #include <math.h>
@@ -9,14 +10,14 @@
 #include "rt/layout/single_run.h"
 #include "rt/trace/form.h"
 
-/* A sphere is so much larger than a bound. */
+/* The factor by which a sphere exceeds its bound. */
 static const double larger = 1.001;
 
 struct heat_source {
     struct emission_options options;
-    struct emission *emission; /* or NULL: by lines .. */
+    struct emission *emission; /* NULL: by lines */
     struct chords chords;
-    /* .. through a scene of the primitive alone. */
+    /* By lines: a scene of the primitive alone. */
     struct scene alone;
     struct tree_node node;
     struct region region;
@@ -25,10 +26,10 @@ struct heat_source {
     struct object *spots;
 };
 
-/* ---- What has a source -------------------------------------------------------- */
+/* ---- Refusals ----------------------------------------------------------------- */
 
-/* Bounds of a region's primitives, of bounds of its nodes: that of the region, or the least
- * of those of the leaves that are the primitive. */
+/* Sets the bounds of a region's primitives from those of its nodes. The bound of a
+ * primitive is that of the region, or the smallest bound of its own leaves. */
 static void bound_in(const struct scene *scene, const struct region *region,
                      const struct bound *nodes, struct bound *bounds)
 {
@@ -45,7 +46,7 @@ static void bound_in(const struct scene *scene, const struct region *region,
     }
 }
 
-/* The least that is known to be about each of the scene's primitives. */
+/* Returns the smallest known bound of each of the scene's primitives. */
 static struct bound *bound_primitives(const struct scene *scene)
 {
     struct bound *nodes = calloc(scene->node_count + 1, sizeof *nodes);
@@ -88,7 +89,7 @@ const char **source_refusals(const struct scene *scene)
     return refusals;
 }
 
-/* ---- To begin ----------------------------------------------------------------- */
+/* ---- Setup -------------------------------------------------------------------- */
 
 static bool find_sphere(struct heat_source *source, const struct scene *scene,
                         size_t primitive, c205_error *error)

@@ -1,10 +1,11 @@
-/* source.h - points of a scene's primitive, and the ways in which it radiates from there:
- * made by its emission, or by lines through it if it has none.
+/* source.h - generates points of a scene's primitive and directions in which it
+ * radiates, by its emission, or by lines through it if it has none.
  *
- * Lines go through a sphere about the primitive or about the region that it is a part of, the
- * smaller one, and cross the primitive alone: each crossing is a point, in whose direction
- * the line continues.  So every surface radiates of which an end is known; one without inside,
- * which has no emission, radiates from both of its sides, as often from one as from the other.
+ * The lines go through a sphere around the primitive, or around its region if that
+ * is smaller, and cross the primitive alone. Each crossing is a point, and its ray
+ * continues along the line. Every bounded surface can therefore radiate. A surface
+ * that has no inside and no emission radiates from both of its sides equally
+ * often.
  */
 #ifndef RT_SOURCE_H
 #define RT_SOURCE_H
@@ -12,29 +13,32 @@
 #include "rt/heat/emission.h"
 #include "rt/scene/scene.h"
 
-/* Why each of the scene's primitives radiates nothing, a sentence, or NULL: it does.  The
- * caller frees the list.  NULL: no memory. */
+/* Returns, for each of the scene's primitives, the reason why it cannot radiate,
+ * as a sentence, or NULL if it can. The caller frees the list. Returns NULL
+ * without memory. */
 const char **source_refusals(const struct scene *scene);
 
 struct heat_source;
 
-/* The options' mode is any of the three; their points are those of an emission, or lines.
- * NULL: the primitive radiates nothing, options that cannot be, no memory; the error says
- * which.  The scene must outlive the source. */
+/* Returns a source. The mode is any of the three; points is the number of points
+ * of an emission, or of lines. Returns NULL if the primitive cannot radiate, for
+ * invalid options, or without memory; the error says which. The scene must outlive
+ * the source. */
 struct heat_source *source_new(const struct scene *scene, size_t primitive,
                                const struct emission_options *options,
                                c205_error *error);
 void source_free(struct heat_source *source);
 
-/* What is made: EMITTED_PLANES planes of so many words, which the caller frees.  The sum of the
- * weights over the options' points is the area. */
+/* The output: EMITTED_PLANES planes of count words, which the caller frees. The
+ * sum of the weights divided by the options' points is the area. */
 struct sourced {
     size_t count;
     c205_word *planes;
 };
 
-/* In machines of its own, whose accounts are added; any number of threads may run a source at
- * a time.  False: a trap, no memory, more crossings than a vector is long. */
+/* Runs a source on machines of its own and adds their accounts. Threads may run
+ * one source concurrently. Returns false after a trap, without memory, or if there
+ * are more crossings than a vector holds. */
 bool source_run(const struct heat_source *source, const struct emission_choice *choice,
                 struct sourced *made, struct accounts *accounts, c205_error *error);
 

@@ -1,3 +1,4 @@
+/* step.c - the names of the steps, and their clocks. */
 #include "rt/heat/step.h"
 
 static const char *const names[HEAT_STEPS] = {

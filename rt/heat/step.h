@@ -1,22 +1,23 @@
-/* step.h - the steps of a packet of rays or lines, and of what follows all packets. */
+/* step.h - the steps of a packet of rays or lines, and of the computations after
+ * all packets. */
 #ifndef RT_HEAT_STEP_H
 #define RT_HEAT_STEP_H
 
 #include "base/accounts.h"
 
 enum heat_step {
-    STEP_EMISSION,  /* points and directions are made */
-    STEP_FACES,     /* which points are on faces that are seen; not of lines */
-    STEP_CROSSINGS, /* what is seen along the rays, or lines */
-    STEP_COUNTS,    /* .. is counted by receivers, or by pairs of surfaces */
-    STEP_SMOOTHING, /* if asked */
-    STEP_EXCHANGE,  /* if asked */
+    STEP_EMISSION,  /* generates points and directions */
+    STEP_FACES,     /* selects the points on visible faces; not by lines */
+    STEP_CROSSINGS, /* computes the crossings of rays, or lines */
+    STEP_COUNTS,    /* counts by receivers, or by pairs of surfaces */
+    STEP_SMOOTHING, /* if requested */
+    STEP_EXCHANGE,  /* if requested */
     HEAT_STEPS
 };
 const char *heat_step_name(enum heat_step step);
 
-/* To a step, what the machines of the accounts took since the step before; clocks are
- * zeros at first. */
+/* Charges to a step the clocks of the accounts since the last call. The clocks
+ * must start as zeros. */
 void heat_charge(uint64_t clocks[HEAT_STEPS], const struct accounts *accounts,
                  enum heat_step step);
 

@@ -1,3 +1,4 @@
+/* surfaces.c - combines the factors of primitives into those of surfaces. */
 #include "rt/heat/surfaces.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 
 #include "rt/scene/elementary.h"
 
-/* ---- Which there are ------------------------------------------------------ */
+/* ---- Listing -------------------------------------------------------------- */
 
 static const char *name_of(struct surfaces *surfaces, const struct named_part *part,
                            enum surfaces_by by, size_t primitive)
@@ -31,7 +32,7 @@ static size_t find_named(const struct surfaces *surfaces, const char *name)
     return i;
 }
 
-/* Its place is found, or made. */
+/* Finds the surface of primitive i, or adds one. */
 static bool place(const struct scene *scene, const struct named_parts *parts,
                   enum surfaces_by by, size_t i, struct surfaces *surfaces)
 {
@@ -97,7 +98,7 @@ void surfaces_free(struct surfaces *surfaces)
     *surfaces = (struct surfaces){ 0 };
 }
 
-/* ---- What is found of them -------------------------------------------------- */
+/* ---- Areas and factors ------------------------------------------------------ */
 
 static void add_row(struct surface *surface, const struct factor_row *row)
 {
@@ -113,7 +114,8 @@ static void add_row(struct surface *surface, const struct factor_row *row)
     }
 }
 
-/* Of F = sum of A_i F_i / A, by what each F_i and each A_i may be off. */
+/* Adds the errors of F = sum of A_i F_i / A, from the errors of each F_i and each
+ * A_i. */
 static void add_errors(struct surface *surface, const struct factor_row *row)
 {
     for (size_t j = 0; j < row->receivers; j++) {
@@ -181,7 +183,7 @@ double surfaces_reciprocity(const struct surfaces *surfaces, size_t from, size_t
     back = other->area.value * other->factor[from].value;
     error = elementary_hypot(one->area.value * one->factor[to].error,
                              other->area.value * other->factor[from].error);
-    if (fabs(there - back) <= 1e-12 * there) /* of lines, exactly */
+    if (fabs(there - back) <= 1e-12 * there) /* exact by lines */
         return 0;
     return error > 0 ? (there - back) / error : NAN;
 }

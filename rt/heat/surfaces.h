@@ -1,8 +1,9 @@
-/* surfaces.h - the surfaces of a scene between which heat goes: its primitives, its
- * parts or its materials, with their areas, and the factors between them.
+/* surfaces.h - the surfaces of a scene that exchange heat: its primitives, its
+ * parts or its materials, with their areas and the factors between them.
  *
- * The factor from one to another is that of its primitives, each by its share of the area.
- * Rays of different primitives are independent, and so are their errors.
+ * The factor between two surfaces is the mean over the first one's primitives,
+ * weighted by area. Rays of different primitives are independent, so their errors
+ * are, too.
  */
 #ifndef RT_SURFACES_H
 #define RT_SURFACES_H
@@ -15,42 +16,44 @@ enum surfaces_by { BY_PRIMITIVE, BY_PART, BY_MATERIAL, SURFACES_BY };
 
 struct surface {
     const char *name; /* of the part or the material, or the primitive's number */
-    const struct primitive *first; /* of its primitives */
-    size_t part;                   /* .. the part that it is of */
+    const struct primitive *first; /* the first of its primitives */
+    size_t part;                   /* the part of that primitive */
     struct estimate area;
     uint64_t tried, sent; /* points and rays; by lines, ends of gaps */
-    bool receives_alone;  /* some of it has no emission */
-    uint64_t *count;      /* [surfaces + 1], the last one the environment */
+    bool receives_alone;  /* a part of it has no emission */
+    uint64_t *count;      /* [surfaces + 1]; the last one is the environment */
     struct estimate *factor;
-    double *smooth; /* NULL, or those that are smoothed (smooth.h) */
+    double *smooth; /* NULL, or the smoothed factors (smooth.h) */
 };
 
 struct surfaces {
     size_t count;
     struct surface *list;
     size_t primitive_count;
-    size_t *surface_of; /* of each of the scene's primitives, */
-    size_t *part_of;    /* .. and its part */
+    size_t *surface_of; /* for each of the scene's primitives */
+    size_t *part_of;    /* the part of each primitive */
     struct arena kept;
 };
 
-/* Without areas and factors yet.  What is given must outlive them.  False: no memory. */
+/* Lists the surfaces, without areas and factors. The arguments must outlive the
+ * surfaces. Returns false without memory. */
 bool surfaces_find(const struct scene *scene, const struct named_parts *parts,
                    enum surfaces_by by, struct surfaces *surfaces);
 void surfaces_free(struct surfaces *surfaces);
 
-/* Of the rows of all primitives, which have surfaces as receivers; one that has no
- * emission has an empty one. */
+/* Computes areas and factors from the rows of all primitives, whose receivers are
+ * surfaces. A primitive without emission has an empty row. */
 void surfaces_combine(struct surfaces *surfaces, const struct factor_row *rows);
 
-/* Of all of them at once. */
+/* Computes areas and factors from the counts of lines. */
 void surfaces_take_lines(struct surfaces *surfaces, const struct global_lines *found);
 
-/* The factor from one to another, smoothed if they are. */
+/* Returns a factor; the smoothed one if available. */
 double surface_factor(const struct surface *from, size_t to);
 
-/* By how many standard errors A F from one to the other differs from that back; NaN: of itself,
- * or where there is no way back. */
+/* Returns the difference between A F in one direction and in the other, in
+ * standard errors. NaN if both surfaces are the same, or if the other direction
+ * has no estimate. */
 double surfaces_reciprocity(const struct surfaces *surfaces, size_t from, size_t to);
 
 #endif

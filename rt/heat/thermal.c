@@ -1,3 +1,4 @@
+/* thermal.c - assigns emissivities and temperatures, and computes the exchange. */
 #include "rt/heat/thermal.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@ static bool is_temperature(double value)
     return value >= 0 && isfinite(value);
 }
 
-/* No temperature is below 0. */
+/* A value that no temperature has, since none is negative. */
 enum { ADIABATIC = -1 };
 
 const struct value_kind emissivity_kind = { .name = "emissivity",
@@ -30,7 +31,7 @@ const struct value_kind temperature_kind = { .name = "temperature",
                                              .word_value = ADIABATIC };
 const char thermal_environment[] = "environment";
 
-/* ---- What is given ---------------------------------------------------------- */
+/* ---- Input ------------------------------------------------------------------ */
 
 struct thermal_work {
     const struct surfaces *surfaces;
@@ -40,7 +41,7 @@ struct thermal_work {
     c205_error *error;
 };
 
-/* Of those that something is seen of. */
+/* Returns the i-th visible surface. */
 static const struct surface *surface_of(const struct thermal_work *work, size_t i)
 {
     return &work->surfaces->list[work->thermal->surface[i]];
@@ -58,7 +59,7 @@ static void take_values(const struct thermal_work *work, size_t i)
     thermal->temperature[i] = temperature;
 }
 
-/* Those that something is seen of. */
+/* Lists the visible surfaces. */
 static bool list_surfaces(const struct thermal_work *work)
 {
     struct thermal *thermal = work->thermal;
@@ -100,13 +101,13 @@ static bool find_values(const struct thermal_work *work)
     return good;
 }
 
-/* NaNs are alike. */
+/* Returns true for equal numbers and for two NaNs. */
 static bool alike(double one, double other)
 {
     return one == other || (isnan(one) && isnan(other));
 }
 
-/* All parts of a surface have what the first of them has. */
+/* Checks that all parts of a surface have the values of its first part. */
 static bool check_parts(const struct thermal_work *work)
 {
     const struct surfaces *surfaces = work->surfaces;
@@ -137,7 +138,7 @@ static void find_outside(const struct thermal_work *work)
 
 /* ---- The exchange ------------------------------------------------------------- */
 
-/* Of surfaces that something is seen of: rows of factors, as each has them. */
+/* Copies the factors between visible surfaces to consecutive rows. */
 static void fill_factors(const struct thermal_work *work, double *factors)
 {
     const struct thermal *thermal = work->thermal;
@@ -152,7 +153,7 @@ static void fill_factors(const struct thermal_work *work, double *factors)
     }
 }
 
-/* What is adiabatic gives all that it gets. */
+/* An adiabatic surface returns all that it receives, so its emissivity is 0. */
 static void split_values(struct thermal *thermal, double *emissivity)
 {
     for (size_t i = 0; i < thermal->count; i++) {

@@ -1,4 +1,5 @@
-/* thermal.h - emissivities and temperatures of a scene's surfaces, and what they exchange. */
+/* thermal.h - assigns emissivities and temperatures to a scene's surfaces, and
+ * computes their exchange. */
 #ifndef RT_THERMAL_H
 #define RT_THERMAL_H
 
@@ -6,22 +7,23 @@
 #include "rt/heat/surfaces.h"
 #include "rt/scene/named_values.h"
 
-/* Temperatures in kelvins, or the word adiabatic. */
+/* Temperatures are in kelvins, or the word "adiabatic". */
 extern const struct value_kind emissivity_kind, temperature_kind;
-/* Whose temperature may be given besides those of parts and materials. */
+/* The name whose temperature may be given in addition to parts and materials. */
 extern const char thermal_environment[];
 
 struct thermal {
-    size_t count;        /* surfaces that something is seen of */
-    size_t *surface;     /* of each, its number */
-    double *emissivity;  /* .. 1 where none is given */
-    double *temperature; /* NaN: it is adiabatic */
-    double outside;      /* of the environment; 0 unless it is given */
+    size_t count;        /* surfaces with a visible part */
+    size_t *surface;     /* the index of each of them */
+    double *emissivity;  /* 1 where none is given */
+    double *temperature; /* NaN: adiabatic */
+    double outside;      /* temperature of the environment; 0 unless given */
     struct exchange exchange;
 };
 
-/* False: a surface without temperature, or of parts that have several; one that receives
- * alone; an exchange without solution; a trap, no memory.  The error names what it is about. */
+/* Returns false for a surface without a temperature, or with parts of different
+ * temperatures; for one that only receives; for an exchange without a solution;
+ * after a trap; or without memory. The error names the surface. */
 bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
                   const struct named_values *emissivities,
                   const struct named_values *temperatures, enum trace_mode mode,
