@@ -1,3 +1,4 @@
+/* bodies.c - extracts some of the regions of a scene. */
 #include "rt/mass/bodies.h"
 
 #include <stdlib.h>
@@ -28,7 +29,7 @@ bool bodies_find_endless(const struct scene *scene, struct named_parts *parts)
     return good;
 }
 
-/* Behind those that are there: its primitives, its nodes, itself. */
+/* Appends a region with its primitives and nodes, and adjusts their indices. */
 static void copy_region(const struct scene *scene, const struct region *region,
                         struct scene *bodies)
 {

@@ -1,3 +1,4 @@
+/* columns.c - computes sums over columns through solids, packet by packet. */
 #include "rt/mass/columns.h"
 
 #include <math.h>
@@ -23,7 +24,7 @@ const char *columns_stage_name(enum columns_stage stage)
     return names[stage];
 }
 
-/* ---- The box about the bodies -------------------------------------------- */
+/* ---- The box around the bodies ------------------------------------------- */
 
 static bool join_box(const struct bound *bound, const struct region *region,
                      double low[3], double high[3], c205_error *error)
@@ -60,15 +61,15 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     return good;
 }
 
-/* Words of a shift, or of a packet: sums of parts, then of pairs. */
+/* Returns the words of a shift, or of a packet: the sums of parts, then of pairs. */
 static size_t width_of(const struct columns_sums *sums)
 {
     return sums->parts * MOMENTS + sums->pairs;
 }
 
-/* ---- What all packets share ---------------------------------------------- */
+/* ---- Data that all packets share ----------------------------------------- */
 
-/* Rays begin so far behind the middle of the box, in its half widths. */
+/* Rays begin at this distance before the centre of the box, in half widths of it. */
 static const double BEHIND = 1.25;
 
 struct columns_work {
@@ -77,9 +78,9 @@ struct columns_work {
     struct columns_sums *sums;
     struct object *rays, *columns, *overlaps, *totals;
     struct ray_query *lines[VIEWS];
-    size_t rays_of_packet, packets; /* packets: of a view under a shift */
+    size_t rays_of_packet, packets; /* packets of a view under a shift */
     c205_word *words; /* of each packet: [VIEWS][repeats][packets][sums] */
-    uint64_t (*clocks)[COLUMNS_STAGES]; /* .. likewise */
+    uint64_t (*clocks)[COLUMNS_STAGES]; /* of each packet */
     uint64_t *crossings;
 };
 
@@ -155,19 +156,20 @@ static void end_work(struct columns_work *work)
 
 /* ---- A packet ------------------------------------------------------------ */
 
-/* The planes that the program of rays makes. */
+/* The planes that the program of rays writes. */
 enum { PLACE_P, PLACE_Q, ORIGIN_P, ORIGIN_Q, RAY_PLANES };
 
 struct columns_packet {
     const struct columns_work *work;
-    size_t unit, view, shift, first; /* first: the number of its first ray */
+    size_t unit, view, shift, first; /* the index of its first ray */
     c205_word *rays;                 /* [RAY_PLANES][rays] */
     struct scene_ray *lines;
     struct ray_hits seen;
     c205_error *error;
 };
 
-/* The axes of a view's p and q: they follow its own. */
+/* Returns the axis s, p or q of a view, for which = 0, 1 or 2. They are in cyclic
+ * order. */
 static size_t axis_of(size_t view, size_t which)
 {
     return (view + which) % 3;
@@ -231,7 +233,7 @@ static bool find_crossings(struct columns_packet *packet)
     return true;
 }
 
-/* Bodies alone have volumes. */
+/* Rejects crossings of open surfaces, which have no volume. */
 static bool check_crossing(const struct columns_packet *packet,
                            const struct ray_hit *seen)
 {
@@ -245,7 +247,7 @@ static bool check_crossing(const struct columns_packet *packet,
                      primitive_kind_name(primitive->kind), primitive->line);
 }
 
-/* Where the fields of a crossing stand, in the order of crossed.s. */
+/* The fields of a crossing, in the order of crossed.s. */
 enum {
     CROSSED_S,
     CROSSED_NORMAL,
@@ -292,7 +294,8 @@ static c205_word *words_of(const struct columns_packet *packet)
     return packet->work->words + packet->unit * width_of(packet->work->sums);
 }
 
-/* The crossings, and room for so many sums: the address of these. */
+/* Writes the crossings, and reserves room for `totals` sums. Returns the address
+ * of the sums. */
 static uint64_t give_crossed(const struct columns_packet *packet,
                              const c205_word *planes, size_t totals,
                              struct single_run *run)
@@ -377,7 +380,7 @@ static bool do_packet(const struct columns_work *work, size_t unit, c205_error *
     return good;
 }
 
-/* What a packet comes to, as words. */
+/* Runs a packet and writes its results as words. */
 static bool run_unit(void *context, size_t job, size_t unit,
                      struct serialized_result *words, c205_error *error)
 {
@@ -405,8 +408,8 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     return !words->failed || error_set(error, "a packet has no words");
 }
 
-/* All that packets depend on.  Of a run with several sums the first decide, for the others
- * follow from them. */
+/* Opens the files with a key of all that packets depend on. If a run has several
+ * rounds, the key is that of the first, since the later ones follow from it. */
 static bool keep(const struct columns_work *work, struct job_set *job_set,
                  c205_error *error)
 {
@@ -531,9 +534,9 @@ void columns_sums_free(struct columns_sums *sums)
     sums->words = NULL;
 }
 
-/* ---- What they mean ------------------------------------------------------ */
+/* ---- Integrals ----------------------------------------------------------- */
 
-/* Of a sum, that which is there among those of a shift. */
+/* Returns the integral of the sum at a place of the view and shift. */
 static double integral_of(const struct columns_sums *sums, size_t view, size_t repeat,
                           size_t place)
 {

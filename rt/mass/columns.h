@@ -1,12 +1,12 @@
-/* columns.h - sums over columns through solids, formed by machines.
+/* columns.h - sums over columns through solids, computed on machines.
  *
- * A view looks along an axis, x, y or z: 2^rays_log parallel rays, at points of a
- * lattice, a grid or the random stream, go through the box about the scene's bodies.
- * What is seen along them, and what that adds to volumes, moments and areas, programs
- * of the machine find (rt/kernels/mass/, rt/kernels/query/): packet by packet of
- * COLUMNS_PACKET rays, each in machines of its own, whose sums a last program adds in the
- * order of packets.  So the sums are equal bit for bit in both forms, for any queue
- * and any number of jobs.
+ * A view looks along an axis, x, y or z. 2^rays_log parallel rays, at points of a
+ * lattice, a grid or the random stream, go through the box around the scene's
+ * bodies. Programs of the machine (rt/kernels/mass/, rt/kernels/query/) compute
+ * their crossings and the contributions to volumes, moments and areas. The work is
+ * divided into packets of COLUMNS_PACKET rays, each on machines of its own. A last
+ * program adds the sums of the packets in their order. The sums are therefore
+ * bitwise equal in both forms, for any queue and any number of jobs.
  */
 #ifndef RT_MASS_COLUMNS_H
 #define RT_MASS_COLUMNS_H
@@ -18,8 +18,9 @@ enum { VIEWS = 3, COLUMNS_PACKET = 4096, MAX_COLUMNS_LOG = 20 };
 
 enum columns_points { POINTS_RANDOM, POINTS_LATTICE, POINTS_GRID, POINTS_KINDS };
 
-/* Of a part: in a view along s, whose other axes are p and q, relative to the
- * middle of the box; lengths in the world.  As in rt/kernels/mass/columns.s. */
+/* The moments of a part, in a view along s whose other axes are p and q, relative
+ * to the centre of the box, with lengths in the world. The order is that of
+ * rt/kernels/mass/columns.s. */
 enum moment {
     MOMENT_1,
     MOMENT_P,
@@ -34,18 +35,19 @@ enum moment {
     MOMENT_AREA,
     MOMENTS
 };
-/* All sums of a packet, of the parts, of all together and of the pairs, are one vector. */
+/* All sums of a packet form one vector: those of the parts, of all parts together,
+ * and of the pairs. */
 enum {
     MAX_COLUMNS_PAIRS = 16384,
     MAX_COLUMNS_PARTS = (65535 - MAX_COLUMNS_PAIRS) / MOMENTS - 1
 };
 
-/* What the machines do one after another. */
+/* The consecutive steps on the machines. */
 enum columns_stage {
     STAGE_RAYS,
     STAGE_CROSSINGS,
     STAGE_SUMS,
-    STAGE_OVERLAPS, /* if they are asked */
+    STAGE_OVERLAPS, /* if requested */
     STAGE_TOTALS,
     COLUMNS_STAGES
 };
@@ -53,51 +55,52 @@ const char *columns_stage_name(enum columns_stage stage);
 
 struct columns_options {
     enum trace_mode mode;
-    size_t queue; /* rays at a time; not in scalar mode */
+    size_t queue; /* rays at a time; ignored in scalar mode */
     enum columns_points points;
     size_t rays_log; /* 2^rays_log rays of a view under a shift, at most
-                        2^MAX_COLUMNS_LOG */
-    size_t repeats;  /* shifts, each with rays of its own */
+                      * 2^MAX_COLUMNS_LOG */
+    size_t repeats;  /* shifts, each with its own rays */
     size_t seed;
     size_t jobs;                     /* packets at a time; 0: one */
     size_t part_count;               /* 1 .. MAX_COLUMNS_PARTS */
-    const size_t *part_of;           /* of each of the scene's objects, its part */
-    const struct overlaps *overlaps; /* .. of these parts; NULL: not asked */
+    const size_t *part_of;           /* the part of each of the scene's objects */
+    const struct overlaps *overlaps; /* of these parts; NULL: not requested */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
-    struct job_set *job_set; /* that does the packets; NULL: threads, and nothing is
-                          kept */
+    struct job_set *job_set; /* runs the packets; NULL: threads, without checkpoints */
 };
 
 struct columns_sums {
-    size_t parts; /* with, as the last one, all of them together */
+    size_t parts; /* including the last one: all parts together */
     size_t pairs;
-    size_t units; /* packets, of all views and shifts */
+    size_t units; /* packets of all views and shifts */
     size_t repeats;
     size_t rays_log;            /* 2^rays_log rays of a view under a shift */
     double middle[3], width[3]; /* of the box */
-    c205_word *words;           /* of all rays of a shift: [VIEWS][repeats], in each
-                  [parts][MOMENTS], then [pairs] */
+    c205_word *words;           /* the sums over all rays of a shift,
+                                 * [VIEWS][repeats] of them: [parts][MOMENTS], then
+                                 * [pairs] */
     uint64_t clocks[COLUMNS_STAGES];
     uint64_t crossings;
 };
 
-/* Where the job set does not collect what packets come to, there are no words. */
-/* False: options that cannot be; a scene without bodies, with one that has no end, or with
- * an open surface, which the error names; a trap; progress said to stop. */
+/* Computes the sums. If the job set does not collect packets, the words stay 0.
+ * Returns false for invalid options; for a scene without bodies, with an unbounded
+ * one, or with an open surface, which the error names; after a trap; or if
+ * progress returned false. */
 bool columns_sum(const struct scene *scene, const struct columns_options *options,
                  struct columns_sums *sums, c205_error *error);
 void columns_sums_free(struct columns_sums *sums);
 
-/* Of a sum over the rays of a shift the integral over space: the sum, times the area
- * that belongs to a ray. */
+/* Returns the integral over space of a sum over the rays of a shift: the sum times
+ * the area of a ray. */
 double columns_integral(const struct columns_sums *sums, size_t view, size_t repeat,
                         size_t part, enum moment moment);
-/* .. the volume that both parts of a pair claim. */
+/* Returns the volume that both parts of a pair occupy. */
 double columns_overlap(const struct columns_sums *sums, size_t view, size_t repeat,
                        size_t pair);
-/* 64-bit FNV-1a over all words. */
+/* Returns the 64-bit FNV-1a hash of all words. */
 uint64_t columns_checksum(const struct columns_sums *sums);
 
 #endif

@@ -1,3 +1,4 @@
+/* densities.c - assigns densities to a scene's parts. */
 #include "rt/mass/densities.h"
 
 #include <math.h>

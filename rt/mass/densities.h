@@ -1,4 +1,4 @@
-/* densities.h - how dense the parts of a scene are. */
+/* densities.h - the densities of a scene's parts. */
 #ifndef RT_DENSITIES_H
 #define RT_DENSITIES_H
 
@@ -6,8 +6,9 @@
 
 extern const struct value_kind density_kind;
 
-/* Of each part; of one that is left out it may be NaN.  False: some others have none, or
- * are of several materials; the error names them. */
+/* Sets the density of each part. Parts that are left out may have NaN. Returns
+ * false if any other part has none, or has several materials; the error names
+ * these parts. */
 bool densities_find(const struct named_values *given, const struct named_parts *parts,
                     double *densities, c205_error *error);
 

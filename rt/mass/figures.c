@@ -1,3 +1,4 @@
+/* figures.c - computes mass properties from sums over columns. */
 #include "rt/mass/figures.h"
 
 #include <math.h>
@@ -18,14 +19,14 @@ const char *figure_name(size_t figure)
 
 /* ---- Integrals over a body ----------------------------------------------- */
 
-/* About the middle of the box; of the second moments xx yy zz xy xz yz. */
+/* Integrals about the centre of the box. The second moments are xx yy zz xy xz yz. */
 struct integrals {
     double volume, area, mass, first[3], second[6];
-    double views[VIEWS]; /* the volume, view by view */
+    double views[VIEWS]; /* the volume of each view */
 };
 enum { INTEGRALS = sizeof(struct integrals) / sizeof(double) };
 
-/* Where the product of two axes is in second. */
+/* Returns the index of the product of two axes in `second`. */
 static size_t product_place(size_t i, size_t k)
 {
     return i == k ? i : i + k + 2;
@@ -42,7 +43,7 @@ static double integral(const struct summand *summand, enum moment moment)
                             summand->part, moment);
 }
 
-/* What a view says, a third of it, of a part of that density. */
+/* Adds a third of a view's integrals of a part with this density. */
 static void add_view(const struct summand *summand, double density,
                      struct integrals *sum)
 {
@@ -91,10 +92,11 @@ static void add_integrals(struct integrals *sum, const struct integrals *more,
         to[i] += weight * from[i];
 }
 
-/* ---- Figures of integrals ------------------------------------------------ */
+/* ---- Figures from integrals ---------------------------------------------- */
 
-/* The tensor about a point, of integrals about the middle and the centroid from
- * there; offset: from the point to the centroid. */
+/* Computes the inertia tensor about a point. The integrals and the centroid are
+ * relative to the centre of the box; the offset goes from the point to the
+ * centroid. */
 static void find_inertia(const struct integrals *sum, const double centroid[3],
                          const double offset[3], double inertia[6])
 {
@@ -117,7 +119,9 @@ static void find_inertia(const struct integrals *sum, const double centroid[3],
     }
 }
 
-/* One-sided Jacobi: what has no value below 0 has its axes for singular vectors. */
+/* Computes the eigenvalues and eigenvectors of the inertia by one-sided Jacobi
+ * rotations. The tensor is positive semidefinite, so its singular vectors are its
+ * principal axes. */
 static void find_principal(const double inertia[6], double moments[3],
                            double axes[3][3])
 {
@@ -166,7 +170,8 @@ static void find_values(const struct mass_body *body, const struct integrals *su
 
 /* ---- Errors -------------------------------------------------------------- */
 
-/* The quantile of 97.5 % with so many degrees of freedom, 3 at least. */
+/* Returns the 97.5 % quantile of Student's t distribution, for at least 3 degrees
+ * of freedom. */
 static double student(double freedom)
 {
     const double terms[] = { 1.959964, 2.372271, 2.822500, 2.555852, 1.589534 };
@@ -177,14 +182,15 @@ static double student(double freedom)
     return sum;
 }
 
-/* Half the interval of 95 %, of what is found without one shift after another, its
- * mean and the sum of its squares about that. */
+/* Returns half the width of the 95 % confidence interval, by the jackknife.
+ * squares is the sum of squared deviations of the values that leave out one shift
+ * each, from their mean. */
 static double interval(double squares, double count)
 {
     return count > 3 ? student(count - 1) * sqrt((count - 1) / count * squares) : NAN;
 }
 
-/* Of figures without each of the shifts in turn. */
+/* Computes the figures without each shift in turn, and from them the errors. */
 static void find_errors(const struct mass_body *body, const struct integrals *shifts,
                         const struct integrals *sum, struct mass_figures *figures,
                         double (*without)[FIGURES])
@@ -231,7 +237,8 @@ bool mass_figures_find(const struct mass_body *body, struct mass_figures *figure
     return good;
 }
 
-/* Which power of a length it is; densities are masses of the file's cubes. */
+/* Returns the power of a length that a figure has. Densities are masses per cube
+ * of the file's unit. */
 static int dimension_of(size_t figure)
 {
     return figure == FIGURE_AREA                                  ? 2
@@ -250,7 +257,7 @@ void mass_figures_enlarge(struct mass_figures *figures, int log)
     }
 }
 
-/* The mean of the views, under a shift. */
+/* Returns the mean over the views of the sum of all parts, less the union of all. */
 static double overlap_of_all(const struct columns_sums *sums, size_t repeat,
                              size_t none)
 {
@@ -274,7 +281,7 @@ static double overlap_of_pair(const struct columns_sums *sums, size_t repeat,
     return volume / VIEWS;
 }
 
-/* The mean of what is found under each shift, and its error. */
+/* Computes the mean over the shifts, and its error. */
 static void find_mean(const struct columns_sums *sums,
                       double (*of)(const struct columns_sums *sums, size_t repeat,
                                    size_t which),
@@ -298,7 +305,8 @@ void mass_overlap(const struct columns_sums *sums, double *volume, double *error
     find_mean(sums, overlap_of_all, 0, volume, error);
 }
 
-/* What is no more than roundings leave of bodies that touch. */
+/* The fraction of the box below which a volume is a rounding error of bodies that
+ * touch. */
 static const double TOUCHING = 0x1p-36;
 
 bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volume,
@@ -310,7 +318,7 @@ bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volum
     return fabs(*volume) > TOUCHING * width[0] * width[1] * width[2];
 }
 
-/* What an error of the figure is beside. */
+/* Returns the value to which an error of the figure is relative. */
 static double scale_of(const struct mass_figures *figures,
                        const struct columns_sums *sums, size_t figure)
 {
@@ -338,7 +346,7 @@ double mass_worst(const struct mass_figures *figures, const struct columns_sums 
         double share = figures->error[i] > 0 ? figures->error[i] / scale
                                              : figures->error[i];
 
-        if (isnan(figures->value[i])) /* of what is empty */
+        if (isnan(figures->value[i])) /* the centroid of an empty body */
             continue;
         if (share > worst || isnan(share)) {
             worst = isnan(share) ? INFINITY : share;

@@ -1,3 +1,4 @@
+/* mass.c - computes the mass properties of a scene. */
 #include "rt/mass/mass.h"
 
 #include <stdlib.h>
@@ -26,7 +27,7 @@ static bool take_densities(const struct mass *mass, struct named_values *densiti
     return good && named_add_scene(densities, mass->scene, error);
 }
 
-/* Of each part. */
+/* Sets the density of each part. */
 static bool weigh_parts(struct mass *mass, struct diagnostics *reports,
                         c205_error *error)
 {
@@ -61,7 +62,7 @@ static struct mass_row *find_row(struct mass *mass, const char *name)
     return row;
 }
 
-/* One for each name, then one of all, if there are several. */
+/* Makes a row for each name, and one for all of them if there are several. */
 static bool make_rows(struct mass *mass)
 {
     size_t count = mass->parts.count;
@@ -90,7 +91,7 @@ static bool make_rows(struct mass *mass)
     return true;
 }
 
-/* ---- The machine's mass -------------------------------------------------- */
+/* ---- Rounds -------------------------------------------------------------- */
 
 static bool sum_columns(struct mass *mass, c205_error *error)
 {
@@ -144,7 +145,7 @@ static bool find_figures(struct mass *mass, c205_error *error)
     return true;
 }
 
-/* A view's rays, so many in all shifts, as a power of two under each. */
+/* Returns the logarithm of a view's rays under each shift, for this total number. */
 static size_t log_of_rays(size_t rays, size_t repeats)
 {
     size_t log = 0;
@@ -161,8 +162,8 @@ bool mass_is_precise(const struct mass *mass)
     return tolerance == 0 || mass->worst <= tolerance;
 }
 
-/* With four times as many rays as long as errors are larger than the tolerance; the
- * logarithm of these, or 0: no more are needed. */
+/* Sets the logarithm of the next round's number of rays, four times as many if the
+ * errors exceed the tolerance; 0: no further round. */
 static bool find_next(struct mass *mass, uint64_t *next, c205_error *error)
 {
     const struct mass_request *request = mass->request;
@@ -194,7 +195,7 @@ bool mass_find(struct mass *mass, c205_error *error)
     return true;
 }
 
-/* ---- To begin and to end ------------------------------------------------- */
+/* ---- Setup and cleanup --------------------------------------------------- */
 
 static bool choose_parts(struct mass *mass, c205_error *error)
 {

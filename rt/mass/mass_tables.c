@@ -1,3 +1,4 @@
+/* mass_tables.c - the mass properties of a scene as tables. */
 #include "rt/mass/mass_tables.h"
 
 #include <math.h>
@@ -23,7 +24,8 @@ static const struct table_column clock_columns[] = {
     { "clocks_per_ray", "clocks/ray", TABLE_NUMBER, 1 },
 };
 
-/* Two digits of the error are shown; of what has none, nine of the value. */
+/* Returns the decimals that show two digits of the error, or nine digits of a
+ * value without error. */
 static int decimals_of(double value, double error)
 {
     double digits = error > 0    ? 1 - floor(log10(error))
@@ -66,7 +68,7 @@ static void add_figure(struct table *table, const struct mass_units *units,
     table_text(table, text);
 }
 
-/* Of the scene's unit, in the file's. */
+/* Returns the volume of a cube of the scene's unit, in cubes of the file's unit. */
 static double cube_of(const struct mass *mass)
 {
     return ldexp(1, 3 * mass->scene->unit_log);

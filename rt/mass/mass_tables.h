@@ -1,5 +1,5 @@
-/* mass_tables.h - what is found of a scene's mass properties, as tables.  NULL: no
- * memory. */
+/* mass_tables.h - the mass properties of a scene as tables. Functions return NULL
+ * without memory. */
 #ifndef RT_MASS_TABLES_H
 #define RT_MASS_TABLES_H
 
@@ -7,10 +7,10 @@
 #include "rt/mass/mass.h"
 
 struct table *mass_table_of_figures(const struct mass *mass);
-/* Of pairs that claim something both. */
+/* Returns the pairs of parts that overlap. */
 struct table *mass_table_of_overlaps(const struct mass *mass);
 struct table *mass_table_of_axes(const struct mass *mass);
-/* Step by step. */
+/* Returns the clocks of each stage. */
 struct table *mass_table_of_clocks(const struct mass *mass);
 
 #endif

@@ -1,3 +1,4 @@
+/* overlaps.c - lists the parts that may overlap, and writes their tables. */
 #include "rt/mass/overlaps.h"
 
 #include <math.h>
@@ -8,11 +9,11 @@
 
 /* ---- Objects and their boxes --------------------------------------------- */
 
-/* A scene's objects that have bodies, part by part. */
+/* The boxes of a scene, and its objects with bodies, grouped by part. */
 struct boxes {
-    struct bound *of_objects; /* those of no body are empty */
+    struct bound *of_objects; /* empty for objects without a body */
     struct bound *of_parts;
-    size_t *first; /* of each part, and behind the last, a place in list */
+    size_t *first; /* of each part, then of the end: an index into list */
     size_t *list;  /* objects */
 };
 
@@ -58,7 +59,7 @@ static bool box_objects(const struct scene *scene, struct bound *boxes)
     return good;
 }
 
-/* Counted, then placed: part by part. */
+/* Groups the objects by part, with a counting sort. */
 static void list_objects(const struct scene *scene, const size_t *part_of,
                          struct overlaps *overlaps, struct boxes *boxes)
 {
@@ -109,7 +110,7 @@ static void free_boxes(struct boxes *boxes)
 
 /* ---- Pairs --------------------------------------------------------------- */
 
-/* Whether an object of the one part and another of the other may overlap. */
+/* Returns true if an object of one part may overlap an object of the other. */
 static bool may_overlap(const struct boxes *boxes, size_t one, size_t other)
 {
     if (!meet(&boxes->of_parts[one], &boxes->of_parts[other]))
@@ -161,14 +162,14 @@ void overlaps_free(struct overlaps *overlaps)
     *overlaps = (struct overlaps){ 0 };
 }
 
-/* ---- What the machine is told -------------------------------------------- */
+/* ---- The machine's tables ------------------------------------------------ */
 
-/* A field's word and a part's levels, as overlaps.s has them. */
+/* The bits of a word of fields, and the levels of a part, as in overlaps.s. */
 enum { GROUP_BITS = 47, LEVELS_OF_PART = 2 };
 
 struct part_field {
-    size_t group, shift, width; /* width 0: nobody asks for the part */
-    /* Among all levels those of the part; a level that nobody asks for is none. */
+    size_t group, shift, width; /* width 0: no pair has the part */
+    /* The part's range among all levels. A level without pairs is left out. */
     size_t first_level, level_count;
     bool asked[LEVELS_OF_PART];
 };
@@ -177,7 +178,7 @@ struct tables {
     const struct overlaps *overlaps;
     struct record_layout *layout;
     struct part_field *fields; /* of parts */
-    c205_word *words;          /* room for a table */
+    c205_word *words;          /* a buffer for tables */
     size_t group_count, level_count;
     struct row levels;
 };
@@ -191,7 +192,8 @@ static size_t bits_for(size_t most)
     return bits;
 }
 
-/* Whether it is of one part: then of its second level. */
+/* Returns true for a pair of a part with itself, which uses the part's second
+ * level. */
 static bool is_own(const struct overlap_pair *pair)
 {
     return pair->parts[0] == pair->parts[1];
@@ -264,7 +266,8 @@ static void give_groups(struct tables *tables)
     record_end(&record);
 }
 
-/* The pairs of a level: for each the other level, and its own number. */
+/* Lists the pairs of a level: for each pair the address of the other level and the
+ * pair's number. Returns their number. */
 static size_t list_partners(struct tables *tables, size_t part, bool own)
 {
     const struct overlaps *overlaps = tables->overlaps;

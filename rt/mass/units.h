@@ -1,8 +1,8 @@
-/* units.h - in which units lengths and masses are told.
+/* units.h - the units in which lengths and masses are reported.
  *
- * Without units a scene's lengths are what they are, and a density is a mass of a cube
- * whose sides have the length one.  With units densities are those of tables, grams in a
- * cubic centimetre.
+ * Without units, a scene's lengths are reported as they are, and a density is a
+ * mass per cube of the unit length. With units, densities are in grams per cubic
+ * centimetre, as in tables of materials.
  */
 #ifndef RT_MASS_UNITS_H
 #define RT_MASS_UNITS_H
@@ -13,17 +13,18 @@
 struct mass_units {
     const char *length, *mass; /* NULL: none were given */
     double centimetres;        /* of the length unit */
-    double grams;              /* .. of the mass unit */
+    double grams;              /* of the mass unit */
 };
 
-/* "mm,g".  False: it is no pair of units that are known. */
+/* Parses a pair of units such as "mm,g". Returns false if a unit is unknown. */
 bool mass_units_take(const char *text, struct mass_units *units);
-/* The i-th unit, lengths before masses; NULL: there are no more. */
+/* Returns the i-th unit, lengths before masses, or NULL after the last. */
 const char *mass_unit_name(size_t i);
 
-/* What a density becomes, as a mass of a cube with sides of length one. */
+/* Converts a density to mass units per cube of the length unit. */
 double mass_units_density(const struct mass_units *units, double density);
-/* "mm^3", "g mm^2": a mass to the power of 0 or 1, a length to another one. */
+/* Formats a unit such as "mm^3" or "g mm^2". The power of the mass is 0 or 1; that
+ * of the length is any. */
 enum { MASS_UNIT = 32 };
 void mass_units_text(const struct mass_units *units, int mass, int length,
                      char text[MASS_UNIT]);
