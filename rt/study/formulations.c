@@ -1,10 +1,11 @@
+/* formulations.c - a table of the cylinder in several formulations. */
 #include "rt/study/formulations.h"
 
 #include <string.h>
 
 #include "rt/study/speedup_report.h"
 
-/* Decimals as in the paper; each time with its error. */
+/* Decimals are those of the paper. Each time has its error. */
 static const struct table_column columns[] = {
     { "formulation", "formulation", TABLE_TEXT, 0 },
     { "scalar", "205 scalar, s", TABLE_NUMBER, 3 },
@@ -15,7 +16,7 @@ static const struct table_column columns[] = {
     { "cyber720_error", "error %", TABLE_NUMBER, 1 },
 };
 
-/* What Table 1 says of the cylinder. */
+/* Returns the cylinder's row of Table 1. */
 static const struct speedup_paper *printed(void)
 {
     size_t i = 0;

@@ -1,14 +1,13 @@
-/* formulations.h - Table 1's cylinder in the formulations that were tried: a
- * table with their times beside the paper's.
- */
+/* formulations.h - a table of Table 1's cylinder in several formulations, with
+ * their times and the paper's. */
 #ifndef RT_FORMULATIONS_H
 #define RT_FORMULATIONS_H
 
 #include "base/table.h"
 #include "rt/study/speedup.h"
 
-/* measures[i] of speedup_formulations[i], on the model.  The caller frees it;
- * NULL: no memory. */
+/* Returns the table. measures[i] is of speedup_formulations[i], on the model.
+ * Returns NULL without memory; the caller frees it. */
 struct table *formulations_table(const c205_model *model,
                                  const struct speedup_measure (*measures)[TRACE_FORMS]);
 

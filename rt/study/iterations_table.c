@@ -1,14 +1,16 @@
+/* iterations_table.c - the refinement steps of the root solver as rows. */
 #include "rt/study/iterations_table.h"
 
 #include <math.h>
 
-/* Of nothing there is no mean. */
+/* Returns the mean, or NAN if nothing was counted. */
 static double mean(uint64_t sum, uint64_t count)
 {
     return count > 0 ? (double)sum / (double)count : NAN;
 }
 
-/* Where one bracket goes after another its share of the loop says nothing. */
+/* Returns the active share of the loop's lanes. It has no meaning in the scalar
+ * form, which refines one bracket after another. */
 static double active_percent(const struct iterations *iterations, uint64_t active,
                              uint64_t lanes)
 {

@@ -1,7 +1,7 @@
-/* iterations_table.h - the steps of the root solver's refinement as rows of
- * tables, the same in every report.
+/* iterations_table.h - the refinement steps of the root solver as rows of tables,
+ * the same in every report.
  *
- * A report puts columns of its own before these, and its cells before those
+ * A report puts its own columns before these, and its own cells before the cells
  * that the functions add.
  */
 #ifndef RT_ITERATIONS_TABLE_H
@@ -32,13 +32,13 @@
     { "active_percent", "% active", TABLE_NUMBER, 1 }
 /* clang-format on */
 
-/* Of a stage: the cells of ITERATIONS_COLUMNS. */
+/* Adds the cells of ITERATIONS_COLUMNS for a stage. */
 void iterations_add(struct table *table, const struct iterations *iterations,
                     enum stage stage);
 
-/* How many passes the longest refinement of a stage took. */
+/* Returns the number of passes of a stage's longest refinement. */
 size_t iterations_passes(const struct iterations *iterations, enum stage stage);
-/* Of one of them, from 0: the cells of ITERATIONS_PASS_COLUMNS. */
+/* Adds the cells of ITERATIONS_PASS_COLUMNS for a pass, counted from 0. */
 void iterations_add_pass(struct table *table, const struct iterations *iterations,
                          enum stage stage, size_t pass);
 

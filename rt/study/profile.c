@@ -1,3 +1,4 @@
+/* profile.c - traces a frame in three stages and compares their costs. */
 #include "rt/study/profile.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@
 
 const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR, TRACE_KERNELS,
                                                       TRACE_VECTOR };
-enum { SERIAL }; /* the first of them, which the others are compared with */
+enum { SERIAL }; /* index of the first one, with which the others are compared */
 
 static const char *const part_names[PROFILE_PARTS] = {
     [PART_GENERATE] = "generate",
@@ -49,7 +50,7 @@ enum {
     MAX_REGIONS = REGIONS + PRIMITIVE_KINDS
 };
 
-/* Some shapes share one. */
+/* Returns true if no shape before this one has the same region. */
 static bool is_first_of_region(size_t kind)
 {
     for (size_t i = 0; i < kind; i++)
@@ -122,11 +123,11 @@ static double ratio(uint64_t a, uint64_t b)
     return b > 0 ? (double)a / (double)b : NAN;
 }
 
-/* ---- Clocks part by part ------------------------------------------------- */
+/* ---- Clocks by part ------------------------------------------------------ */
 
 static const struct table_column clock_columns[] = {
     { "part", "part", TABLE_TEXT, 0 },
-    { "kernel", "kernel", TABLE_TEXT, 0 }, /* empty: all of the part */
+    { "kernel", "kernel", TABLE_TEXT, 0 }, /* empty: the whole part */
     { "scalar_clocks", "scalar", TABLE_COUNT, 0 },
     { "scalar_seconds", "s", TABLE_NUMBER, 3 },
     { "scalar_percent", "%", TABLE_NUMBER, 1 },
@@ -208,8 +209,7 @@ static const struct table_column group_columns[] = {
     { "vector_speedup", "x", TABLE_NUMBER, 2 },
 };
 
-/* What belongs together; the part that has kernels of its own is told of by
- * these. */
+/* Groups of related parts. The part with kernels of its own is listed by kernel. */
 enum { GROUPS = 3 };
 static const struct {
     const char *name;
@@ -238,8 +238,8 @@ static void add_millions(struct table *table, const struct profile *profile,
     }
 }
 
-/* Clocks of a part (region NULL) or region in the stages.  False: there are
- * none. */
+/* Sums the clocks of a region, or of a part if region is NULL, in each stage.
+ * Returns false if all are 0. */
 static bool find_clocks(const struct profile *profile, enum profile_part part,
                         const char *region, uint64_t clocks[TRACE_MODES])
 {
@@ -306,7 +306,7 @@ static const struct table_column speedup_columns[] = {
     { "measured", "measured", TABLE_NUMBER, 2 },
 };
 
-/* What the stages have in vector form, most wanted first. */
+/* The parts that a stage has in vector form, in order of importance. */
 static const struct {
     int stage;
     size_t count;
@@ -320,9 +320,9 @@ static const struct {
 };
 enum { VECTORISED = sizeof vectorised / sizeof *vectorised };
 
-/* Part after part: those so far as fast as they are in the stage, the others
- * as slow as they are in scalar form; at the limit those so far would take no
- * time at all.  With its last part the stage itself is measured. */
+/* Adds a row for each part. The parts up to this one are as fast as in the stage,
+ * and the others as slow as in scalar form. The limit assumes that the parts up to
+ * this one take no time. The row of the last part also has the measured speedup. */
 static void add_amdahl(struct table *table, const struct profile *profile, size_t row)
 {
     int stage = vectorised[row].stage;
@@ -397,7 +397,7 @@ static void fill_rays(struct table *table, const struct profile *profile)
     }
 }
 
-/* ---- The tables ---------------------------------------------------------- */
+/* ---- All tables ---------------------------------------------------------- */
 
 static const struct {
     const char *key, *heading;
@@ -458,8 +458,8 @@ static bool run_stage(void *context, const struct task *task, c205_error *error)
     return trace && trace_run(trace, error);
 }
 
-/* What the host takes for the emulation of each, as measured: a vector
- * instruction is one to it. */
+/* Returns the host's relative cost of emulating a stage, as measured. The host
+ * emulates a whole vector instruction at once, so the vector stage is the cheapest. */
 static double stage_weight(const void *context, size_t stage)
 {
     static const double weights[TRACE_MODES] = {

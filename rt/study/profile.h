@@ -1,6 +1,5 @@
-/* profile.h - what each part of a frame costs in the three stages of the
- * tracer: all serial, the paper's, all in vector form.
- */
+/* profile.h - the cost of each part of a frame in the three stages of the tracer:
+ * all scalar, the paper's, and all vector. */
 #ifndef RT_PROFILE_H
 #define RT_PROFILE_H
 
@@ -10,42 +9,43 @@
 
 enum profile_part {
     PART_GENERATE,  /* rays of pixels */
-    PART_INTERSECT, /* segments of rays in primitives; the walk over regions
-                       and nodes, with their bounding volumes */
-    PART_VISIBLE,   /* which surface is seen: trees, the nearest */
+    PART_INTERSECT, /* segments of rays in primitives; the traversal of regions and
+                     * nodes, with their bounding volumes */
+    PART_VISIBLE,   /* the visible surface: trees, the nearest hit */
     PART_SHADE,     /* normals, pigments, light and shadow */
-    PART_SPAWN,     /* mirrored and refracted rays, their colours added */
-    PART_REST,      /* what the frame's program does between them */
+    PART_SPAWN,     /* reflected and refracted rays, and adding their colours */
+    PART_REST,      /* the frame's program between the other parts */
     PROFILE_PARTS
 };
 const char *profile_part_name(enum profile_part part);
-/* The part that a region of the kernels belongs to; false: it is in no list,
- * a fault of the build. */
+/* Finds the part that a region of the kernels belongs to. Returns false if it is
+ * in no list, which is an error of the build. */
 bool profile_part_of(const char *region, enum profile_part *part);
 
 /* The stages in the order of the tables: scalar, kernels, vector. */
 extern const enum trace_mode profile_stages[TRACE_MODES];
 
-/* One frame in the three stages, in that order.  Zero it to begin; free it also
- * after a failure. */
+/* One frame in the three stages, in that order. It must be zero at the start, and
+ * must be freed also after a failure. */
 struct profile {
     struct trace *traces[TRACE_MODES];
     struct vector_use vectors[TRACE_MODES];
 };
-/* The options' mode and observers are set here.  False: a trap, progress said
- * to stop, or the frames of two stages differ; the error says which. */
+/* Traces the frame in all stages. The mode and the observers of the options are
+ * replaced. Returns false after a trap, if progress returned false, or if the
+ * frames of two stages differ; the error says which. */
 bool profile_run(struct profile *profile, const struct scene *scene,
                  const struct trace_options *options, c205_error *error);
 void profile_free(struct profile *profile);
 
-/* The tables of a profile that was run.  NULL: no memory. */
+/* The tables of a profile that was run. profile_table returns NULL without memory. */
 enum profile_table {
-    PROFILE_GROUPS,  /* of parts and kernels in three groups, in millions of
-                        clocks: for the reader .. */
-    PROFILE_CLOCKS,  /* .. what others read: of each part, and of each
-                        primitive's kernel, exact */
-    PROFILE_SPEEDUP, /* of the frame, and what Amdahl's law says of it */
-    PROFILE_VECTORS, /* their length, the density of control vectors */
+    PROFILE_GROUPS,  /* parts and kernels in three groups, in millions of clocks, for
+                      * readers */
+    PROFILE_CLOCKS,  /* exact clocks of each part, and of each primitive's kernel,
+                      * for other programs */
+    PROFILE_SPEEDUP, /* of the frame, and its prediction by Amdahl's law */
+    PROFILE_VECTORS, /* their length, and the density of control vectors */
     PROFILE_RAYS,    /* by kind */
     PROFILE_TABLES
 };

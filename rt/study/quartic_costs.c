@@ -1,3 +1,4 @@
+/* quartic_costs.c - reports the costs of finding roots. */
 #include "rt/study/quartic_costs.h"
 
 #include <stdio.h>

@@ -1,8 +1,8 @@
-/* quartic_costs.h - what rt205 quartic tells after the roots: which clocks
- * they took, how falsi went, how many brackets were active pass by pass.
+/* quartic_costs.h - reports the costs of rt205 quartic after the roots: the
+ * clocks, the steps of falsi, and the active brackets in each pass.
  *
- * As text it is on lines that begin with #, so that the roots are what is
- * left without them.
+ * In text output these lines begin with #, so that the roots can be extracted by
+ * dropping them.
  */
 #ifndef RT_QUARTIC_COSTS_H
 #define RT_QUARTIC_COSTS_H
@@ -13,20 +13,20 @@
 struct quartic_costs {
     const char *file;
     const struct roots_options *options;
-    const struct root_search *search; /* done, and watched */
+    const struct root_search *search; /* finished, with an observer */
     const struct iterations *iterations;
     size_t polynomials, roots;
 };
 
-/* False: memory ran out. */
+/* Prints all costs. Returns false without memory. */
 bool quartic_costs_print(const struct quartic_costs *costs,
                          const struct command_output *results);
 
-/* Such a table.  False: likewise. */
+/* Prints such a table. Returns false without memory. */
 bool quartic_costs_part(const struct command_output *results, const struct table *table,
                         const char *key, const char *heading);
 
-/* How far the model can be trusted, likewise. */
+/* Prints the reliability of the model in the same format. */
 void quartic_costs_model(const struct command_output *results, const c205_model *model);
 
 #endif

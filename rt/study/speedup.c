@@ -1,3 +1,4 @@
+/* speedup.c - measures the paper's Table 1 on the emulated machine. */
 #include "rt/study/speedup.h"
 
 #include <stdio.h>
@@ -14,7 +15,7 @@ const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {
     [SPEEDUP_720] = "cyber720", [SPEEDUP_6600] = "cdc6600"
 };
 
-/* No constant of the 6600 has been fitted. */
+/* The 6600 has no fitted constants. */
 const char *speedup_projection_model(const c205_model *model,
                                      enum speedup_projection machine)
 {
@@ -25,7 +26,7 @@ const char *speedup_projection_model(const c205_model *model,
     return provenance_is_fitted(model) ? speedup_projections[machine] : priors[machine];
 }
 
-/* Bent, so that many rays cross it twice; its surface is of degree four. */
+/* A bent patch that many rays cross twice. Its surface has degree four. */
 #define PATCH \
     "steiner_patch { <-1.1, -.8, .5>, <1.2, -.8, .5>, <0, .9, .5>," \
     " <.1, -1.5, -1>, <1.3, .6, -.8>, <-1.4, .5, -.8> }"
@@ -57,7 +58,7 @@ const struct speedup_subject speedup_subjects[] = {
       .from = { .48, .6, -.64 },
       .regions = { "call", "steiner", speedup_solver } },
     { .name = "torus, ours",
-      .shape = "torus { .8, .35 translate .8*z }", /* the tube in the middle */
+      .shape = "torus { .8, .35 translate .8*z }", /* the tube in the centre */
       .from = { 0, .8, -.6 },
       .regions = { "call", "torus", speedup_solver } },
 };
@@ -140,7 +141,7 @@ const c205_account *speedup_account(const struct accounts *accounts, const char 
     return account;
 }
 
-/* The clocks of the subject's regions, by cause and by region. */
+/* Sums the clocks of the subject's regions, by cause and by region. */
 static bool sum_accounts(const struct accounts *accounts,
                          const struct speedup_subject *subject,
                          struct speedup_measure *measure, c205_error *error)
@@ -163,9 +164,9 @@ static bool sum_accounts(const struct accounts *accounts,
     return true;
 }
 
-/* ---- On other machines --------------------------------------------------- */
+/* ---- Projections to other machines --------------------------------------- */
 
-/* What a projection is charged for the subject's regions. */
+/* The clocks of the subject's regions in a projection. */
 struct projecting {
     c205_model *model;
     const struct speedup_subject *subject;
@@ -174,7 +175,7 @@ struct projecting {
 
 struct projected_band {
     c205_projection *projection;
-    const c205 *machine; /* the last that was heard of */
+    const c205 *machine; /* of the last event */
 };
 
 static void end_projection(void *state)
@@ -249,7 +250,7 @@ static bool find_projections(struct projecting projecting[SPEEDUP_PROJECTIONS],
     return true;
 }
 
-/* ---- A measure ------------------------------------------------------------ */
+/* ---- A measurement -------------------------------------------------------- */
 
 static bool run(const struct speedup_subject *subject, const struct speedup_view *view,
                 const struct trace_options *options, struct speedup_measure *measure,
@@ -270,7 +271,8 @@ static bool run(const struct speedup_subject *subject, const struct speedup_view
     return good;
 }
 
-/* The scalar form is charged to the other machines as well. */
+/* Runs a frame with observers. The scalar form is also projected to the other
+ * machines. */
 static bool run_observed(const struct speedup_subject *subject,
                          const struct speedup_view *view,
                          const struct trace_options *options,
@@ -331,7 +333,7 @@ bool speedup_measure(const struct speedup_subject *subject,
     return good;
 }
 
-/* ---- All of a table ------------------------------------------------------ */
+/* ---- A whole table ------------------------------------------------------- */
 
 struct measuring {
     const struct speedup_subject *subjects;
@@ -355,8 +357,8 @@ static bool measure_form(void *context, const struct task *task, c205_error *err
                            &measuring->measures[subject][mode], error);
 }
 
-/* What the host takes, as measured: the scalar form of most, and most of
- * those with long kernels. */
+/* The host's cost, as measured. The scalar form takes most of the time, and more
+ * with long kernels. */
 static double form_weight(const void *context, size_t number)
 {
     const struct measuring *measuring = context;

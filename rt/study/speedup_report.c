@@ -1,3 +1,4 @@
+/* speedup_report.c - the results of rt205 speedup as tables. */
 #include "rt/study/speedup_report.h"
 
 #include <math.h>
@@ -7,7 +8,7 @@
 #include "base/accounts.h"
 #include "rt/study/iterations_table.h"
 
-/* Decimals as in the paper. */
+/* Decimals are those of the paper. */
 static const struct table_column table1[] = {
     { "primitive", "primitive", TABLE_TEXT, 0 },
     { "figures", "figures", TABLE_TEXT, 0 },
@@ -135,13 +136,13 @@ static double quotient(uint64_t a, uint64_t b)
     return (double)a / (double)b;
 }
 
-/* Of what the paper does not tell a table shows nothing. */
+/* Returns NAN, an empty cell, for a figure that the paper does not have. */
 static double reported(double figure)
 {
     return figure > 0 ? figure : NAN;
 }
 
-/* Seconds as long as the paper's for so many rays. */
+/* Scales seconds to the paper's number of rays. */
 static double scaled(double seconds, const struct speedup_measure *measure)
 {
     return seconds * SPEEDUP_PAPER_RAYS / (double)measure->rays;
@@ -242,7 +243,7 @@ static void add_times(struct table *table, const struct speedup_subject *subject
     table_number(table, quotient(measure->total, measure->rays));
 }
 
-/* The CYBER 720 is in Table 1. */
+/* Adds the projection to the 6600. That to the CYBER 720 is in Table 1. */
 static void add_projected(struct speedup_report *report,
                           const struct speedup_subject *subject,
                           const struct speedup_measure measures[TRACE_FORMS])

@@ -1,4 +1,4 @@
-/* speedup_report.h - what rt205 speedup has measured, as tables.
+/* speedup_report.h - the results of rt205 speedup as tables.
  *
  * The same tables are printed, in several formats, and written as JSON.
  */
@@ -8,8 +8,8 @@
 #include "base/table.h"
 #include "rt/study/speedup.h"
 
-/* A line of Table 1: CPU seconds for SPEEDUP_PAPER_RAYS, and how much faster
- * the 205's vector form is. */
+/* A line of Table 1: CPU seconds for SPEEDUP_PAPER_RAYS, and the speedup of the
+ * 205's vector form. */
 enum speedup_figure {
     SPEEDUP_SCALAR_SECONDS,
     SPEEDUP_VECTOR_SECONDS,
@@ -23,33 +23,35 @@ void speedup_figures(const c205_model *model,
                      double figures[SPEEDUP_FIGURES]);
 void speedup_paper_figures(const struct speedup_paper *paper,
                            double figures[SPEEDUP_FIGURES]);
-/* By how many percent a figure is off. */
+/* Returns the error of a figure in percent. */
 double speedup_error(double figure, double reported);
 
 struct speedup_report;
 
-/* The model, whose seconds count, must outlive it.  NULL: no memory. */
+/* Returns an empty report, or NULL without memory. The model, which converts
+ * clocks to seconds, must outlive it. */
 struct speedup_report *speedup_report_new(const c205_model *model);
 void speedup_report_free(struct speedup_report *report);
 
-/* What both forms took on the model, and the scalar one on those of
- * speedup_projection_model. */
+/* Adds the measures of a subject: both forms on the model, and the scalar form on
+ * those of speedup_projection_model. */
 void speedup_report_add(struct speedup_report *report,
                         const struct speedup_subject *subject,
                         const struct speedup_view *view,
                         const struct speedup_measure measures[TRACE_FORMS]);
 
-/* The paper's Table 1: of each primitive our figures, the paper's, and by how
- * many percent ours are off.  False: memory ran out. */
+/* Prints the paper's Table 1: for each primitive our figures, the paper's, and the
+ * errors of ours in percent. Returns false without memory. */
 bool speedup_report_table1(const struct speedup_report *report,
                            enum table_format format, FILE *file);
-/* All other tables, but for that pass by pass, which is long.  False: memory ran
- * out, here as below. */
+/* Print all other tables, except the long one by pass, and the table by pass.
+ * Return false without memory. */
 bool speedup_report_detail(const struct speedup_report *report,
                            enum table_format format, FILE *file);
 bool speedup_report_passes(const struct speedup_report *report,
                            enum table_format format, FILE *file);
-/* Every one of them.  False: memory ran out, and the JSON is to be dropped. */
+/* Writes all tables as JSON. Returns false without memory; the JSON must then be
+ * discarded. */
 bool speedup_report_json(const struct speedup_report *report, struct json *json);
 
 #endif

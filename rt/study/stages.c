@@ -1,3 +1,4 @@
+/* stages.c - compares the clocks of a computation in its three stages. */
 #include "rt/study/stages.h"
 
 #include <math.h>

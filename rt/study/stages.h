@@ -1,5 +1,5 @@
-/* stages.h - what each step of a computation takes in its three stages: scalar; as in 1984,
- * vector kernels in scalar programs; vector. */
+/* stages.h - the cost of each step of a computation in its three stages: scalar;
+ * vector kernels in scalar programs, as in 1984; vector. */
 #ifndef RT_STAGES_H
 #define RT_STAGES_H
 
@@ -8,27 +8,28 @@
 
 enum { MAX_STAGES_STEPS = 8 };
 
-/* Clocks of each stage, which its mode is the number of, by steps. */
+/* The clocks by stage and step. A stage has the number of its mode. */
 struct stages {
     size_t step_count;
     const char *steps[MAX_STAGES_STEPS];
     uint64_t clocks[TRACE_MODES][MAX_STAGES_STEPS];
 };
 
-/* What a computation takes in another mode, step by step; *same: it finds the same as the one
- * whose clocks are there.  False: it fails; the error says why. */
+/* Runs a computation in another mode and sets its clocks by step. Sets *same to
+ * whether it has the same result as `found`. Returns false with the reason in the
+ * error. */
 typedef bool stages_function(const void *found, enum trace_mode mode,
                              uint64_t clocks[MAX_STAGES_STEPS], bool *same,
                              c205_error *error);
 
-/* All stages but that of one mode, whose clocks are there.  False: one fails, or finds
- * something else; the error says which. */
+/* Runs all stages except that of the mode `there`, whose clocks are set. Returns
+ * false if one fails or has a different result; the error says which. */
 bool stages_find(struct stages *stages, enum trace_mode there, stages_function *find,
                  const void *found, c205_error *error);
 
 uint64_t stages_clocks(const struct stages *stages, enum trace_mode mode);
-/* Step by step, then all of them: clocks, and how many times those of the scalar stage are
- * these.  NULL: no memory. */
+/* Returns a table with a row for each step and one for all: the clocks, and the
+ * speedups between stages. Returns NULL without memory. */
 struct table *stages_table(const struct stages *stages);
 
 #endif

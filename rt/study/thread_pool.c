@@ -1,3 +1,4 @@
+/* thread_pool.c - runs independent tasks in threads. */
 #include "rt/study/thread_pool.h"
 
 #include <stdint.h>
@@ -6,24 +7,24 @@
 
 #include "rt/platform/threads.h"
 
-/* Progress of all is told in so many steps. */
+/* The resolution of the common progress. */
 enum { STEPS = 1000000 };
 
-/* What is known of a run. */
+/* The state of a task. */
 struct state {
     struct crew *crew;
     size_t number;
-    double weight, share; /* share: of it that is done, 0 to 1 */
+    double weight, share; /* share: the finished part, 0 to 1 */
 };
 
 struct crew {
     const struct tasks *tasks;
-    struct lock *lock; /* of all below */
-    size_t next;       /* the run to begin next */
-    bool cancelled;    /* by who watches */
-    size_t failed;     /* the lowest run that failed; SIZE_MAX: none */
-    c205_error error;  /* of that one, whichever failed first in time */
-    double weight;     /* of all */
+    struct lock *lock; /* of all fields below */
+    size_t next;       /* the task to start next */
+    bool cancelled;    /* by the observer of the progress */
+    size_t failed;     /* the lowest task that failed; SIZE_MAX: none */
+    c205_error error;  /* of that task, even if another failed earlier */
+    double weight;     /* of all tasks */
     struct state *states;
 };
 
@@ -36,14 +37,14 @@ static size_t steps_done(const struct crew *crew)
     return (size_t)(STEPS * (done / crew->weight));
 }
 
-/* With lock held. What comes before a run that failed continues to its own end, and what
-   comes after it is in vain: so the error is the same whoever is the faster. */
+/* Called with the lock held. A task before a failed one continues, and a task
+ * after it is stopped. The error is therefore the same for any timing. */
 static bool wanted(const struct crew *crew, size_t number)
 {
     return !crew->cancelled && number < crew->failed;
 }
 
-/* Never all of them: that is told once, at the end. */
+/* Reports progress, but never all steps: the end is reported once, by tasks_run. */
 static bool report_progress(void *context, size_t done, size_t all)
 {
     struct state *state = context;
@@ -63,7 +64,7 @@ static bool report_progress(void *context, size_t done, size_t all)
     return go_on;
 }
 
-/* False: there is nothing more to begin. */
+/* Takes the next task. Returns false if there is nothing more to start. */
 static bool take_next(struct crew *crew, size_t *number)
 {
     bool more;
@@ -103,7 +104,7 @@ static void work(void *context)
         run_one(crew, number);
 }
 
-/* The caller's thread works, too; where no other can be had, alone. */
+/* The caller's thread also works. If no thread can be started, it works alone. */
 static void work_together(struct crew *crew)
 {
     size_t jobs = crew->tasks->jobs, count = 0;

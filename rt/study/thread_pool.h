@@ -1,8 +1,8 @@
-/* thread_pool.h - runs that do not depend on one another, several at a time in
- * threads, with one progress over all of them.
+/* thread_pool.h - runs independent tasks, several at a time in threads, with a
+ * common progress.
  *
- * A run puts what it finds where its number says, so that nothing depends on
- * which ends first.
+ * A task stores its result at its own number, so the results do not depend on the
+ * order in which tasks finish.
  */
 #ifndef RT_STUDY_THREAD_POOL_H
 #define RT_STUDY_THREAD_POOL_H
@@ -12,8 +12,8 @@
 /* As trace_options.progress. */
 typedef bool task_progress(void *context, size_t done, size_t all);
 
-/* One run: which, and what it tells its own progress to.  progress is NULL if
- * nobody wants to know. */
+/* A task: its number, and the function that receives its progress, which may be
+ * NULL. */
 struct task {
     size_t number;
     task_progress *progress;
@@ -21,21 +21,20 @@ struct task {
 };
 
 struct tasks {
-    size_t count, jobs; /* jobs: so many at a time; 0: one */
-    /* False: the error says why, and no more are begun. */
+    size_t count, jobs; /* number of threads; 0: one */
+    /* Runs a task. Returns false with the reason in the error; no more tasks are then
+     * started. */
     bool (*run)(void *context, const struct task *task, c205_error *error);
-    /* How much of the host's work it is, beside the others; NULL: all are
-     * alike. */
+    /* Returns the relative cost of a task on the host. NULL: all are equal. */
     double (*weight)(const void *context, size_t number);
     void *context;
-    /* Of all together; never called twice at a time; NULL: nobody wants to
-     * know. */
+    /* Receives the progress of all tasks together. Calls never overlap. May be NULL. */
     task_progress *progress;
     void *progress_context;
 };
 
-/* Run them all.  False: the error is that of the lowest number that
- * failed, however many jobs there are. */
+/* Runs all tasks. On failure the error is that of the failed task with the lowest
+ * number, for any number of threads. */
 bool tasks_run(const struct tasks *tasks, c205_error *error);
 
 #endif

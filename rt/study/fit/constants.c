@@ -1,3 +1,4 @@
+/* constants.c - reads the constants that the fit may change. */
 #include "rt/study/fit/constants.h"
 #include "base/error.h"
 
@@ -9,13 +10,13 @@ enum { NAME, MACHINE, MEMBERS, SOURCE, LEAST, MAX, WHY, FIELDS };
 static const char *const columns[FIELDS] = { "name",  "machine", "constants", "source",
                                              "least", "most",    "why" };
 
-/* How far a prior can be trusted, relative, by its source. */
+/* The relative width of a prior, by its source. */
 static const struct {
     char source;
     double width;
 } widths[] = { { 'P', .02 }, { 'D', .05 }, { 'S', .1 }, { 'R', .4 } };
 
-/* The model in which a machine's priors stand. */
+/* The model that has a machine's priors. */
 static const struct {
     const char *machine, *model;
 } priors[] = {

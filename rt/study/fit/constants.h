@@ -1,8 +1,9 @@
-/* constants.h - what the fit may move: rows of rt/study/fit/constants.csv.
+/* constants.h - the constants that the fit may change: the rows of
+ * rt/study/fit/constants.csv.
  *
- * A free constant is a group of a model's constants that move together, by
- * one factor.  Its place is told in widths of its prior: 0 is the prior, 1 one
- * width more.
+ * A free constant is a group of a model's constants that change by a common
+ * factor. Its place is measured in widths of its prior: 0 is the prior, and 1 is
+ * one width more.
  */
 #ifndef RT_FIT_CONSTANTS_H
 #define RT_FIT_CONSTANTS_H
@@ -18,7 +19,7 @@ struct free_constant {
     char source;
     double width;       /* of the prior, relative */
     double prior;       /* of the first member, in its unit */
-    double least, most; /* likewise */
+    double least, most; /* bounds of the first member, in its unit */
     const char *unit;
     size_t member_count;
     struct {
@@ -36,25 +37,27 @@ struct constants {
     c205_model *priors[FREE_MACHINES];
 };
 
-/* The priors are those of built-in models.  False: the error says why. */
+/* Reads the free constants of a file. The priors are those of built-in models.
+ * Returns false with the reason in the diagnostics. */
 bool constants_read(struct constants *constants, const char *path,
                     struct diagnostics *diagnostics);
 void constants_free(struct constants *constants);
 
-/* The model of a machine's priors; NULL: there is none. */
+/* Returns the model with a machine's priors, or NULL if there is none. */
 const c205_model *constants_prior(const struct constants *constants,
                                   const char *machine);
 
-/* The first member's value at a place, and the other way round. */
+/* Convert a place to the first member's value, and back. */
 double constant_value(const struct free_constant *constant, double place);
 double constant_place(const struct free_constant *constant, double value);
-/* Whether a model is a machine's, or of one like it: the name of such a model,
- * "cyber205-2pipe", begins with the machine's. */
+/* Returns true if a model is that machine, or like one. The name of such a model,
+ * such as "cyber205-2pipe", begins with the machine's name. */
 bool model_is_of(const c205_model *model, const char *machine, size_t length);
-/* Whether it is one of this model's. */
+/* Returns true if the constant belongs to this model. */
 bool constant_is_of(const struct free_constant *constant, const c205_model *model);
 
-/* What the places of all set in a model; gives their number. */
+/* Lists the settings of a model for the places of all constants. Returns their
+ * number. */
 enum { MAX_SETTINGS = MAX_FREE * MAX_MEMBERS };
 size_t constants_settings(const struct constants *constants, const double *places,
                           const c205_model *model, c205_setting settings[MAX_SETTINGS]);

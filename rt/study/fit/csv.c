@@ -1,3 +1,4 @@
+/* csv.c - reads tables of fields separated by commas. */
 #include "rt/study/fit/csv.h"
 
 #include "base/array.h"
@@ -7,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is wrong at a place of the text, or, without one, with the file. */
+/* Reports an error at a place of the text, or of the whole file if `at` is NULL. */
 static bool fail(const struct csv *csv, size_t line, const char *at,
                  const char *message, struct diagnostics *diagnostics)
 {
@@ -48,7 +49,7 @@ static bool read_text(struct csv *csv, struct diagnostics *diagnostics)
     return true;
 }
 
-/* Cut the next field off a line; the line becomes NULL after the last. */
+/* Splits the next field off a line. The line becomes NULL after the last field. */
 static char *next_field(char **line)
 {
     char *field = *line, *end;

@@ -1,3 +1,4 @@
+/* fit.c - fits the constants of the timing model with Ceres. */
 #include "rt/study/fit/fit.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@
 #include "rt/platform/threads.h"
 #include "rt/study/fit/ceres_fit.h"
 
-/* A difference that tells a derivative, in prior widths. */
+/* The step of the differences that approximate derivatives, in prior widths. */
 #define STEP 0.1
 
 double fit_error(const struct observation *observation, double predicted)
@@ -17,17 +18,17 @@ double fit_error(const struct observation *observation, double predicted)
     return predicted / observation->value - 1;
 }
 
-/* ---- Points: the constants somewhere, and all clocks there -------------- */
+/* ---- Points: places of all constants, and the clocks there ------------- */
 
 struct point {
     double places[MAX_FREE];
-    size_t moved; /* the only constant that differs from the first point;
-                      MAX_FREE: it is the first */
+    size_t moved; /* the only constant that differs from the first point; MAX_FREE:
+                   * this is the first point */
     bool timed[MAX_FIT_TIMINGS];
     double clocks[MAX_FIT_TIMINGS][MAX_RUN_REGIONS];
 };
 
-/* Programs to time at points, shared out among threads. */
+/* Programs to time at points, distributed among threads. */
 struct work {
     const struct fit *fit;
     const bool *needed; /* of each timing */
@@ -78,7 +79,7 @@ static void do_work(void *context)
     lock_give_back(work->lock);
 }
 
-/* The first thread is this one. */
+/* This thread is the first worker. */
 static void share_out(struct work *work)
 {
     struct thread *threads[MAX_FIT_JOBS];
@@ -92,7 +93,7 @@ static void share_out(struct work *work)
         thread_end(threads[i]);
 }
 
-/* What an idle constant leaves as it was at the first point. */
+/* Copies the clocks that an idle constant does not change from the first point. */
 static void fill_in(const struct fit *fit, struct point *points, size_t count)
 {
     for (size_t i = 1; i < count; i++)
@@ -121,7 +122,8 @@ static bool time_points(const struct fit *fit, const bool *needed, struct point 
     return !work.failed;
 }
 
-/* The first point, and for each constant one beside it. */
+/* Makes the first point and, for each constant, a point with that constant changed
+ * by STEP. */
 static struct point *points_at(const struct fit *fit, const double *places,
                                size_t *count, c205_error *error)
 {
@@ -142,13 +144,13 @@ static struct point *points_at(const struct fit *fit, const double *places,
 
 /* ---- Residuals ---------------------------------------------------------- */
 
-/* One fit as Ceres asks for it. */
+/* The state of one fit for the callbacks of Ceres. */
 struct asked {
     const struct fit *fit;
     const struct fit_change *change;
     size_t used[MAX_FIT_OBSERVATIONS], use_count;
     bool needed[MAX_FIT_TIMINGS];
-    struct point last; /* where it was last asked */
+    struct point last; /* the point of the last evaluation */
     c205_error error;
 };
 
@@ -172,8 +174,8 @@ static double error_at(const struct asked *asked, size_t i, struct point *point)
                                                point->clocks));
 }
 
-/* The mean of a column of errors over the rows of a group, or what of it a
- * residual leaves out. */
+/* Returns the part of a residual that weigh_errors subtracts: b times the mean of
+ * a column of errors over the rows of its group. */
 static double shared_error(const struct asked *asked, size_t i, const double *errors,
                            size_t columns)
 {
@@ -189,9 +191,10 @@ static double shared_error(const struct asked *asked, size_t i, const double *er
            * (1 - own / sqrt(own * own + rows * item->shared * item->shared));
 }
 
-/* Relative errors as residuals, column by column.  The errors of a group of k
- * rows have the covariance u^2 I + s^2 1 1^T, with u their own uncertainty and s
- * what they share.  Its inverse root makes of them
+/* Converts relative errors to residuals, column by column. The errors of a group
+ * of k rows have the covariance u^2 I + s^2 1 1^T, where u is their own
+ * uncertainty and s the shared one. The inverse square root of this matrix maps
+ * them to
  *
  *     (e - b mean e) / u,   b = 1 - u / sqrt (u^2 + k s^2).
  */
@@ -283,7 +286,8 @@ bool fit_predict(const struct fit *fit, const double *places,
     return good;
 }
 
-/* Where a width more of a constant changes no clock it is idle. */
+/* Marks a constant as idle in the programs whose clocks do not change when it
+ * moves by one width. */
 static void find_idle(struct fit *fit, const struct point *points, size_t k)
 {
     for (size_t i = 0; i < fit->observations->timing_count; i++)
@@ -292,7 +296,7 @@ static void find_idle(struct fit *fit, const struct point *points, size_t k)
                           == 0;
 }
 
-/* So it is in the programs of other machines. */
+/* Marks constants as idle in the programs of other machines. */
 static void set_strangers_idle(struct fit *fit)
 {
     const struct observations *all = fit->observations;
@@ -303,7 +307,7 @@ static void set_strangers_idle(struct fit *fit)
                                               all->timings[i].model);
 }
 
-/* Timings of observations that may be fitted. */
+/* Marks the timings of the observations in use. */
 static void find_needed(const struct fit *fit, const struct fit_change *change,
                         bool needed[MAX_FIT_TIMINGS])
 {
@@ -353,8 +357,9 @@ static void choose(struct asked *asked)
             asked->used[asked->use_count++] = i;
 }
 
-/* The covariance is that of uncertainties that are right; where the cost
- * shows that they are not it grows by 2 cost / (residuals - constants). */
+/* Computes the standard errors. The covariance assumes correct uncertainties. If
+ * the cost shows that they are too small, the variances grow by the factor 2 cost
+ * / (residuals - constants). */
 static void find_errors(const struct ceres_outcome *found, size_t constants,
                         struct fit_outcome *outcome)
 {

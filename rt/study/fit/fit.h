@@ -1,12 +1,13 @@
-/* fit.h - the constants of the timing model, fitted to observations.
+/* fit.h - fits the constants of the timing model to observations.
  *
- * Residuals: of each observation in use, the relative error of the machine's
- * own clocks for its program, by its uncertainty, with a Cauchy loss of
- * FIT_LOSS, where a group of rows shares a part of the uncertainty the shared
- * error counting once; of each free constant, how far it is from its prior, in the
- * prior's widths.  Derivatives are differences between programs timed again.
+ * There are two kinds of residuals. For each observation in use, the residual is
+ * the relative error of the machine's own clocks for its program, divided by the
+ * uncertainty, with a Cauchy loss of FIT_LOSS. The error that a group of rows
+ * shares counts once. For each free constant, the residual is its distance from
+ * its prior, in widths of the prior. Derivatives are differences between programs
+ * timed again.
  *
- * Everything is the same in every run: threads only share the timing out.
+ * The result is the same in every run: threads only distribute the timing.
  */
 #ifndef RT_FIT_FIT_H
 #define RT_FIT_FIT_H
@@ -21,40 +22,41 @@ struct fit {
     const struct observations *observations;
     const struct constants *constants;
     size_t jobs;
-    /* Which constants have no part in a program. */
+    /* True if a constant has no influence on a program. */
     bool idle[MAX_FIT_TIMINGS][MAX_FREE];
 };
 
-/* What is other than in the fit proper. */
+/* The differences from the standard fit. */
 struct fit_change {
     bool held[MAX_FIT_OBSERVATIONS]; /* observations left out */
-    double wider[MAX_FREE];          /* priors' widths times this; 0: as is */
-    double center[MAX_FREE];         /* priors moved, in widths */
+    double wider[MAX_FREE];          /* factors of the priors' widths; 0: unchanged */
+    double center[MAX_FREE];         /* shifts of the priors, in widths */
 };
 
 struct fit_outcome {
     double places[MAX_FREE];     /* of the constants, in prior widths */
-    double errors[MAX_FREE];     /* standard, likewise; NaN: undetermined */
-    double raw_errors[MAX_FREE]; /* as if all uncertainties were right */
+    double errors[MAX_FREE];     /* standard errors in prior widths; NaN:
+                                  * undetermined */
+    double raw_errors[MAX_FREE]; /* the errors if all uncertainties are correct */
     double predicted[MAX_FIT_OBSERVATIONS];
     double cost;
-    size_t used; /* observations */
+    size_t used; /* number of observations */
     int steps;
     bool converged;
 };
 
-/* False: the error says why. */
+/* Prepares the fit. Returns false with the reason in the error. */
 bool fit_begin(struct fit *fit, c205_error *error);
 
-/* places: where to begin. */
+/* Solves the fit from the given places. */
 bool fit_solve(const struct fit *fit, const struct fit_change *change,
                const double *places, struct fit_outcome *outcome, c205_error *error);
 
-/* What the machine shows with the constants at these places. */
+/* Predicts the observations with the constants at these places. */
 bool fit_predict(const struct fit *fit, const double *places,
                  double predicted[MAX_FIT_OBSERVATIONS], c205_error *error);
 
-/* (predicted - value) / value */
+/* Returns (predicted - value) / value. */
 double fit_error(const struct observation *observation, double predicted);
 
 #endif

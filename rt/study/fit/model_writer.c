@@ -1,3 +1,4 @@
+/* model_writer.c - writes a fitted model to a file. */
 #include "rt/study/fit/model_writer.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@
 
 /* ---- The constants ------------------------------------------------------ */
 
-/* The priors of which a file NAME.model is the fit: NAME-prior. */
+/* Returns the priors, NAME-prior, of which a file NAME.model is the fit. */
 static const c205_model *prior_of(const struct observations *all, const char *path,
                                   c205_error *error)
 {
@@ -39,7 +40,8 @@ static int decimals(const c205_constant *prior)
     return strcmp(prior->unit, "clk") == 0 ? 0 : 4;
 }
 
-/* The constants of a model as they are written; gives their number. */
+/* Lists the constants of a model as they are written, rounded. Returns their
+ * number. */
 static size_t written_settings(const struct study *study, const c205_model *model,
                                c205_setting settings[MAX_SETTINGS])
 {
@@ -98,14 +100,15 @@ bool written_check(const struct study *study, const char *path, c205_error *erro
            && atomic_file_check(path, error);
 }
 
-/* The machine of a model: "cyber205" of "cyber205-2pipe". */
+/* Returns the length of the machine's name in a model's name: "cyber205" in
+ * "cyber205-2pipe". */
 static size_t machine_length(const char *name)
 {
     return strcspn(name, "-");
 }
 
-/* Whether an observation is one of that machine, with one or more pipes, or of
- * one like it. */
+/* Returns true if an observation is of the model's machine, with any number of
+ * pipes, or of a machine like it. */
 static bool is_of(const struct observations *all, const struct observation *item,
                   const c205_model *model)
 {
@@ -120,7 +123,7 @@ static bool is_of(const struct observations *all, const struct observation *item
     return false;
 }
 
-/* "KEYWORD N figures, at most E % off: NAME", as a model has it. */
+/* Writes "KEYWORD N figures, at most E % off: NAME", a line of model files. */
 static void write_belief(const struct study *study, const c205_model *model,
                          const double *predicted, bool fitted, FILE *file)
 {

@@ -1,22 +1,21 @@
-/* model_writer.h - a fitted model as a file, which says from what it was fitted and
- * how well.
- */
+/* model_writer.h - writes a fitted model to a file, with the observations that it
+ * was fitted to and their errors. */
 #ifndef RT_FIT_MODEL_WRITER_H
 #define RT_FIT_MODEL_WRITER_H
 
 #include "rt/study/fit/study.h"
 
-/* Whether written_model could write there: asked before the study is made.
- * False: the error says why not. */
+/* Returns true if written_model could write to the path. It is called before the
+ * study starts. Returns false with the reason in the error. */
 bool written_check(const struct study *study, const char *path, c205_error *error);
 
-/* What the machine shows of the observations with the constants as they are
- * written: times in clk are whole clocks, as its clock wants them. */
+/* Predicts the observations with the constants as written. Times in clk are
+ * rounded to whole clocks, as the machine's clock needs them. */
 bool written_predict(const struct study *study, double predicted[MAX_FIT_OBSERVATIONS],
                      c205_error *error);
 
-/* Write the model to the path, and how near it comes by what it predicts.
- * False: the error says why. */
+/* Writes the model to the path, with the errors of these predictions. Returns
+ * false with the reason in the error. */
 bool written_model(const struct study *study,
                    const double predicted[MAX_FIT_OBSERVATIONS], const char *path,
                    c205_error *error);

@@ -1,3 +1,4 @@
+/* objective.c - reports whether the models meet the goals of the fit. */
 #include "rt/study/fit/objective.h"
 
 #include <math.h>

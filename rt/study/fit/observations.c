@@ -1,3 +1,4 @@
+/* observations.c - reads observations and predicts them from clocks. */
 #include "rt/study/fit/observations.h"
 
 #include "base/array.h"
@@ -21,7 +22,7 @@ static bool fail(c205_error *error, const char *what, const char *name)
     return false;
 }
 
-/* ---- Runs, models, timings: each once ----------------------------------- */
+/* ---- Runs, models and timings: one of each ------------------------------ */
 
 static const struct fit_run *find_run(struct observations *all, const char *program,
                                       const struct run_options *options,
@@ -43,7 +44,7 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
     return run;
 }
 
-/* The model of a machine before any fit, if it has one of its own. */
+/* Names the model of a machine before any fit, if it has one of its own. */
 static void name_prior(const char *machine, char name[MAX_TEXT])
 {
     const char *const *names = c205_model_names();
@@ -92,9 +93,9 @@ static bool find_timing(struct observations *all, const struct fit_run *run,
     return true;
 }
 
-/* ---- What is timed ------------------------------------------------------ */
+/* ---- Terms -------------------------------------------------------------- */
 
-/* Cut "A/B" in two; the second is empty when there is none. */
+/* Splits "A/B". The second part is empty if there is no slash. */
 static void split(char *text, const char **second)
 {
     char *slash = strchr(text, '/');
@@ -106,7 +107,7 @@ static void split(char *text, const char **second)
     }
 }
 
-/* Take ":REGIONS" out of a program. */
+/* Moves ":REGIONS" from a program's name to a string of its own. */
 static void take_regions(const char *text, char program[MAX_TEXT],
                          char regions[MAX_TEXT])
 {
@@ -151,8 +152,8 @@ static bool add_terms(struct observations *all, struct observation *item,
                     *machine != '\0' ? machine : machines, error);
 }
 
-/* Units, and by what they count: a constant of the program, its rays, the
- * machine's clocks. */
+/* The units, and the quantity that each refers to: a constant of the program, its
+ * rays, or the clock period of the machine. */
 enum counted { COUNTED_SYMBOL, COUNTED_RAYS, COUNTED_PERIOD, COUNTED_NOTHING };
 
 static const struct unit {
@@ -171,7 +172,7 @@ static const struct unit {
     { "ratio", COUNTED_NOTHING, NULL, false, 1 },
 };
 
-/* How much of what a unit counts there is. */
+/* Finds the amount of that quantity. */
 static bool find_count(const struct run_timing *timing, const struct unit *unit,
                        double *count, c205_error *error)
 {
@@ -225,7 +226,7 @@ static bool read_use(const struct csv *file, const struct csv_row *row,
                         diagnostics);
 }
 
-/* "15 to 18", or one number. */
+/* Reads "15 to 18", or one number. */
 static bool read_range(const struct csv *file, const struct csv_row *row,
                        struct observation *item, struct diagnostics *diagnostics)
 {

@@ -1,27 +1,27 @@
-/* observations.h - what has been published of the machines' speed, and what
- * the emulated machine's own clocks say of the same.
+/* observations.h - published figures of the machines' speed, and the same figures
+ * as predicted by the emulated machine's own clocks.
  *
  * An observation is a line of a file in rt/study/fit/observations:
  *
- *   program   as run.h has it, ":REGION" or ":REGION/REGION" in it
- *   machine   a model, or two, MODEL/MODEL; where there is a MODEL-prior, which
- *             no fit has touched, it is that
+ *   program   as in run.h, with an optional ":REGION" or ":REGION/REGION"
+ *   machine   a model, or two, MODEL/MODEL; if a MODEL-prior exists, which
+ *             no fit has changed, that is used
  *   unit      s/100000   seconds for 100,000 rays
  *             clk        clocks
  *             ns/SYMBOL  nanoseconds, divided by that constant of the program
- *             Mflop/s    FLOPS of the program, by its time
- *             Melements/s  ELEMENTS of the program, by its time
+ *             Mflop/s    FLOPS of the program, divided by its time
+ *             Melements/s  ELEMENTS of the program, divided by its time
  *             %          the region's share of the program
- *             ratio      the first region's or machine's time by the second's
- *   value     a number; of a range "LEAST to MAX", or a number
- *   uncertainty   relative: one standard deviation; of a range empty
- *   shared    the same, of what is off alike in all rows of a group
- *   use       fit; compare; or range: what is known as a range, or from a
- *             program that can be written in several ways, a row for each,
- *             "NAME, WAY"
+ *             ratio      the first region's or machine's time over the second's
+ *   value     a number; for a range "LEAST to MAX", or a number
+ *   uncertainty   relative: one standard deviation; empty for a range
+ *   shared    the same, for the error that all rows of a group share
+ *   use       fit; compare; or range: a value that is known as a range, or
+ *             a program that can be written in several ways, with a row
+ *             "NAME, WAY" for each
  *
- * Each program runs once; its clocks with other constants come from the
- * recording, by the machine's own clock (vm/time/recording.c) or a projection.
+ * Each program runs once. Its clocks with other constants are computed from the
+ * recording, by the machine's own clock (vm/time/recording.c) or by a projection.
  */
 #ifndef RT_FIT_OBSERVATIONS_H
 #define RT_FIT_OBSERVATIONS_H
@@ -37,7 +37,7 @@ struct run_timing {
     const c205_model *model;
 };
 
-/* The seconds of some of its regions. */
+/* The seconds of some regions of a timing. */
 struct term {
     size_t timing;
     bool chosen[MAX_RUN_REGIONS];
@@ -55,9 +55,9 @@ struct observation {
     double value, uncertainty, shared;
     double least, most; /* of a range */
     enum observation_use use;
-    bool rate; /* factor / seconds; else factor x seconds */
+    bool rate; /* the value is factor / seconds; else factor x seconds */
     double factor;
-    size_t term_count; /* of two: the first by the second */
+    size_t term_count; /* two terms: the first divided by the second */
     struct term terms[2];
 };
 
@@ -70,22 +70,22 @@ struct observations {
     struct csv *files; /* hold the texts */
 };
 
-/* Zero it to begin.  Add the observations of a file and run their programs.
- * False: the error says why. */
+/* Adds the observations of a file and runs their programs. The structure must be
+ * zero before the first call. Returns false with the reason in the diagnostics. */
 bool observations_read(struct observations *observations, const char *path,
                        const struct run_options *options,
                        struct diagnostics *diagnostics);
 void observations_free(struct observations *observations);
 
-/* The first words of its name, which a group of observations shares: up to a
- * comma, or up to the last word. */
+/* Returns the length of the first words of the name, which a group of observations
+ * shares: up to a comma, or up to the last word. */
 size_t observation_group(const struct observation *observation);
 bool observation_same_group(const struct observation *one,
                             const struct observation *other);
-/* Of the row alone: its own uncertainty and the shared one. */
+/* Returns the total uncertainty of a row: its own and the shared one. */
 double observation_uncertainty(const struct observation *observation);
 
-/* From the clocks of each timing's regions. */
+/* Predicts an observation from the clocks of each timing's regions. */
 double observation_predict(const struct observations *observations,
                            const struct observation *observation,
                            double (*clocks)[MAX_RUN_REGIONS]);

@@ -1,3 +1,4 @@
+/* report.c - prints the results of a study. */
 #include "rt/study/fit/report.h"
 
 #include <math.h>
@@ -126,7 +127,7 @@ static void fill_held(const struct study *study, const double *written,
             add_observation(study, i, written, table);
 }
 
-/* How far a figure lies outside of a range, relative. */
+/* Returns the relative distance of a figure from a range; 0 inside. */
 static double outside(const struct observation *item, double predicted)
 {
     return predicted < item->least  ? predicted / item->least - 1
@@ -153,8 +154,8 @@ static void fill_ranges(const struct study *study, const double *written,
     }
 }
 
-/* One figure, as all the programs for it show it that stand one after the
- * other from this on; gives their number. */
+/* Adds the range of one figure over the consecutive rows of its group, which are
+ * the programs that can compute it. Returns their number. */
 static size_t add_span(const struct study *study, size_t first, struct table *table)
 {
     const struct observations *all = study->fit.observations;
@@ -191,7 +192,7 @@ static void fill_spans(const struct study *study, const double *written,
         i += all->items[i].use == OBSERVATION_RANGE ? add_span(study, i, table) : 1;
 }
 
-/* ---- Table 1, primitive by primitive ------------------------------------ */
+/* ---- Table 1, by primitive ---------------------------------------------- */
 
 static void add_speedup(const struct study *study, const double *written,
                         const struct speedup_subject *subject, bool other,
@@ -221,8 +222,8 @@ static void fill_speedups(const struct study *study, const double *written,
 
 /* ---- Constants ---------------------------------------------------------- */
 
-/* Of the certainty about a constant how much comes from the data; and whether
- * they moved it by a tenth of the prior's width at least. */
+/* Adds a constant. The column "known" is the part of the certainty that comes from
+ * the data; "moved" means a change of at least a tenth of the prior's width. */
 static void add_constant(const struct study *study, size_t i, struct table *table)
 {
     const struct free_constant *constant = &study->fit.constants->items[i];
@@ -252,7 +253,7 @@ static void fill_constants(const struct study *study, const double *written,
         add_constant(study, i, table);
 }
 
-/* ---- The same fit in other ways ----------------------------------------- */
+/* ---- Variants of the fit ------------------------------------------------ */
 
 static void fill_left_out(const struct study *study, const double *written,
                           struct table *table)
@@ -273,7 +274,7 @@ static void fill_left_out(const struct study *study, const double *written,
     }
 }
 
-/* The fitted observation that another fit shows most otherwise. */
+/* Returns the fitted observation whose prediction changes most in another fit. */
 static size_t most_changed(const struct study *study, const struct fit_outcome *other,
                            double *change)
 {
@@ -359,13 +360,13 @@ static void fill_untouched(const struct study *study, const double *written,
     }
 }
 
-/* ---- The whole ---------------------------------------------------------- */
+/* ---- The whole report --------------------------------------------------- */
 
 static const struct report_part {
     const char *key, *heading;
     const struct table_column *columns;
     size_t count;
-    bool always; /* in a brief report as well */
+    bool always; /* also in a brief report */
     void (*fill)(const struct study *study, const double *written, struct table *table);
 } parts[] = {
     { "fitted", "What was fitted", TABLE_COLUMNS(observed), true, fill_fitted },
@@ -387,7 +388,7 @@ static const struct report_part {
       TABLE_COLUMNS(doubled), false, fill_doubled },
 };
 
-/* The machine's: what the first observation runs on. */
+/* Returns the model of the machine of the first observation. */
 static const c205_model *fitted_model(const struct study *study)
 {
     return study->fit.observations->timings[0].model;

@@ -1,3 +1,4 @@
+/* run.c - runs programs once and times them again with other constants. */
 #include "rt/study/fit/run.h"
 #include "base/error.h"
 
@@ -24,7 +25,7 @@ static char *copied(const char *text)
 
 /* ---- Frames ------------------------------------------------------------- */
 
-/* "Steiner scalar": the subject and the form. */
+/* Splits a name such as "Steiner scalar" into the subject and the form. */
 static bool find_subject(struct fit_run *run, enum trace_mode *mode)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -55,9 +56,9 @@ static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
     return !run->trace ? NULL : trace_machine(run->trace, 0, error);
 }
 
-/* ---- Program texts ------------------------------------------------------ */
+/* ---- Source files ------------------------------------------------------- */
 
-/* Cut "FILE.s NAME=VALUE ..." into the file and the defines, which end with a
+/* Splits "FILE.s NAME=VALUE ..." into the file and the defines, which end with a
  * NULL name. */
 static bool cut_words(char *words, struct asm_define *defines, c205_error *error)
 {
@@ -109,7 +110,7 @@ static c205 *text_machine(struct fit_run *run, const struct run_options *options
     return machine;
 }
 
-/* ---- Both --------------------------------------------------------------- */
+/* ---- Runs --------------------------------------------------------------- */
 
 static bool name_regions(struct fit_run *run, const c205 *machine, c205_error *error)
 {

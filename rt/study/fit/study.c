@@ -1,3 +1,4 @@
+/* study.c - makes the fit and tests its reliability. */
 #include "rt/study/fit/study.h"
 
 #include <math.h>
@@ -21,7 +22,7 @@ static const struct speedup_subject *subject_of(const struct observations *all,
     return all->timings[item->terms[0].timing].run->subject;
 }
 
-/* The primitives that have rows in the fit. */
+/* Lists the primitives with rows in the fit. */
 static void find_subjects(struct study *study)
 {
     const struct observations *all = study->fit.observations;
@@ -41,7 +42,8 @@ static void find_subjects(struct study *study)
 
 /* ---- Rows left out ------------------------------------------------------ */
 
-/* Where the fit itself began: it shall know nothing of what is left out. */
+/* The start of the fits without rows. They must not depend on the row that is left
+ * out, so they start where the fit itself did. */
 static const double priors[MAX_FREE];
 
 static bool leave_rows_out(struct study *study, c205_error *error)
@@ -89,7 +91,8 @@ static void add_to_groups(struct study *study, const struct observation *item)
     group->rows++;
 }
 
-/* Those of one row have been left out before. */
+/* Lists the groups of several rows. Groups of one row are covered by
+ * leave_rows_out. */
 static void find_groups(struct study *study)
 {
     const struct observations *all = study->fit.observations;
@@ -139,7 +142,7 @@ static bool double_priors(struct study *study, c205_error *error)
     return true;
 }
 
-/* ---- The whole ---------------------------------------------------------- */
+/* ---- The whole study ---------------------------------------------------- */
 
 bool study_make(struct study *study, c205_error *error)
 {

@@ -1,6 +1,5 @@
-/* study.h - the fit, and how far it can be believed: the same with a row or a
- * group of rows left out, and with priors doubled.
- */
+/* study.h - makes the fit and tests its reliability: the same fit without a row or
+ * a group of rows, and with doubled priors. */
 #ifndef RT_FIT_STUDY_H
 #define RT_FIT_STUDY_H
 
@@ -8,8 +7,8 @@
 
 enum { MAX_STUDY_SUBJECTS = 8, MAX_STUDY_GROUPS = 8 };
 
-/* Rows of the fit that share the first words of their names, and the fit
- * without them. */
+/* Rows of the fit that share the first words of their names, and the fit without
+ * them. */
 struct study_group {
     char name[32];
     size_t rows;
@@ -18,46 +17,47 @@ struct study_group {
 
 struct study {
     struct fit fit;
-    struct fit_change held; /* what the user holds out, of all fits */
-    bool brief;             /* the fit alone was made */
+    struct fit_change held; /* observations that the user leaves out of all fits */
+    bool brief;             /* only the fit was made */
     double at_prior[MAX_FIT_OBSERVATIONS];
     struct fit_outcome best;
     size_t subject_count; /* primitives of Table 1 */
     const struct speedup_subject *subjects[MAX_STUDY_SUBJECTS];
-    /* A fit without each row, from the priors: what it predicts for it. */
+    /* For each row, the prediction of a fit without it, started from the priors. */
     double left_out[MAX_FIT_OBSERVATIONS];
     size_t group_count; /* of more than one row */
     struct study_group groups[MAX_STUDY_GROUPS];
     struct untouched_list untouched;
-    /* With the width of each constant's prior doubled, or the prior itself. */
+    /* Fits with the width of each constant's prior doubled, and with the prior itself
+     * doubled. */
     struct fit_outcome wide[MAX_FREE], moved[MAX_FREE];
 };
 
-/* The fit and, unless it is to be brief, the rest.  False: the error says
- * why. */
+/* Makes the fit and, unless brief is set, the tests. Returns false with the reason
+ * in the error. */
 bool study_make(struct study *study, c205_error *error);
 
-/* Whether an observation is a row of Table 1: a frame's time. */
+/* Returns true if an observation is a row of Table 1, which is the time of a
+ * frame. */
 bool study_is_row(const struct observation *observation);
-/* Whether it is in the fit. */
+/* Returns true if the observation is in the fit. */
 bool study_is_fitted(const struct study *study, size_t observation);
 
 bool study_is_of(const struct study_group *group,
                  const struct observation *observation);
 
-/* How many constants' worth the data tell: of each that part of the certainty
- * about it that is not its prior's. */
+/* Return the number of constants that the data determine. A constant counts with
+ * the part of its certainty that does not come from its prior. */
 double study_known(const struct study *study);
 double study_known_of(const struct study *study, size_t constant);
 
-/* The row of a primitive in a form on a machine; the number of observations if
- * there is none. */
+/* Returns the row of a primitive in a form on a machine, or the number of
+ * observations if there is none. */
 size_t study_row(const struct study *study, const struct speedup_subject *subject,
                  enum trace_mode mode, const char *machine);
 
-/* By how much the vector form is faster than the scalar one, on the other
- * machine if that is wanted, by what is predicted; and what Table 1 tells.
- * NaN: none. */
+/* Returns the predicted speedup of the vector form over the scalar one, which may
+ * be on the other machine, and sets the value of Table 1. NaN: none. */
 double study_speedup(const struct study *study, const double *predicted,
                      const struct speedup_subject *subject, bool other,
                      double *reported);

@@ -1,3 +1,4 @@
+/* unidentifiable.c - finds constants on which no fitted observation depends. */
 #include "rt/study/fit/unidentifiable.h"
 
 #include <math.h>
@@ -7,14 +8,14 @@
 
 typedef double region_clocks[MAX_RUN_REGIONS];
 
-/* What is asked of all constants. */
+/* The data for testing all constants. */
 struct question {
     const struct fit *fit;
     const struct fit_change *change;
     region_clocks *before; /* of each timing */
 };
 
-/* By how much a time must change, relative. */
+/* The relative change of a time that counts. */
 #define CHANGED .01
 
 static double sum_of(const struct term *term, const struct fit_run *run,
@@ -28,8 +29,8 @@ static double sum_of(const struct term *term, const struct fit_run *run,
     return sum;
 }
 
-/* Whether the constant changes a time.  A value that the model refuses is no
- * change. */
+/* Returns true if the constant changes a time. A value that the model rejects
+ * counts as no change. */
 static bool changes(const struct question *question, const struct term *term,
                     const char *name)
 {
@@ -65,7 +66,8 @@ static bool changes_any(const struct question *question, const struct observatio
     return false;
 }
 
-/* Every time is so many clocks, of which each takes a period. */
+/* Returns true if a constant changes a fitted time. The clock period changes all
+ * of them. */
 static bool is_touched(const struct question *question, const char *machine,
                        const c205_constant *constant)
 {
@@ -109,7 +111,7 @@ static void add_machine(const struct question *question, const char *machine,
     }
 }
 
-/* Each machine once. */
+/* Adds each machine once. */
 static void add_machines(const struct question *question,
                          struct untouched_list *untouched)
 {

@@ -1,7 +1,6 @@
-/* unidentifiable.h - the constants of the models on which no fitted observation
- * depends: of them the fit can tell nothing, whatever it makes of those with
- * which they move.
- */
+/* unidentifiable.h - finds the constants of the models on which no fitted
+ * observation depends. The fit cannot determine them, even if they change together
+ * with others. */
 #ifndef RT_FIT_UNIDENTIFIABLE_H
 #define RT_FIT_UNIDENTIFIABLE_H
 
@@ -12,7 +11,8 @@ enum { MAX_UNTOUCHED = 128 };
 struct untouched {
     const char *machine;
     const c205_constant *constant;
-    const struct free_constant *moved_by; /* with others; NULL: it stays */
+    const struct free_constant *moved_by; /* the group that it changes with; NULL: it
+                                           * does not change */
 };
 
 struct untouched_list {
@@ -20,9 +20,9 @@ struct untouched_list {
     struct untouched items[MAX_UNTOUCHED];
 };
 
-/* Constants of the machines that have free ones which change no time that is
- * fitted by a hundredth when they are doubled, halved or divided by eight, as
- * far as they can be.  False: the error says why. */
+/* Lists constants of the machines with free constants. A constant is listed if no
+ * fitted time changes by a hundredth when it is doubled, halved or divided by
+ * eight, as far as the model permits. Returns false with the reason in the error. */
 bool untouched_find(const struct fit *fit, const struct fit_change *change,
                     struct untouched_list *untouched, c205_error *error);
 

@@ -1,4 +1,4 @@
-/* axis.c - see axis.h. */
+/* axis.c - an axis of a plot: its range and its labels. */
 #include "rt/study/plot/axis.h"
 
 #include <math.h>
@@ -27,7 +27,8 @@ void axis_reach(struct axis *axis, double value)
     axis->high = fmax(axis->high, value);
 }
 
-/* The axis as a ruler: powers of the base, or the value itself. */
+/* Converts a value to the axis's linear scale: the exponent of the base, or the
+ * value itself. */
 static double to_ruler(const struct axis *axis, double value)
 {
     if (axis->scale == PLOT_LOG2)
@@ -72,7 +73,8 @@ void axis_pad(struct axis *axis)
     axis->high = from_ruler(axis, high + room);
 }
 
-/* The least of 1, 2 and 5 times the powers of ten that is not below. */
+/* Returns the smallest of 1, 2 and 5 times powers of ten that is not below
+ * `least`. */
 static double round_above(double least)
 {
     static const double digits[] = { 1, 2, 5, 10 };
@@ -106,14 +108,14 @@ void axis_round(struct axis *axis)
     }
 }
 
-/* --- tics -------------------------------------------------------------- */
+/* ---- Tics ----------------------------------------------------------------- */
 
 struct tics {
     struct axis_tic *tics;
     size_t count;
 };
 
-/* 65536 as "65,536". */
+/* Writes 65536 as "65,536". */
 static void separate_thousands(char *label, const char *digits)
 {
     size_t whole = strspn(digits + (*digits == '-'), "0123456789") + (*digits == '-');
@@ -127,7 +129,7 @@ static void separate_thousands(char *label, const char *digits)
     *label = '\0';
 }
 
-/* Long numbers stand as powers: 1e+15. */
+/* Long numbers are written as powers, such as 1e+15. */
 void axis_label(char label[AXIS_LABEL_SIZE], double value)
 {
     char digits[20];
@@ -160,7 +162,7 @@ static void add_steps(struct tics *tics, const struct axis *axis)
         add(tics, n == 0 ? 0 : n * step, true);
 }
 
-/* Labels at 1, 2 and 5 times the powers of ten. */
+/* Labels 1, 2 and 5 times the powers of ten. */
 static void add_decades(struct tics *tics, const struct axis *axis)
 {
     static const double digits[] = { 1, 2, 5 };
@@ -173,7 +175,7 @@ static void add_decades(struct tics *tics, const struct axis *axis)
         }
 }
 
-/* Labels at so many powers that they are few. */
+/* Labels every n-th power, with a stride that limits the labels to about LABELS. */
 static void add_powers(struct tics *tics, const struct axis *axis)
 {
     double first = ceil(to_ruler(axis, axis->low) - 1e-9);
@@ -187,7 +189,7 @@ static void add_powers(struct tics *tics, const struct axis *axis)
     }
 }
 
-/* Where powers would be too few, an axis is labelled as if it were linear. */
+/* An axis that spans less than one power has the labels of a linear axis. */
 size_t axis_tics(const struct axis *axis, struct axis_tic tics[AXIS_TICS])
 {
     struct tics all = { tics, 0 };

@@ -1,4 +1,4 @@
-/* gnuplot.c - see gnuplot.h. */
+/* gnuplot.c - runs gnuplot as a process that draws a picture. */
 #include "rt/study/plot/gnuplot.h"
 
 #include <errno.h>
@@ -12,7 +12,8 @@ static bool fail(c205_error *error, const char *what, const char *why)
     return false;
 }
 
-/* gnuplot prints the line of the script and a caret before what is wrong. */
+/* Copies the last line of gnuplot's messages to the error. Before it, gnuplot
+ * prints the line of the script and a caret. */
 static bool fail_with_output(FILE *messages, c205_error *error)
 {
     char line[256], last[256] = "no picture was drawn";

@@ -1,7 +1,7 @@
-/* gnuplot.h - gnuplot as a process that draws a picture.
+/* gnuplot.h - runs gnuplot as a process that draws a picture.
  *
- * No shell is between, so names are as they are; and no settings of the
- * user's come in, so that a script draws the same everywhere.
+ * No shell is involved, so file names need no quoting. The user's settings are
+ * ignored, so that a script draws the same picture everywhere.
  */
 #ifndef RT_PLOT_GNUPLOT_H
 #define RT_PLOT_GNUPLOT_H
@@ -10,10 +10,11 @@
 
 #include "vm/c205.h"
 
-/* Run the script, a name in the folder, there; what it draws goes to picture.
- * The script is to write to its standard output where its variable piped
- * exists.  The error has the last line of gnuplot's own, or the package that
- * gnuplot is in when it is not found. */
+/* Runs the script, a file name in the folder, with the folder as working
+ * directory, and writes its output to picture. The script must write to its
+ * standard output if its variable `piped` exists. On failure the error is
+ * gnuplot's last message, or names the package that contains gnuplot if it is not
+ * found. */
 bool gnuplot_draw(const char *folder, char *script, FILE *picture, c205_error *error);
 
 #endif

@@ -1,4 +1,4 @@
-/* plot.c - see plot.h. */
+/* plot.c - writes the three files of a plot. */
 #include "rt/study/plot/plot.h"
 
 #include <errno.h>
@@ -16,14 +16,14 @@
 static const char *const endings[] = { ".svg", ".png" };
 enum { ENDING = 4 }; /* bytes of each */
 
-/* --- the files --------------------------------------------------------- */
+/* ---- Files ---------------------------------------------------------------- */
 
 struct files {
     char *folder, *name, *script_name;
     struct atomic_file *data, *script, *picture;
 };
 
-/* To be freed; NULL: no memory. */
+/* Returns an allocated text, or NULL without memory. */
 static char *text_of(const char *format, ...)
 {
     va_list arguments;
@@ -49,7 +49,7 @@ static const char *name_in(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* With its slash, or ".". */
+/* Returns the folder with its slash, or ".". */
 static char *folder_of(const char *path)
 {
     int length = (int)(name_in(path) - path);
@@ -105,7 +105,7 @@ static struct atomic_file *open_beside(const char *path, const char *end,
     return whole;
 }
 
-/* All are opened before one is written. */
+/* Opens all files before any of them is written. */
 static bool open_files(struct files *files, const char *path, c205_error *error)
 {
     const char *name = name_in(path);
@@ -145,7 +145,7 @@ static void close_files(struct files *files)
     free(files->script_name);
 }
 
-/* --- the values -------------------------------------------------------- */
+/* ---- Values --------------------------------------------------------------- */
 
 static bool reach(struct axis *axis, double value, const char *key, c205_error *error)
 {
@@ -191,7 +191,7 @@ static bool is_empty(const struct axis *axis)
     return axis->low > axis->high;
 }
 
-/* The axes reach over all that is drawn. */
+/* Extends the axes over everything that is drawn. */
 static bool find_axes(const struct plot *plot, const struct table *table,
                       struct plot_axes *axes, c205_error *error)
 {
@@ -220,9 +220,9 @@ static bool find_axes(const struct plot *plot, const struct table *table,
     return true;
 }
 
-/* --- the data ---------------------------------------------------------- */
+/* ---- Data ----------------------------------------------------------------- */
 
-/* As short as it can be and yet the same number when read again. */
+/* Writes the shortest text, of two lengths, that reads back as the same number. */
 static void put_number(double value, FILE *file)
 {
     char text[32];
@@ -233,7 +233,8 @@ static void put_number(double value, FILE *file)
     fputs(isfinite(value) ? text : "NaN", file);
 }
 
-/* A text of several lines would leave the comment. */
+/* Writes a comment line. Line breaks in the text would end the comment, so they
+ * become blanks. */
 static void put_comment(const char *text, FILE *file)
 {
     fputs("# ", file);

@@ -1,13 +1,13 @@
-/* plot.h - columns of a table as curves, drawn by gnuplot.
+/* plot.h - draws columns of a table as curves, with gnuplot.
  *
- * A plot leaves three files: the picture, NAME.svg or NAME.png; NAME.dat, its
- * numbers in full precision; and NAME.gp, the script that makes the one from
- * the other, for who would like another look: `gnuplot NAME.gp`, run in their
- * folder, draws the picture again.  Nothing in them depends on the time of day.
+ * A plot consists of three files: the picture, NAME.svg or NAME.png; NAME.dat, its
+ * numbers in full precision; and NAME.gp, the script that draws the picture from
+ * the data. A user can edit the script and draw the picture again by running
+ * `gnuplot NAME.gp` in their folder. The files do not depend on the time of day.
  *
- * What is no finite number (NaN, an empty cell) is not drawn, and a curve has
- * a gap there.  Texts should fit: names of curves and marks of some 30 letters
- * at most, small print of some 110.
+ * A value that is not a finite number (NaN, an empty cell) is not drawn and leaves
+ * a gap in the curve. Texts should fit: about 30 letters for names of curves and
+ * marks, and about 110 for small print.
  */
 #ifndef RT_PLOT_PLOT_H
 #define RT_PLOT_PLOT_H
@@ -21,20 +21,20 @@ struct plot_axis {
     enum plot_scale scale;
 };
 
-/* A column of the table, from 0; the plot's curves have one x column. */
+/* A column of the table, from 0. All curves share one x column. */
 struct plot_curve {
     size_t column;
     const char *title;
 };
 
 struct plot_mark {
-    double at; /* on the axis; NaN: there is none */
+    double at; /* on the axis; NaN: no mark */
     const char *label;
 };
 
 enum plot_form {
-    PLOT_LINES, /* each curve by itself */
-    PLOT_AREAS, /* each on top of those before it; y is linear, none < 0 */
+    PLOT_LINES, /* separate curves */
+    PLOT_AREAS, /* stacked areas; y is linear, and no value is negative */
 };
 
 struct plot {
@@ -42,29 +42,29 @@ struct plot {
     const char *const *subtitles; /* lines of small print below the title */
     size_t subtitle_count;
     struct plot_axis x, y;
-    double y_most;   /* curves above are cut off, which the small print then
-                        tells; 0: none is */
-    size_t x_column; /* its values in order, from row to row */
+    double y_most;   /* curves above are cut off, which the small print reports; 0:
+                      * no limit */
+    size_t x_column; /* its values are in order, from row to row */
     enum plot_form form;
     const struct plot_curve *curves;
     size_t curve_count;
-    const struct plot_mark *marks; /* upright lines: at is x */
+    const struct plot_mark *marks; /* vertical lines; at is x */
     size_t mark_count;
-    const struct plot_mark *levels; /* lines across: at is y */
+    const struct plot_mark *levels; /* horizontal lines; at is y */
     size_t level_count;
 };
 
-/* Could a plot be written there?  Tells a name that does not end in .svg or .png, or a
- * missing folder before the work for a plot is done. */
+/* Checks whether a plot can be written to the path. Call it before the work for a
+ * plot, to reject a name that does not end in .svg or .png, or a missing folder. */
 bool plot_check_path(const char *path, c205_error *error);
-/* Is the ending that of a plot? */
+/* Returns true if the ending is that of a plot. */
 bool plot_is_named(const char *path);
 
-/* Write path (NAME.svg or NAME.png) and beside it NAME.dat and NAME.gp, each whole or not
- * at all.  Where gnuplot fails or is not installed, which the error tells,
- * the data and the script stay.  Other errors: a path as above, no value to
- * draw, a value not above 0 on a logarithmic axis, one below 0 as an area, a
- * table for which memory ran short. */
+/* Writes path (NAME.svg or NAME.png), NAME.dat and NAME.gp, each completely or not
+ * at all. If gnuplot fails or is not installed, which the error reports, the data
+ * and the script remain. Other errors: an invalid path, no value to draw, a value
+ * not above 0 on a logarithmic axis, a negative value as an area, or a table that
+ * ran out of memory. */
 bool plot_write(const struct plot *plot, const struct table *table, const char *path,
                 c205_error *error);
 

@@ -1,37 +1,37 @@
-/* script.c - see script.h. */
+/* script.c - writes the gnuplot script of a plot. */
 #include "rt/study/plot/script.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* All in pixels, from the left and from the bottom; the fonts are those that
- * write_picture names. */
+/* The layout in pixels, from the left and from the bottom. The fonts are those
+ * that write_picture names. */
 enum {
     WIDTH = 800,
     HEIGHT = 500,
     EDGE = 16,
-    LETTER = 7, /* the width of most, a little more than of many */
-    TITLE = 30, /* its middle, from the upper edge */
+    LETTER = 7, /* the width of most letters, a little more than many need */
+    TITLE = 30, /* its centre, from the upper edge */
     LINE = 16,
     ABOVE = 22,     /* between the small print and what is below it */
     BELOW = 58,     /* labels and title of the x axis */
     BESIDE = 52,    /* title of the y axis, without its labels */
-    KEY_LEAST = 90, /* room at the right, for labels of marks as well */
+    KEY_LEAST = 90, /* room on the right, for labels of marks as well */
     MAX_KEY = 320,
     KEY_SAMPLE = 48
 };
 
-/* Colours that the colour-blind tell apart: M. Okabe and K. Ito, "Color
- * Universal Design", 2008; greys for their black and for more curves. */
+/* Colours that colour-blind readers can distinguish: M. Okabe and K. Ito, "Color
+ * Universal Design", 2008. Greys replace their black and are used for more curves. */
 static const char *const colors[] = {
     "#0072B2", "#D55E00", "#009E73", "#E69F00", "#56B4E9",
     "#CC79A7", "#444444", "#F0E442", "#999999", "#CCCCCC",
 };
 enum { COLORS = sizeof colors / sizeof *colors };
 
-/* The label of a mark: it begins at the mark's line, which leads to it, or
- * ends at the picture's edge. */
+/* The label of a mark. It begins at the mark's line, which leads to it, or ends at
+ * the picture's edge. */
 struct flag {
     const struct plot_mark *mark;
     double line, begin, end;
@@ -44,9 +44,9 @@ struct plot_layout {
     struct flag *flags;
 };
 
-/* --- text -------------------------------------------------------------- */
+/* ---- Text ----------------------------------------------------------------- */
 
-/* Within gnuplot's single quotes only they themselves mean something. */
+/* Within gnuplot's single quotes only a single quote is special. */
 static void put_quoted(const char *text, FILE *file)
 {
     putc('\'', file);
@@ -59,8 +59,8 @@ static void put_quoted(const char *text, FILE *file)
     putc('\'', file);
 }
 
-/* A name in this folder: without "./" gnuplot takes '<' and '|' at its
- * beginning for commands. */
+/* Writes a file name in this folder. Without "./", gnuplot takes a leading '<' or
+ * '|' as a command. */
 static void put_name(const char *name, size_t length, const char *ending, FILE *file)
 {
     fputs("'./", file);
@@ -69,7 +69,7 @@ static void put_name(const char *name, size_t length, const char *ending, FILE *
     fprintf(file, "%s'", ending);
 }
 
-/* The width of a text in UTF-8. */
+/* Returns the width of a text in UTF-8. */
 static double width_of(const char *text)
 {
     size_t letters = 0;
@@ -79,7 +79,7 @@ static double width_of(const char *text)
     return LETTER * (double)letters;
 }
 
-/* --- where things stand ------------------------------------------------ */
+/* ---- Layout --------------------------------------------------------------- */
 
 static double widest_label(const struct axis *axis)
 {
@@ -111,8 +111,8 @@ static int from_right(const void *left, const void *right)
     return (a < b) - (a > b);
 }
 
-/* Above all those to the right that it would cover or whose line it would
- * cross. */
+/* Returns a row above all labels to the right that the label would cover, or whose
+ * lines it would cross. */
 static int row_of(const struct flag *flags, size_t i)
 {
     int row = 0;
@@ -144,7 +144,8 @@ static void place_flags(const struct plot *plot, const struct axis *x,
     layout->flag_count = count;
 }
 
-/* Lines, one of them of what is cut off. */
+/* Returns the number of lines of small print, including the one about cut-off
+ * values. */
 static size_t small_print(const struct plot *plot, const struct plot_axes *axes)
 {
     return plot->subtitle_count + (isfinite(axes->cut_off) ? 1 : 0);
@@ -169,7 +170,7 @@ static bool lay_out(const struct plot *plot, const struct plot_axes *axes,
     return true;
 }
 
-/* --- the script -------------------------------------------------------- */
+/* ---- The script ----------------------------------------------------------- */
 
 static double across(double pixels)
 {
@@ -248,8 +249,8 @@ static void write_titles(const struct plot *plot, const struct plot_axes *axes,
         print_cut_off(axes, layout->left, line, file);
 }
 
-/* With a little more at the ends of a logarithmic axis, where gnuplot else
- * takes a tic to be outside. */
+/* Writes the range of an axis. A logarithmic axis is extended slightly, because
+ * gnuplot would otherwise treat a tic at its end as outside. */
 static void write_range(char name, const struct axis *axis, FILE *file)
 {
     double more = axis->scale != PLOT_LINEAR ? 1e-9 : 0;
@@ -313,7 +314,8 @@ static void write_frame(const struct plot *plot, const struct plot_layout *layou
             across(layout->right), up(layout->top), areas ? " invert" : "");
 }
 
-/* The sum of the curves before this one to the sum with it. */
+/* Draws the area between the sum of the curves before this one and the sum that
+ * includes it. */
 static void write_area(size_t i, FILE *file)
 {
     fprintf(file,
@@ -323,7 +325,7 @@ static void write_area(size_t i, FILE *file)
             i + 1, i + 2, colors[i % COLORS]);
 }
 
-/* Curves of the same colour, if so many, differ in their points. */
+/* Curves with the same colour differ in their points. */
 static void write_line(size_t i, FILE *file)
 {
     fprintf(file,

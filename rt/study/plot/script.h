@@ -1,22 +1,22 @@
-/* script.h - the gnuplot script of a plot.
+/* script.h - writes the gnuplot script of a plot.
  *
- * The title and small print stand above the frame, with a line more where y is
- * cut off; then the labels of the marks, each beside its line and as many rows
- * as they need; the key is at the right.  So no text covers a curve.
+ * The title and the small print are above the frame, with one more line if y is
+ * cut off. Below them are the labels of the marks, each next to its line, in as
+ * many rows as they need. The key is on the right. No text covers a curve.
  */
 #ifndef RT_PLOT_SCRIPT_H
 #define RT_PLOT_SCRIPT_H
 
 #include "rt/study/plot/axis.h"
 
-/* In the data file: x in column 1, the curves from column 2. */
+/* The axes. The data file has x in column 1 and the curves from column 2 on. */
 struct plot_axes {
     struct axis x, y;
-    double cut_off; /* the highest value, where y ends below it; else NaN */
+    double cut_off; /* the highest value if y ends below it; else NaN */
 };
 
-/* The script that draws a picture, NAME.svg or NAME.png, from NAME.dat; the
- * writing may fail as that of any file, which the file then knows.  False: no
+/* Writes the script that draws a picture, NAME.svg or NAME.png, from NAME.dat. A
+ * failed write is recorded in the file, as for any file. Returns false without
  * memory. */
 bool plot_script_write(const struct plot *plot, const struct plot_axes *axes,
                        const char *name, FILE *file);

@@ -1,10 +1,10 @@
-/* hits.c - the share of rays that hit.
+/* hits.c - sweeps the share of rays that hit.
  *
- * A scout frame shows where the primitive is hit.  The eye stays; a narrow
- * frame, almost as wide as the largest square of the scout's that is hit all
- * over, looks there first, then farther and farther to the nearer side, and at
- * last just past the primitive.  So the rays are as dense everywhere, and
- * nothing but their aim changes.
+ * A scout frame finds where the primitive is hit. The eye does not move. A narrow
+ * frame, a little smaller than the largest square of the scout that is hit
+ * everywhere, first looks there, then farther and farther to the nearer side, and
+ * finally just past the primitive. The density of rays is therefore constant, and
+ * only their direction changes.
  */
 #include <math.h>
 #include <stdio.h>
@@ -28,8 +28,9 @@ static size_t least_of(size_t a, size_t b, size_t c)
     return least < c ? least : c;
 }
 
-/* The side of the largest square that ends at a pixel is one more than the
- * least of those that end left of it, above and at both. */
+/* Finds the largest square of hits by dynamic programming. The side of the largest
+ * square that ends at a pixel is one more than the smallest of those that end to
+ * its left, above it, and above to the left. */
 static bool find_square(struct scout *scout)
 {
     size_t *sides = calloc(SIDE * SIDE, sizeof *sides);
@@ -54,7 +55,7 @@ static bool find_square(struct scout *scout)
     return true;
 }
 
-/* So far inside that every ray hits, wherever in its pixel. */
+/* Shrinks the square so far that every ray hits, wherever it is in its pixel. */
 static void shrink(struct scout *scout)
 {
     size_t edge = scout->side / 10;
@@ -96,9 +97,9 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
     return good;
 }
 
-/* ---- Where to look ------------------------------------------------------- */
+/* ---- Directions ---------------------------------------------------------- */
 
-/* Hits in the square moved by some columns, of SIDE at most. */
+/* Counts the hits in the square when it is moved by at most SIDE columns. */
 static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
 {
     size_t hits = 0;
@@ -112,13 +113,13 @@ static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
     return hits;
 }
 
-/* The side of the frame that is nearer to the square. */
+/* Returns the direction of the side of the frame that is nearer to the square. */
 static ptrdiff_t direction(const struct scout *scout)
 {
     return 2 * scout->column + scout->side < SIDE ? -1 : 1;
 }
 
-/* Whether the primitive may continue beyond that side. */
+/* Returns true if the primitive may continue beyond that side. */
 static bool reaches_side(const struct scout *scout)
 {
     size_t column = direction(scout) < 0 ? 0 : SIDE - 1;
@@ -129,7 +130,7 @@ static bool reaches_side(const struct scout *scout)
     return false;
 }
 
-/* Past the last hit, by a little more than a pixel may be wrong. */
+/* Returns the shift past the last hit, with a margin for the error of a pixel. */
 static ptrdiff_t shift_past(const struct scout *scout)
 {
     ptrdiff_t shift = SIDE;
@@ -139,7 +140,7 @@ static ptrdiff_t shift_past(const struct scout *scout)
     return shift + 1 + (ptrdiff_t)scout->side / 10;
 }
 
-/* The first shift at which at most a share of the square is hit. */
+/* Returns the first shift at which at most a share of the square is hit. */
 static ptrdiff_t shift_to(const struct scout *scout, double share)
 {
     size_t most = (size_t)(share * (double)(scout->side * scout->side));
@@ -165,14 +166,16 @@ static void normalise(double vector[3])
         vector[i] /= length;
 }
 
-/* How much of a square's width a frame has that fits in it. */
+/* Returns the width of a frame that fits into a square, as a fraction of the
+ * square's. */
 static double width_of_square(const struct trace_options *trace)
 {
     return trace->width < trace->height ? (double)trace->width / (double)trace->height
                                         : 1;
 }
 
-/* The scene language's camera: y is up, and right is right. */
+/* Computes the view as the scene language's camera does: y is up, and right is to
+ * the right. */
 static struct speedup_view look(const struct sweep *sweep, const struct scout *scout,
                                 ptrdiff_t shift)
 {
@@ -284,7 +287,7 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
 const struct sweep_kind sweep_hits = {
     .name = "hits",
     .title = "Rays that hit",
-    .angle = 37, /* the shape and what is around it */
+    .angle = 37, /* the shape and its surroundings */
     .primitive_only = true,
     .measure = measure,
     .report = report_hits,

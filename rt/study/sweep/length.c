@@ -1,16 +1,16 @@
-/* length.c - the speedup against the length of the vectors.
+/* length.c - sweeps the length of the vectors.
  *
- * So many rays as a queue is long, in one row across the middle of the frame:
- * all that is done once for a queue is done once.  Pages count as in place,
- * for each is touched for the first time in so short a run.
+ * There are as many rays as the queue is long, in one row across the centre of the
+ * frame, so all work per queue is done once. Pages count as already in memory,
+ * since such a short run touches each of them for the first time.
  */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "rt/study/sweep/sweep_types.h"
 
-/* Where the scalar form is cheaper than so long a queue, the lengths between
- * are not tried one by one. */
+/* If the crossover is at a longer queue, the lengths before it are not measured
+ * one by one. */
 enum { MAX_TRIED = 256 };
 
 static bool run_lengths(struct sweep *sweep, const size_t *lengths, size_t count,
@@ -49,9 +49,9 @@ static void sort(struct sweep *sweep)
     qsort(sweep->measures, sweep->count, sizeof *sweep->measures, by_length);
 }
 
-/* ---- To look closer ------------------------------------------------------ */
+/* ---- Refinement ---------------------------------------------------------- */
 
-/* The last measure that is not above a speedup; -1: all are. */
+/* Returns the last measure whose speedup is at most this one, or -1. */
 static ptrdiff_t last_not_above(const struct sweep *sweep, double speedup)
 {
     ptrdiff_t i = (ptrdiff_t)sweep->count - 1;
@@ -61,7 +61,7 @@ static ptrdiff_t last_not_above(const struct sweep *sweep, double speedup)
     return i;
 }
 
-/* The first that has a speedup. */
+/* Returns the first measure with at least this speedup. */
 static size_t first_with(const struct sweep *sweep, double speedup)
 {
     size_t i = 0;
@@ -71,7 +71,7 @@ static size_t first_with(const struct sweep *sweep, double speedup)
     return i;
 }
 
-/* Every length from the first to the last that has not been measured. */
+/* Measures every length from the first to the last that has not been measured. */
 static bool run_between(struct sweep *sweep, size_t first, size_t last,
                         c205_error *error)
 {
@@ -89,8 +89,8 @@ static bool run_between(struct sweep *sweep, size_t first, size_t last,
     return good;
 }
 
-/* All lengths from the last at which the scalar form is not dearer to twice
- * the next, so that the crossover is seen with what comes behind it. */
+/* Measures all lengths from the last at which the scalar form is not slower to
+ * twice the next, so that the crossover and its surroundings are known exactly. */
 static bool approach_crossover(struct sweep *sweep, c205_error *error)
 {
     ptrdiff_t below = last_not_above(sweep, 1);
@@ -114,8 +114,8 @@ static double best_speedup(const struct sweep *sweep)
     return best;
 }
 
-/* Halve what lies before the first measure with a speedup until nothing
- * does. */
+/* Bisects the interval before the first measure with a speedup until its ends are
+ * adjacent. */
 static bool approach_speedup(struct sweep *sweep, double speedup, c205_error *error)
 {
     for (;;) {
@@ -145,9 +145,9 @@ static bool measure(struct sweep *sweep, c205_error *error)
            && approach_speedup(sweep, best_speedup(sweep) / 2, error);
 }
 
-/* ---- What was found ------------------------------------------------------ */
+/* ---- Findings ------------------------------------------------------------ */
 
-/* As far as the lengths that were measured follow one on the other. */
+/* Returns the last length of the consecutive ones that were measured. */
 static size_t checked_from(const struct sweep *sweep, size_t i)
 {
     while (i + 1 < sweep->count
@@ -156,7 +156,7 @@ static size_t checked_from(const struct sweep *sweep, size_t i)
     return length_of(&sweep->measures[i]);
 }
 
-/* Was the length before it measured, so that nothing is missed between? */
+/* Returns true if the length before was measured, too, so that none is missed. */
 static bool is_exact(const struct sweep *sweep, size_t length)
 {
     return length == 1 || sweep_with_queue(sweep, length - 1);
@@ -195,7 +195,7 @@ static bool is_asked(const struct sweep *sweep, size_t length)
     return false;
 }
 
-/* What was asked for, the findings, and the length before each. */
+/* Adds the requested lengths, the findings, and the length before each finding. */
 static void fill(struct table *table, const struct sweep *sweep,
                  const struct sweep_lengths_found *found)
 {

@@ -1,4 +1,4 @@
-/* memory.c - the memory that a queue takes. */
+/* memory.c - computes the memory that a queue takes. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 
 enum { SMALLEST_PAGE = 512, SIDE = 32 };
 
-/* Words that a frame touches which is one queue of side x side rays. */
+/* Computes the words that a frame of one queue of side x side rays touches. */
 static bool touched(struct sweep *sweep, size_t side, double *words, c205_error *error)
 {
     struct sweep_point point = sweep->base;
@@ -21,7 +21,8 @@ static bool touched(struct sweep *sweep, size_t side, double *words, c205_error 
     return true;
 }
 
-/* Of the region that has most: room that rt/layout/layout.c leaves for each ray. */
+/* Finds the room for crossings that rt/layout/layout.c reserves for each ray: that
+ * of the region with most crossings. */
 static bool count_crossings(const struct scene *scene, size_t *crossings,
                             c205_error *error)
 {
@@ -34,7 +35,8 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
     return plans != NULL;
 }
 
-/* Two frames that show the same in different fineness. */
+/* Compares two frames of the same picture with different resolutions. The
+ * difference is the memory of the additional rays. */
 bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *error)
 {
     double rays = SIDE * SIDE;

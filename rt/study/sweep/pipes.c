@@ -1,10 +1,10 @@
-/* pipes.c - more pipes, and operands of 32 bits. */
+/* pipes.c - sweeps the number of pipes, and operands of 32 bits. */
 #include <math.h>
 #include <stdio.h>
 
 #include "rt/study/sweep/sweep_types.h"
 
-/* From the slowest on, as in the table. */
+/* The machines, from the slowest on, in the order of the table. */
 static const struct {
     unsigned pipes, bits;
 } machines[] = { { 1, 64 }, { 2, 64 }, { 4, 64 }, { 1, 32 }, { 2, 32 }, { 4, 32 } };
@@ -69,7 +69,7 @@ static double faster_than(const struct sweep *sweep, size_t than, size_t machine
     return (double)queued_total(sweep, than) / (double)queued_total(sweep, machine);
 }
 
-/* If only the stream of one pipe became so many times as fast. */
+/* Returns the speedup over one pipe if only its stream became `times` as fast. */
 static double amdahl(const struct sweep *sweep, double times)
 {
     const struct sweep_form *one = &sweep->measures[ONE_PIPE].forms[SWEEP_QUEUED];
@@ -93,7 +93,7 @@ static void add_limit(struct table *table, const struct sweep *sweep, size_t mac
                             / (double)form->total);
 }
 
-/* ---- The plot: pipes across ---------------------------------------------- */
+/* ---- The plot: pipes on the x axis --------------------------------------- */
 
 static const struct table_column plot_columns[] = {
     { "pipes", "pipes", TABLE_COUNT, 0 },

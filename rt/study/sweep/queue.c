@@ -1,11 +1,11 @@
-/* queue.c - what a ray costs in queues of all lengths. */
+/* queue.c - sweeps the length of the queue of a whole frame. */
 #include <math.h>
 #include <stdio.h>
 
 #include "rt/study/sweep/sweep_types.h"
 
-/* A band holds the queue, which nothing could fill otherwise: a queue longer
- * than the tracer's own bands takes longer planes as well. */
+/* A band must contain the queue, or it would never be full. A queue that is longer
+ * than the tracer's own bands therefore also has longer planes. */
 static bool measure(struct sweep *sweep, c205_error *error)
 {
     struct sweep_point points[MAX_SWEEP_LENGTHS];
@@ -73,7 +73,7 @@ static void fill_memory(struct table *table, const struct sweep_memory *memory,
     add_memory(table, "real memory", memory->real);
 }
 
-/* The three queues that are compared; the paper's may be missing. */
+/* The three queues that are compared. The paper's may be missing. */
 struct trio {
     const struct sweep_measure *best, *paper, *longest;
 };
@@ -91,7 +91,7 @@ static double group_cost(const struct sweep_measure *measure, int group)
                              : form->total);
 }
 
-/* A line each for the causes, and one for all. */
+/* Adds a line for each group of causes, and one for all. */
 static void fill_difference(struct table *table, const struct trio *trio)
 {
     for (int group = 0; group <= SWEEP_GROUPS; group++) {
@@ -110,7 +110,7 @@ static void fill_difference(struct table *table, const struct trio *trio)
     }
 }
 
-/* ---- What it says -------------------------------------------------------- */
+/* ---- Text ---------------------------------------------------------------- */
 
 static size_t queue_of(const struct sweep_measure *measure)
 {
@@ -124,7 +124,7 @@ static double percent_above(const struct sweep_measure *measure,
            * (sweep_cost(measure, SWEEP_QUEUED) / sweep_cost(best, SWEEP_QUEUED) - 1);
 }
 
-/* What rises most on the way from one queue to another. */
+/* Returns the group of causes that rises most from one queue to another. */
 static enum sweep_group rises_most(const struct sweep_measure *from,
                                    const struct sweep_measure *to)
 {
@@ -154,7 +154,7 @@ static void print_other(struct sweep_report *report, const char *what,
                       group_cost(other, (int)most) - group_cost(best, (int)most));
 }
 
-/* The queues around the best that cost hardly more. */
+/* Prints the range of queues around the best that cost at most 2 % more. */
 static void print_flat(struct sweep_report *report, const struct sweep *sweep,
                        const struct sweep_measure *best)
 {
@@ -199,13 +199,13 @@ static void print(struct sweep_report *report, const struct sweep *sweep,
     print_memory(report, memory);
 }
 
-/* From the bottom on; what falls and what rises is on top. */
+/* The groups from the bottom of the plot. Those that change most are on top. */
 static const enum sweep_group drawn[SWEEP_GROUPS] = { SWEEP_STREAM, SWEEP_CONFLICT,
                                                       SWEEP_SERIAL, SWEEP_STARTUP,
                                                       SWEEP_MISS,   SWEEP_FAULT };
 
-/* Beyond so many times the best a queue is out of the picture, which shows
- * the flat part and where it ends. */
+/* The plot ends at this multiple of the best cost. It shows the flat part and
+ * where that ends. */
 enum { SHOWN_TIMES = 3 };
 
 static void draw(struct sweep_report *report, const struct trio *trio)

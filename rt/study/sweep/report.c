@@ -1,3 +1,4 @@
+/* report.c - the results of a sweep as text, JSON and a plot. */
 #include "rt/study/sweep/report.h"
 
 #include <stdarg.h>
@@ -85,7 +86,7 @@ void sweep_report_level(struct sweep_report *report, double y, const char *forma
     report->plot.levels = report->levels;
 }
 
-/* ---- Out of it ----------------------------------------------------------- */
+/* ---- Output -------------------------------------------------------------- */
 
 bool sweep_report_write(const struct sweep_report *report, enum table_format format,
                         FILE *file)
@@ -103,7 +104,7 @@ bool sweep_report_write(const struct sweep_report *report, enum table_format for
 }
 
 static const struct table_column causes[] = {
-    { "point", "point", TABLE_COUNT, 0 }, /* from 1, as they were measured */
+    { "point", "point", TABLE_COUNT, 0 }, /* from 1, in the order of measurement */
     { "queue", "queue", TABLE_COUNT, 0 }, { "form", "form", TABLE_TEXT, 0 },
     { "cause", "cause", TABLE_TEXT, 0 },  { "clocks", "clocks", TABLE_COUNT, 0 },
 };

@@ -1,6 +1,6 @@
-/* report.h - what a sweep found, for print, JSON and a plot.
+/* report.h - the results of a sweep as text, JSON and a plot.
  *
- * Tables, and lines of text with figures in them; all of it is worked out
+ * A report has tables, and lines of text with numbers. All of them are computed
  * from the measures.
  */
 #ifndef RT_SWEEP_REPORT_H
@@ -25,14 +25,14 @@ struct sweep_part {
 };
 
 struct sweep_report {
-    /* The first is of all points. */
+    /* The first one has all points. */
     struct sweep_part parts[MAX_SWEEP_PARTS];
     size_t part_count;
     char lines[MAX_SWEEP_LINES][SWEEP_LINE_SIZE];
     size_t line_count;
 
-    /* What is plotted, from one of the tables; its title and subtitles are
-     * the caller's. */
+    /* The plot, which shows one of the tables. The caller sets its title and
+     * subtitles. */
     struct plot plot;
     const struct table *plotted;
     struct plot_curve curves[MAX_SWEEP_CURVES];
@@ -41,7 +41,7 @@ struct sweep_report {
     size_t label_count;
 };
 
-/* Columns of every table of points, behind those that tell them apart. */
+/* The columns of every table of points, after those that identify a point. */
 /* clang-format off */
 #define SWEEP_COLUMNS \
     { "hit_percent", "% hit", TABLE_NUMBER, 1 }, \
@@ -55,7 +55,7 @@ struct sweep_report {
     { "miss", "miss", TABLE_NUMBER, 2 }, \
     { "fault", "page fault", TABLE_NUMBER, 2 }
 /* clang-format on */
-/* Where they are, from the first of them on. */
+/* Their indices, from the first of them. */
 enum sweep_column {
     SWEEP_COLUMN_HITS,
     SWEEP_COLUMN_SCALAR,
@@ -64,24 +64,25 @@ enum sweep_column {
     SWEEP_COLUMN_GROUPS /* one each */
 };
 extern const char sweep_points_heading[];
-/* The cells of those columns. */
+/* Adds the cells of those columns. */
 void sweep_add_cells(struct table *table, const struct sweep_measure *measure);
 
 void sweep_report_free(struct sweep_report *report);
-/* A new table of the report, which keeps it.  NULL: no memory. */
+/* Adds a new table to the report, which owns it. Returns NULL without memory. */
 struct table *sweep_report_table(struct sweep_report *report, const char *key,
                                  const char *heading,
                                  const struct table_column *columns, size_t count);
 void sweep_report_line(struct sweep_report *report, const char *format, ...);
 void sweep_report_curve(struct sweep_report *report, size_t column, const char *title);
-/* NaN: there is none. */
+/* Add a mark or a level. NaN: none. */
 void sweep_report_mark(struct sweep_report *report, double x, const char *format, ...);
 void sweep_report_level(struct sweep_report *report, double y, const char *format, ...);
 
-/* All tables, and the lines behind them.  False: memory ran out. */
+/* Prints all tables, then the lines. Returns false without memory. */
 bool sweep_report_write(const struct sweep_report *report, enum table_format format,
                         FILE *file);
-/* The same, and all causes of both forms point by point.  False likewise. */
+/* Writes the same as JSON, with all causes of both forms for each point. Returns
+ * false without memory. */
 bool sweep_report_json(const struct sweep_report *report, const struct sweep *sweep,
                        struct json *json);
 

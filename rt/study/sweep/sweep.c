@@ -1,3 +1,4 @@
+/* sweep.c - measures the points of a sweep. */
 #include "rt/study/sweep/sweep.h"
 #include "base/error.h"
 
@@ -9,10 +10,10 @@
 #include "base/array.h"
 #include "rt/study/thread_pool.h"
 
-/* ---- What is measured ---------------------------------------------------- */
+/* ---- A frame ------------------------------------------------------------- */
 
-/* The trace of a point; the caller frees it, then *scene, which is NULL where
- * the sweep's own is traced. */
+/* Returns the trace of a point. The caller frees it, then *scene, which is NULL if
+ * the sweep's own scene is traced. */
 static struct trace *open_trace(const struct sweep *sweep,
                                 const struct sweep_point *point, struct scene **scene,
                                 c205_error *error)
@@ -58,9 +59,9 @@ static void leave_out(struct sweep_form *form, c205_cause cause)
     form->clocks[cause] = 0;
 }
 
-/* A frame to trace: of a point, in one of its forms; and what it shows. */
+/* A frame of a point in one of its forms, and its results. */
 struct form_run {
-    size_t point; /* the number of its measure */
+    size_t point; /* index of its measure */
     int form;
     struct sweep_form found;
     size_t hits;
@@ -86,8 +87,8 @@ static bool read_form(const struct sweep *sweep, const struct trace *trace,
     return true;
 }
 
-/* Of the host's work, in rays: that of a vector instruction of no elements is
- * as much as that of some hundred more. */
+/* Returns the host's cost in rays. A vector instruction without elements costs the
+ * host as much as a hundred elements. */
 static size_t weight_of(const struct sweep_point *point, int form)
 {
     size_t rays = point->trace.width * point->trace.height;
@@ -95,7 +96,7 @@ static size_t weight_of(const struct sweep_point *point, int form)
     return form == SWEEP_SCALAR ? rays : rays + 100 * (rays / point->trace.queue);
 }
 
-/* What is traced to measure points. */
+/* The frames that measure some points. */
 struct plan {
     struct sweep *sweep;
     struct form_run *runs;
@@ -116,7 +117,7 @@ static double run_weight(const void *context, size_t number)
     return (double)weight_of(point_of(plan, run), run->form);
 }
 
-/* Which point of the sweep has failed. */
+/* Adds the failing point to the error. */
 static void name_point(const struct sweep_point *point, c205_error *error)
 {
     c205_error why = *error;
@@ -151,9 +152,9 @@ static bool trace_form(void *context, const struct task *task, c205_error *error
     return good;
 }
 
-/* ---- Point after point --------------------------------------------------- */
+/* ---- Points -------------------------------------------------------------- */
 
-/* The scalar form knows no queue. */
+/* Returns true if two points have the same scalar form, which has no queue. */
 static bool are_one_in_scalar_form(const struct sweep_point *a,
                                    const struct sweep_point *b)
 {
@@ -162,7 +163,7 @@ static bool are_one_in_scalar_form(const struct sweep_point *a,
            && memcmp(&a->view, &b->view, sizeof a->view) == 0;
 }
 
-/* That point's scalar form serves for the next one, too. */
+/* Returns the last measured point. Its scalar form may also serve the next point. */
 static const struct sweep_point *last_point(const struct sweep *sweep)
 {
     return sweep->count > 0 ? &sweep->measures[sweep->count - 1].point : NULL;
@@ -179,7 +180,8 @@ static void plan_run(struct plan *plan, size_t point, int form)
     plan->runs[plan->count++] = (struct form_run){ .point = point, .form = form };
 }
 
-/* Each point in queues, and in scalar form where that is another. */
+/* Plans the frames: each point in queues, and in scalar form where that differs
+ * from the point before. */
 static void plan_runs(struct plan *plan, const struct sweep_point *points, size_t count)
 {
     struct sweep *sweep = plan->sweep;
@@ -212,8 +214,8 @@ static bool finish_queued(const struct form_run *run, struct sweep_measure *meas
     return false;
 }
 
-/* What was found to its measure; a scalar form serves for all points behind it
- * until the next. */
+/* Copies the results to the measures. A scalar form serves all following points up
+ * to the next scalar form. */
 static bool finish(const struct plan *plan, c205_error *error)
 {
     struct sweep *sweep = plan->sweep;
@@ -300,9 +302,10 @@ void sweep_free(struct sweep *sweep)
     free(sweep->measures);
 }
 
-/* ---- The memory of a program --------------------------------------------- */
+/* ---- Memory -------------------------------------------------------------- */
 
-/* With memory for all, each page is brought in once, and here for one clock. */
+/* Counts pages by their faults. With memory for all pages each is loaded once, and
+ * a fault takes one clock here. */
 bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
                    unsigned page_words, uint64_t *words, c205_error *error)
 {
@@ -327,7 +330,7 @@ bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
     return good;
 }
 
-/* ---- Of a measure -------------------------------------------------------- */
+/* ---- Derived values ------------------------------------------------------ */
 
 static const char *const group_names[SWEEP_GROUPS] = {
     [SWEEP_SERIAL] = "scalar code",    [SWEEP_STARTUP] = "start-up",

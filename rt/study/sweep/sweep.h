@@ -1,20 +1,20 @@
-/* sweep.h - what a ray costs while one thing changes from point to point.
+/* sweep.h - measures the cost of a ray while one parameter changes.
  *
- * A sweep measures one target, a primitive's kernel or a scene's frame, at
- * some points: in scalar form and in queues.  The four kinds of sweep differ
- * in their points and in what they find in the measures; measuring
- * (sweep.c), tables and print (report.h) are the same.
+ * A sweep measures one target, a primitive's kernel or a scene's frame, at several
+ * points, in scalar form and in queues. The four kinds of sweep differ in their
+ * points and in their findings. Measuring (sweep.c), tables and output (report.h)
+ * are common to all.
  *
  * The clocks of a primitive are those of its kernel and its calls, as in the
- * paper's Table 1 (speedup.h); the clocks of a scene are those of all of its
- * frame.  Where both forms are run their frames must be equal bit for bit.
+ * paper's Table 1 (speedup.h). The clocks of a scene are those of its whole frame.
+ * If both forms are run, their frames must be equal bit for bit.
  */
 #ifndef RT_SWEEP_SWEEP_H
 #define RT_SWEEP_SWEEP_H
 
 #include "rt/study/speedup.h"
 
-/* What a measurement depends on. */
+/* The parameters of a measurement. */
 struct sweep_point {
     struct trace_options trace; /* its mode is the form in queues */
     struct speedup_view view;   /* of a primitive */
@@ -28,45 +28,47 @@ enum { SWEEP_SCALAR, SWEEP_QUEUED, SWEEP_FORMS };
 
 struct sweep_measure {
     struct sweep_point point;
-    size_t rays; /* of the camera: pixels */
-    size_t hits; /* of these */
+    size_t rays; /* camera rays: pixels */
+    size_t hits; /* of these rays */
     uint64_t checksum;
     struct sweep_form forms[SWEEP_FORMS];
 };
 
 struct sweep {
-    const struct speedup_subject *subject; /* or NULL: */
+    const struct speedup_subject *subject; /* or NULL: a scene */
     const struct scene *scene;
-    struct sweep_point base; /* what the user asked for; points vary it */
-    const size_t *lengths;   /* the queues that the user asked for, rising; */
-    size_t length_count;     /* 0: the usual ones */
+    struct sweep_point base; /* the user's options; points change some of them */
+    const size_t *lengths;   /* the queues that the user requested, in increasing
+                              * order */
+    size_t length_count;     /* 0: the default ones */
     bool pages_in_place;     /* misses and faults are left out of the clocks */
 
     struct sweep_measure *measures;
     size_t count;
-    c205_model **models; /* that the points need */
+    c205_model **models; /* owned, for the points */
     size_t model_count;
 };
 
-/* Subject or scene, base and lengths are set; the rest is zero. */
+/* Before the first call the caller sets the subject or the scene, base and lengths,
+ * and zeroes the other fields. sweep_free frees what the sweep has allocated. */
 void sweep_free(struct sweep *sweep);
 
-/* Measure these points too, base.trace.jobs frames at a time; progress is of
- * all of them together.  False: the error says why. */
+/* Measures these points, too, base.trace.jobs frames at a time. Progress covers
+ * all of them together. Returns false with the reason in the error. */
 bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t count,
                c205_error *error);
 
-/* The user's model with other constants, which the sweep keeps.  NULL: the
- * error says why. */
+/* Returns the user's model with other constants, which the sweep owns. Returns
+ * NULL with the reason in the error. */
 const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
                               size_t count, c205_error *error);
 
-/* All pages that the program of a point touches, of its whole frame: words in
- * pages of page_words.  False: the error says why. */
+/* Computes the memory that the program of a point touches in its whole frame, as
+ * words in pages of page_words. Returns false with the reason in the error. */
 bool sweep_touched(struct sweep *sweep, const struct sweep_point *point,
                    unsigned page_words, uint64_t *words, c205_error *error);
 
-/* Causes that say the same to who looks at a queue. */
+/* Groups of causes that have the same meaning for the length of a queue. */
 enum sweep_group {
     SWEEP_SERIAL, /* scalar instructions, their waits and branches */
     SWEEP_STARTUP,
@@ -80,7 +82,7 @@ const char *sweep_group_name(enum sweep_group group);
 uint64_t sweep_group_clocks(const struct sweep_form *form, enum sweep_group group);
 
 double sweep_per_ray(const struct sweep_measure *measure, uint64_t clocks);
-/* Clocks per ray in a form, of all causes. */
+/* Returns the clocks per ray of a form, of all causes. */
 double sweep_cost(const struct sweep_measure *measure, int form);
 double sweep_speedup(const struct sweep_measure *measure);
 double sweep_hit_percent(const struct sweep_measure *measure);

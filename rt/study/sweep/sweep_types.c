@@ -1,3 +1,4 @@
+/* sweep_types.c - the list of sweeps, and their lengths. */
 #include "rt/study/sweep/sweep_types.h"
 
 #include <string.h>
