@@ -1,5 +1,5 @@
-/* cmd_heat.c - rt205 heat: shape factors between the surfaces of a scene, and what these
- * exchange. */
+/* cmd_heat.c - rt205 heat: shape factors between the surfaces of a scene, and
+ * their radiative exchange. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,15 +12,16 @@
 #include "rt/heat/heat_tables.h"
 #include "rt/study/stages.h"
 
-/* Whether all that packets come to is here, not elsewhere. */
+/* Returns true if this process collects the results of all packets. */
 static bool collects(const struct rt205_arguments *arguments)
 {
     return job_set_collects(&arguments->units.job_set);
 }
 
-/* ---- What is asked ---------------------------------------------------------- */
+/* ---- The request ------------------------------------------------------------ */
 
-/* Lines are asked of all repeats: of each a power of two, so many in all at least. */
+/* Returns the lines of each repeat: the smallest power of two such that all
+ * repeats have at least the requested number together. */
 static size_t lines_of_repeat(const struct cmd_heat *wishes)
 {
     size_t lines = 1;
@@ -62,7 +63,7 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
     };
 }
 
-/* What has no emission gets a warning, unless lines find it. */
+/* Warns about primitives without emission. Lines need no emission. */
 static void warn_of_receivers(const struct rt205_arguments *arguments,
                               const struct heat *heat)
 {
@@ -109,9 +110,9 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
     return stages_find(stages, heat->request->mode, find_stage, heat, error);
 }
 
-/* ---- What is told ----------------------------------------------------------- */
+/* ---- Output ----------------------------------------------------------------- */
 
-/* A table that nobody needs after that. */
+/* Prints a table and frees it. */
 static bool print_part(const struct command_output *results, struct table *table,
                        const char *key, const char *heading)
 {
@@ -121,7 +122,7 @@ static bool print_part(const struct command_output *results, struct table *table
     return good;
 }
 
-/* JSON always has all of them. */
+/* Prints the areas. JSON always has all of them. */
 static bool print_areas(const struct heat *heat, bool details,
                         const struct command_output *results)
 {
@@ -182,7 +183,7 @@ static bool print_result(const struct rt205_arguments *arguments,
     return print_tables(heat, stages, arguments->details, results);
 }
 
-/* What differs both ways by more is no chance; closure is exact. */
+/* A larger difference between the two directions is not random. Closure is exact. */
 static const double strict_sigmas = 4.5;
 
 static bool check_strictly(const struct heat *heat, c205_error *error)
@@ -242,7 +243,7 @@ static bool draw(const struct rt205_arguments *arguments, const struct heat *hea
     return true;
 }
 
-/* What is told leaves no need of the files. */
+/* Prints everything, then removes the checkpoint files. */
 static bool print_all(const struct rt205_arguments *arguments, const struct heat *heat,
                       const struct command_output *results, c205_error *error)
 {
@@ -297,7 +298,7 @@ static int run(const struct rt205_arguments *arguments,
     return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
-/* Of options that exclude each other, a sentence; NULL: there are none. */
+/* Returns the reason why some options exclude each other, or NULL. */
 static const char *contradiction(const struct rt205_arguments *arguments)
 {
     const struct cmd_units *units = &arguments->units;

@@ -1,5 +1,5 @@
-/* cmd_heat_hits.c - rt205 heat --hits: how a scalar machine, and queues of rays, tell whether
- * rays strike. */
+/* cmd_heat_hits.c - rt205 heat --hits: compares a scalar machine and queues of
+ * rays at finding which rays strike. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,14 +11,14 @@
 #include "rt/heat/hits.h"
 #include "rt/study/speedup.h"
 
-/* The forms that are compared; the projection is of the scalar one. */
+/* The forms that are compared. The projection is of the scalar form. */
 enum way { WAY_PROJECTED, WAY_SCALAR, WAY_QUEUE, WAY_LONGEST, WAYS };
 
 struct hits_ways {
     const struct rt205_arguments *arguments;
     const struct scene *scene;
     struct named_parts parts;
-    c205_model *other; /* machine, which is projected */
+    c205_model *other; /* the machine of the projection */
     struct hits found[WAYS];
     c205_error error;
 };
@@ -49,7 +49,7 @@ static bool find_way(struct hits_ways *ways, enum way way)
                      &ways->error);
 }
 
-/* What all of them find is the same, to the bit. */
+/* Runs all forms and checks that their results are bitwise equal. */
 static bool find_ways(struct hits_ways *ways)
 {
     for (int way = WAY_SCALAR; way < WAYS; way++)
@@ -64,7 +64,7 @@ static bool find_ways(struct hits_ways *ways)
     return true;
 }
 
-/* ---- What is told ----------------------------------------------------------- */
+/* ---- Output ----------------------------------------------------------------- */
 
 static const struct table_column columns[] = {
     { "form", "form", TABLE_TEXT, 0 },

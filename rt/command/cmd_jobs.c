@@ -1,4 +1,5 @@
-/* cmd_jobs.c - commands whose units of work other processes may do. */
+/* cmd_jobs.c - runs commands whose units of work can be shared with other
+ * processes. */
 #include "rt/command/rt205_command.h"
 
 #include <errno.h>
@@ -55,7 +56,7 @@ static int check_share(const struct rt205_arguments *arguments)
 
 /* ---- Ranks --------------------------------------------------------------- */
 
-/* Become mpirun, which begins as many of this program. */
+/* Replaces this process by mpirun, which starts that many copies of this program. */
 static int begin_ranks(const struct rt205_arguments *arguments)
 {
     char count[24];
@@ -64,10 +65,11 @@ static int begin_ranks(const struct rt205_arguments *arguments)
     };
 
     snprintf(count, sizeof count, "%zu", arguments->units.ranks);
-    /* Where root is at work mpirun wants to be allowed to be. */
+    /* mpirun refuses to run as root without these variables. */
     setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    /* Within a machine; to look for networks of all kinds first takes .2 s. */
+    /* Selects communication within a machine. The search for networks of all kinds
+     * would take 0.2 s first. */
     setenv("OMPI_MCA_pml", "ob1", 0);
     process_become(words);
     return cmd_failed(arguments->command,
@@ -76,7 +78,7 @@ static int begin_ranks(const struct rt205_arguments *arguments)
                                       : "mpirun cannot be begun");
 }
 
-/* Whoever is not rank 0 tells nothing and writes nothing. */
+/* Redirects all output of a rank other than 0. */
 static void be_silent(struct rt205_arguments *arguments)
 {
     arguments->output = NULL;

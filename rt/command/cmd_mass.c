@@ -1,5 +1,6 @@
-/* cmd_mass.c - rt205 mass: volume, area and mass of solids, their centroids, inertia
- * and principal axes, each with its error, found along columns by the machine. */
+/* cmd_mass.c - rt205 mass: volume, area and mass of solids, their centroids,
+ * inertia and principal axes, each with its error, computed along columns by the
+ * machine. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,7 +85,7 @@ static bool find_stages(const struct mass *mass, struct stages *stages,
     return stages_find(stages, mass->request->mode, find_stage, mass, error);
 }
 
-/* ---- What is told --------------------------------------------------------- */
+/* ---- Output --------------------------------------------------------------- */
 
 static void print_run(const struct rt205_arguments *arguments, const struct mass *mass,
                       const struct command_output *results)
@@ -221,7 +222,8 @@ static int run(const struct rt205_arguments *arguments,
     return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
-/* What is called a part may be a share: no name has a / in it. */
+/* Moves a share such as 1/4 from the list of parts to the job set. No part has a name
+ * with a slash. */
 static void take_share(struct rt205_arguments *arguments)
 {
     struct command_texts *parts = &arguments->mass.parts;

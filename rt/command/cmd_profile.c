@@ -1,4 +1,4 @@
-/* cmd_profile.c - rt205 profile: a frame in the three stages side by side. */
+/* cmd_profile.c - rt205 profile: compares a frame in the three stages. */
 #include <stdio.h>
 
 #include "base/provenance.h"
@@ -29,7 +29,8 @@ static void print_head(const struct rt205_arguments *arguments,
     provenance_json(options->model, json);
 }
 
-/* Readers get clocks in groups, in millions; other programs all of them. */
+/* Selects the output of a table. Text has clocks in groups, in millions; CSV and
+ * JSON have exact clocks. */
 static struct command_output results_of(enum profile_table kind,
                                         const struct command_output *results)
 {

@@ -1,5 +1,5 @@
-/* cmd_quartic.c - rt205 quartic: the real roots of polynomials, found on the
- * machine, and what they cost. */
+/* cmd_quartic.c - rt205 quartic: finds the real roots of polynomials on the
+ * machine, and reports the costs. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -49,7 +49,7 @@ static void print_roots(const struct command_output *results, size_t index,
     putc('\n', results->file);
 }
 
-/* A row for each root: for other formats than text. */
+/* Adds a row for each root, for formats other than text. */
 static void add_roots(struct table *table, size_t index,
                       const struct polynomial_roots *roots)
 {
@@ -62,7 +62,7 @@ static void add_roots(struct table *table, size_t index,
     }
 }
 
-/* A root beyond the doubles is null among the numbers, but has its text. */
+/* A root outside the range of doubles is null as a number, but has its text. */
 static void write_roots(size_t index, const struct polynomial_roots *roots,
                         struct json *json)
 {
@@ -83,7 +83,8 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
     json_end(json);
 }
 
-/* Returns how many polynomials were refused; those are named on stderr. */
+/* Prints the roots. Returns the number of rejected polynomials, which are reported
+ * on stderr. */
 static size_t print_all_roots(const struct rt205_arguments *arguments,
                               const struct polynomials *polynomials,
                               const struct polynomial_roots *roots, struct table *table,
@@ -115,7 +116,7 @@ static size_t print_all_roots(const struct rt205_arguments *arguments,
     return refused;
 }
 
-/* Nothing of it is text. */
+/* Prints the table of roots. Text output has no such table. */
 static bool print_table(const struct table *table, const struct command_output *results)
 {
     struct command_output printed = *results;
@@ -206,9 +207,9 @@ static int solve(const struct rt205_arguments *arguments,
     return refused > 0 ? CMD_FAILED : CMD_DONE;
 }
 
-/* ---- The rules of falsi beside each other ------------------------------- */
+/* ---- Comparison of the rules of falsi ----------------------------------- */
 
-/* What a rule took in a form. */
+/* The cost of a rule in a form. */
 struct rule_run {
     uint64_t clocks;
     struct iterations iterations;
@@ -240,7 +241,7 @@ static bool run_rule(void *context, const struct task *task, c205_error *error)
     return found != NULL;
 }
 
-/* The host takes some times as long for the scalar form. */
+/* The scalar form takes the host several times as long. */
 static double rule_weight(const void *context, size_t number)
 {
     (void)context;

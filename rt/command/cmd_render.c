@@ -1,4 +1,5 @@
-/* cmd_render.c - rt205 render: a scene in, a picture out, clocks told. */
+/* cmd_render.c - rt205 render: traces a scene, writes a picture, and reports the
+ * clocks. */
 #include <stdio.h>
 
 #include "base/accounts_show.h"
@@ -58,15 +59,15 @@ static bool write_picture(const struct rt205_arguments *arguments,
     return good;
 }
 
-/* ---- What is told of a frame --------------------------------------------- */
+/* ---- Report of a frame --------------------------------------------------- */
 
-/* What a run has to tell, in lines, in a table and in JSON. */
+/* The results of a run, which are printed as lines, a table or JSON. */
 struct result {
     const struct rt205_arguments *arguments;
     const c205_model *model;
     uint64_t clocks;
     size_t samples;    /* rays of a pixel, across and down */
-    size_t rays, hits; /* of the camera; pixels that show something */
+    size_t rays, hits; /* camera rays; pixels that show something */
     char checksum[17];
 };
 
@@ -86,7 +87,7 @@ static struct result result_of(const struct rt205_arguments *arguments,
     return result;
 }
 
-/* How many rays a threshold saves. */
+/* Prints the number of rays that a threshold saves. */
 static void print_rays(const struct result *result,
                        const struct command_output *results)
 {
@@ -131,7 +132,7 @@ static void print_result(const struct result *result,
         output_printf(results, "picture %s\n", arguments->output);
 }
 
-/* The same, where results are tables. */
+/* Returns the results as a table. */
 static struct table *table_of(const struct result *result)
 {
     static const struct table_column columns[] = {
@@ -207,7 +208,7 @@ static int print_and_check(const struct result *result,
     return code;
 }
 
-/* JSON has the accounts in any case. */
+/* Prints the accounts if requested. JSON always has them. */
 static int print_accounts(const struct rt205_arguments *arguments,
                           const struct trace *trace,
                           const struct command_output *results)
@@ -221,7 +222,7 @@ static int print_accounts(const struct rt205_arguments *arguments,
     return accounts_show(trace_accounts(trace), &accounts);
 }
 
-/* The profile may be NULL. */
+/* Prints all results. The profile may be NULL. */
 static int print_trace(const struct rt205_arguments *arguments,
                        const struct trace *trace, const struct line_profile *profile,
                        const struct command_output *results)
@@ -238,9 +239,9 @@ static int print_trace(const struct rt205_arguments *arguments,
                                        : code;
 }
 
-/* ---- A frame from its beginning to its end ------------------------------- */
+/* ---- A run --------------------------------------------------------------- */
 
-/* What the files that --resume names already have. */
+/* Reports the bands that the files of --resume have already. */
 static void print_kept(const struct rt205_arguments *arguments,
                        const struct trace *trace)
 {
@@ -265,7 +266,8 @@ static bool keep(const struct rt205_arguments *arguments, struct trace *trace,
     return true;
 }
 
-/* The rows that are done when Ctrl-C was pressed, and what became of them. */
+/* After Ctrl-C, writes a picture of the finished rows, and formats a message about
+ * it. */
 static void save_rows(const struct rt205_arguments *arguments,
                       const struct trace *trace, char *reported, size_t size)
 {
@@ -282,7 +284,7 @@ static void save_rows(const struct rt205_arguments *arguments,
                  plural(arguments->trace.height));
 }
 
-/* What a later run with --resume begins with. */
+/* Formats a message about the bands that a later run with --resume can use. */
 static void print_resume(const struct rt205_arguments *arguments,
                          const struct trace *trace, char *reported, size_t size)
 {
@@ -307,7 +309,7 @@ static int end_early(const struct rt205_arguments *arguments, const struct trace
     return cmd_failed(arguments->command, "%s%s%s", why->message, rows, bands);
 }
 
-/* The profile is there once bands have been watched. */
+/* *profile is set only when a band has been observed. */
 static int trace_and_write(const struct rt205_arguments *arguments, struct trace *trace,
                            struct line_profile *const *profile,
                            const struct command_output *results)
@@ -325,7 +327,8 @@ static int trace_and_write(const struct rt205_arguments *arguments, struct trace
     return cmd_failed(arguments->command, "%s", error.message);
 }
 
-/* While the machine works, the library that writes pictures is loaded. */
+/* Traces and writes. The library that writes pictures is loaded in the background
+ * while the machine runs. */
 static int run(const struct rt205_arguments *arguments, struct trace *trace,
                struct line_profile *const *profile,
                const struct command_output *results)
@@ -376,8 +379,8 @@ static int render_scene(const struct rt205_arguments *arguments,
     return code;
 }
 
-/* What is wrong with the files asked for: the exit code, CMD_DONE if
- * nothing. */
+/* Checks the requested files. Returns the exit code, or CMD_DONE if they are
+ * valid. */
 static int check_files(const struct rt205_arguments *arguments)
 {
     int code;
@@ -401,7 +404,7 @@ static int check_files(const struct rt205_arguments *arguments)
     return CMD_DONE;
 }
 
-/* Nothing but a dialogue comes of it. */
+/* Checks the options of --debug, which only starts a debugger. */
 static int check_debug(const struct rt205_arguments *arguments)
 {
     const struct cmd_units *units = &arguments->units;
@@ -414,7 +417,8 @@ static int check_debug(const struct rt205_arguments *arguments)
     return cmd_check_pixel(arguments);
 }
 
-/* Bands that are done elsewhere, or were on another day, are not watched. */
+/* Checks the options of --profile. Bands of other processes and of earlier runs
+ * are not observed. */
 static int check_profile(const struct rt205_arguments *arguments)
 {
     const struct cmd_units *units = &arguments->units;

@@ -1,5 +1,5 @@
-/* cmd_render_debug.c - rt205 render --debug: the program of a frame under control, in the band
- * that has a pixel. */
+/* cmd_render_debug.c - rt205 render --debug: debugs the program of a frame, in the
+ * band that contains a pixel. */
 #include "asm/command/repl.h"
 #include "rt/command/rt205_command.h"
 #include "rt/trace/form.h"

@@ -1,4 +1,4 @@
-/* cmd_shared.c - see rt205_command.h. */
+/* cmd_shared.c - the functions that several commands of rt205 share. */
 #include "rt/command/rt205_command.h"
 
 #include "base/interrupt.h"
@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* What is not drawn has its other results, and they are kept. */
+/* If only the picture is missing, the other results are kept. */
 static int work_and_close(const struct rt205_arguments *arguments,
                           struct command_output *results, cmd_work *work)
 {
@@ -61,8 +61,8 @@ static bool go_on(void *context)
     return !interrupt_pending();
 }
 
-/* A picture of the background alone is hardly what the user wants.  False: it is
- * an error. */
+/* Reports a scene without objects, since a picture of the background is hardly
+ * intended. Returns false if that is an error. */
 static bool check_objects(const struct rt205_arguments *arguments,
                           const struct scene *scene)
 {
@@ -135,7 +135,7 @@ int cmd_check_pixel(const struct rt205_arguments *arguments)
                      pixel->y, trace->width, trace->height);
 }
 
-/* ---- The names of what options choose ------------------------------------ */
+/* ---- Names of the choices of options ------------------------------------- */
 
 const char *cmd_mode_choice(size_t number)
 {

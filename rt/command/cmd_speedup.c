@@ -1,4 +1,4 @@
-/* cmd_speedup.c - rt205 speedup: the paper's Table 1 beside our own. */
+/* cmd_speedup.c - rt205 speedup: compares the paper's Table 1 with this project's. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -26,7 +26,7 @@ static void print_head(const struct rt205_arguments *arguments,
                       speedup_projection_model(trace->model, SPEEDUP_720));
 }
 
-/* The models of so many projections, one after another: Table 1 needs the
+/* Calls tell for the models of the first count projections. Table 1 needs only the
  * first. */
 static bool each_projection(const struct rt205_arguments *arguments, int count,
                             void (*print_result)(const c205_model *model,
@@ -87,7 +87,7 @@ static bool print(const struct rt205_arguments *arguments,
                || speedup_report_passes(report, format, results->file));
 }
 
-/* On what, and how it was measured; models of so many projections. */
+/* Writes the model, the projections and the view of a measurement. */
 static bool write_head(const struct rt205_arguments *arguments, int projections,
                        struct json *json, c205_error *error)
 {
@@ -112,7 +112,7 @@ static bool write_json(const struct rt205_arguments *arguments,
            && speedup_report_json(report, json);
 }
 
-/* Rows that are wanted, in the order of the table; how many. */
+/* Lists the requested rows in the order of the table. Returns their number. */
 static size_t choose(const struct rt205_arguments *arguments,
                      struct speedup_subject *chosen)
 {

@@ -1,4 +1,4 @@
-/* cmd_sweep.c - rt205 sweep: what a ray costs as one thing changes. */
+/* cmd_sweep.c - rt205 sweep: the cost of a ray while one parameter changes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 
-/* ---- What is asked for --------------------------------------------------- */
+/* ---- The request --------------------------------------------------------- */
 
 static bool names_scene(const char *name)
 {
@@ -18,7 +18,7 @@ static bool names_scene(const char *name)
            || (length > 4 && strcmp(name + length - 4, ".pov") == 0);
 }
 
-/* The first that fits. */
+/* Returns the first subject with this name. */
 static const struct speedup_subject *subject_named(const char *name)
 {
     for (size_t i = 0; i < speedup_subject_count; i++)
@@ -66,7 +66,7 @@ static int check_subject(const struct rt205_arguments *arguments,
     return CMD_DONE;
 }
 
-/* The plot's three files, and the JSON. */
+/* Checks the plot's three files, and the JSON. */
 static int check_files(const struct rt205_arguments *arguments)
 {
     const char *endings[] = { NULL, "dat", "gp" };
@@ -105,7 +105,8 @@ static int check(const struct rt205_arguments *arguments)
 
 /* ---- Results ------------------------------------------------------------- */
 
-/* A sweep of lengths makes frames of its own, of one queue each. */
+/* Returns true if the sweep uses the requested frame. A sweep of lengths uses
+ * frames of one queue each. */
 static bool has_frame(const struct sweep_kind *kind)
 {
     return kind != &sweep_length;
@@ -135,7 +136,7 @@ static void print_head(const struct rt205_arguments *arguments,
     output_model(results, trace->model);
 }
 
-/* What has no part in this sweep is left out. */
+/* Writes the parameters of the sweep. Those that it does not use are left out. */
 static void write_head(const struct rt205_arguments *arguments,
                        const struct sweep *sweep, const struct sweep_kind *kind,
                        struct json *json)
@@ -181,7 +182,7 @@ static bool draw(const struct rt205_arguments *arguments, const struct sweep *sw
     return plot_write(&plot, report->plotted, arguments->output, error);
 }
 
-/* All but the plot. */
+/* Prints everything except the plot. */
 static bool report_progress(const struct rt205_arguments *arguments,
                             const struct sweep *sweep, const struct sweep_kind *kind,
                             const struct sweep_report *report,
@@ -266,13 +267,13 @@ static const char *kind_choice(size_t number)
     return sweep_kinds[number] ? sweep_kinds[number]->name : NULL;
 }
 
-/* A queue in scalar form is none. */
+/* Returns the name of a mode. The scalar form has no queue and is not a choice. */
 static const char *queue_mode_choice(size_t number)
 {
     return number == TRACE_SCALAR ? "" : cmd_mode_choice(number);
 }
 
-/* Numbers that rise, with commas between. */
+/* Parses increasing numbers, separated by commas. */
 static bool take_points(char *text, void *value)
 {
     struct cmd_points *points = value;

@@ -1,5 +1,5 @@
-/* cmd_timeline.c - rt205 timeline: a queue of a frame clock by clock, as a picture, or for a
- * viewer. */
+/* cmd_timeline.c - rt205 timeline: shows a queue of a frame clock by clock, as a
+ * picture or for a viewer. */
 #include <inttypes.h>
 #include <stdio.h>
 
@@ -9,7 +9,7 @@
 #include "rt/command/rt205_command.h"
 #include "rt/view/pixel_clocks.h"
 
-/* Which clocks of the band are asked for: those of the pixel's queue, unless told. */
+/* Finds the clocks of the band to show. The default is the pixel's queue. */
 static bool find_stretch(const struct rt205_arguments *arguments,
                          const struct frame_pixel *pixel, struct clock_stretch *stretch,
                          c205_error *error)
@@ -29,7 +29,7 @@ static bool find_stretch(const struct rt205_arguments *arguments,
            || pixel_region_clocks(pixel, arguments->region, stretch, error);
 }
 
-/* Whole instructions, up to one that arrives behind it. */
+/* Records whole instructions, up to one that starts after the range. */
 static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
                    c205_error *error)
 {
@@ -100,7 +100,7 @@ static bool draw(const struct rt205_arguments *arguments,
     return good;
 }
 
-/* The pixel in the middle unless told. */
+/* The default pixel is the one in the centre. */
 static int trace_and_draw(const struct rt205_arguments *arguments,
                           const struct command_output *results)
 {

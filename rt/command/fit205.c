@@ -1,4 +1,4 @@
-/* fit205.c - the command: the timing model fitted to what was published. */
+/* fit205.c - the command fit205: fits the timing model to published times. */
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -30,7 +30,7 @@ struct sources {
     struct constants constants;
 };
 
-/* What was found in a file, printed. */
+/* Prints the diagnostics of a file, and sets the error if it cannot be used. */
 static bool is_read(bool good, const char *path, struct diagnostics *diagnostics,
                     c205_error *error)
 {
@@ -50,8 +50,8 @@ static bool read_sources(const struct arguments *arguments, struct sources *sour
     struct diagnostics found = { 0 };
 
     how.model = sources->model = c205_model_find("cyber205-2pipe-prior", error);
-    /* The vector form is short of instructions, and the queue must be full:
-     * so it has all 100,000 rays. */
+    /* The vector form has few instructions to emulate, and its queue must be full, so
+     * it has all 100,000 rays. */
     how.width[TRACE_VECTOR] = 400;
     how.height[TRACE_VECTOR] = 250;
     how.width[TRACE_SCALAR] = arguments->width;
@@ -92,7 +92,8 @@ static bool hold_out(const struct arguments *arguments, const struct observation
 
 /* ---- Writing ------------------------------------------------------------ */
 
-/* See what the models show as they are written, and write those asked for. */
+/* Predicts the observations with the models as written, and writes the requested
+ * models. */
 static bool write_models(const struct arguments *arguments, const struct study *study,
                          double *written, c205_error *error)
 {
@@ -103,7 +104,7 @@ static bool write_models(const struct arguments *arguments, const struct study *
     return good;
 }
 
-/* Whether all files can be, asked before a minute of work. */
+/* Checks that all files can be written, before the work of about a minute. */
 static bool check_files(const struct arguments *arguments, const struct study *study,
                         c205_error *error)
 {

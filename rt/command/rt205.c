@@ -1,12 +1,13 @@
-/* rt205.c - the command: scenes traced by programs of the machine. */
+/* rt205.c - the command rt205: traces scenes with programs of the machine. */
 #include "rt/command/rt205_command.h"
 
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
-/* Machines come and go, of some megabytes each: what one leaves the next one takes, without the
- * host's having it back in between (a third of the time of heat and mass). */
+/* Keeps freed memory in the process. Machines of some megabytes each are created
+ * and freed often, and returning their memory to the host each time would take a
+ * third of the time of heat and mass. */
 static void keep_memory(void)
 {
 #ifdef __GLIBC__

@@ -1,6 +1,6 @@
-/* rt205_command.h - what the commands of rt205 share.
+/* rt205_command.h - the interface between the commands of rt205.
  *
- * A command is a file with its row, its options and its work (command.h).
+ * Each command is a file with its row, its options and its function (command.h).
  */
 #ifndef RT_RT205_COMMAND_H
 #define RT_RT205_COMMAND_H
@@ -20,41 +20,41 @@
 extern const struct command render_command, profile_command, speedup_command,
     sweep_command, quartic_command, heat_command, mass_command, timeline_command;
 
-/* Lengths of the queue, rising. */
+/* Lengths of the queue, in increasing order. */
 struct cmd_points {
     size_t count;
     size_t items[MAX_SWEEP_LENGTHS];
 };
 
-/* What is asked of a solid's mass. */
+/* The options of rt205 mass. */
 struct cmd_mass {
-    size_t rays, repeats, limit, seed; /* rays and limit: of a view, in all */
+    size_t rays, repeats, limit, seed; /* rays and limit: of a view, in all shifts */
     double tolerance;                  /* 0: none */
     int points, by;
     bool overlaps, stages;
     struct command_texts parts;   /* names; none: all */
     struct command_texts density; /* NAME=VALUE */
-    const char *densities;        /* a file of them, or NULL */
+    const char *densities;        /* a file of densities, or NULL */
     double about[3];
     struct mass_units units;
 };
 
-/* What is asked of radiant heat. */
+/* The options of rt205 heat. */
 struct cmd_heat {
-    size_t rays, repeats, seed, lines; /* lines: 0: rays */
-    int points;                        /* 0: of the lattice, 1: random */
+    size_t rays, repeats, seed, lines; /* lines 0: use rays */
+    int points;                        /* 0: lattice, 1: random */
     int by, shown;
     bool exchange, smooth, hits, stages;
     double tolerance; /* 0: none */
     size_t limit;
-    const char *from;                                /* who emits, or NULL: all */
+    const char *from;                                /* the emitter, or NULL: all */
     struct command_texts emissivities, temperatures; /* NAME=VALUE */
 };
 
-/* How units of work are done and kept. */
+/* The options of the units of work. */
 struct cmd_units {
-    struct command_texts resume; /* files; none: nothing is kept */
-    size_t ranks;                /* processes to begin; 0: this one alone */
+    struct command_texts resume; /* checkpoint files; none: no checkpoints */
+    size_t ranks;                /* processes to start; 0: only this one */
     struct job_set job_set;
     struct ranks joined;
 };
@@ -66,40 +66,39 @@ struct cmd_pixel {
 
 struct rt205_arguments {
     const char *command;
-    const char *scene;  /* the file to work on, or NULL; of a sweep
-                                   perhaps a primitive */
-    const char *output; /* NULL: not wanted */
+    const char *scene;  /* the input file, or NULL; for a sweep possibly a primitive */
+    const char *output; /* NULL: not requested */
     const char *model;
     struct command_output results;
-    struct trace_options trace; /* its model is not yet set */
+    struct trace_options trace; /* the model is set later */
     struct speedup_view view;   /* angle 0: not given */
     struct cmd_points points;
-    int sweep; /* the number of the kind */
+    int sweep; /* index of the kind */
     bool strict, half, no_picture;
-    struct cmd_pixel pixel;       /* of a frame, that is looked at */
-    struct command_texts scripts; /* for its debugger */
-    const char *region;           /* of its program, or NULL */
-    uint64_t from, to;            /* clocks; C205_NO_LIMIT: not told */
-    bool accounts;                /* of a frame, printed */
-    bool profile, in_order;       /* of a frame, line by line */
+    struct cmd_pixel pixel;       /* the pixel of interest */
+    struct command_texts scripts; /* for the debugger */
+    const char *region;           /* of the program, or NULL */
+    uint64_t from, to;            /* clocks; C205_NO_LIMIT: not given */
+    bool accounts;                /* print the accounts of a frame */
+    bool profile, in_order;       /* of a frame, by line */
     bool all, first;              /* roots of polynomials */
-    bool details;      /* of the speedup table, and of heat the unseen surfaces */
-    bool passes;       /* of the speedup table: the root solver's, one by one */
-    bool formulations; /* of the cylinder, in place of that table */
-    struct command_texts rows; /* of that table; none: all of them */
+    bool details;      /* of the speedup table, and of heat the invisible surfaces */
+    bool passes;       /* of the speedup table: each pass of the root solver */
+    bool formulations; /* of the cylinder, instead of that table */
+    struct command_texts rows; /* of that table; none: all */
     struct cmd_heat heat;
-    int falsi; /* the rule; FALSI_RULES: all of them, compared */
+    int falsi; /* the rule; FALSI_RULES: compare all */
     struct cmd_mass mass;
     struct cmd_units units;
     struct progress progress;
     struct command_texts search; /* folders for includes */
 };
 
-/* .. under --hits. */
+/* Runs rt205 heat --hits. */
 bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *scene,
                    const struct command_output *results, c205_error *error);
 
-/* .. of rt205 render under --debug. */
+/* Runs rt205 render --debug. */
 int cmd_debug_pixel(const struct rt205_arguments *arguments,
                     const struct command_output *results);
 
@@ -194,44 +193,44 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
       .help = "a scene file" }
 /* clang-format on */
 
-/* ---- Their work --------------------------------------------------------- */
+/* ---- Running a command -------------------------------------------------- */
 
-/* What a command does with its model, which is found and set, and with its
- * results, which are open.  The exit code, or CMD_UNDRAWN: all results are
- * there, but not their picture. */
+/* The work of a command. Its model is set and its results are open. Returns the
+ * exit code, or CMD_UNDRAWN if all results exist except the picture. */
 typedef int cmd_work(const struct rt205_arguments *arguments,
                      const struct command_output *results);
 enum { CMD_UNDRAWN = CMD_USAGE + 1 };
-/* Do that, if the frame is not too large.  JSON is kept if the work ends with
- * CMD_DONE or CMD_UNDRAWN, else dropped.  The exit code: of what is not drawn
- * CMD_FAILED. */
+/* Runs the work unless the frame is too large. JSON is kept if the work returns
+ * CMD_DONE or CMD_UNDRAWN, else discarded. Returns the exit code, which is
+ * CMD_FAILED for CMD_UNDRAWN. */
 int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work);
 
-/* The same for a command with units of work, which other ranks may do: these tell and write
- * nothing. */
+/* Does the same for a command with units of work, which other ranks may run. Other
+ * ranks print and write nothing. */
 int cmd_with_jobs(struct rt205_arguments *arguments, cmd_work *work);
-/* What a share of so many units comes to: CMD_DONE. */
+/* Reports the state of a share of this many units. Returns CMD_DONE. */
 int cmd_print_share(const struct rt205_arguments *arguments, size_t units);
 enum { MAX_RANKS = 4096 };
 bool cmd_take_part(char *text, void *job_set);
-/* "1/4".  False: it is no share. */
+/* Parses a share such as "1/4". Returns false if the text is none. */
 bool cmd_is_part(const char *text, struct job_set *job_set);
 
-/* X,Y */
+/* Parses X,Y. */
 bool cmd_take_pixel(char *text, void *pixel);
-/* Whether the frame has it: CMD_DONE, or the exit code after telling that not. */
+/* Checks that the frame has the pixel. Returns CMD_DONE, or the exit code after
+ * reporting that it has not. */
 int cmd_check_pixel(const struct rt205_arguments *arguments);
 
-/* Whether the picture, if one is asked, could be written: CMD_DONE, or the exit code after
- * telling why not. */
+/* Checks that the picture, if requested, can be written. Returns CMD_DONE, or the
+ * exit code after reporting the reason. */
 int cmd_check_picture(const struct rt205_arguments *arguments);
 
-/* The scene of the arguments; its reports go to stderr.  NULL: it has errors,
- * which have been told. */
+/* Reads the scene of the arguments. Its diagnostics go to stderr. Returns NULL
+ * after reporting its errors. */
 struct scene *cmd_read_scene(const struct rt205_arguments *arguments);
 
-/* Let Ctrl-C ask a trace to stop, a second one end the process, and show
- * progress on stderr where that is a terminal: by the progress of the trace
+/* Makes Ctrl-C stop a trace, and a second Ctrl-C end the process, and shows
+ * progress on stderr if that is a terminal. Both use the progress of the trace
  * options. */
 void cmd_watch(struct rt205_arguments *arguments);
 

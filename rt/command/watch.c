@@ -1,4 +1,5 @@
-/* watch.c - a line on the terminal while the machine works, and Ctrl-C. */
+/* watch.c - shows progress on the terminal while the machine runs, and handles
+ * Ctrl-C. */
 #include "base/interrupt.h"
 #include "rt/command/rt205_command.h"
 
