@@ -1,3 +1,4 @@
+/* checkpoint_file.c - stores the finished units of a run in a file. */
 #include "rt/jobs/checkpoint_file.h"
 
 #include <errno.h>
@@ -12,13 +13,13 @@
 #include "base/hash.h"
 #include "rt/platform/processes.h"
 
-/* A file is a list of 64-bit words, the highest byte first: the magic word and the key;
- * then for each unit its number, how many words it has, a checksum of these two, the
- * words, and a checksum of all that. */
+/* The file format is a list of 64-bit words, most significant byte first: the
+ * magic word and the key; then for each unit its number, its count of words, a
+ * checksum of these two, the words, and a checksum of the whole unit. */
 #define MAGIC UINT64_C(0x7274323035756E31) /* rt205un1 */
 enum { WORD = 8, HEAD = 2 * WORD };
 
-/* Where a unit is. */
+/* The position of a unit. */
 struct unit_place {
     uint64_t number;
     long at;
@@ -28,9 +29,9 @@ struct checkpoint_file {
     FILE *stream;
     char *path;
     uint64_t key;
-    long end; /* behind the last whole unit */
+    long end; /* after the last complete unit */
     size_t count, room;
-    struct unit_place *places; /* by number */
+    struct unit_place *places; /* sorted by number */
 };
 
 /* ---- Words --------------------------------------------------------------- */
@@ -58,7 +59,7 @@ static bool read_word(FILE *stream, uint64_t *word)
 
 /* ---- A unit -------------------------------------------------------------- */
 
-/* The next one, whole and unharmed. */
+/* Reads the next unit. Returns false if it is incomplete or damaged. */
 static bool read_unit(FILE *stream, uint64_t *number, struct serialized_result *words)
 {
     uint64_t head[2], sum, word = 0;
@@ -91,9 +92,9 @@ static bool write_unit(FILE *stream, uint64_t number,
            && fflush(stream) == 0;
 }
 
-/* ---- Which there are ----------------------------------------------------- */
+/* ---- The list of units --------------------------------------------------- */
 
-/* The first place of that number or a higher one. */
+/* Returns the first place with this number or a higher one. */
 static size_t place_of(const struct checkpoint_file *file, uint64_t number)
 {
     size_t low = 0, high = file->count;
@@ -142,7 +143,7 @@ static bool note_unit(struct checkpoint_file *file, uint64_t number, long at)
     return true;
 }
 
-/* What follows the last whole one is dropped. */
+/* Lists the units up to the last complete one. The caller drops the rest. */
 static bool find_units(struct checkpoint_file *file)
 {
     struct serialized_result words = { NULL, 0, 0, 0, false };
@@ -206,8 +207,8 @@ static bool write_head(FILE *stream, uint64_t key)
     return write_word(stream, MAGIC) && write_word(stream, key) && fflush(stream) == 0;
 }
 
-/* Whether the path still leads to the file: a picture of that name may have
- * come in its place. */
+/* Returns true if the path still leads to the file. A picture with the same name
+ * may have replaced it. */
 static bool is_there(const struct checkpoint_file *file)
 {
     struct stat kept, named;
@@ -216,8 +217,8 @@ static bool is_there(const struct checkpoint_file *file)
            && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino;
 }
 
-/* The file for this process alone: the lock goes with the process, however it
- * ends. */
+/* Opens the file with an exclusive lock. The system releases the lock when the
+ * process ends, in any way. */
 static FILE *open_locked(const char *path, c205_error *error)
 {
     int file = open(path, O_RDWR | O_CREAT, 0666);
@@ -233,7 +234,8 @@ static FILE *open_locked(const char *path, c205_error *error)
     return stream;
 }
 
-/* The run that held the lock before may have removed the file at its end. */
+/* Opens the file, again if necessary: the run that held the lock before may have
+ * removed the file at its end. */
 static bool open_stream(struct checkpoint_file *file, c205_error *error)
 {
     do {
@@ -312,7 +314,7 @@ void checkpoint_close(struct checkpoint_file *file, bool remove_it)
     give_back(file);
 }
 
-/* ---- Two files ----------------------------------------------------------- */
+/* ---- Merging two files --------------------------------------------------- */
 
 static bool add_units(struct checkpoint_file *file, FILE *stream, c205_error *error)
 {
@@ -326,7 +328,8 @@ static bool add_units(struct checkpoint_file *file, FILE *stream, c205_error *er
     return good;
 }
 
-/* That nobody writes to, and that is not the same: to close it would unlock it. */
+/* Opens another file with a shared lock. It must not be the same file, because
+ * closing it would release the lock of that file. */
 static FILE *open_other(const struct checkpoint_file *file, const char *path,
                         c205_error *error)
 {

@@ -1,3 +1,4 @@
+/* job_set.c - runs units of work in threads and in other ranks. */
 #include "rt/jobs/job_set.h"
 
 #include <stdlib.h>
@@ -69,20 +70,20 @@ uint64_t job_set_key(const char *kind, const c205 *machine, const uint64_t *opti
 
 struct pool {
     const struct job_set_work *work;
-    struct lock *lock; /* of all below */
+    struct lock *lock; /* of all fields below */
     bool *begun;
-    size_t next;   /* all before it are begun */
-    size_t done;   /* and taken, if they are */
-    bool stopped;  /* by who watches, or for no file or memory */
+    size_t next;   /* all units before it have been started */
+    size_t done;   /* units that are finished and, if required, taken */
+    bool stopped;  /* by the progress function, or after a file or memory error */
     size_t failed; /* the lowest unit that failed; count: none */
-    size_t active; /* threads at work */
+    size_t active; /* running threads */
     c205_error error;
 };
 
 struct hand {
     struct pool *pool;
     size_t number;
-    struct thread *thread; /* NULL: the caller's */
+    struct thread *thread; /* NULL: the caller's thread */
 };
 
 static bool is_mine(const struct job_set *job_set, size_t unit)
@@ -90,8 +91,8 @@ static bool is_mine(const struct job_set *job_set, size_t unit)
     return job_set->parts == 0 || unit % job_set->parts == job_set->part - 1;
 }
 
-/* With lock held, as in all that follow.  What comes before a unit that failed is
- * done, so the error is the same whoever is the faster. */
+/* Takes the next unit. Called with the lock held, like all functions that follow.
+ * Units before a failed one still run, so the error does not depend on timing. */
 static bool take_next(struct pool *pool, size_t *unit)
 {
     const struct job_set_work *work = pool->work;
@@ -153,7 +154,7 @@ static void take_unit(struct pool *pool, size_t unit, struct serialized_result *
     ask(pool);
 }
 
-/* Whether the file has it, and it is what it should be. */
+/* Returns true if the file has the unit, and its result is valid. */
 static bool has_unit(const struct job_set_work *work, size_t unit,
                      struct serialized_result *words)
 {
@@ -165,7 +166,7 @@ static bool has_unit(const struct job_set_work *work, size_t unit,
                || work->take(work->context, unit, words, &why));
 }
 
-/* Those of other shares, and those that the file has, are not done. */
+/* Skips the units of other shares, and takes those that the file has. */
 static void take_kept(struct pool *pool)
 {
     const struct job_set_work *work = pool->work;
@@ -230,15 +231,15 @@ static size_t begin_hands(struct hand *hands, size_t first, size_t count)
 
 /* ---- Ranks --------------------------------------------------------------- */
 
-/* Of units that another rank has, or has asked for: while it does one, the next is under
- * way. */
+/* The number of units that another rank has or has requested. While it runs one
+ * unit, the next is on its way. */
 enum { AHEAD = 2 };
 
 struct service {
     struct pool *pool;
     struct ranks *ranks;
-    size_t *open; /* of each rank: what it asked for and has not done yet, */
-    size_t left;  /* .. and of all of them */
+    size_t *open; /* of each rank: units requested and not finished */
+    size_t left;  /* their sum over all ranks */
 };
 
 static void close_asked(struct service *service, size_t rank, size_t count)
@@ -259,7 +260,7 @@ static void give_unit(struct service *service, size_t to)
     }
 }
 
-/* A rank that fails before it has a unit stops all. */
+/* Handles a failed unit. A rank that fails before it has a unit stops the run. */
 static void receive_failure(struct service *service, size_t from, uint64_t unit,
                             struct serialized_result *letters)
 {
@@ -280,7 +281,7 @@ static void receive_failure(struct service *service, size_t from, uint64_t unit,
     close_asked(service, from, service->open[from]);
 }
 
-/* A unit without its first two words. */
+/* Takes a unit's words, which follow the first two words of the message. */
 static void receive_unit(struct service *service, uint64_t unit,
                          struct serialized_result *message)
 {
@@ -305,7 +306,7 @@ static void answer(struct service *service, size_t from,
     give_unit(service, from);
 }
 
-/* Until all others, and the threads of this process, have nothing to do. */
+/* Serves until the other ranks and the threads of this process have nothing to do. */
 static void serve(struct service *service)
 {
     struct pool *pool = service->pool;
@@ -340,7 +341,7 @@ static void serve_ranks(struct pool *pool, struct ranks *ranks)
     };
 
     if (!open)
-        abort(); /* all ranks end with one */
+        abort(); /* ends all ranks */
     for (size_t rank = 1; rank < ranks->count; rank++)
         open[rank] = AHEAD;
     serve(&service);
@@ -361,7 +362,7 @@ static bool do_for_other(const struct job_set_work *work, size_t unit,
     return good;
 }
 
-/* What a rank other than 0 does. */
+/* The work of a rank other than 0. */
 static bool work_for_first(const struct job_set_work *work, c205_error *error)
 {
     struct ranks *ranks = work->job_set->ranks;
@@ -383,9 +384,10 @@ static bool work_for_first(const struct job_set_work *work, c205_error *error)
     return true;
 }
 
-/* ---- All of them --------------------------------------------------------- */
+/* ---- All units ----------------------------------------------------------- */
 
-/* Where there are other ranks this thread serves them; else it is the first job. */
+/* Runs all units. If there are other ranks, this thread serves them; else it is
+ * the first job. */
 static void do_all(struct pool *pool, struct hand *hands, size_t count)
 {
     struct ranks *ranks = pool->work->job_set->ranks;

@@ -1,3 +1,4 @@
+/* ranks.c - messages between the ranks of a run. */
 #include "rt/jobs/ranks.h"
 
 #include <stdlib.h>
@@ -14,7 +15,8 @@ bool ranks_are_many(void)
     return count && strtol(count, NULL, 10) > 1;
 }
 
-/* Its library's own parts look for its names: they are for all. */
+/* Opens the adapter with global symbols, because plugins of the MPI library look
+ * up its names. */
 static const struct ranks_adapter *find_adapter(c205_error *error)
 {
     char path[ADAPTER_PATH];
@@ -54,7 +56,7 @@ void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
     uint64_t *words = malloc((count + 2) * sizeof *words);
 
     if (!words)
-        abort(); /* all ranks end with one */
+        abort(); /* ends all ranks */
     words[0] = message;
     words[1] = word;
     if (count > 0)

@@ -1,5 +1,5 @@
-/* serialized_result.h - 64-bit words in a row: what a unit of work comes to, as files keep it and
- * messages carry it. */
+/* serialized_result.h - a growing row of 64-bit words: the result of a unit of work, as it is
+ * stored in files and sent in messages. */
 #ifndef RT_FARM_WORDS_H
 #define RT_FARM_WORDS_H
 
@@ -9,29 +9,30 @@
 
 #include "base/accounts.h"
 
-/* Begin with zeros. */
+/* Must start as zeros. */
 struct serialized_result {
     uint64_t *items;
     size_t count, room;
-    size_t at;   /* the next one to be taken */
-    bool failed; /* no memory, or taken beyond the end */
+    size_t at;   /* index of the next word to take */
+    bool failed; /* no memory, or a read beyond the end */
 };
 
 void result_put(struct serialized_result *words, uint64_t word);
 void result_put_all(struct serialized_result *words, const uint64_t *items,
                     size_t count);
-/* 0, and failed, beyond the end. */
+/* Returns the next word. Beyond the end it returns 0 and sets failed. */
 uint64_t result_take(struct serialized_result *words);
-/* So many into items; none if there are fewer. */
+/* Reads count words into items, or none if there are fewer. */
 void result_take_all(struct serialized_result *words, uint64_t *items, size_t count);
-/* So many, of any values; false: no memory. */
+/* Sets the number of words, with any values. Returns false without memory. */
 bool result_resize(struct serialized_result *words, size_t count);
 void result_clear(struct serialized_result *words);
 void result_free(struct serialized_result *words);
 
 void result_put_accounts(struct serialized_result *words,
                          const struct accounts *accounts);
-/* Added to those that there are.  False: they are none, or no memory. */
+/* Adds the accounts in the words to the existing ones. Returns false if their
+ * format is wrong, or without memory. */
 bool result_take_accounts(struct serialized_result *words, struct accounts *accounts);
 
 #endif

@@ -1,4 +1,4 @@
-/* ranks_mpi.c - the adapter of ranks by MPI; see ranks.h. */
+/* ranks_mpi.c - the adapter of ranks.h to MPI. */
 #include <mpi.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,8 +19,8 @@ static bool mpi_begin(size_t *rank, size_t *count)
     return true;
 }
 
-/* The last message, which may still be under way: who sends continues with its work, and does
- * not wait until the other one looks up. */
+/* The last message, which may still be in transit. Sending is asynchronous, so the
+ * sender does not wait until the receiver polls. */
 static struct {
     MPI_Request request;
     uint64_t *words;
