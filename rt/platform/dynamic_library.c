@@ -1,3 +1,4 @@
+/* dynamic_library.c - opens shared libraries when they are first used. */
 #include "rt/platform/dynamic_library.h"
 
 #include <dlfcn.h>
@@ -8,7 +9,7 @@
 
 #include "base/error.h"
 
-/* Where they are installed, seen from the program's folder. */
+/* The installation folder, relative to the program's folder. */
 #define FROM_BIN "/../lib/rt205"
 
 static bool program_folder(char *folder, size_t size)
@@ -47,8 +48,8 @@ bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 const void *dynamic_open(const char *path, const char *table, bool shared,
                          c205_error *error)
 {
-    /* Lazily: a third of the time that a large one takes goes for names that
-     * nobody calls. */
+    /* Lazy binding saves a third of the load time of a large library, which would go
+     * into names that are never called. */
     void *object = dlopen(path, RTLD_LAZY | (shared ? RTLD_GLOBAL : RTLD_LOCAL));
     const void *found = object ? dlsym(object, table) : NULL;
 
@@ -62,7 +63,7 @@ void *dynamic_library(const char *name)
     return dlopen(name, RTLD_LAZY | RTLD_LOCAL);
 }
 
-/* Function pointers are no objects in C99; POSIX lets this be done. */
+/* C99 does not convert between object and function pointers, but POSIX permits it. */
 bool dynamic_call(void *library, const char *name, void *call)
 {
     void *found = dlsym(library, name);

@@ -1,3 +1,4 @@
+/* framebuffer.c - the words of a whole frame, in memory or in a file. */
 #include "rt/platform/framebuffer.h"
 
 #include <fcntl.h>
@@ -7,7 +8,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-/* Open, of as many bytes, which the disk has; or -1. */
+/* Opens an unnamed file of this size with its disk space reserved. Returns -1 on
+ * failure. */
 static int open_nameless(size_t bytes)
 {
     const char *folder = getenv("TMPDIR");
@@ -19,14 +21,15 @@ static int open_nameless(size_t bytes)
     if (file < 0)
         return -1;
     unlink(path);
-    /* Else a full disk would end the process in the middle of its work. */
+    /* Without the reservation, a full disk would kill the process during its work. */
     if (posix_fallocate(file, 0, (off_t)bytes) == 0)
         return file;
     close(file);
     return -1;
 }
 
-/* Some of the file, again without memory where it is mapped already. */
+/* Maps a part of the file. A part that is mapped already loses its memory, not its
+ * contents. */
 static void *map_part(const struct frame_planes *planes, void *where, size_t begin,
                       size_t end)
 {

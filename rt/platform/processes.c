@@ -1,3 +1,4 @@
+/* processes.c - runs other programs and locks files. */
 #include "rt/platform/processes.h"
 
 #include <errno.h>
@@ -8,9 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* ---- A program that is run ----------------------------------------------- */
+/* ---- Running a program --------------------------------------------------- */
 
-/* In the new process, of which only the parent's descriptors are used. */
+/* Called in the child process, which inherits the parent's descriptors. */
 static void become_program(const char *folder, char *const words[], int output,
                            int messages)
 {
@@ -21,7 +22,8 @@ static void become_program(const char *folder, char *const words[], int output,
     _exit(PROCESS_NOT_FOUND);
 }
 
-/* Its process, whose output can be read from *output; -1: errno tells. */
+/* Starts the program. Its output can be read from *output. Returns -1 with errno
+ * set on failure. */
 static pid_t start(const char *folder, char *const words[], FILE *messages, int *output)
 {
     int ends[2];
@@ -41,7 +43,8 @@ static pid_t start(const char *folder, char *const words[], FILE *messages, int 
     return process;
 }
 
-/* How many bytes; whether all could be written, the file itself knows. */
+/* Copies until the end and returns the number of bytes. A write error is recorded
+ * in the file. */
 static size_t copy(int from, FILE *to)
 {
     char bytes[4096];
@@ -88,9 +91,9 @@ int process_run(const char *folder, char *const words[], FILE *output, size_t *w
     return code;
 }
 
-/* ---- A program that this one becomes ------------------------------------- */
+/* ---- Replacing this process ---------------------------------------------- */
 
-/* The words of this process's own command line. */
+/* Returns the words of this process's own command line. */
 static char **own_words(char *text, size_t size)
 {
     FILE *file = fopen("/proc/self/cmdline", "rb");
@@ -124,7 +127,7 @@ void process_become(char *const words[])
     execvp(all[0], all);
 }
 
-/* ---- Files that others are kept out of ----------------------------------- */
+/* ---- Locks of files ------------------------------------------------------ */
 
 bool process_lock(int file, bool alone)
 {

@@ -1,7 +1,7 @@
-/* processes.h - other processes: programs that are run, that this one becomes, and
- * those that are kept out of a file.
+/* processes.h - runs other programs, replaces this process by another program, and
+ * locks files against other processes.
  *
- * The only file of rt that begins processes.
+ * No other file of rt starts processes.
  */
 #ifndef RT_HOST_PROCESSES_H
 #define RT_HOST_PROCESSES_H
@@ -9,26 +9,28 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* How a shell tells that a program is not one, or is nowhere. */
+/* The exit codes that a shell uses for a program that cannot run, or does not
+ * exist. */
 enum { PROCESS_CANNOT_RUN = 126, PROCESS_NOT_FOUND = 127 };
 
-/* Run the first of the words, which end with NULL, in the folder, with the
- * others for arguments, and wait for its end.  What it writes, so many bytes, goes to
- * output; what it complains of is read from *messages, which the caller closes.
- * Its exit code, or one of the above; -1: no process can be had, errno says why,
- * and there are no messages. */
+/* Runs the program words[0] in the folder and waits for its end. The words end
+ * with NULL; the others are its arguments. Its standard output is copied to
+ * output, and *written is the number of bytes. Its error output can be read from
+ * *messages, which the caller closes. Returns its exit code, or one of the above.
+ * Returns -1, with errno set and no messages, if no process can be started. */
 int process_run(const char *folder, char *const words[], FILE *output, size_t *written,
                 FILE **messages);
 
-/* Become the first of the words, whose arguments are the others, then this
- * program's path, then its own arguments.  Comes back only where that cannot be: errno
- * says why. */
+/* Replaces this process by the program words[0]. Its arguments are the other
+ * words, then this program's path, then this program's own arguments. Returns only
+ * on failure, with errno set. */
 void process_become(char *const words[]);
 
-/* Lock an open file, for this process alone or for all that read.  The lock goes
- * with the process, however it ends.  False: errno says why. */
+/* Locks an open file, exclusively (alone) or shared for reading. The system
+ * releases the lock when the process ends, in any way. Returns false with errno
+ * set. */
 bool process_lock(int file, bool alone);
-/* Whether errno says of a lock that another process has the file. */
+/* Returns true if errno means that another process holds a lock of the file. */
 bool process_lock_is_held(void);
 
 #endif

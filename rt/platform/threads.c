@@ -1,3 +1,4 @@
+/* threads.c - threads and locks by POSIX threads. */
 #include "rt/platform/threads.h"
 
 #include <pthread.h>

@@ -1,26 +1,26 @@
-/* threads.h - threads of this process, and locks between them.
+/* threads.h - threads of this process, and locks.
  *
- * The only file of rt that knows the threads of the system it runs on.
+ * No other file of rt uses the system's threads.
  */
 #ifndef RT_HOST_THREADS_H
 #define RT_HOST_THREADS_H
 
-/* What one thread at a time holds. */
+/* A lock that one thread at a time can hold. */
 struct lock;
 
-/* NULL: there is no memory. */
+/* Returns NULL without memory. */
 struct lock *lock_new(void);
-/* Nobody holds it; NULL is none. */
+/* Frees a lock that no thread holds. NULL is ignored. */
 void lock_free(struct lock *lock);
 void lock_take(struct lock *lock);
 void lock_give_back(struct lock *lock);
 
 struct thread;
 
-/* Begin the work in a thread of its own.  NULL: none can be had, nothing is
- * begun. */
+/* Runs the work in a new thread. Returns NULL if no thread can be started; the
+ * work is then not run. */
 struct thread *thread_begin(void (*work)(void *context), void *context);
-/* Wait until its work is done, and free it; NULL is none. */
+/* Waits until the thread's work is done, and frees the thread. NULL is ignored. */
 void thread_end(struct thread *thread);
 
 #endif
