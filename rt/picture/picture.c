@@ -1,4 +1,4 @@
-/* picture.c - frames to picture files and back; see picture.h. */
+/* picture.c - writes frames to picture files and reads them back. */
 #include "rt/picture/picture.h"
 #include "rt/picture/picture_oiio.h"
 
@@ -28,13 +28,13 @@ static bool fail(struct picture_error *error, const char *format, ...)
     return false;
 }
 
-/* --- kinds of file ----------------------------------------------------- */
+/* ---- Kinds of files ------------------------------------------------------- */
 
 struct picture_kind {
     const char *ending;
     bool srgb;       /* 8-bit encoded colours; else linear */
-    size_t channels; /* the first so many of enum frame_channel */
-    bool half;       /* can hold 16-bit samples beside 32-bit ones */
+    size_t channels; /* number of channels, from the first of enum frame_channel */
+    bool half;       /* can have 16-bit samples in addition to 32-bit ones */
 };
 
 static const struct picture_kind picture_kinds[] = {
@@ -46,12 +46,12 @@ static const struct picture_kind picture_kinds[] = {
     { ".tiff", false, FRAME_CHANNELS, false },
 };
 
-/* EXR's customary names of the channels, which are what its readers know. */
+/* The names of channels that are usual in EXR files, and known to their readers. */
 static const char *const channel_names[FRAME_CHANNELS] = {
     "R", "G", "B", "Z", "N.X", "N.Y", "N.Z", "id",
 };
 
-/* What goes to stdout has no ending of its own. */
+/* The name that selects the kind of a picture for stdout. */
 static const char stream_name[] = "-.png";
 
 static const struct picture_kind *kind_of(const char *path)
@@ -67,9 +67,9 @@ static const struct picture_kind *kind_of(const char *path)
     return NULL;
 }
 
-/* --- colours ----------------------------------------------------------- */
+/* ---- Colours -------------------------------------------------------------- */
 
-/* IEC 61966-2-1. */
+/* Source: IEC 61966-2-1. */
 double picture_srgb(double linear)
 {
     if (!(linear > 0))
@@ -95,7 +95,7 @@ static double srgb_decode(double encoded)
     return pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-/* --- frames ------------------------------------------------------------ */
+/* ---- Frames --------------------------------------------------------------- */
 
 bool frame_allocate(struct frame *frame, size_t width, size_t height)
 {
@@ -124,13 +124,13 @@ static bool is_color(size_t channel)
     return channel <= CHANNEL_BLUE;
 }
 
-/* Behind the channels stands the layer. */
+/* Returns a plane. The layer follows the channels. */
 static const double *plane_of(const struct frame *frame, size_t channel)
 {
     return channel < FRAME_CHANNELS ? frame->channel[channel] : frame->value;
 }
 
-/* The planes of some rows, side by side. */
+/* Interleaves the planes of some rows, pixel by pixel. */
 static void interleave(const struct frame *frame, const struct picture_image *image,
                        float *sample)
 {
@@ -156,7 +156,7 @@ static void separate(const struct picture_image *image, const struct frame *fram
         }
 }
 
-/* --- the adapter ------------------------------------------------------- */
+/* ---- The adapter ---------------------------------------------------------- */
 
 static bool adapter_path(char path[ADAPTER_PATH], struct picture_error *error)
 {
@@ -165,7 +165,8 @@ static bool adapter_path(char path[ADAPTER_PATH], struct picture_error *error)
            || fail(error, "pictures: %s", cause.message);
 }
 
-/* Opened once: then it is there, for the library does not bear to be closed. */
+/* Opens the adapter once. It stays open, because the library cannot be closed
+ * safely. */
 static const struct picture_adapter *adapter(struct picture_error *error)
 {
     char path[ADAPTER_PATH];
@@ -178,7 +179,7 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     return table;
 }
 
-/* A thread that loads, if one could be had. */
+/* The thread that loads the adapter, or NULL if none could be started. */
 struct picture_loader {
     struct thread *thread;
 };
@@ -187,7 +188,7 @@ static void load(void *context)
 {
     struct picture_error error;
     (void)context;
-    adapter(&error); /* whoever writes asks again, and is told */
+    adapter(&error); /* the functions that write open it again and report errors */
 }
 
 struct picture_loader *picture_load(struct picture_error *error)
@@ -210,7 +211,7 @@ void picture_loaded(struct picture_loader *loader)
     free(loader);
 }
 
-/* --- paths ------------------------------------------------------------- */
+/* ---- Paths ---------------------------------------------------------------- */
 
 static bool fail_ending(const char *path, struct picture_error *error)
 {
@@ -242,7 +243,7 @@ bool picture_check_path(const char *path, struct picture_error *error)
     return atomic_file_check(path, &cause) || fail(error, "%s", cause.message);
 }
 
-/* --- writing and reading ----------------------------------------------- */
+/* ---- Writing and reading -------------------------------------------------- */
 
 static void choose_formats(struct picture_image *image, bool half)
 {
@@ -254,13 +255,13 @@ static void choose_formats(struct picture_image *image, bool half)
 
 struct picture {
     const struct picture_adapter *files;
-    struct picture_image image; /* its samples stay with their parts */
+    struct picture_image image; /* without samples, which come with the parts */
     const char *names[FRAME_CHANNELS + 1];
     char *layer;
     char *path;
     struct atomic_file *whole;
-    void *writing; /* the adapter's */
-    size_t rows;   /* that came */
+    void *writing; /* the adapter's state */
+    size_t rows;   /* number of rows written */
 };
 
 static bool fail_at(const char *path, const struct picture_error *cause,
@@ -295,7 +296,8 @@ static char *copy_of(const char *text)
     return copy ? strcpy(copy, text) : NULL;
 }
 
-/* The layer, too, where the kind of file has more than colours. */
+/* Names the channels. The layer is one of them if the kind of file has more than
+ * colours. */
 static void name_channels(struct picture *picture)
 {
     for (size_t i = 0; i < FRAME_CHANNELS; i++)
@@ -380,7 +382,7 @@ bool picture_end(struct picture *picture, bool good, struct picture_error *error
     return ended;
 }
 
-/* Some of a frame's rows, as a frame. */
+/* Returns some of a frame's rows as a frame. */
 static struct frame part_of(const struct frame *frame, size_t first)
 {
     size_t left = frame->height - first;

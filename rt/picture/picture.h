@@ -1,14 +1,13 @@
-/* picture.h - a frame as a picture file.
+/* picture.h - writes a frame to a picture file, and reads it back.
  *
- * The file's ending chooses the kind: .png and .jpg hold 8-bit sRGB colours;
- * .exr and .tif hold linear colours with the channels Z (distance along the
- * ray), N.X, N.Y, N.Z (unit normal, world) and id (primitive number, from 1;
- * 0 is background).  The writing is OpenImageIO's; its adapter, a shared
- * object by the name of rt205_oiio.so, is loaded when a picture is first
- * touched or announced, so that a command which makes no picture does not pay for it.  It
- * is looked for in the folder that the environment's RT205_LIBDIR names,
- * beside the running program, and in ../lib/rt205 from there, where it is
- * installed.
+ * The file's ending selects the kind: .png and .jpg have 8-bit sRGB colours; .exr
+ * and .tif have linear colours and the channels Z (distance along the ray), N.X,
+ * N.Y, N.Z (unit normal, world) and id (primitive number, from 1; 0 is
+ * background). OpenImageIO does the writing. Its adapter, a shared object named
+ * rt205_oiio.so, is loaded when a picture is first accessed or announced, so that
+ * a command without a picture does not pay for it. It is searched for in the
+ * folder in the environment variable RT205_LIBDIR, in the folder of the running
+ * program, and in ../lib/rt205 from there, where it is installed.
  */
 #ifndef RT_PICTURE_H
 #define RT_PICTURE_H
@@ -30,13 +29,13 @@ enum frame_channel {
     FRAME_CHANNELS
 };
 
-/* Planes of height x width samples, the top row first. */
+/* A frame: planes of height x width samples, top row first. */
 struct frame {
     size_t width, height;
     double *channel[FRAME_CHANNELS];
-    bool gamma_off; /* colours are as displayed: files have them as they are */
-    /* The name of one plane more, which pictures of linear colours have as a
-     * channel, and that plane, the caller's own; NULL: there is none. */
+    bool gamma_off; /* colours are as displayed; files store them unchanged */
+    /* The name of an additional plane, which pictures with linear colours have as a
+     * channel, and the plane, which the caller owns. NULL: none. */
     const char *layer;
     double *value;
 };
@@ -49,23 +48,23 @@ struct picture_error {
     char message[256];
 };
 
-/* Write the frame, whole or not at all.  notes: metadata, ended by a NULL
- * name; each is an attribute of its own where the kind of file has them (EXR,
- * PNG), and all are lines of the picture's description everywhere.  half:
- * 16-bit samples for the colours of EXR (else 32-bit); depth, normal and id
- * are always 32-bit.  To stdout, "-", goes a .png.  The bytes do not
- * depend on the time of day: a picture has a date only if the environment's
- * SOURCE_DATE_EPOCH names one. */
+/* Writes the frame, completely or not at all. notes is metadata that ends with a
+ * NULL name. Each note is an attribute of its own if the kind of file has them
+ * (EXR, PNG), and a line of the picture's description in all kinds. half selects
+ * 16-bit colour samples for EXR, instead of 32-bit ones; depth, normal and id
+ * always have 32 bits. A picture for stdout, "-", is a .png. The bytes do not
+ * depend on the time of day: a picture has a date only if the environment variable
+ * SOURCE_DATE_EPOCH gives one. */
 bool picture_write(const char *path, const struct frame *frame,
                    const struct picture_note *notes, bool half,
                    struct picture_error *error);
 
-/* The same of a frame that comes in parts, from its first row on.  begin: NULL,
- * and the error says why.  rows: the next ones, as many as the part has.  end
- * commits the picture, if all rows came and good is said, else leaves the old
- * file; it frees the picture in any case.  All parts have the layer, or none
- * (NULL).  What is written in parts is the same file if all parts but the last
- * have PICTURE_PART rows. */
+/* Writes a frame in parts, from its first row on. picture_begin returns NULL with
+ * the reason in the error. picture_rows adds the next rows, as many as the part
+ * has. picture_end commits the picture if all rows have been written and good is
+ * true, and otherwise leaves the old file; it frees the picture in any case.
+ * Either all parts have the layer or none (NULL). The file is the same as by
+ * picture_write if all parts except the last have PICTURE_PART rows. */
 enum { PICTURE_PART = 32 };
 struct picture;
 struct picture *picture_begin(const char *path, size_t width, size_t height,
@@ -75,46 +74,47 @@ bool picture_rows(struct picture *picture, const struct frame *part,
                   struct picture_error *error);
 bool picture_end(struct picture *picture, bool good, struct picture_error *error);
 
-/* Load the adapter in a thread, for a picture that is to be written later;
- * whoever needs it waits for it.  NULL: the adapter is nowhere; any other fault
- * is told by who writes.  picture_loaded waits for the thread, which must not
- * outlive the program, and frees it. */
+/* Loads the adapter in a thread, for a picture that is written later; other
+ * functions wait for it. Returns NULL if there is no adapter; any other error is
+ * reported by the functions that write. picture_loaded waits for the thread, which
+ * must end before the program, and frees the loader. */
 struct picture_loader *picture_load(struct picture_error *error);
 void picture_loaded(struct picture_loader *loader);
 
-/* Could the path be written?  Tells an unknown ending or a missing folder
- * before a long frame is traced. */
+/* Checks that the path can be written. Call it before a long frame, to reject an
+ * unknown ending or a missing folder. */
 bool picture_check_path(const char *path, struct picture_error *error);
-/* Is the ending that of a picture? */
+/* Returns true if the ending is that of a picture. */
 bool picture_is_named(const char *path);
-/* Can a file of that ending hold 16-bit samples? */
+/* Returns true if a file with that ending can have 16-bit samples. */
 bool picture_holds_half(const char *path);
 
-/* A picture back into a frame, which the caller frees: colours as linear
- * light, the other channels where the file has them and 0 elsewhere. */
+/* Reads a picture into a frame, which the caller frees. Colours become linear
+ * light. Channels that the file lacks become 0. */
 bool picture_read(const char *path, struct frame *frame, struct picture_error *error);
 
-/* .. and of a layer, whose samples become frame->value, which the caller frees,
- * too; 0 where the file has none of that name; of .tif, which has no names, the
- * one plane behind the channels. */
+/* Does the same with a layer, whose samples become frame->value, which the caller
+ * also frees. It is 0 if the file has no layer of that name. A .tif has no names;
+ * there the layer is the single plane after the channels. */
 bool picture_read_layer(const char *path, const char *layer, struct frame *frame,
                         struct picture_error *error);
 
-/* The text of one note of a picture, "" when it has none. */
+/* Reads the text of a note of a picture; "" if it has none. */
 bool picture_read_note(const char *path, const char *name, char *text, size_t size,
                        struct picture_error *error);
 
-/* Linear light, between 0 and 1, encoded as the 8-bit pictures have it; beyond is
- * clipped, and what is not a number is black. */
+/* Encodes linear light between 0 and 1 as 8-bit pictures do. Other values are
+ * clipped, and NaN becomes black. */
 double picture_srgb(double linear);
-/* The value of a colour in a file of 8-bit samples: 0 to 1. */
+/* Returns the value of a colour in a file with 8-bit samples, from 0 to 1. */
 double picture_shown(const struct frame *frame, double color);
 
-/* A file's bytes as they are, for the reader of scenes. */
+/* Decodes the bytes of an image file without changing its samples, for the scene
+ * reader. */
 raster_reader picture_read_raster;
 
-/* All samples 0.  The picture has at least one pixel; false when memory is
- * short. */
+/* Allocates a frame of at least one pixel, with all samples 0. Returns false
+ * without memory. */
 bool frame_allocate(struct frame *frame, size_t width, size_t height);
 void frame_free(struct frame *frame);
 

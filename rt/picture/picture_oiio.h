@@ -1,7 +1,7 @@
-/* picture_oiio.h - what the OpenImageIO adapter offers to picture.c.
+/* picture_oiio.h - the interface between picture.c and the OpenImageIO adapter.
  *
- * The adapter knows files; picture.c knows frames and colours.  Between them
- * go 32-bit samples, the channels of a pixel side by side, the top row first.
+ * The adapter handles files; picture.c handles frames and colours. They exchange
+ * 32-bit samples with interleaved channels, top row first.
  */
 #ifndef RT_PICTURE_OIIO_H
 #define RT_PICTURE_OIIO_H
@@ -16,7 +16,7 @@
 
 enum sample_format { SAMPLE_BYTE, SAMPLE_HALF, SAMPLE_FLOAT };
 
-/* An image in memory.  srgb: its first three channels are encoded. */
+/* An image in memory. srgb: its first three channels are encoded. */
 struct picture_image {
     size_t width, height, channels;
     bool srgb;
@@ -26,28 +26,29 @@ struct picture_image {
 };
 
 struct picture_adapter {
-    /* Begin a picture of the kind that the path's ending says, in a file that
-     * is open and stays so: the image is described, its samples are not there
-     * yet.  What it gives is for the other two. */
+    /* Starts a picture of the kind that the path's ending selects, in a file that is
+     * open and stays open. The image is described, but has no samples yet. Returns the
+     * state for the next two functions. */
     void *(*begin)(const char *path, const struct picture_image *image,
                    const struct picture_note *notes, FILE *file,
                    struct picture_error *error);
-    /* The samples of rows first .. last - 1, each row once and in order. */
+    /* Writes the samples of rows first to last - 1. Each row is written once, in
+     * order. */
     bool (*rows)(void *picture, size_t first, size_t last, const float *samples,
                  struct picture_error *error);
-    /* Finish it, if it is whole, and free it in any case. */
+    /* Finishes the picture if it is complete, and frees the state in any case. */
     bool (*end)(void *picture, bool whole, struct picture_error *error);
 
-    /* Fill the image: of the file's channels those that image->names asks
-     * for, in its order, absent ones 0.  The caller frees image->samples. */
+    /* Reads an image. Its channels are those in image->names, in that order; channels
+     * that the file lacks are 0. The caller frees image->samples. */
     bool (*read)(const char *path, struct picture_image *image,
                  struct picture_error *error);
 
     bool (*read_note)(const char *path, const char *name, char *text, size_t size,
                       struct picture_error *error);
 
-    /* An image of whole numbers, from bytes: of 8 or 16 bits, which most
-     * tells. */
+    /* Decodes an image with integer samples of 8 or 16 bits, as `most` shows, from the
+     * bytes of a file. */
     raster_reader *read_raster;
 };
 
