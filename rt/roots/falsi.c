@@ -1,3 +1,4 @@
+/* falsi.c - the names of the rules of falsi. */
 #include "rt/roots/falsi.h"
 
 #include <string.h>

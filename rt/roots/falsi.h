@@ -1,7 +1,6 @@
-/* falsi.h - the rule by which the root solver's falsi scales the kept end of
- * a bracket: the numbers of FALSI in rt/kernels/roots/quartic_constants.s, which has
- * the default.
- */
+/* falsi.h - the rules by which the root solver's falsi (regula falsi) scales the
+ * retained end of a bracket. They are the values of FALSI in
+ * rt/kernels/roots/quartic_constants.s, which also has the default. */
 #ifndef RT_FALSI_H
 #define RT_FALSI_H
 
@@ -18,7 +17,8 @@ enum falsi {
 const char *falsi_name(enum falsi rule);
 bool falsi_named(const char *name, enum falsi *rule);
 
-/* The rule that a program was assembled with; FALSI_DEFAULT: it has none. */
+/* Returns the rule that a program was assembled with, or FALSI_DEFAULT if it has
+ * none. */
 enum falsi falsi_of(const struct object *program);
 
 #endif

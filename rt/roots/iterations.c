@@ -1,3 +1,4 @@
+/* iterations.c - counts the steps of the root solver's refinement. */
 #include "rt/roots/iterations.h"
 
 #include <stdio.h>
@@ -48,14 +49,15 @@ bool iterations_begin(struct iterations *iterations, const struct object *progra
     return good;
 }
 
-/* In the scalar form there are no elements: one lane. */
+/* Returns the lanes of an instruction. In the scalar form it has no elements and
+ * counts as one lane. */
 static uint64_t lanes_of(const c205_event *event)
 {
     return event->elements > 0 ? event->elements : 1;
 }
 
-/* What the instruction has put into its register T.  In the scalar form there
- * is one bracket at a time. */
+/* Returns the number of brackets that the instruction has put into its register T.
+ * The scalar form has one bracket at a time, and the given number. */
 static uint64_t result_of(const struct iterations *iterations, const c205 *machine,
                           const c205_event *event, uint64_t scalar)
 {
@@ -102,7 +104,7 @@ void iterations_listen(void *context, const c205 *machine, const c205_event *eve
     }
 }
 
-/* ---- Of a frame, band by band -------------------------------------------- */
+/* ---- A frame, band by band ----------------------------------------------- */
 
 static void *begin_band(void *context, const struct object *program, c205_error *error)
 {

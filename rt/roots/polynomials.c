@@ -1,3 +1,4 @@
+/* polynomials.c - reads polynomials from a file. */
 #include "rt/roots/polynomials.h"
 
 #include "base/array.h"
@@ -12,7 +13,7 @@ enum { COEFFICIENTS = 5, COLUMNS = 6 };
 
 static const char *const headings[COLUMNS] = { "c4", "c3", "c2", "c1", "c0", "bound" };
 
-/* One line of the file as it is read. */
+/* The state of reading a line. */
 struct polynomial_line {
     const char *file;
     size_t number;
@@ -53,7 +54,7 @@ static bool at_comma_or_end(const struct polynomial_line *line)
     return line->at == line->end || *line->at == ',';
 }
 
-/* Is there a digit other than 0 before the exponent? */
+/* Returns true if there is a digit other than 0 before the exponent. */
 static bool has_value(const char *text, const char *end)
 {
     bool hexadecimal = memchr(text, 'x', (size_t)(end - text)) != NULL
@@ -123,7 +124,7 @@ static bool take_polynomial(struct polynomial_line *line, struct polynomial *pol
     return take_bound(line, &polynomial->bound);
 }
 
-/* Does the line name the columns? */
+/* Returns true if the line has the names of the columns. */
 static bool is_heading(struct polynomial_line line)
 {
     for (int i = 0; i < COLUMNS; i++) {
@@ -162,7 +163,8 @@ static bool add(struct polynomials *polynomials, size_t line,
     return true;
 }
 
-/* The line from text on, without its end; returns where the next begins. */
+/* Sets the line that begins at text, without its end. Returns the start of the
+ * next line. */
 static const char *cut_line(struct polynomial_line *line, const char *text,
                             const char *end)
 {

@@ -1,10 +1,10 @@
-/* polynomials.h - reading polynomials from a file.
+/* polynomials.h - reads polynomials from a file.
  *
- * A line holds c4,c3,c2,c1,c0 and, if wanted, a bound, which is 0 otherwise:
- * decimal numbers between commas, of any size that the machine has.  Empty
- * lines and lines that begin with # are passed over; the first other line may
- * name the columns.  Lines may end with CR LF; a mark of UTF-8
- * may come first.
+ * A line has c4,c3,c2,c1,c0 and optionally a bound, which is otherwise 0. These
+ * are decimal numbers with commas between them, in the range of the machine's
+ * numbers. Empty lines and lines that begin with # are skipped. The first other
+ * line may have the names of the columns. Lines may end with CR LF, and the file
+ * may begin with a UTF-8 byte order mark.
  */
 #ifndef RT_POLYNOMIALS_H
 #define RT_POLYNOMIALS_H
@@ -12,14 +12,15 @@
 #include "base/diagnostic.h"
 #include "rt/roots/roots.h"
 
-/* Zero it to begin. */
+/* Must start as zeros. */
 struct polynomials {
     size_t count;
     struct polynomial *items;
-    size_t *lines; /* of the file, from 1 */
+    size_t *lines; /* line numbers in the file, from 1 */
 };
 
-/* False: there are errors among the reports, which name every bad line. */
+/* Reads a file. Returns false if there are errors; the reports name every bad
+ * line. */
 bool polynomials_read(struct polynomials *polynomials, const char *path,
                       struct diagnostics *reports);
 void polynomials_free(struct polynomials *polynomials);

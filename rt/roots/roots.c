@@ -1,3 +1,4 @@
+/* roots.c - finds the real roots of polynomials on a machine. */
 #include "rt/roots/roots.h"
 
 #include <stdlib.h>
@@ -7,8 +8,8 @@
 #include "base/plural.h"
 #include "rt/layout/program.h"
 
-/* Polynomials and results lie in the machine's memory plane by plane, in the
- * order of rt/kernels/roots/roots_records.s. */
+/* The planes of polynomials and results in the machine's memory, as in
+ * rt/kernels/roots/roots_records.s. */
 struct planes {
     uint64_t coefficients, bound, inputs;
     uint64_t count, roots, results;
@@ -97,8 +98,8 @@ static bool read_plane(const struct root_search *search, uint64_t plane,
                      words, search->count);
 }
 
-/* The numbers of roots are indefinite until the machine has written them, so
- * that progress shows. */
+/* Writes the input. The counts of roots start as indefinite values, so that
+ * progress can be seen from the machine's writes. */
 static bool write_planes(struct root_search *search,
                          const struct polynomial *polynomials)
 {
@@ -192,7 +193,7 @@ bool roots_watch(struct root_search *search, struct iterations *iterations)
            && c205_listen(search->machine, iterations_listen, iterations);
 }
 
-/* The first polynomial whose number of roots is not yet there. */
+/* Returns the first polynomial without a count of roots, by binary search. */
 static size_t done(const struct root_search *search)
 {
     uint64_t counts = plane_address(search, search->results, search->planes.count);

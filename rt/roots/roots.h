@@ -1,8 +1,8 @@
-/* roots.h - polynomials whose real roots a machine finds.
+/* roots.h - finds the real roots of polynomials on a machine.
  *
- * roots_new assembles the root solver in the form asked for, loads it into a
- * machine and lays the polynomials out in its memory; roots_run lets it run;
- * after that the roots and the machine's accounts can be read.
+ * roots_new assembles the root solver in the requested form, loads it into a
+ * machine and lays the polynomials out in its memory. roots_run runs it. The roots
+ * and the machine's accounts can be read after that.
  */
 #ifndef RT_ROOTS_H
 #define RT_ROOTS_H
@@ -11,7 +11,8 @@
 #include "rt/roots/iterations.h"
 #include "rt/trace/trace.h"
 
-/* c[0] t^4 + c[1] t^3 + ... + c[4]; the roots above the bound are wanted. */
+/* The polynomial c[0] t^4 + c[1] t^3 + ... + c[4]. Its roots above the bound are
+ * computed. */
 struct polynomial {
     c205_word c[5];
     c205_word bound;
@@ -19,17 +20,17 @@ struct polynomial {
 
 enum {
     MAX_ROOTS = 4,
-    ROOTS_REFUSED = -1 /* a number of roots: see scaling_vector.s */
+    ROOTS_REFUSED = -1 /* a count for rejected polynomials: see scaling_vector.s */
 };
 struct polynomial_roots {
     int count;                 /* or ROOTS_REFUSED */
-    c205_word root[MAX_ROOTS]; /* ascending, each once */
+    c205_word root[MAX_ROOTS]; /* ascending, each of them once */
 };
 
 struct roots_options {
     enum trace_mode mode;
     size_t queue; /* polynomials; vector mode only */
-    bool first;   /* the first root of each alone */
+    bool first;   /* only the first root of each polynomial */
     enum falsi falsi;
     const c205_model *model; /* must outlive the search */
     /* As in trace_options. */
@@ -39,21 +40,22 @@ struct roots_options {
 
 struct root_search;
 
-/* NULL: the error says why.  Of the polynomials nothing is kept. */
+/* Prepares a search. It copies the polynomials. Returns NULL with the reason in
+ * the error. */
 struct root_search *roots_new(const struct polynomial *polynomials, size_t count,
                               const struct roots_options *options, c205_error *error);
 void roots_free(struct root_search *search);
 
-/* Count the steps of the refinement from now on; before the run. */
+/* Counts the steps of the refinement. Call this before the run. */
 bool roots_watch(struct root_search *search, struct iterations *iterations);
 
-/* False: a trap, or progress said to stop. */
+/* Returns false after a trap, or if progress returned false. */
 bool roots_run(struct root_search *search, c205_error *error);
 
-/* As many as there are polynomials. */
+/* Reads the roots of all polynomials, in their order. */
 bool roots_read(const struct root_search *search, struct polynomial_roots *roots,
                 c205_error *error);
-/* The rule that it was assembled with. */
+/* Returns the rule that the program was assembled with. */
 enum falsi roots_falsi(const struct root_search *search);
 const c205 *roots_machine(const struct root_search *search);
 
