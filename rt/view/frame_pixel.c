@@ -1,3 +1,4 @@
+/* frame_pixel.c - locates a pixel of a frame in the machine of its band. */
 #include "rt/view/frame_pixel.h"
 
 #include "base/error.h"

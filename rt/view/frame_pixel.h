@@ -1,4 +1,4 @@
-/* frame_pixel.h - a pixel of a frame in the machine of its band. */
+/* frame_pixel.h - locates a pixel of a frame in the machine of its band. */
 #ifndef RT_FRAME_PIXEL_H
 #define RT_FRAME_PIXEL_H
 
@@ -7,11 +7,12 @@
 struct frame_pixel {
     const struct trace *trace;
     size_t x, y;
-    size_t band;  /* that it is in, .. */
-    size_t place; /* .. and where in the band's planes */
+    size_t band;  /* the band that contains it */
+    size_t place; /* its index in the band's planes */
 };
 
-/* The frame has such a pixel.  False: its pixels have several rays. */
+/* Locates a pixel that the frame has. Returns false if its pixels have several
+ * rays. */
 bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size_t x,
                       size_t y, c205_error *error);
 

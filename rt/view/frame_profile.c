@@ -1,3 +1,4 @@
+/* frame_profile.c - profiles the clocks of a frame by lines of its kernels. */
 #include "rt/view/frame_profile.h"
 
 #include <stdio.h>

@@ -1,12 +1,12 @@
-/* frame_profile.h - where the clocks of a frame went, line by line of its kernels. */
+/* frame_profile.h - profiles the clocks of a frame by lines of its kernels. */
 #ifndef RT_FRAME_PROFILE_H
 #define RT_FRAME_PROFILE_H
 
 #include "asm/line_profile.h"
 #include "rt/trace/observer.h"
 
-/* Of all bands of a frame; NULL to begin, and freed by its owner before the frame's
- * program is. */
+/* Returns an observer that adds up all bands of a frame. *sum must be NULL at the
+ * start. Its owner frees it before the frame's program. */
 struct observer frame_profile_observer(struct line_profile **sum);
 
 #endif

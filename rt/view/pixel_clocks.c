@@ -1,3 +1,4 @@
+/* pixel_clocks.c - finds the clocks in which a pixel's queue is traced. */
 #include "rt/view/pixel_clocks.h"
 
 #include <string.h>
@@ -6,14 +7,16 @@
 #include "rt/layout/program.h"
 #include "rt/view/pixel_rays.h"
 
-/* Who listens to the band's machine until all that is asked has been heard. */
+/* The state of a listener to the band's machine. It is done when it has found the
+ * clocks. */
 struct recording {
     const struct frame_pixel *pixel;
     struct clock_stretch stretch;
     bool here, done;
-    /* Where the program begins with a queue, has its rays, and is done with it. */
+    /* Addresses at which the program starts a queue, has generated its rays, and has
+     * finished it. */
     uint64_t begin, made, end;
-    const char *region;          /* that is waited for */
+    const char *region;          /* the region to find */
     struct clock_stretch within; /* in these clocks */
 };
 
@@ -66,7 +69,7 @@ static bool go_on(void *context, const c205 *machine)
                || how->progress(how->context, 0, how->width * how->height));
 }
 
-/* The band from its beginning, as far as that takes. */
+/* Traces the band from its start until the listener is done. */
 static bool on_event(struct recording *recording, c205_listener *listen,
                      c205_error *error)
 {

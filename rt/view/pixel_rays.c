@@ -1,8 +1,9 @@
+/* pixel_rays.c - finds the rays of a pixel in the queues of a machine. */
 #include "rt/view/pixel_rays.h"
 
 #include <string.h>
 
-/* Who looks, at which machine, and to whom it is told. */
+/* The pixel, the machine, and the function that receives the elements. */
 struct pixel_look {
     const struct frame_pixel *pixel;
     const struct object *program;
@@ -43,7 +44,7 @@ static c205_word word_of(const struct pixel_look *look, const char *name)
     return word_at(look, value_of(look, name));
 }
 
-/* What the name meant first: in queue.s. */
+/* Returns the first register of this name, which is that of queue.s. */
 static c205_word register_of(const struct pixel_look *look, const char *name)
 {
     const struct asm_register *known = look->program->registers;
@@ -69,16 +70,16 @@ static bool is_between(const struct pixel_look *look, uint64_t address,
     return address >= value_of(look, first) && address < value_of(look, end);
 }
 
-/* ---- The queue at hand ----------------------------------------------------- */
+/* ---- The current queue ------------------------------------------------------ */
 
 struct queue {
-    size_t list;    /* its number */
-    size_t first;   /* the place of its first ray in that */
+    size_t list;    /* of the list that has it */
+    size_t first;   /* index of its first ray in the list */
     size_t count;   /* rays */
-    uint64_t order; /* address of the rays' places in the planes, or 0 */
+    uint64_t order; /* address of the rays' indices in the planes, or 0 */
 };
 
-/* Here the program is between two queues. */
+/* Returns true if the program is between two queues. */
 static bool is_outside(const struct pixel_look *look)
 {
     static const char *const regions[] = { "frame", "generate", "resolve", "camera",
@@ -91,7 +92,7 @@ static bool is_outside(const struct pixel_look *look)
     return false;
 }
 
-/* Vector number vector of a list. */
+/* Returns the address of vector number `vector` of a list. */
 static uint64_t list_vector(const struct pixel_look *look, size_t list, uint64_t vector)
 {
     return word_of(look, "scene_levels")
@@ -100,7 +101,7 @@ static uint64_t list_vector(const struct pixel_look *look, size_t list, uint64_t
                     + vector * value_of(look, "LIST"));
 }
 
-/* False: none is. */
+/* Finds the current queue. Returns false if there is none. */
 static bool find_queue(const struct pixel_look *look, struct queue *queue)
 {
     c205_word importance = word_of(look, "queue_importance");
@@ -123,7 +124,7 @@ static bool find_queue(const struct pixel_look *look, struct queue *queue)
     return true;
 }
 
-/* The place of a ray of the camera in the planes. */
+/* Returns the index of a camera ray in the planes. */
 static size_t place_of_ray(const struct pixel_look *look, const struct queue *queue,
                            size_t ray)
 {
@@ -132,7 +133,7 @@ static size_t place_of_ray(const struct pixel_look *look, const struct queue *qu
                : queue->first + ray;
 }
 
-/* Whether a ray of the queue comes of the pixel. */
+/* Returns true if a ray of the queue descends from the pixel. */
 static bool is_of_pixel(const struct pixel_look *look, const struct queue *queue,
                         size_t ray)
 {
@@ -146,7 +147,7 @@ static bool is_of_pixel(const struct pixel_look *look, const struct queue *queue
     return place == look->pixel->place;
 }
 
-/* ---- What is told ---------------------------------------------------------- */
+/* ---- Elements ---------------------------------------------------------------- */
 
 static void notify(const struct pixel_look *look, const struct pixel_element *of,
                    const char *vector, uint64_t address)
@@ -158,7 +159,7 @@ static void notify(const struct pixel_look *look, const struct pixel_element *of
     look->listener(look->context, &element);
 }
 
-/* Vectors that stand one behind the other, a stride apart. */
+/* Reports consecutive vectors, a stride apart. */
 static void list_words(const struct pixel_look *look, const struct pixel_element *of,
                        const char *const *names, uint64_t address, uint64_t stride)
 {
@@ -201,14 +202,16 @@ static void list_queue(const struct pixel_look *look, const struct queue *queue,
                    value_of(look, "LIST"));
 }
 
-/* find_nearest has been called, and nothing since that has this link. */
+/* Returns true if find_nearest has been called and has not returned. No later call
+ * has this link. */
 static bool is_seeking(const struct pixel_look *look)
 {
     return address_in(register_of(look, "link")) == value_of(look, "levels_found");
 }
 
-/* A kernel meets the rays at hand: what calls kernels has told it which rays it looks at.  Those of pairs_vector.s have rays of their own, the root solver
- * has the registers for other things. */
+/* Returns true if a kernel tests the current rays and its caller has set their
+ * vectors. The kernels of pairs_vector.s have rays of their own, and the root
+ * solver uses the registers for other purposes. */
 static bool meets_near(const struct pixel_look *look)
 {
     static const char *const regions[] = { "bound",     "visible",     "call",
@@ -253,7 +256,8 @@ static void list_near(const struct pixel_look *look, const struct queue *queue,
     }
 }
 
-/* The hits of this queue are sorted: nothing returns to where they are not yet. */
+/* Returns true if the hits of this queue are sorted: neither the program counter
+ * nor a link is in the code before that. */
 static bool shades_hits(const struct pixel_look *look)
 {
     return mode_of(look) == TRACE_VECTOR && !is_seeking(look)
@@ -286,8 +290,9 @@ static void list_hits(const struct pixel_look *look, const struct queue *queue,
     }
 }
 
-/* The serial form goes pixel by pixel, by column and row as numbers; its ray, and what came
- * of it, in the record of the first level. */
+/* Returns true if the pixel is the current one. The scalar form traces pixel by
+ * pixel, with column and row as numbers. Its ray and its result are in the record
+ * of the first level. */
 static bool is_pixel_at_hand(const struct pixel_look *look)
 {
     uint64_t at = value_of(look, "pixel");
@@ -337,7 +342,7 @@ size_t pixel_elements(const struct frame_pixel *pixel, const c205 *machine,
     return count;
 }
 
-/* ---- Where a queue is made -------------------------------------------------- */
+/* ---- Generated queues -------------------------------------------------------- */
 
 const char *pixel_made_label(const struct frame_pixel *pixel)
 {

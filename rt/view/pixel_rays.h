@@ -1,48 +1,54 @@
-/* pixel_rays.h - the rays of a pixel in the queues of its band's machine, and what the queues'
- * vectors have of them, at any moment.
+/* pixel_rays.h - finds the rays of a pixel in the queues of its band's machine,
+ * and their elements in the queues' vectors, at any time.
  *
- * All of it is read in the machine's memory and registers.  The program has a queue at hand
- * from when its rays are made to when they are shaded; a descriptor says which one
- * (queue_importance in rt/kernels/solids/levels_vector.s).  A ray of the camera is the
- * pixel's if its place in the band's planes is; places follow one another, or are in a
- * vector (queue_order).  Another ray has the place of the one that it comes of with it
- * (LIST_PARENT), and so on up to the camera.  While a kernel meets the rays at hand a vector
- * has their places in the queue (place), and the others that queue.s makes as long have the
- * same rays in the same order; while hits are shaded another one has the places of the hits
- * (at).  Of vectors besides nothing is told.
+ * All data is read from the machine's memory and registers. The program has a
+ * current queue from the generation of its rays to their shading. A descriptor
+ * identifies it (queue_importance in rt/kernels/solids/levels_vector.s). A camera
+ * ray belongs to the pixel if its index in the band's planes is the pixel's. The
+ * indices of a queue's rays are consecutive, or are in a vector (queue_order). Any
+ * other ray has the index of its parent ray (LIST_PARENT), and so on up to the
+ * camera ray.
+ *
+ * While a kernel tests rays, the vector `place` has their indices in the queue.
+ * Other vectors that queue.s makes as long have the same rays in the same order.
+ * While hits are shaded, the vector `at` has the indices of the hits. Other
+ * vectors are not shown.
  */
 #ifndef RT_PIXEL_RAYS_H
 #define RT_PIXEL_RAYS_H
 
 #include "rt/view/frame_pixel.h"
 
-/* Vectors whose elements belong to rays in one order. */
+/* Groups of vectors whose elements belong to rays in the same order. */
 enum pixel_group {
-    PIXEL_QUEUE, /* the queue; in scalar form the pixel by itself */
-    PIXEL_NEAR,  /* the rays at hand, while a kernel meets them */
-    PIXEL_HITS,  /* what was hit, while it is shaded; vector form only */
+    PIXEL_QUEUE, /* the queue; in scalar form only the pixel */
+    PIXEL_NEAR,  /* the rays that a kernel currently tests */
+    PIXEL_HITS,  /* the hits, during shading; vector form only */
     PIXEL_GROUPS
 };
 
-/* What a vector has of a ray of the pixel: of this queue, once the kernels have come to it. */
+/* The element of a vector that belongs to a ray of the pixel. It is of this queue
+ * only once the kernels have written it. */
 struct pixel_element {
     enum pixel_group group;
     size_t
-        list; /* the queue's: 0: rays of the camera; n: what comes of those of list n - 1 */
+        list; /* of the queue; 0: camera rays; n: rays spawned by those of list n - 1 */
     size_t lane, length;
-    const char *vector; /* the program's name of it */
+    const char *vector; /* its name in the program */
     c205_word word;
 };
 
-/* Ray by ray, group by group; how many of the pixel's rays are in the queue at hand. */
+/* Calls `tell` for each element, ray by ray and group by group. Returns the number
+ * of the pixel's rays in the current queue. */
 typedef void pixel_listener(void *context, const struct pixel_element *element);
 size_t pixel_elements(const struct frame_pixel *pixel, const c205 *machine,
                       pixel_listener *listener, void *context);
 
 bool pixel_is_in_queue(const struct frame_pixel *pixel, const c205 *machine);
-/* Whether the machine is where a queue has just been made, with rays of the pixel. */
+/* Returns true if the machine is where a queue with rays of the pixel has just
+ * been generated. */
 bool pixel_is_made(const struct frame_pixel *pixel, const c205 *machine);
-/* The label of that place. */
+/* Returns the label of that place. */
 const char *pixel_made_label(const struct frame_pixel *pixel);
 
 #endif

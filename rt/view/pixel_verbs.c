@@ -1,3 +1,4 @@
+/* pixel_verbs.c - the verbs of a debugger that concern a pixel. */
 #include "rt/view/pixel_verbs.h"
 
 #include <string.h>
@@ -12,14 +13,14 @@ c205 *pixel_machine(void *context, c205_error *error)
     return trace_machine(pixel->trace, pixel->band, error);
 }
 
-/* ---- What vectors have of it ----------------------------------------------- */
+/* ---- Elements of the pixel's rays -------------------------------------------- */
 
 struct lane_report {
     const struct frame_pixel *pixel;
     const struct sink *out;
-    const char *vector;        /* of that name alone, .. */
-    size_t length;             /* .. which is so long; 0: all */
-    struct pixel_element last; /* that was told; length 0: none */
+    const char *vector;        /* only the vector with this name */
+    size_t length;             /* of the name; 0: all vectors */
+    struct pixel_element last; /* the last element that was printed; length 0: none */
 };
 
 static bool is_asked(const struct lane_report *report, const char *vector)
@@ -86,7 +87,7 @@ static bool show_lane(void *context, struct debugger *debugger, const char *rest
                         vector);
 }
 
-/* ---- On to it ----------------------------------------------------------------- */
+/* ---- Continuing ---------------------------------------------------------------- */
 
 static bool is_made(void *context, const c205 *machine)
 {

@@ -1,16 +1,17 @@
-/* pixel_verbs.h - what a debugger of a band's program can be told of a pixel: to continue to a
- * queue that a ray of it is in, and to show what its vectors have of that ray. */
+/* pixel_verbs.h - the verbs of a debugger of a band's program that concern a
+ * pixel: continue to a queue with a ray of the pixel, and show the vectors'
+ * elements of that ray. */
 #ifndef RT_PIXEL_VERBS_H
 #define RT_PIXEL_VERBS_H
 
 #include "asm/debug/debugger.h"
 #include "rt/view/frame_pixel.h"
 
-/* Their context is the pixel. */
+/* The verbs. Their context is the pixel. */
 extern const struct debugger_verb pixel_verbs[];
-/* The machine of its band; likewise. */
+/* Returns the machine of the pixel's band. */
 c205 *pixel_machine(void *pixel, c205_error *error);
-/* These verbs, then those of every debugger; NULL behind the last. */
+/* Returns the i-th verb: these, then those of every debugger; NULL after the last. */
 const char *pixel_verb(size_t i);
 
 #endif
