@@ -1,7 +1,7 @@
 // picture_oiio.cc - the adapter of picture.c to OpenImageIO.
 //
-// Built as a shared object that exports one table of functions.  Nothing is
-// thrown out of here: what the library throws becomes a message.
+// It is built as a shared object that exports one table of functions. No
+// exception leaves it: exceptions of the library become error messages.
 
 #include <algorithm>
 #include <cstdio>
@@ -24,16 +24,16 @@ extern const struct picture_adapter rt205_picture_adapter;
 namespace
 {
 
-// When reproducible builds have it that things were made, in seconds since
-// 1970 (reproducible-builds.org/specs/source-date-epoch).
+// The variable with the date of reproducible builds, in seconds since 1970
+// (reproducible-builds.org/specs/source-date-epoch).
 const char date_variable[] = "SOURCE_DATE_EPOCH";
 
-// JPEG as near to the frame as the format allows.
+// JPEG settings for high fidelity to the frame.
 const char jpeg_compression[] = "jpeg:98";
 const char jpeg_subsampling[] = "4:4:4";
 
-// Of TIFF's PhotometricInterpretation (TIFF 6.0): pixels are numbers of
-// colours.
+// The value of TIFF's PhotometricInterpretation (TIFF 6.0) for pixels that are
+// indices into a table of colours.
 const int TIFF_PALETTE = 3;
 
 void require(bool good, const std::string &message)
@@ -42,7 +42,7 @@ void require(bool good, const std::string &message)
         throw std::runtime_error(message.empty() ? "the file is broken" : message);
 }
 
-// Run the body; a failure is its message and false.
+// Runs the body. Converts an exception to its message and returns false.
 template <class Error, class Body> bool guarded(Error *error, Body body)
 {
     try {
@@ -67,9 +67,9 @@ OIIO::TypeDesc type_of(sample_format format)
     }
 }
 
-// A picture has no date but one that is asked for: the same frame is the same
-// file.  Where there is none, the library would write the time of day; a
-// number, which is no date, it leaves out.
+// Sets the date of a picture only if one is requested, so that the same frame
+// always gives the same file. Without a DateTime attribute the library would write
+// the time of day. It ignores a number, which is no date, so 0 suppresses the date.
 void annotate_date(OIIO::ImageSpec &spec)
 {
     const char *text = std::getenv(date_variable);
@@ -109,13 +109,13 @@ OIIO::ImageSpec spec_of(const picture_image &image)
     return spec;
 }
 
-// A file that never fails: the library does not bear a full disk (its JPEG ends
-// the process), and who has opened the file asks that at the end.
+// A file whose writes never fail. The library cannot handle a full disk (its JPEG
+// code ends the process). The owner of the file checks for errors at the end.
 struct patient_file : OIIO::Filesystem::IOFile {
     explicit patient_file(std::FILE *to) : IOFile(to, OIIO::Filesystem::IOProxy::Write)
     {
     }
-    // By its own name JPEG would go around it.
+    // With the standard name, the JPEG code would bypass this class.
     const char *proxytype() const override
     {
         return "patient";
@@ -127,7 +127,7 @@ struct patient_file : OIIO::Filesystem::IOFile {
     }
 };
 
-// A picture on its way.
+// The state of a picture that is being written.
 struct writing {
     writing(const char *path, std::FILE *to)
         : file(to), output(OIIO::ImageOutput::create(path, &file))
@@ -183,8 +183,8 @@ std::unique_ptr<OIIO::ImageInput> opened(const char *path)
     return input;
 }
 
-// Which of the file's channels has the name; TIFF keeps no names, so a file
-// with just as many channels as are asked for has them in their order.
+// Returns the file's channel with the name. TIFF files have no names; if such a
+// file has the requested number of channels, they are taken in their order.
 int place_of(const OIIO::ImageSpec &spec, const picture_image &image, size_t channel)
 {
     const int place = spec.channelindex(image.names[channel]);
@@ -244,7 +244,7 @@ bool read_note(const char *path, const char *name, char *text, size_t size,
     });
 }
 
-// Grey or three colours, and perhaps how opaque they are.
+// Describes an image of grey or RGB pixels, with or without opacity.
 void describe(const OIIO::ImageSpec &spec, raster &image)
 {
     const size_t width = static_cast<size_t>(spec.width);

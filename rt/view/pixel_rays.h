@@ -31,8 +31,7 @@ enum pixel_group {
  * only once the kernels have written it. */
 struct pixel_element {
     enum pixel_group group;
-    size_t
-        list; /* of the queue; 0: camera rays; n: rays spawned by those of list n - 1 */
+    size_t list; /* of the queue; 0: camera rays; n: rays spawned by list n - 1 */
     size_t lane, length;
     const char *vector; /* its name in the program */
     c205_word word;

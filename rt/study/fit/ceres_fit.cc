@@ -1,5 +1,7 @@
-// ceres_fit.cc - see ceres_fit.h.  All residuals are worked out at once,
-// before Ceres asks for each; nothing is thrown out of here.
+// ceres_fit.cc - the adapter to Ceres.
+//
+// All residuals of a point are computed at once, before Ceres requests each of
+// them. No exception leaves this file.
 
 #include "rt/study/fit/ceres_fit.h"
 
@@ -21,7 +23,7 @@ void require(bool good, const char *message)
         throw std::runtime_error(message);
 }
 
-// What the problem's own function has told of one point.
+// The residuals and derivatives of one point, computed by the problem's function.
 class Evaluation : public ceres::EvaluationCallback
 {
   public:

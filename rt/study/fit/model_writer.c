@@ -10,7 +10,7 @@
 
 /* ---- The constants ------------------------------------------------------ */
 
-/* Returns the priors, NAME-prior, of which a file NAME.model is the fit. */
+/* Returns the priors for a model file: NAME-prior for NAME.model. */
 static const c205_model *prior_of(const struct observations *all, const char *path,
                                   c205_error *error)
 {
