@@ -13,7 +13,7 @@
 
 /* Builds the table. There are `count` weights, none negative, at least one
  * positive. An item's probability is its weight over their sum. share and alias
- * have `count` elements; shares are from 0 to 1. Returns false without memory. */
+ * have `count` elements; shares are from 0 to 1. Returns false if out of memory. */
 bool alias_build(const double *weights, size_t count, double *share, size_t *alias);
 
 #endif

@@ -32,8 +32,8 @@ void chords_end(struct chords *chords);
 double chords_weight(const struct chords *chords);
 
 /* Generates chords->count lines, and the planes of the points where they end (enum
- * emitted). Threads may call this concurrently. Returns false after a trap, or
- * without memory. */
+ * emitted). Threads may call this concurrently. Returns false after a trap, or if
+ * out of memory. */
 bool chords_run(const struct chords *chords, const struct emission_choice *choice,
                 c205_word *planes, struct scene_ray *lines, struct accounts *accounts,
                 c205_error *error);

@@ -64,7 +64,7 @@ void emission_free(struct emission *emission);
 
 /* Generates the number of points in the options: EMITTED_PLANES planes, on a
  * machine of its own. Adds its accounts unless accounts is NULL. Threads may run
- * one emission concurrently. Returns false after a trap, or without memory. */
+ * one emission concurrently. Returns false after a trap, or if out of memory. */
 bool emission_run(const struct emission *emission, const struct emission_choice *choice,
                   c205_word *planes, struct accounts *accounts, c205_error *error);
 

@@ -34,7 +34,7 @@ struct exchange {
 };
 
 /* Returns false for a number out of range, for an exchange without a solution,
- * whose surface the error names, after a trap, or without memory. */
+ * whose surface the error names, after a trap, or if out of memory. */
 bool exchange_find(const struct exchange_given *given, struct exchange *exchange,
                    c205_error *error);
 void exchange_free(struct exchange *exchange);

@@ -147,7 +147,7 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
     return good;
 }
 
-/* Computes a row from its packets. Returns false without memory. */
+/* Computes a row from its packets. Returns false if out of memory. */
 static bool conclude(const struct packet_programs *programs,
                      const struct packet *packets, struct factor_row *row)
 {

@@ -56,8 +56,8 @@ void factor_row_free(struct factor_row *row);
 
 struct factors;
 
-/* Returns NULL for invalid options, or without memory; the error gives the reason.
- * The scene must outlive the factors. */
+/* Returns NULL for invalid options, or if out of memory; the error gives the
+ * reason. The scene must outlive the factors. */
 struct factors *factors_new(const struct scene *scene,
                             const struct factors_options *options, c205_error *error);
 void factors_free(struct factors *factors);
@@ -65,8 +65,8 @@ void factors_free(struct factors *factors);
 /* Computes a row for each emitter, which is an index of the scene's primitives;
  * rays leave on the outward side. The caller frees the rows. If the job set does not
  * collect packets (job_set_collects), the rows stay empty. Returns false, with empty
- * rows, if a primitive has no emission, after a trap, without memory, or if a file
- * belongs to another run. */
+ * rows, if a primitive has no emission, after a trap, if out of memory, or if a
+ * file belongs to another run. */
 bool factors_find(const struct factors *factors, const size_t *emitters, size_t count,
                   struct factor_row *rows, c205_error *error);
 /* Returns the number of packets for count emitters. */

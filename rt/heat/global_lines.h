@@ -55,7 +55,7 @@ struct global_lines {
 
 /* Counts the gaps. If the job set does not collect packets (job_set_collects), the
  * counts stay 0. Returns false for invalid options, a scene without surfaces or
- * with an unbounded one, after a trap, without memory, or if a file belongs to
+ * with an unbounded one, after a trap, if out of memory, or if a file belongs to
  * another run. */
 bool global_lines_find(const struct scene *scene,
                        const struct global_lines_options *options,

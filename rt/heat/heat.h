@@ -49,12 +49,12 @@ struct heat {
 };
 
 /* Prepares a computation. The arguments must outlive the heat. Returns false for a
- * scene without surfaces, for invalid names and values, or without memory. Call
+ * scene without surfaces, for invalid names and values, or if out of memory. Call
  * heat_free in either case. */
 bool heat_begin(const struct scene *scene, const struct heat_request *request,
                 struct heat *heat, c205_error *error);
 /* Computes everything. If the job set does not collect packets, only their number is
- * set. Returns false after a trap, without memory, if a file belongs to another
+ * set. Returns false after a trap, if out of memory, if a file belongs to another
  * run, or for errors of factors.h, global_lines.h and thermal.h. */
 bool heat_find(struct heat *heat, c205_error *error);
 void heat_free(struct heat *heat);

@@ -117,7 +117,8 @@ static bool find_values(struct heat_drawing *drawing)
 
 static const double grey[3] = { .25, .25, .25 }, green[3] = { .1, .55, .1 };
 
-/* Interpolates in a list of count colours; share is from 0 to 1. */
+/* Interpolates in a list of count colours. A share of 0 is the first one, and 1
+ * the last. */
 static void mix(const double (*way)[3], size_t count, double share, double color[3])
 {
     double at = fmin(fmax(share, 0), 1) * (double)(count - 1);

@@ -38,7 +38,7 @@ struct heat_drawn {
 };
 
 /* Returns false if no surface has that name, if there is no value, after a trap,
- * without memory, or if the picture cannot be written. */
+ * if out of memory, or if the picture cannot be written. */
 bool heat_draw(const struct heat *heat, const struct heat_look *look,
                struct heat_drawn *drawn, c205_error *error);
 

@@ -1,5 +1,5 @@
 /* heat_tables.h - the results of a heat computation as tables. Functions return
- * NULL without memory. */
+ * NULL if out of memory. */
 #ifndef RT_HEAT_TABLES_H
 #define RT_HEAT_TABLES_H
 

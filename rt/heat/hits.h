@@ -33,7 +33,7 @@ struct hits {
 };
 
 /* Returns false if nothing has this name, if a shape cannot emit or is no
- * cylinder, after a trap, or without memory; the error gives the reason. */
+ * cylinder, after a trap, or if out of memory; the error gives the reason. */
 bool hits_find(const struct scene *scene, const struct named_parts *parts,
                const struct hits_options *options, struct hits *hits,
                c205_error *error);

@@ -21,7 +21,7 @@ struct packet_programs {
     struct object *faces, *received;
 };
 
-/* Returns false for invalid options, or without memory. Call packet_programs_end
+/* Returns false for invalid options, or if out of memory. Call packet_programs_end
  * in either case. */
 bool packet_programs_begin(struct packet_programs *programs, c205_error *error);
 void packet_programs_end(struct packet_programs *programs);
@@ -40,7 +40,7 @@ struct packet {
     uint64_t clocks[HEAT_STEPS]; /* the clocks of these machines, by step */
 };
 
-/* Returns false without memory. Call packet_free in either case. */
+/* Returns false if out of memory. Call packet_free in either case. */
 bool packet_begin(struct packet *packet, const struct packet_programs *programs);
 void packet_free(struct packet *packet);
 
@@ -51,7 +51,7 @@ struct packet_choice {
 };
 
 /* Runs a packet. Threads may run packets concurrently. Returns false after a trap,
- * or without memory. */
+ * or if out of memory. */
 bool packet_run(const struct packet_programs *programs,
                 const struct heat_source *source, const struct packet_choice *choice,
                 struct packet *packet, c205_error *error);

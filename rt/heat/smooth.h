@@ -21,14 +21,15 @@ struct smooth_given {
 
 /* Computes adjusted flows [count][count + 1]. The sum of each row is the area.
  * Returns false for invalid numbers, for flows without a solution, whose surface
- * the error names, after a trap, or without memory. */
+ * the error names, after a trap, or if out of memory. */
 bool smooth_flows(const struct smooth_given *given, double *flows,
                   struct accounts *accounts, c205_error *error);
 
 /* Sets surface.smooth of all visible surfaces. The two estimates of a flow, in
  * either direction, are weighted by their variances. If neither surface hit the
- * other, the flow is 0. Adds the machine's accounts. Also returns false for a
- * surface that only receives. */
+ * other, the flow is 0. Adds the machine's accounts. Returns false for the errors
+ * of smooth_flows, and for a surface that only receives; the error names the
+ * surface. */
 bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
                      const c205_model *model, struct accounts *accounts,
                      c205_error *error);

@@ -17,7 +17,7 @@ struct heat_source {
     struct emission_options options;
     struct emission *emission; /* NULL: by lines */
     struct chords chords;
-    /* By lines: a scene of the primitive alone. */
+    /* A source by lines has a scene of the primitive alone. */
     struct scene alone;
     struct tree_node node;
     struct region region;

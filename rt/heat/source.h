@@ -14,16 +14,16 @@
 #include "rt/scene/scene.h"
 
 /* Returns, for each of the scene's primitives, the reason why it cannot radiate,
- * as a sentence, or NULL if it can. The caller frees the list. Returns NULL
- * without memory. */
+ * as a sentence, or NULL if it can. The caller frees the list. Returns NULL if out
+ * of memory. */
 const char **source_refusals(const struct scene *scene);
 
 struct heat_source;
 
 /* Returns a source. The mode is any of the three; points is the number of points
  * of an emission, or of lines. Returns NULL if the primitive cannot radiate, for
- * invalid options, or without memory; the error says which. The scene must outlive
- * the source. */
+ * invalid options, or if out of memory; the error says which. The scene must
+ * outlive the source. */
 struct heat_source *source_new(const struct scene *scene, size_t primitive,
                                const struct emission_options *options,
                                c205_error *error);
@@ -37,8 +37,8 @@ struct sourced {
 };
 
 /* Runs a source on machines of its own and adds their accounts. Threads may run
- * one source concurrently. Returns false after a trap, without memory, or if there
- * are more crossings than a vector holds. */
+ * one source concurrently. Returns false after a trap, if out of memory, or if
+ * there are more crossings than a vector holds. */
 bool source_run(const struct heat_source *source, const struct emission_choice *choice,
                 struct sourced *made, struct accounts *accounts, c205_error *error);
 

@@ -36,7 +36,7 @@ struct surfaces {
 };
 
 /* Lists the surfaces, without areas and factors. The arguments must outlive the
- * surfaces. Returns false without memory. */
+ * surfaces. Returns false if out of memory. */
 bool surfaces_find(const struct scene *scene, const struct named_parts *parts,
                    enum surfaces_by by, struct surfaces *surfaces);
 void surfaces_free(struct surfaces *surfaces);

@@ -23,7 +23,7 @@ struct thermal {
 
 /* Returns false for a surface without a temperature, or with parts of different
  * temperatures; for one that only receives; for an exchange without a solution;
- * after a trap; or without memory. The error names the surface. */
+ * after a trap; or if out of memory. The error names the surface. */
 bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
                   const struct named_values *emissivities,
                   const struct named_values *temperatures, enum trace_mode mode,

@@ -24,7 +24,7 @@ bool checkpoint_merge(struct checkpoint_file *file, const char *path,
 
 size_t checkpoint_count(const struct checkpoint_file *file);
 bool checkpoint_has(const struct checkpoint_file *file, uint64_t number);
-/* Returns false if the file lacks the unit or cannot be read, or without memory. */
+/* Returns false if the file lacks the unit or cannot be read, or if out of memory. */
 bool checkpoint_read(struct checkpoint_file *file, uint64_t number,
                      struct serialized_result *words);
 /* Adds a unit, unless the file already has it. */

@@ -91,8 +91,9 @@ static bool is_mine(const struct job_set *job_set, size_t unit)
     return job_set->parts == 0 || unit % job_set->parts == job_set->part - 1;
 }
 
-/* Takes the next unit. Called with the lock held, like all functions that follow.
- * Units before a failed one still run, so the error does not depend on timing. */
+/* Takes the next unit. Called with the lock held, like the other functions of this
+ * section. Units before a failed one still run, so the error does not depend on
+ * timing. */
 static bool take_next(struct pool *pool, size_t *unit)
 {
     const struct job_set_work *work = pool->work;

@@ -24,7 +24,7 @@ void result_put_all(struct serialized_result *words, const uint64_t *items,
 uint64_t result_take(struct serialized_result *words);
 /* Reads count words into items, or none if there are fewer. */
 void result_take_all(struct serialized_result *words, uint64_t *items, size_t count);
-/* Sets the number of words, with any values. Returns false without memory. */
+/* Sets the number of words, with any values. Returns false if out of memory. */
 bool result_resize(struct serialized_result *words, size_t count);
 void result_clear(struct serialized_result *words);
 void result_free(struct serialized_result *words);
@@ -32,7 +32,7 @@ void result_free(struct serialized_result *words);
 void result_put_accounts(struct serialized_result *words,
                          const struct accounts *accounts);
 /* Adds the accounts in the words to the existing ones. Returns false if their
- * format is wrong, or without memory. */
+ * format is wrong, or if out of memory. */
 bool result_take_accounts(struct serialized_result *words, struct accounts *accounts);
 
 #endif

@@ -7,7 +7,7 @@
 /* Computes the bound of each node of the scene's trees, in their order. An
  * intersection gets the smallest of its children's spheres and the intersection of
  * their boxes. A union gets bounds around all children, and a complement has none.
- * Returns false without memory. */
+ * Returns false if out of memory. */
 bool bound_nodes(const struct scene *scene, struct bound *bounds);
 
 #endif

@@ -242,9 +242,10 @@ static const struct bump_entry *entry_of(const struct bump_list *list, size_t ro
     return &list->entries[row < list->count ? row : list->count - 1];
 }
 
-/* Writes the range of map values in which an entry has weight: from the previous
- * entry on (BUMP_FROM) and from its own place on (BUMP_LOW) up to BUMP_TO. The
- * first and the last entry extend to all values beyond. */
+/* Writes the values of the map at which an entry has weight. From BUMP_FROM to BUMP_TO
+ * it is the upper one of two entries, and from BUMP_TO on the lower one. The first
+ * entry is never the upper one, and the last never the lower one, so they extend to
+ * all values beyond. */
 static void put_share(struct record *record, const struct bump_list *list, size_t i)
 {
     size_t last = entry_rows(list) - 1;

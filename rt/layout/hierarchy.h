@@ -33,7 +33,7 @@ struct hierarchy {
     struct hierarchy_node *nodes;
 };
 
-/* Builds a hierarchy over count regions. Returns false without memory. */
+/* Builds a hierarchy over count regions. Returns false if out of memory. */
 bool hierarchy_build(const struct bound *bounds, size_t count,
                      struct hierarchy *hierarchy);
 /* Makes an empty hierarchy: all regions are loose, in their own order. */

@@ -25,10 +25,10 @@ struct image {
     struct image_block *blocks;
 };
 
-/* Adds a block of zeros. Returns false without memory. */
+/* Adds a block of zeros. Returns false if out of memory. */
 bool image_reserve(struct image *image, uint64_t address, size_t count);
 /* Writes words into a reserved block, or over words of the program. Returns false
- * without memory. */
+ * if out of memory. */
 bool image_write(struct image *image, uint64_t address, const c205_word *words,
                  size_t count);
 /* Ends the writing. Machines then share the blocks that they only read, as far as

@@ -8,7 +8,7 @@
 /* Returns true if a pigment of the scene needs the kernel light/image.s. */
 bool scene_has_images(const struct scene *scene);
 /* Lays out the images in use. Returns the address of each image's pixels by its
- * number, with 0 for unused images, or NULL without memory. The caller frees the
+ * number, with 0 for unused images, or NULL if out of memory. The caller frees the
  * array. */
 uint64_t *images_layout(struct record_layout *layout, const struct scene *scene);
 /* Return the routine that maps a point to a place in the image, the routine that

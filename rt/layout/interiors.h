@@ -21,7 +21,7 @@ struct interiors {
     struct rank_index bodies; /* ranks the interior numbers of the scene */
     double *index;            /* refractive indices: air, then each body */
 };
-/* Returns false without memory. */
+/* Returns false if out of memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);
 void interiors_free(struct interiors *interiors);
 /* Returns the number of a primitive's body, or 0 if rays need not know it. */

@@ -26,8 +26,8 @@ struct frame_layout {
 struct scene_layout;
 
 /* Lays a scene out. go_on is called at intervals; if it returns false, the layout
- * stops with an error. It may be NULL. Returns NULL without memory, or if a number
- * is out of range. */
+ * stops with an error. It may be NULL. Returns NULL if out of memory, or if a
+ * number is out of range. */
 struct scene_layout *layout_new(const struct object *program, const struct scene *scene,
                                 enum bounding bounding, bool (*go_on)(void *context),
                                 void *context, c205_error *error);

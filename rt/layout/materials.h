@@ -13,12 +13,12 @@ enum { LOOK_WORDS = 62 };
 
 struct looks;
 
-/* Returns an empty set for up to count primitives, or NULL without memory. */
+/* Returns an empty set for up to count primitives, or NULL if out of memory. */
 struct looks *looks_new(size_t count);
 void looks_free(struct looks *looks);
 
 /* Returns the address that is recorded for these words. If the words are new, it
- * records `address` and returns it. Returns 0 without memory. */
+ * records `address` and returns it. Returns 0 if out of memory. */
 uint64_t looks_first(struct looks *looks, const c205_word words[LOOK_WORDS],
                      uint64_t address);
 

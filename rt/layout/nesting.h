@@ -19,7 +19,7 @@ struct nested_scene {
 };
 
 /* Nests the trees of a scene. The recursion is as deep as the trees. Returns false
- * without memory. */
+ * if out of memory. */
 bool nesting_make(const struct scene *scene, struct nested_scene *nested);
 void nesting_free(struct nested_scene *nested);
 

@@ -27,7 +27,8 @@ const char *pattern_routine(const struct pattern *pattern);
 size_t stop_count(const struct pigment *pigment);
 bool has_stops_of(const struct pigment *pigment, const struct pigment *other);
 /* Return the number of words of the stops, which have one more row than stops, and
- * the words themselves. The words are NULL without memory; the caller frees them. */
+ * the words themselves. The words are NULL if out of memory; the caller frees
+ * them. */
 size_t stops_size(const struct pigment *pigment);
 c205_word *stops_words(const struct pigment *pigment);
 

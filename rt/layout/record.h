@@ -34,8 +34,8 @@ uint64_t layout_reserve(struct record_layout *layout, size_t words);
 
 /* Items of one size at consecutive addresses. */
 struct row {
-    uint64_t first; /* words of each item */
-    size_t size;    /* words of each */
+    uint64_t first; /* the address of the first item */
+    size_t size;    /* words of each item */
 };
 
 /* Reserves several rows at consecutive addresses, starting at a new page. The

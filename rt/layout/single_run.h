@@ -31,7 +31,7 @@ void single_run_number(struct single_run *run, const char *name, size_t i,
 uint64_t single_run_room(struct single_run *run, const char *name,
                          const c205_word *words, size_t count);
 /* Runs the program, reads count words from the address on, and adds its clocks to
- * *clocks. Returns false after a failed layout, a trap, or without memory. Ends
+ * *clocks. Returns false after a failed layout, a trap, or if out of memory. Ends
  * the run in any case. */
 bool single_run_end(struct single_run *run, uint64_t from, c205_word *words,
                     size_t count, uint64_t *clocks);

@@ -14,7 +14,7 @@
 #include "rt/layout/trees.h"
 #include "rt/shapes/shape_words.h"
 
-/* Converts the integers of a table. Returns false without memory. */
+/* Converts the integers of a table. Returns false if out of memory. */
 static bool put_integers(const struct primitive *primitive,
                          const struct viewpoints *viewpoints, const double *table,
                          size_t count, c205_word *words)

@@ -62,7 +62,7 @@ struct tree_plan {
 };
 
 /* Plans a region's tree. The caller provides room for as many steps as the region
- * has primitives, and for as many joins as it has nodes. Returns false without
+ * has primitives, and for as many joins as it has nodes. Returns false if out of
  * memory. */
 bool plan_tree(const struct scene *scene, const struct region *region,
                struct tree_plan *plan);

@@ -5,11 +5,11 @@
 #include "rt/scene/scene_internal.h"
 
 /* Marks the parts that are infinite, or have no known bound, as endless. Returns
- * false without memory. */
+ * false if out of memory. */
 bool bodies_find_endless(const struct scene *scene, struct named_parts *parts);
 /* Makes a scene of the regions of parts that are not left out. It shares the data
  * that primitives point to with the original scene, which must outlive it. Objects
- * keep their numbers. Returns false without memory. */
+ * keep their numbers. Returns false if out of memory. */
 bool bodies_take(const struct scene *scene, const struct named_parts *parts,
                  struct scene *bodies);
 void bodies_free(struct scene *bodies);

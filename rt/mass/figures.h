@@ -44,7 +44,7 @@ struct mass_body {
     const double *about;   /* the reference point of the inertia */
 };
 
-/* Computes the figures. Returns false without memory. */
+/* Computes the figures. Returns false if out of memory. */
 bool mass_figures_find(const struct mass_body *body, struct mass_figures *figures);
 /* Converts figures to a unit of length that is smaller by the factor 2^log. */
 void mass_figures_enlarge(struct mass_figures *figures, int log);

@@ -62,7 +62,7 @@ struct mass {
 /* Selects the parts to measure, and their densities. The arguments must outlive
  * the mass. Returns false for an unknown name, for a density that is missing or
  * out of range, for a file of densities that cannot be read, which the reports
- * describe, or without memory. Call mass_free in either case. */
+ * describe, or if out of memory. Call mass_free in either case. */
 bool mass_begin(const struct scene *scene, const struct mass_request *request,
                 struct mass *mass, struct diagnostics *reports, c205_error *error);
 /* Computes everything. If the job set does not collect packets, only their number is

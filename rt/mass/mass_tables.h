@@ -1,5 +1,5 @@
 /* mass_tables.h - the mass properties of a scene as tables. Functions return NULL
- * without memory. */
+ * if out of memory. */
 #ifndef RT_MASS_TABLES_H
 #define RT_MASS_TABLES_H
 

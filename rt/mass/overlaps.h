@@ -25,7 +25,7 @@ struct overlaps {
 };
 
 /* Lists the pairs of a scene whose bodies are all bounded. part_of has the part of
- * each object. Returns false without memory. */
+ * each object. Returns false if out of memory. */
 bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part_count,
                    struct overlaps *overlaps);
 void overlaps_free(struct overlaps *overlaps);

@@ -165,8 +165,8 @@ static bool adapter_path(char path[ADAPTER_PATH], struct picture_error *error)
            || fail(error, "pictures: %s", cause.message);
 }
 
-/* Opens the adapter once. It stays open, because the library cannot be closed
- * safely. */
+/* Returns the adapter. It is opened at the first call and stays open, because the
+ * library cannot be closed safely. */
 static const struct picture_adapter *adapter(struct picture_error *error)
 {
     char path[ADAPTER_PATH];

@@ -113,8 +113,8 @@ double picture_shown(const struct frame *frame, double color);
  * reader. */
 raster_reader picture_read_raster;
 
-/* Allocates a frame of at least one pixel, with all samples 0. Returns false
- * without memory. */
+/* Allocates a frame of at least one pixel, with all samples 0. Returns false if
+ * out of memory. */
 bool frame_allocate(struct frame *frame, size_t width, size_t height);
 void frame_free(struct frame *frame);
 

@@ -21,7 +21,7 @@ struct frame_planes {
     int file; /* or -1 */
 };
 
-/* Allocates a frame. Returns false without memory. */
+/* Allocates a frame. Returns false if out of memory. */
 bool framebuffer_take(struct frame_planes *planes, size_t words);
 void planes_give_back(struct frame_planes *planes);
 

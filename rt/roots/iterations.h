@@ -27,7 +27,7 @@ struct stage_count {
 struct iterations {
     bool vector; /* the form of the program */
     struct stage_count stage[STAGES];
-    /* Private. */
+    /* Private to iterations.c. */
     struct stage_labels {
         uint64_t begin, wide, step, midpoint, left;
     } labels[STAGES];

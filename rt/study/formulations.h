@@ -7,7 +7,7 @@
 #include "rt/study/speedup.h"
 
 /* Returns the table. measures[i] is of speedup_formulations[i], on the model.
- * Returns NULL without memory; the caller frees it. */
+ * Returns NULL if out of memory; the caller frees it. */
 struct table *formulations_table(const c205_model *model,
                                  const struct speedup_measure (*measures)[TRACE_FORMS]);
 

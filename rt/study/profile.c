@@ -21,7 +21,7 @@ static const char *const part_names[PROFILE_PARTS] = {
     [PART_REST] = "rest",
 };
 
-/* The .kernel regions of rt/kernels/. */
+/* The regions that .kernel declares in rt/kernels/. */
 struct profile_region {
     const char *name; /* NULL: those of the shapes */
     enum profile_part part;

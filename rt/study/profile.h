@@ -38,7 +38,8 @@ bool profile_run(struct profile *profile, const struct scene *scene,
                  const struct trace_options *options, c205_error *error);
 void profile_free(struct profile *profile);
 
-/* The tables of a profile that was run. profile_table returns NULL without memory. */
+/* The tables of a profile that was run. profile_table returns NULL if out of
+ * memory. */
 enum profile_table {
     PROFILE_GROUPS,  /* parts and kernels in three groups, in millions of clocks, for
                       * readers */

@@ -18,11 +18,11 @@ struct quartic_costs {
     size_t polynomials, roots;
 };
 
-/* Prints all costs. Returns false without memory. */
+/* Prints all costs. Returns false if out of memory. */
 bool quartic_costs_print(const struct quartic_costs *costs,
                          const struct command_output *results);
 
-/* Prints such a table. Returns false without memory. */
+/* Prints such a table. Returns false if out of memory. */
 bool quartic_costs_part(const struct command_output *results, const struct table *table,
                         const char *key, const char *heading);
 

@@ -28,7 +28,7 @@ double speedup_error(double figure, double reported);
 
 struct speedup_report;
 
-/* Returns an empty report, or NULL without memory. The model, which converts
+/* Returns an empty report, or NULL if out of memory. The model, which converts
  * clocks to seconds, must outlive it. */
 struct speedup_report *speedup_report_new(const c205_model *model);
 void speedup_report_free(struct speedup_report *report);
@@ -41,16 +41,16 @@ void speedup_report_add(struct speedup_report *report,
                         const struct speedup_measure measures[TRACE_FORMS]);
 
 /* Prints the paper's Table 1: for each primitive our figures, the paper's, and the
- * errors of ours in percent. Returns false without memory. */
+ * errors of ours in percent. Returns false if out of memory. */
 bool speedup_report_table1(const struct speedup_report *report,
                            enum table_format format, FILE *file);
 /* Print all other tables, except the long one by pass, and the table by pass.
- * Return false without memory. */
+ * Return false if out of memory. */
 bool speedup_report_detail(const struct speedup_report *report,
                            enum table_format format, FILE *file);
 bool speedup_report_passes(const struct speedup_report *report,
                            enum table_format format, FILE *file);
-/* Writes all tables as JSON. Returns false without memory; the JSON must then be
+/* Writes all tables as JSON. Returns false if out of memory; the JSON must then be
  * discarded. */
 bool speedup_report_json(const struct speedup_report *report, struct json *json);
 

@@ -29,7 +29,7 @@ bool stages_find(struct stages *stages, enum trace_mode there, stages_function *
 
 uint64_t stages_clocks(const struct stages *stages, enum trace_mode mode);
 /* Returns a table with a row for each step and one for all: the clocks, and the
- * speedups between stages. Returns NULL without memory. */
+ * speedups between stages. Returns NULL if out of memory. */
 struct table *stages_table(const struct stages *stages);
 
 #endif

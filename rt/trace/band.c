@@ -174,7 +174,7 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
 /* Returns the number of rows whose pixels are all final. The pixels of a call are
  * final when the next call starts. Samples, however, become pixels only at the end
  * of the band, and reflected rays of a queue may wait until then; in these cases
- * no row counts as done. */
+ * no row counts as done. With tiles the program counts the rows itself. */
 static size_t rows_done(const struct band_work *work, const c205 *machine, size_t rows)
 {
     size_t calls = calls_begun(machine), done;
@@ -210,7 +210,7 @@ static bool collect(const struct band_work *work, const c205 *machine,
            && accounts_add(&band->accounts, machine);
 }
 
-/* Collects the rows of a stopped band that are done. Without memory none are. */
+/* Collects the rows of a stopped band that are done. If memory runs out, none are. */
 static void collect_rows(const struct band_work *work, const c205 *machine,
                          const struct frame_layout *layout, struct band *band)
 {

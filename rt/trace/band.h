@@ -63,14 +63,14 @@ struct band_tracer {
 };
 
 /* Traces the rows that the band names and fills in its other fields, which the
- * caller frees with band_free. Returns false after a trap, without memory, or if
+ * caller frees with band_free. Returns false after a trap, if out of memory, or if
  * progress returned false. In the last case *stopped is set, and the band holds
  * the words of the rows that are done, but no accounts. */
 bool band_trace(struct band_tracer *tracer, struct band *band, void *progress_context,
                 bool *stopped, c205_error *error);
 /* Copies the current band of the tracer from the machine's memory. An unfinished
  * pixel has its colour so far. The picture of a frame with samples is empty until
- * the band ends. Returns false without memory. The caller frees the band. */
+ * the band ends. Returns false if out of memory. The caller frees the band. */
 bool band_look(const struct band_tracer *tracer, struct band *band);
 void band_free(struct band *band);
 

@@ -10,7 +10,7 @@
  * in pixels. */
 void band_put(const struct band *band, size_t width, struct serialized_result *words);
 /* Reads a band whose number of rows is set. The caller frees the band. Returns
- * false if the words are not those of such a band, or without memory. */
+ * false if the words are not those of such a band, or if out of memory. */
 bool band_take(struct band *band, size_t width, struct serialized_result *words);
 
 #endif

@@ -89,7 +89,7 @@ c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *l
 /* Opens the checkpoint files of a job set (rt/jobs/job_set.h) for a run along these
  * lines, of the given kind and with these additional choices. Does nothing if the
  * job set is NULL or has no files, or if they are open. Returns false if a file
- * belongs to another run. */
+ * belongs to another run or cannot be opened. */
 struct job_set;
 bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
                     const char *kind, const uint64_t *choices, size_t count,

@@ -73,7 +73,7 @@ static bool is_between(const struct pixel_look *look, uint64_t address,
 /* ---- The current queue ------------------------------------------------------ */
 
 struct queue {
-    size_t list;    /* of the list that has it */
+    size_t list;    /* number of its list */
     size_t first;   /* index of its first ray in the list */
     size_t count;   /* rays */
     uint64_t order; /* address of the rays' indices in the planes, or 0 */

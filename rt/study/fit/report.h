@@ -6,7 +6,7 @@
 #include "rt/study/fit/study.h"
 
 /* Prints the report. `written` has the predictions of the model file. Returns
- * false without memory. */
+ * false if out of memory. */
 bool report_print(const struct study *study, const double *written,
                   const struct command_output *results);
 

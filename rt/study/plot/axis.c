@@ -175,7 +175,7 @@ static void add_decades(struct tics *tics, const struct axis *axis)
         }
 }
 
-/* Labels every n-th power, with a stride that limits the labels to about LABELS. */
+/* Labels every n-th power, with a stride that limits the labels to LABELS. */
 static void add_powers(struct tics *tics, const struct axis *axis)
 {
     double first = ceil(to_ruler(axis, axis->low) - 1e-9);

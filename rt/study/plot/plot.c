@@ -23,7 +23,7 @@ struct files {
     struct atomic_file *data, *script, *picture;
 };
 
-/* Returns an allocated text, or NULL without memory. */
+/* Returns an allocated text, or NULL if out of memory. */
 static char *text_of(const char *format, ...)
 {
     va_list arguments;

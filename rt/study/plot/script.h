@@ -16,7 +16,7 @@ struct plot_axes {
 };
 
 /* Writes the script that draws a picture, NAME.svg or NAME.png, from NAME.dat. A
- * failed write is recorded in the file, as for any file. Returns false without
+ * failed write is recorded in the file, as for any file. Returns false if out of
  * memory. */
 bool plot_script_write(const struct plot *plot, const struct plot_axes *axes,
                        const char *name, FILE *file);

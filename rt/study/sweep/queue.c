@@ -4,8 +4,8 @@
 
 #include "rt/study/sweep/sweep_types.h"
 
-/* A band must contain the queue, or it would never be full. A queue that is longer
- * than the tracer's own bands therefore also has longer planes. */
+/* A band must contain the queue, or the queue would never be full. A queue that is
+ * longer than the tracer's own bands therefore also has longer planes. */
 static bool measure(struct sweep *sweep, c205_error *error)
 {
     struct sweep_point points[MAX_SWEEP_LENGTHS];

@@ -68,7 +68,7 @@ extern const char sweep_points_heading[];
 void sweep_add_cells(struct table *table, const struct sweep_measure *measure);
 
 void sweep_report_free(struct sweep_report *report);
-/* Adds a new table to the report, which owns it. Returns NULL without memory. */
+/* Adds a new table to the report, which owns it. Returns NULL if out of memory. */
 struct table *sweep_report_table(struct sweep_report *report, const char *key,
                                  const char *heading,
                                  const struct table_column *columns, size_t count);
@@ -78,11 +78,11 @@ void sweep_report_curve(struct sweep_report *report, size_t column, const char *
 void sweep_report_mark(struct sweep_report *report, double x, const char *format, ...);
 void sweep_report_level(struct sweep_report *report, double y, const char *format, ...);
 
-/* Prints all tables, then the lines. Returns false without memory. */
+/* Prints all tables, then the lines. Returns false if out of memory. */
 bool sweep_report_write(const struct sweep_report *report, enum table_format format,
                         FILE *file);
 /* Writes the same as JSON, with all causes of both forms for each point. Returns
- * false without memory. */
+ * false if out of memory. */
 bool sweep_report_json(const struct sweep_report *report, const struct sweep *sweep,
                        struct json *json);
 

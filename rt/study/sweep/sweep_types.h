@@ -12,7 +12,7 @@ struct sweep_kind {
     bool takes_lengths; /* sweep.lengths */
     /* Measures the points. Returns false with the reason in the error. */
     bool (*measure)(struct sweep *sweep, c205_error *error);
-    /* Makes the report. Returns false without memory, or with the reason in the
+    /* Makes the report. Returns false if out of memory, or with the reason in the
      * error. */
     bool (*report)(struct sweep *sweep, struct sweep_report *report, c205_error *error);
 };
