@@ -233,7 +233,13 @@ static size_t begin_hands(struct hand *hands, size_t first, size_t count)
 /* ---- Ranks --------------------------------------------------------------- */
 
 /* The number of units that another rank has or has requested. While it runs one
- * unit, the next is on its way. */
+ * unit, the next is on its way.
+ *
+ * Each other rank begins with this many requests. Rank 0 answers a request with a
+ * unit, or with RANK_ENDS if there is none. The result of a unit is also the
+ * request for another. A round is over when all requests have been answered with
+ * RANK_ENDS and the threads of rank 0 have stopped.
+ */
 enum { AHEAD = 2 };
 
 struct service {

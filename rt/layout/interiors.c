@@ -79,6 +79,10 @@ static uint64_t layout_table(struct record_layout *layout,
     return table;
 }
 
+/* Writes the table and the constants of rt/kernels/light/interior.s. The bodies
+ * that a ray is in are one integer, whose digits in the base 2^bits are their
+ * numbers. It has at most BITS bits. If there are more bodies than fit, `full` is
+ * the power of the base above which the ray's first body is dropped; else it is 0. */
 void interiors_layout(struct record_layout *layout, const struct interiors *interiors,
                       const struct scene *scene)
 {

@@ -191,6 +191,7 @@ static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
     return (struct tree_term){ result, x.complement && y.complement };
 }
 
+/* Computes x or y, which is the complement of (not x and not y). */
 static struct tree_term either(struct evaluation *evaluation, struct tree_term x,
                                struct tree_term y)
 {

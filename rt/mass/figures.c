@@ -96,7 +96,15 @@ static void add_integrals(struct integrals *sum, const struct integrals *more,
 
 /* Computes the inertia tensor about a point. The integrals and the centroid are
  * relative to the centre of the box; the offset goes from the point to the
- * centroid. */
+ * centroid.
+ *
+ * By the parallel axis theorem the second moments about the point are
+ *
+ *   second + mass (offset offset^T - centroid centroid^T).
+ *
+ * The tensor is the trace of these times the identity, less the moments
+ * themselves.
+ */
 static void find_inertia(const struct integrals *sum, const double centroid[3],
                          const double offset[3], double inertia[6])
 {

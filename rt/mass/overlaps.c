@@ -199,6 +199,10 @@ static bool is_own(const struct overlap_pair *pair)
     return pair->parts[0] == pair->parts[1];
 }
 
+/* Assigns a part its field and its levels. The numbers of a part's objects that a
+ * ray is in are fields of words (overlaps.s). A field is wide enough for all
+ * objects of the part, so it never overflows, and one addition updates all parts
+ * of a group. */
 static void place_field(struct tables *tables, struct part_field *field, size_t objects,
                         size_t *end)
 {

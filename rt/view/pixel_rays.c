@@ -101,7 +101,9 @@ static uint64_t list_vector(const struct pixel_look *look, size_t list, uint64_t
                     + vector * value_of(look, "LIST"));
 }
 
-/* Finds the current queue. Returns false if there is none. */
+/* Finds the current queue. The descriptor of its importances points to a constant
+ * for camera rays, or else into the vector of a list. Returns false if there is no
+ * queue. */
 static bool find_queue(const struct pixel_look *look, struct queue *queue)
 {
     c205_word importance = word_of(look, "queue_importance");

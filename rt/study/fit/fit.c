@@ -243,6 +243,8 @@ static void find_derivatives(const struct asked *asked, struct point *points,
         prior[i * constants + i] = 1 / width_of(asked, i);
 }
 
+/* The callback of Ceres. The clocks of the last point are reused if the places are
+ * the same, since derivatives are often requested after the residuals of a point. */
 static bool evaluate(void *context, const double *places, double *residuals,
                      double *derivatives)
 {
