@@ -1,11 +1,11 @@
-; blob_scalar.s - one ray meets a blob.
+; blob_scalar.s - intersects one ray with a blob.
 ;
 ;       CALL BLOB (RAY, PRIMITIVE, SEGMENT)
 ;       CALL BLOB_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in blob_vector.s.  SEGMENTS = the
-; ray's way inside, as many as P_SEGMENTS says.  The pieces that the ray meets
-; stand in a list.
+; The arguments are those of sphere_scalar.s, the method is that of
+; blob_vector.s.  SEGMENTS receives P_SEGMENTS segments of the ray inside the
+; blob.  The pieces that the ray enters are kept in blob_list.
 
         .if     BLOB_PIECES
 
@@ -18,7 +18,7 @@
         .regs   r91, part_kind, part_x, part_y, part_z, part_square, part_inverse
         .regs   r97, part_strength, part_length
         .regs   r99, b00, b01, b02, b03, b10, b11, b12, b13, b20, b21, b22, b23
-        .regs   r111, part_strength4                    ; of a piece, as listed:
+        .regs   r111, part_strength4                    ; an entry of the list:
         .regs   r112, piece_enter, piece_leave, piece_a, piece_b, piece_c, piece_strength
         .regs   r118, u0, u1, u2, p0, p1, p2, side_a, side_b, side_c
         .regs   r127, first_z, first_at, last_z, last_at, cap_z
@@ -38,8 +38,8 @@ blob_list:      .space PIECE_WORDS * BLOB_PIECES
 
 ; ---- The pieces
 
-; Where the quadratic a t^2 + 2 b t - c is below 0, a > 0: from from to to, or
-; nowhere.
+; Computes the interval from .. to in which a t^2 + 2 b t - c is below 0, for
+; a > 0.  Branches to nowhere if there is none.
         .macro  reach_of a, b, c, inverse, from, to, disc, nowhere
         MPYS    \b, \b, \disc
         MPYS    \a, \c, t0
@@ -53,7 +53,8 @@ blob_list:      .space PIECE_WORDS * BLOB_PIECES
         MPYS    \from, \inverse, \from
         .endm
 
-; The piece from piece_enter to piece_leave, if there is one ahead; else to none.
+; Branches to none if the piece piece_enter .. piece_leave is empty or not ahead
+; of the ray.  Otherwise lowers way_t to piece_enter.
         .macro  take_piece none
         CFPGE   piece_enter, piece_leave, \none
         CFPGE   near_low, piece_leave, \none
@@ -99,7 +100,7 @@ add_most\@:
         list_piece
         .endm
 
-; Origin t1-t3, direction p0-p2 in the part's own space.
+; The ray in the part's own space: origin t1-t3, direction p0-p2.
         .macro  part_axes
         dot_rows u0, u1, u2, b00, b01, b02, b10, b11, b12, b20, b21, b22, t1, t2, t3, f0, f1, f2, f3
         ADDN    t1, b03, t1
@@ -202,8 +203,8 @@ side_found:
 side_none:
         .endm
 
-; A piece of the half ball at one end, t5 t^2 + 2 t7 t - t8, up to cut or from
-; there on.
+; Adds the piece of the half ball at one end, t5 t^2 + 2 t7 t - t8, clipped to
+; the part before cut (leave_at) or after it (enter_at).
         .macro  take_end z, limit, cut
         MPYS    \z, p2, t7
         MPYS    \z, \z, t8
@@ -236,8 +237,9 @@ end_none\@:
         take_end last_z, enter_at, last_at
         .endm
 
-; Of all components; then the way begins: at the least distance, or where the ray
-; enters a piece; or it meets none, or too little.
+; Lists the pieces of all components.  Sets way_t, where the walk starts: at the
+; lower limit or at the first entry into a piece, whichever is later.  Branches
+; to none if the ray enters no piece, or if the sum of their maxima is below T.
         .macro  take_pieces none
         RTOR    t0, u0
         RTOR    t1, u1
@@ -260,7 +262,7 @@ blob_moved:
         RTOR    blob_row, t1
         IX      t1, 64 * BLOB_LENGTH
         ELEN    t1, 13
-        SWAP    [t1], part_length, [r0]         ; and b00 ..
+        SWAP    [t1], part_length, [r0]         ; also b00 .. b23
         CFPNE   part_kind, one, blob_long
         take_ellipsoid
         BIM     blob_next_row
@@ -302,7 +304,9 @@ blob_next_row:
         ADDN    k0, t8, k0
         .endm
 
-; From way_t to way_end, big if nothing follows: the field less T, of way_pieces.
+; Computes the interval way_t .. way_end, and in k4 .. k0 the field minus T on
+; it.  way_pieces: 1 if any piece covers the interval.  way_end = big: the
+; interval is the last one.
         .macro  next_way
         RTOR    big, way_end
         ADDN    r0, r0, k4
@@ -328,8 +332,9 @@ way_next:
         IBXNE   piece_at, r0, pieces_end, way_piece
         .endm
 
-; To alike if the Bernstein coefficients all say what e6 says: 1 if the field is
-; not below T at the beginning.
+; Branches to differ if the sign of k is not the one in e6.  e6 = 1 if the field
+; is at least T at the start of the interval.  look_along branches to alike if
+; all Bernstein coefficients on the interval have that sign.
         .macro  signs_of k, differ
         CFPGE   \k, r0, signs_above\@
         IBXNE   e6, r0, r0, \differ
@@ -373,8 +378,9 @@ look_begins\@:
 look_differ:
         .endm
 
-; A crossing, told from the closest approach; the nearest is all, or there is
-; more room for them.
+; Records a crossing, relative to the ray's origin instead of its closest
+; approach.  BLOB (columns_end = 0) needs only the first one and returns;
+; BLOB_SOLID stores the crossing if there is room.
         .macro  take_crossing at
         SUBN    \at, along, blob_crossed_at
         IBXEQ   columns_end, r0, r0, blob_met
@@ -384,7 +390,8 @@ look_differ:
 take_full\@:
         .endm
 
-; .. where the ways meet with another sign.
+; Records a crossing at way_t if the sign there differs from the sign at the
+; end of the previous interval.
         .macro  signs_at_beginning
         IBXNE   walk_first, r0, r0, signs_done\@
         IBXEQ   e6, r0, way_inside, signs_done\@
@@ -396,7 +403,7 @@ signs_done\@:
         .macro  take_roots
         ADDN    r0, r0, near_low
         RTOR    way_length, near_high
-        solve_all sh6                           ; e0 of them, from e1 on
+        solve_all sh6                           ; e0 roots, from address e1 on
 take_root:
         CFPGE   r0, e0, take_last
         LOD     [e1], t3

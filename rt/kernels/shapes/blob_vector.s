@@ -1,38 +1,39 @@
-; blob_vector.s - a queue of rays meets a blob: components, each with a field
-; about it, and the surface where their sum is T.
+; blob_vector.s - intersects a queue of rays with a blob: the surface on which
+; the sum of the fields of its components is T.
 ;
-; A component of strength S and radius r adds, at the distance d from it,
+; A component of strength S and radius r adds, at distance d from it,
 ;
-;   S g^2,   g = 1 - d^2/r^2         where d < r, else nothing.
+;   S g^2,   g = 1 - d^2/r^2         if d < r, else 0.
 ;
-; Along a ray d^2 is a quadratic, g = c + 2 b t + a t^2, and the field a quartic,
-; from where the ray comes nearer than r up to where it leaves: a piece.  A ball
-; is one piece (and so is an ellipsoid, a ball in a space of its own).  A cylinder
-; is three: where the ray is between the planes across its axis at the ends, d
-; is told from the axis, on either side of them from the end that is there.
-; A piece begins exactly where its neighbour ends, so that there is no gap.
+; Along a ray d^2 is a quadratic, g = c + 2 b t + a t^2, and the field is a
+; quartic on the interval where d < r: a piece.  A ball has one piece.  So has
+; an ellipsoid, which is a ball in a space of its own.  A cylinder has three: d
+; is the distance from the axis between the planes of its two ends, and the
+; distance from the nearer end outside them.  A piece begins exactly where its
+; neighbour ends, so there is no gap.
 ;
-; t is told from the ray's closest approach to the blob's centre.  Of each piece
-; a, b, c, where the ray enters it and where it leaves are found once.  Then the
-; rays walk, each from one such place t0 to its next one.  The sum of the pieces
-; that it is in is one quartic on the way; about t0, so that no powers above the
-; second cancel,
+; t is measured from the ray's closest approach to the blob's centre.  For each
+; piece a, b, c and the two ends of its interval are computed once.  Each ray is
+; then walked from one such end, t0, to the next.  On each of these intervals
+; the sum of the pieces that cover it is one quartic.  It is formed about t0, so
+; that no powers above the second cancel:
 ;
 ;   b' = b + a t0     c' = c + (b + b') t0
 ;   S (c' + 2 b' s + a s^2)^2 = S (a^2 s^4 + 4 a b' s^3 + (4 b'^2 + 2 a c') s^2
 ;                                  + 4 b' c' s + c'^2)
 ;
-; If its Bernstein coefficients on the way are all of one sign it has no root
-; there; else the root solver finds all changes of sign.  The field at t0 and that
-; at the end of the way before are the same, but rounded otherwise: where their
-; signs differ a crossing lies at t0.  So a ray that has entered leaves again.
+; If the Bernstein coefficients on the interval have one sign, it has no root.
+; Otherwise the root solver finds all changes of sign.  The field at t0 equals
+; the field at the end of the previous interval except for rounding.  If their
+; signs differ, there is a crossing at t0.  So a ray that has entered also
+; leaves.
 ;
-; A ray on which the greatest values of all pieces do not sum up to T misses.
-; Rays that are done are compressed out when they are half of all.
+; A ray misses if the sum of the maxima of its pieces is below T.  Finished rays
+; are removed by compression when they are more than half of the lanes.
 ;
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
-;      blob_solid: P_SEGMENTS segments, of vectors one after another from tin on.
+;      blob_solid: P_SEGMENTS segments in successive vectors from tin on.
 ; Source: the field: POV-Ray's manual, 3.7; the walk: derived here.
 
         .if     BLOB_PIECES
@@ -42,31 +43,31 @@
         .endif
         .include "shapes/blob_constants.s"
 
-; Of the lanes: where their way begins, where it ends, how long it is, the sum of
-; the pieces' greatest values; of solids where in the columns the next crossing goes,
-; and how many columns are left, a number.
+; Vectors, one word per lane: start, end and length of the current interval, the
+; sum of the maxima of the pieces; for solids the index of the next crossing in
+; the columns, and the number of free columns.
         .share  scratch
         .regs   r233, way_t, way_end, way_length, most_field, crossing_at, columns_free
         .equ    BLOB_VECTORS, 6
         .regs   r239, piece_a, piece_b, piece_c, piece_enter, piece_leave
         .regs   r244, pieces_used
-        .reg    nearest_way, r245       ; 0: all crossings; 1, 2: the nearest, which
-        .endshare                       ; lies on the first way, or behind it
+        .reg    nearest_way, r245       ; 0: all crossings; 1, 2: the nearest;
+        .endshare                       ; 1: in the first interval, 2: later
         .regs   s4, strength_at, pieces_left, blob_row, blob_rows_left
         .regs   m00, blob_quarter, blob_sixth, blob_four        ; in the walk
         .share  hits
         .reg    lane_inside, hits3
         .endshare
 
-; What has no value before the walk: a cylinder's vectors.
-        .reg    first_z, k0             ; ends, in the ray's order
+; Vectors of a cylinder, used only before the walk.
+        .reg    first_z, k0             ; heights over the ends, in ray order
         .reg    last_z, k1
         .reg    first_at, k2
         .reg    last_at, k3
         .reg    cap_z, k4
 
-; At most 2000 lanes at a time, and fewer if their pieces took more than 2^24
-; words.
+; Lanes at a time: at most 2000, and fewer if the pieces would take more than
+; 2^24 words.
         .equ    PIECES_FIT, 3355443 / (BLOB_PIECES + 1)
         .if     PIECES_FIT < 2000 & PIECES_FIT < QUEUE
         .equ    BLOB_LANES, PIECES_FIT
@@ -114,8 +115,9 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         IX      strength_at, 64
         .endm
 
-; Where the quadratic [a] t^2 + 2 [b] t - [c] is below 0, a > 0: from [from] to
-; [to] in the lanes of hits0; work: disc and its root.
+; Computes the interval [from] .. [to] in which [a] t^2 + 2 [b] t - [c] is below
+; 0, for a > 0.  hits0 = the lanes that have one.  Changes disc (the
+; discriminant) and root.
         .macro  reach_of a, b, c, inverse, from, to, disc, root
         MPYSV   [\b], [\b], [\disc]
         MPYSV   [\a], [\c], [\root]
@@ -128,8 +130,9 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         MPYSV   [\to], [\inverse], [\to]
         .endm
 
-; The piece from [from] to [to] in the lanes of hits0: to none if there is none
-; ahead; else hits1 = those that have it ahead of them.
+; Stores the interval [from] .. [to] of the lanes of hits0 as a piece and lowers
+; way_t to its start.  hits1 = the lanes that have it ahead of them.  Branches
+; to none if there are none.
         .macro  take_piece from, to, none
         CMPLTV  [\from], [\to], [hits1]
         ANDB    [hits0], [hits1], [hits1]
@@ -146,7 +149,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
         IX      pieces_used, 1
         .endm
 
-; The greatest value of a piece, strength [g]^2, in the lanes of bits.
+; Adds the maximum of a piece, strength [g]^2, in the lanes of bits.
         .macro  add_most g, bits
         CFPGE   r0, sh14, add_most\@
         MPYSV   [\g], [\g], [\g]
@@ -155,7 +158,7 @@ blob_store:     .space PIECE_SIZE * BLOB_PIECES
 add_most\@:
         .endm
 
-; A ball: sh9-sh11 its centre, sh12 r^2, sh13 1/r^2.
+; Adds the piece of a ball: centre sh9-sh11, sh12 = r^2, sh13 = 1/r^2.
         .macro  take_ball
         SUBNV   [lane_ox], sh9, [e0]
         SUBNV   [lane_oy], sh10, [e1]
@@ -180,22 +183,21 @@ add_most\@:
         next_piece
         .endm
 
-; [x] and [d] = the ray's origin and its direction along an axis of the part's own
-; space.
+; [x], [d] = the ray's origin and direction along one axis of the part's space.
         .macro  part_axis m0, m1, m2, m3, x, d
         dot_constant lane_ox, lane_oy, lane_oz, \m0, \m1, \m2, \x, e12
         ADDNV   [\x], \m3, [\x]
         dot_constant lane_dx, lane_dy, lane_dz, \m0, \m1, \m2, \d, e12
         .endm
 
-; Origin e0-e2, direction e3-e5.
+; The ray in the part's space: origin e0-e2, direction e3-e5.
         .macro  part_axes
         part_axis m00, m01, m02, m03, e0, e3
         part_axis m10, m11, m12, m13, e1, e4
         part_axis m20, m21, m22, m23, e2, e5
         .endm
 
-; Of the quadratic, its signs turned.
+; Stores the coefficients of a piece: those of the quadratic with the sign of g.
         .macro  put_piece a, b, c
         VTOV    -[\a], [piece_a]
         VTOV    -[\b], [piece_b]
@@ -217,9 +219,10 @@ add_most\@:
         next_piece
         .endm
 
-; Where the ray passes the planes at the ends, first_at and last_at, and how high
-; it is above the end that it comes to first, and above the other, at the start.
-; One along the planes is on one side of them or the other for ever.
+; first_at, last_at = where the ray crosses the planes of the first and of the
+; second end on its way; first_z, last_z = the height of the origin above these
+; ends.  A ray parallel to the planes stays on one side of each: its crossings
+; are big or minus_big.
         .macro  find_ends
         SUBNV   [e2], sh15, [cap_z]
         CMPLTV  |[e5]|, tiny, [hits0]
@@ -254,9 +257,10 @@ find_ends\@:
         VTOV    [\high], [\x] ? [hits1]
         .endm
 
-; Between the planes: e6 t^2 + 2 e7 t - e8 of the distance from the axis.  A ray
-; along the axis is near it for ever or never.  To blob_next_row if no ray comes
-; near it: then the ends are as far.
+; Adds the piece between the planes: e6 t^2 + 2 e7 t - e8 is the squared
+; distance from the axis, minus 1.  A ray along the axis is near it everywhere
+; or nowhere.  Branches to blob_next_row if no ray comes near the axis, for then
+; none comes near the ends.
         .macro  take_side
         MPYSV   [e3], [e3], [e6]
         MPYSV   [e4], [e4], [e12]
@@ -292,7 +296,8 @@ side_crossed:
 side_none:
         .endm
 
-; The half ball at one end: e3 t^2 + 2 e0 t - e1 of the distance from there.
+; Computes the interval in the half ball at one end: e3 t^2 + 2 e0 t - e1 is the
+; squared distance from that end, minus 1.
         .macro  reach_of_end z
         MPYSV   [\z], [e5], [e0]
         ADDNV   [e0], [e7], [e0]
@@ -323,8 +328,8 @@ end_none\@:
         take_end
         .endm
 
-; Of all components; then the lanes' ways begin: at their least distance, or
-; where they enter a piece.
+; Stores the pieces of all components.  Sets way_t, where the walk starts: at
+; the lower limit or at the first entry into a piece, whichever is later.
         .macro  take_pieces
         set_blob_lanes
         first_piece
@@ -343,7 +348,7 @@ blob_moved:
         RTOR    blob_row, s2
         IX      s2, 64 * BLOB_LENGTH
         ELEN    s2, 13
-        SWAP    [s2], sh15, [r0]                ; and m00 ..
+        SWAP    [s2], sh15, [r0]                ; also m00 .. m23
         CFPNE   sh8, one, blob_long
         take_ellipsoid
         BIM     blob_next_row
@@ -365,13 +370,13 @@ blob_next_row:
 
 ; ---- The walk
 
-; The register is to be used for the next piece, as long as before.
+; Compresses a vector of a piece in place and restores the register's length.
         .macro  keep_vector vector
         CPSV    [\vector], [\vector] ? [hits1]
         lengthen m, \vector
         .endm
 
-; The lanes of hits1 alone are left, m of them.
+; Keeps only the lanes of hits1.  m = their number.
         .macro  keep_lanes
         CPSV    [lane_at], [lane_at] ? [hits1]
         CPSV    [lane_along], [lane_along] ? [hits1]
@@ -393,7 +398,8 @@ keep_piece\@:
         set_blob_lanes
         .endm
 
-; To none if no lane is on its way; if half of them are not, these are left out.
+; Branches to none if every lane has finished its walk.  Removes the finished
+; lanes if they are more than half.
         .macro  leave_lanes none
         CMPLTV  [way_t], big, [hits1]
         CNTOB   [hits1], s0
@@ -408,7 +414,7 @@ leave_lanes\@:
         ADDNV   [\k], [e6], [\k] ? [hits1]
         .endm
 
-; The field of a piece, in the lanes of hits1, about their way's beginning.
+; Adds the field of a piece in the lanes of hits1, about the interval's start.
         .macro  add_piece
         LOD     [strength_at], s2
         MPYS    s2, blob_four, s3
@@ -435,7 +441,8 @@ leave_lanes\@:
         add_to  k0
         .endm
 
-; From way_t to way_end, big if nothing follows: the field less T.
+; Computes the interval way_t .. way_end of each lane, and in k4 .. k0 the field
+; minus T on it.  way_end = big: the interval is the last one.
         .macro  next_way
         VTOV    big, [way_end]
         VTOV    r0, [k4]
@@ -464,8 +471,8 @@ way_next\@:
         IBXNE   pieces_left, minus_one_index, r0, way_piece\@, pieces_left
         .endm
 
-; hits0: the field is not below T at the beginning; hits1: not all Bernstein
-; coefficients say the same.
+; hits0 = the field is at least T at the start of the interval.  hits1 = the
+; Bernstein coefficients have both signs.
         .macro  differ k
         CMPGEV  [\k], r0, [hits2]
         XORB    [hits0], [hits2], [hits2]
@@ -504,7 +511,7 @@ way_next\@:
         differ  e10
         .endm
 
-; The roots of the lanes of hits1, told from way_t.
+; Computes the roots of the lanes of hits1, relative to way_t.
         .macro  solve_way
         VTOV    r0, [e5]
         VTOV    r0, [way_length] ?! [hits1]
@@ -514,7 +521,7 @@ way_next\@:
         RTOR    lane_link, link_inner
         .endm
 
-; A crossing at [e0] in the lanes of hits1.
+; Records the crossing [e0] of the lanes of hits1 as the only one.
         .macro  take_nearest
         SUBNV   [e0], [lane_along], [e0]
         VTOVX   [lane_at], [e0], [tin] ? [hits1]
@@ -522,7 +529,7 @@ way_next\@:
         VTOV    big, [way_end] ? [hits1]
         .endm
 
-; .. into the next column, if there is one.
+; Appends the crossing [e0] of the lanes of hits1 if a column is free.
         .macro  take_crossing
         CMPLTV  r0, [columns_free], [hits2]
         ANDB    [hits1], [hits2], [hits2]
@@ -533,8 +540,8 @@ way_next\@:
         SUBNV   [columns_free], one, [columns_free] ? [hits2]
         .endm
 
-; Where a lane is in the blob by the way before and not by this one, or the other
-; way round, hits1, it crosses at way_t; but the first way has none before.
+; hits1 = the lanes that cross at way_t: inside by the previous interval and
+; outside by this one, or vice versa.  The first interval has no predecessor.
         .macro  signs_at_beginning
         XORB    [lane_inside], [hits0], [hits1]
         IBXNE   nearest_way, r0, one_index, signs_walked\@
@@ -545,8 +552,8 @@ signs_walked\@:
         ANDB    [hits1], [hits2], [hits1]
         .endm
 
-; At the end a lane is in the blob if it was at the beginning or crosses an odd
-; number of times, but not both.
+; lane_inside = inside at the end of the interval: inside at its start,
+; exclusive or an odd number of roots.
         .macro  inside_at_end
         CMPEQV  [root_count], one, [hits1]
         XORB    [hits0], [hits1], [lane_inside]
@@ -557,7 +564,7 @@ signs_walked\@:
 
 ; ---- The routines
 
-; No segments.
+; Sets all segments to misses.
         .macro  clear_segments
         first_column
 clear_segment:
@@ -575,8 +582,8 @@ clear_segment:
         SUBNV   [oz], sh2, [w10]
         .endm
 
-; All rays that come near, bits0, or those among the next BLOB_LANES rays, m of
-; them; in bits2 those that are left.
+; Takes the lanes of bits0, all rays that come near.  If they might not fit, it
+; takes those among the next BLOB_LANES rays, m of them, and bits2 = the rest.
         .macro  begin_lanes
         .if     QUEUE > BLOB_LANES
         ORB     [bits0], [bits0], [bits2]
@@ -602,7 +609,7 @@ begin_lanes\@:
         .endif
         .endm
 
-; A crossing where the ways meet, and the roots.
+; Records the crossing at the interval's start and the roots.
         .macro  take_root number, root
         CMPLTV  \number, [root_count], [hits1]
         ADDNV   [way_t], [\root], [e0]
@@ -645,7 +652,7 @@ blob_lanes:
         take_pieces
         EX      s2, blob_numbers
         ELEN    s2, 3
-        SWAP    [s2], blob_quarter, [r0]        ; and blob_sixth, blob_four
+        SWAP    [s2], blob_quarter, [r0]        ; also blob_sixth, blob_four
         leave_lanes blob_done
 blob_walk:
         next_way
@@ -663,7 +670,7 @@ blob_ended:
         inside_at_end
         BIM     blob_go_on
 
-; No root: the ways meet with another sign, if at all.
+; No root: the only possible crossing is at the interval's start.
 blob_passed:
         signs_at_beginning
         ORB     [hits0], [hits0], [lane_inside]

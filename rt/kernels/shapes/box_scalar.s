@@ -1,10 +1,11 @@
-; box_scalar.s - one ray meets a box with edges along the axes.
+; box_scalar.s - intersects one ray with a box with edges along the axes.
 ;
 ;       CALL BOX (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in box_vector.s.
+; The arguments are those of sphere_scalar.s, the method is that of
+; box_vector.s.
 
-        shape_from r52                  ; behind t3
+        shape_from r52                  ; after t3
         .equ    BOX_REGISTERS, 26
 
         .data

@@ -1,6 +1,7 @@
-; box_vector.s - a queue of rays meets a box with edges along the axes.
+; box_vector.s - intersects a queue of rays with a box with edges along the
+; axes.
 ;
-; The segment inside is that common to three slabs (slab_vector.s).
+; The segment inside is the intersection of three slabs (slab_vector.s).
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.

@@ -1,15 +1,15 @@
-; columns_scalar.s - the crossings of one ray with a shape of many, as its kernel
-; finds them, in any order: a list, ascending; see columns_vector.s.
+; columns_scalar.s - sorts the crossings of one ray with a shape that has many,
+; by insertion into an ascending list.  The vector form is columns_vector.s.
 
         .share  local
-        .regs   r95, crossed_at, least  ; a crossing; the least that counts
+        .regs   r95, crossed_at, least  ; a crossing; the smallest t that counts
         .regs   r99, list_end, list_last, list_at
         .endshare
 
         .equ    LIST_REGISTERS, 5
 
-; The list of crossings, ascending, a_segment .. list_last; what has no room
-; before list_end is dropped from its far end.
+; The list of crossings is ascending, from a_segment to list_last.  If there is
+; no room before list_end, the largest one is dropped.
         .macro  begin_list
         RTOR    a_primitive, t0
         IX      t0, 64 * P_SEGMENTS
@@ -44,7 +44,8 @@ insert_store\@:
 insert_done\@:
         .endm
 
-; The last once more if their number is odd, then misses.
+; Repeats the last crossing if their number is odd, then fills the list with
+; misses.
         .macro  leave_list save, registers
         SUBX    list_last, a_segment, t0
         SHIFTI  t0, -6, t0

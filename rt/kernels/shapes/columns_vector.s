@@ -1,8 +1,8 @@
-; columns_vector.s - the crossings of a queue with a shape of many, as its kernel
-; finds them, in any order: columns, two for each segment of P_SEGMENTS, tin and
-; what stands behind it, which are kept in order by exchanges.
+; columns_vector.s - sorts the crossings of a queue with a shape that has many.
+; They are found in any order and kept ascending in columns by exchanges: two
+; columns for each of the P_SEGMENTS segments, from tin on.
 ;
-; Source: derived here (insertion, a step of all rays at a time).
+; Source: derived here (insertion sort, one step for all rays at a time).
 
         .reg    crossed_at, k3          ; a crossing of each ray
         .reg    column_work, k0
@@ -43,7 +43,8 @@ clear_column\@:
         next_segment clear_column\@
         .endm
 
-; The lesser of the column and [crossed_at] stays, the other goes on.
+; Keeps the smaller of the column and [crossed_at]; the larger moves to the next
+; column.
         .macro  exchange_column
         CMPLTV  [crossed_at], [column_at], [bits0]
         CNTOB   [bits0], s0
@@ -55,8 +56,8 @@ column_kept\@:
         next_column
         .endm
 
-; [crossed_at] where [bits], into the columns, of which each time one more may
-; be in use.
+; Inserts [crossed_at] into the columns in the lanes of bits.  Each call may use
+; one more column than the previous one.
         .macro  insert bits
         MASKV   [crossed_at], big, [crossed_at] ? [\bits]
         first_column
@@ -69,7 +70,8 @@ insert_used\@:
         next_segment insert_used\@
         .endm
 
-; Segments that are not: a second end is as the first one, or misses.
+; Completes the segments: a segment without a second crossing ends where it
+; begins; one without any is a miss.
         .macro  leave_columns
         first_column
 fill_segment\@:

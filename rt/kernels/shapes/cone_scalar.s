@@ -1,16 +1,17 @@
-; cone_scalar.s - one ray meets a cone or a frustum of one, solid or open.
+; cone_scalar.s - intersects one ray with a cone or frustum, solid or open.
 ;
 ;       CALL CONE (RAY, PRIMITIVE, SEGMENT)
 ;       CALL OPEN_CONE (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in cone_vector.s.
+; The arguments are those of sphere_scalar.s, the method is that of
+; cone_vector.s.
 
-        shape_from r65                  ; behind k_along
+        shape_from r65                  ; after k_along
         .equ    CONE_REGISTERS, 48
 
-; The side: tin, tout, or to miss.  Leaves o along w in o_along, d along w in
-; d_along, the shift of the origin in shift, a in quad_a; k_along > 0 where a ray
-; with a <= 0 goes inside.
+; Computes tin, tout of the side, or branches to miss.  Also sets o_along and
+; d_along, the ray's origin and direction along w; shift, the shift of the
+; origin; quad_a = a.  k_along > 0: a ray with a <= 0 ends inside.
         .macro  cone_side miss
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1

@@ -1,30 +1,33 @@
-; cone_vector.s - a queue of rays meets a cone or a frustum of one.
+; cone_vector.s - intersects a queue of rays with a cone or frustum.
 ;
-; In the frame u, v, w (w along the axis) with its origin at the middle of the
-; axis the side is  u^2 + v^2 = r(w)^2,  r(w) = r0 + k w, between w = -half and
-; half.  With the ray's origin moved to o, its closest approach to that middle,
-; and d its direction:
+; The frame is u, v, w (w along the axis) with its origin at the middle of the
+; axis.  The side is  u^2 + v^2 = r(w)^2,  r(w) = r0 + k w,  between w = -half
+; and half.  o is the ray's closest approach to that middle and d its direction:
 ;
 ;   a = du^2 + dv^2 - (k dw)^2
 ;   b = ou du + ov dv - r(ow) k dw
 ;   c = ou^2 + ov^2 - r(ow)^2      roots of a t^2 + 2 b t + c
 ;
-; a > 0: the ray is inside the side between the two roots.  a < 0: outside
-; between them; they lie on the two halves of the double cone, and the ray
-; stays in the half it goes towards (k dw > 0) or comes from.  There is always
-; a root then: disc < 0 is the rounding of a ray through the apex.  a = 0: along
-; a line of the side; it is inside behind the one root (b < 0) or before it;
-; without one (b = 0: along the axis of equal radii) for ever or never.  A solid
-; cone is cut by the slab of its two disks, which leaves nothing of the second
-; half; an open one keeps those of its crossings that lie between them.
+; a > 0: the ray is inside the side between the two roots.
+; a < 0: it is outside between them.  They lie on the two halves of the double
+;   cone; the ray comes from inside one half and goes into the other.  The half
+;   with r > 0 is the one after the second root if k dw > 0, else the one before
+;   the first.  There is always a root: a negative discriminant is the rounding
+;   of a ray through the apex.
+; a = 0: it is parallel to a line of the side, and inside after the one root
+;   (b < 0) or before it.  Without a root (b = 0: along the axis of equal radii)
+;   it is inside everywhere or nowhere.
+;
+; The slab of its two disks cuts a solid cone, so nothing remains of the other
+; half.  An open cone keeps those of its crossings that lie between the disks.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: derived here; the project's notes on ray tracing, 4.1 and 4.2.
 
-; The side: tin, tout, bits0 = real; a miss is big, minus_big.  Leaves o along
-; w in [w5], d along w in [w6], the shift of the origin in [w9], a in [w10];
-; [w3] > 0 where a ray with a <= 0 goes inside.
+; Computes tin, tout of the side, bits0 = the lanes that hit it; a miss is big,
+; minus_big.  Also sets [w5], [w6] = o, d along w; [w9] = the shift of the
+; origin; [w10] = a.  [w3] > 0: a ray with a <= 0 ends inside.
         .macro  cone_side
         load_record P_SHAPE, 15, sh0
         SUBNV   [ox], sh0, [w0]
@@ -69,13 +72,13 @@
         VTOV    [w0], [w1] ? [bits2]
         VTOV    [w1], [w0] ? [bits1]
         VTOV    -[w11], [w3] ? [bits1]
-        ANDB    [bits1], [bits2], [bits2]       ; no root
+        ANDB    [bits1], [bits2], [bits2]       ; lanes without a root
         VTOV    minus_big, [w0] ? [bits2]
         VTOV    big, [w1] ? [bits2]
         VTOV    one, [w10] ? [bits2]            ; inside between these
         CMPLTV  r0, [w4], [bits1]
         ANDB    [bits1], [bits2], [bits1]
-        ANDNB   [bits0], [bits1], [bits0]       ; or never
+        ANDNB   [bits0], [bits1], [bits0]       ; outside everywhere
 cone_rooted\@:
         sort_roots w0, w1
         VTOV    big, [tin] ?! [bits0]
@@ -90,10 +93,10 @@ cone:
         CNTOB   [bits0], s0
         IBXEQ   s0, r0, r0, cone_cut
         CMPLTV  r0, [w3], [bits1]
-        ANDNB   [bits0], [bits1], [bits2]       ; comes from there
+        ANDNB   [bits0], [bits1], [bits2]       ; inside before the first root
         VTOV    [tin], [tout] ? [bits2]
         VTOV    minus_big, [tin] ? [bits2]
-        ANDB    [bits0], [bits1], [bits2]       ; goes there
+        ANDB    [bits0], [bits1], [bits2]       ; inside after the last root
         VTOV    [tout], [tin] ? [bits2]
         VTOV    big, [tout] ? [bits2]
 cone_cut:

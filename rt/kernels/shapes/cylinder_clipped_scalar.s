@@ -1,11 +1,12 @@
-; cylinder_clipped_scalar.s - one ray meets a cylinder, by the distance between
-; ray and axis, then clipped by two planes.
+; cylinder_clipped_scalar.s - intersects one ray with a cylinder by the distance
+; between ray and axis, then clips it by two planes.
 ;
 ;       CALL CLIPPED_CYLINDER (RAY, PRIMITIVE, SEGMENT)
 ;       CALL OPEN_CLIPPED_CYLINDER (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in cylinder_clipped_vector.s.  The
-; surfaces of entry and exit are written to the primitive's P_PATCH_POINT.
+; The arguments are those of sphere_scalar.s, the method is that of
+; cylinder_clipped_vector.s.  The surfaces of entry and exit are written to
+; P_PATCH_POINT of the primitive.
 
         .share  local
         .regs   r58, across0, across1, across2, surface_in, surface_out
@@ -43,8 +44,8 @@ clipped_save:   .space CLIPPED_REGISTERS
         cross_product \x0, \x1, \x2, sh3, sh4, sh5, \c0, \c1, \c2
         .endm
 
-; The infinite cylinder: tin, tout, or to miss.  Divisions and roots take one
-; another's time; what does not need them is done while they last.
+; Computes tin, tout of the infinite cylinder, or branches to miss.  Independent
+; operations run during divisions and square roots.
         .macro  find_side miss
         across_axis dx, dy, dz, t0, t1, t2
         SUBN    ox, sh0, t4

@@ -1,33 +1,34 @@
-; cylinder_clipped_vector.s - a queue of rays meets a cylinder, as one of the
-; paper's authors later published it: by the distance between ray and axis,
-; then clipped by two planes, with the surfaces noted at which a ray enters and
-; leaves.
+; cylinder_clipped_vector.s - intersects a queue of rays with a cylinder by the
+; method that one of the paper's authors published later: the distance between
+; ray and axis, then clipping by two planes.  It records the surfaces of entry
+; and exit.
 ;
 ; With base B, unit axis A and radius r, and a ray from O along D:
 ;
-;   N = D x A,  n = |N|            n = 0: the ray runs along the axis, inside
-;                                  for ever or never, by |(O - B) x A|
-;   N := N / |N|                   the length once more, three divisions
-;   d = |(O - B) . N|              from axis to ray; d > r: it misses
+;   N = D x A,  n = |N|            n = 0: the ray is parallel to the axis,
+;                                  inside everywhere or nowhere, by |(O - B) x
+;                                  A|
+;   N := N / |N|                   a second length and three divisions
+;   d = |(O - B) . N|              distance from axis to ray; d > r: a miss
 ;   t = -((O - B) x A) . N / n     the closest approach
 ;   Q = N x A,  Q := Q / |Q|
 ;   s = |sqrt(r^2 - d^2) / (D . Q)|
 ;   in = t - s,  out = t + s
 ;
-; Then each end, a plane p, q of any direction, inside where p . X + q < 0:
+; Each end is a plane p, q of any direction.  Its inside is p . X + q < 0:
 ;
 ;   t = -(p . O + q) / (p . D)
 ;
-; p . D < 0: the ray enters there, and in becomes t if that is greater; else it
-; leaves there, and out becomes t if that is less; where out is less than in it
-; misses.  |p . D| < tiny: parallel, inside for ever or never.
+; p . D < 0: the ray enters there, and in becomes max(in, t).  p . D > 0: the
+; ray leaves there, and out becomes min(out, t).  out < in is a miss.
+; |p . D| < tiny: the ray is parallel, inside everywhere or nowhere.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
-; Out: tin, tout; a miss is big, minus_big; in patch_s the surface of the entry,
-;      in patch_t that of the exit, where there is a crossing: 0 the side, 1 the
-;      bottom, 2 the top.
+; Out: tin, tout; a miss is big, minus_big; if there is a crossing, patch_s
+;      is the surface of the entry and patch_t that of the exit: 0 the side,
+;      1 the bottom, 2 the top.
 ; Source: J. M. Cychosz and W. N. Waggenspack, Intersecting a Ray with a
-; Cylinder, Graphics Gems IV (1994) 356-365; the program is ours.
+; Cylinder, Graphics Gems IV (1994) 356-365; the program is this project's.
 
         .macro  note surface, where, bits
         .ifndef CYLINDER_UNNOTED
@@ -51,7 +52,7 @@
         .endif
         .endm
 
-; O - B; the product of a vector with the axis.
+; from_base: O - B.  across_axis: the cross product of a vector and the axis.
         .macro  from_base x0, x1, x2
         SUBNV   [ox], sh0, [\x0]
         SUBNV   [oy], sh1, [\x1]
@@ -62,7 +63,7 @@
         cross_constant \x0, \x1, \x2, sh3, sh4, sh5, \c0, \c1, \c2, \work
         .endm
 
-; The infinite cylinder: tin, tout.
+; Computes tin, tout of the infinite cylinder.
         .macro  find_side
         from_base w4, w5, w6
         across_axis dx, dy, dz, w0, w1, w2, w8
@@ -106,7 +107,7 @@ side_crossed\@:
         .endif
         .endm
 
-; A parallel ray is given a t that changes nothing or leaves nothing.
+; A parallel ray gets a t that changes nothing or makes a miss.
         .macro  clip p0, p1, p2, q, surface
         dot_constant dx, dy, dz, \p0, \p1, \p2, w0, w2
         dot_constant ox, oy, oz, \p0, \p1, \p2, w1, w2
@@ -146,7 +147,7 @@ clipped_cylinder:
         BIM     0, link_kernel
 
         .ifndef CYLINDER_UNNOTED
-; Open: of the crossings those of the side; where there is one it is both.
+; Keeps the crossings with the side.  A single one is both entry and exit.
 open_clipped_cylinder:
         find_clipped
         CMPLTV  [tout], [tin], [bits0]

@@ -1,7 +1,7 @@
-; cylinder_half_spaces_scalar.s - the ends of a cylinder as two half spaces; see
-; cylinder_half_spaces_vector.s.
+; cylinder_half_spaces_scalar.s - cuts one ray at the ends of a cylinder as two
+; half spaces.  The method is that of cylinder_half_spaces_vector.s.
 
-; The half space o + t d <= at: its segment t2, t3.
+; Intersects tin, tout with the half space o + t d <= at: its segment is t2, t3.
         .macro  half_space o, d, at, miss
         SUBN    \at, \o, t0
         RTOR    minus_big, t2

@@ -1,11 +1,12 @@
-; cylinder_half_spaces_vector.s - the ends of a cylinder as two half spaces.
+; cylinder_half_spaces_vector.s - cuts a queue of rays at the ends of a cylinder
+; as two half spaces.
 ;
-; One of the formulations that were tried for Table 1 (docs/table1.md): the side
-; is found as in cylinder_vector.s; then each end is a half space, whose segment
-; of the ray is found as in plane_vector.s, and the segments are merged: the
-; greatest in, the least out.
+; This is one of the formulations that were tried for Table 1 (docs/table1.md).
+; The side is computed as in cylinder_vector.s.  Each end is a half space, whose
+; segment of the ray is computed as in plane_vector.s.  The result is the
+; maximum of the entries and the minimum of the exits.
 
-; The half space o + t d <= at.
+; Intersects tin, tout with the half space o + t d <= at.
         .macro  half_space o, d, at
         SUBNV   \at, [\o], [w0]
         CMPLTV  |[\d]|, tiny, [bits0]

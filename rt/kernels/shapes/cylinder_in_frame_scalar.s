@@ -1,5 +1,6 @@
-; cylinder_in_frame_scalar.s - one ray meets a cylinder in the cylinder's own
-; frame, its ends as planes; see cylinder_in_frame_vector.s.
+; cylinder_in_frame_scalar.s - intersects one ray with a cylinder in the
+; cylinder's own frame, its ends as planes.  The method is that of
+; cylinder_in_frame_vector.s.
 ;
 ;       CALL CYLINDER (RAY, PRIMITIVE, SEGMENT)
 
@@ -22,7 +23,7 @@ not_first\@:
 not_last\@:
         .endm
 
-; t = the numerator over a, if it is between the ends.
+; Divides the numerator t by a; a t between the ends is a candidate.
         .macro  on_side t
         DIVS    \t, fa, \t
         MPYS    \t, t6, t3

@@ -1,8 +1,8 @@
-; cylinder_in_frame_vector.s - a queue of rays meets a cylinder in the cylinder's
-; own frame, its ends as planes.
+; cylinder_in_frame_vector.s - intersects a queue of rays with a cylinder in the
+; cylinder's own frame, its ends as planes.
 ;
-; One of the formulations that were tried for Table 1 (docs/table1.md).  Frame
-; and record as in cylinder_vector.s; across the axis
+; This is one of the formulations that were tried for Table 1 (docs/table1.md).
+; Frame and record are those of cylinder_vector.s.  Across the axis:
 ;
 ;   a = du^2 + dv^2,  b = ou du + ov dv,  c = ou^2 + ov^2 - r^2
 ;   t = (-b - sqrt(b^2 - a c)) / a,  (-b + sqrt(b^2 - a c)) / a
@@ -10,14 +10,14 @@
 ;   t = (-half - ow) / dw,  (half - ow) / dw
 ;                                  valid if (ou + t du)^2 + (ov + t dv)^2 <= r^2
 ;
-; tin is the least that is valid, tout the greatest.  a < tiny^2: no sides;
-; |dw| < tiny: no ends.
+; tin is the smallest valid t, tout the largest.  If a < tiny^2 the sides are
+; skipped; if |dw| < tiny the ends are.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: textbook.
 
-; Where bits1 has ones.
+; Merges t into tin, tout in the lanes of bits1.
         .macro  candidate t
         CMPLTV  [\t], [tin], [bits2]
         ANDB    [bits2], [bits1], [bits2]
@@ -51,7 +51,7 @@
         candidate w2
         .endm
 
-; bits2 = the rays along the axis.
+; bits2 = the rays parallel to the axis.
         .macro  along_axis
         MPYS    tiny, tiny, s0
         CMPLTV  [w2], s0, [bits2]

@@ -1,14 +1,17 @@
-; cylinder_scalar.s - one ray meets a circular cylinder, solid or open.
+; cylinder_scalar.s - intersects one ray with a circular cylinder, solid or
+; open.
 ;
 ;       CALL CYLINDER (RAY, PRIMITIVE, SEGMENT)
 ;       CALL OPEN_CYLINDER (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in cylinder_vector.s.
+; The arguments are those of sphere_scalar.s, the method is that of
+; cylinder_vector.s.
 
-        shape_from r58                  ; behind t9
+        shape_from r58                  ; after t9
         .equ    CYLINDER_REGISTERS, 40
 
-; o in the frame u, v, w: t7, t8, t5; d: t0, t1, t6.  Uses t2, t3, t4, t9.
+; The ray in the frame u, v, w: o = t7, t8, t5; d = t0, t1, t6.  Changes t2, t3,
+; t4, t9.
         .macro  into_frame
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1
@@ -17,8 +20,8 @@
         dot_rows dx, dy, dz, sh3, sh4, sh5, sh6, sh7, sh8, sh9, sh10, sh11, t0, t1, t6, t2, t3, t4, t9
         .endm
 
-; The side: tin, tout, or to miss.  Leaves o along the axis in t5, d along it
-; in t6.
+; Computes tin, tout of the side, or branches to miss.  Leaves the origin along
+; the axis in t5, the direction along it in t6.
         .macro  cylinder_side miss
         into_frame
         MPYS    t0, t0, t2
@@ -81,8 +84,8 @@ cylinder_miss:
         RTOR    minus_big, tout
         leave_kernel
 
-; Open: t1 = the first crossing, t2 = the second; t3, t4 their distances from
-; the middle along the axis; o, d along the axis.
+; Keeps the crossings between the disks: t1, t2 = the two crossings; t3, t4 =
+; their distances from the middle along the axis; o, d = the ray along the axis.
         .macro  keep_between_disks o, d, half, miss
         RTOR    tin, t1
         RTOR    tout, t2

@@ -1,7 +1,7 @@
-; cylinder_vector.s - a queue of rays meets a circular cylinder.
+; cylinder_vector.s - intersects a queue of rays with a circular cylinder.
 ;
-; In the frame u, v, w (w along the axis) with its origin at the middle of the
-; axis, o and d are the ray's origin and direction.  Across the axis:
+; The frame is u, v, w (w along the axis) with its origin at the middle of the
+; axis.  o and d are the ray's origin and direction in it.  Across the axis:
 ;
 ;   a = du^2 + dv^2               t0 = -(ou du + ov dv) / a
 ;   c = o + t0 d                  the closest approach to the axis
@@ -9,15 +9,15 @@
 ;   side: t0 - sqrt(h), t0 + sqrt(h)
 ;
 ; The quadratic is solved about the closest approach, so that nothing cancels
-; for distant origins.  a < tiny^2: the ray runs along the axis and is inside
-; the side for ever or never.  A solid cylinder is cut by the slab of its two
-; disks; an open one keeps those of its two crossings that lie between them.
+; for distant origins.  a < tiny^2: the ray is parallel to the axis and inside
+; the side everywhere or nowhere.  The slab of its two disks cuts a solid
+; cylinder; an open one keeps those of its two crossings that lie between them.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: the project's notes on ray tracing, 4.2.
 
-; o in the frame u, v, w: w7, w8, w5; d: w0, w1, w6.  Uses w2, w9.
+; The ray in the frame u, v, w: o = w7, w8, w5; d = w0, w1, w6.  Changes w2, w9.
         .macro  into_frame
         SUBNV   [ox], sh0, [w0]
         SUBNV   [oy], sh1, [w1]
@@ -30,8 +30,8 @@
         dot_constant dx, dy, dz, sh9, sh10, sh11, w6, w9
         .endm
 
-; The side of the infinite cylinder: tin, tout.  Leaves o along w in [w5],
-; d along w in [w6].
+; Computes tin, tout of the side of the infinite cylinder.  Leaves o along w in
+; [w5], d along w in [w6].
         .macro  cylinder_side
         into_frame
         MPYSV   [w0], [w0], [w2]
@@ -94,8 +94,9 @@ cylinder:
         BIM     0, link_kernel
         .endif
 
-; Of the crossings tin and tout those that lie between the disks, half from the
-; middle; [w5], [w6] = o, d along the axis.  Uses w0-w2, bits0-bits2.
+; Keeps those of the crossings tin and tout that lie between the disks, at most
+; half from the middle.  [w5], [w6] = o, d along the axis.  Changes w0-w2,
+; bits0-bits2.
         .macro  between_disks t, half, bits
         MPYSV   [\t], [w6], [w0]
         ADDNV   [w0], [w5], [w0]

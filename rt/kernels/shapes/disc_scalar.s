@@ -1,10 +1,11 @@
-; disc_scalar.s - one ray meets a disc, or a ring.
+; disc_scalar.s - intersects one ray with a disc or a ring.
 ;
 ;       CALL DISC (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in disc_vector.s.
+; The arguments are those of sphere_scalar.s, the method is that of
+; disc_vector.s.
 
-        shape_from r55                  ; behind t6
+        shape_from r55                  ; after t6
         .equ    DISC_REGISTERS, 31
 
         .data

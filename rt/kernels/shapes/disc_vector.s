@@ -1,16 +1,16 @@
-; disc_vector.s - a queue of rays meets a disc, or a ring: the X of a plane with
-; r <= |X - C| <= R.
+; disc_vector.s - intersects a queue of rays with a disc or a ring: the points X
+; of a plane with r <= |X - C| <= R.
 ;
-; The plane is met as in plane_vector.s, at t; with L = O - C,
+; The crossing t with the plane is that of plane_vector.s.  With L = O - C,
 ;
 ;   r^2 <= (L + t D) . (L + t D) <= R^2
 ;
-; In a tree what lies below its plane is inside of it: the plane's kernel tells
-; that.
+; In a Boolean tree the inside of a disc is the half space below its plane; the
+; kernel of the plane computes that.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin = tout = t; a miss is big, minus_big.
-; Source: textbook; what is inside of it is POV-Ray's.
+; Source: textbook; the definition of its inside is POV-Ray's.
 
         .macro  disc_axis o, d, center, into
         SUBNV   [\o], \center, [\into]

@@ -1,10 +1,11 @@
-; elliptical_torus_scalar.s - one ray meets an elliptical torus about the y axis,
-; and what all tori do with their polynomials.
+; elliptical_torus_scalar.s - intersects one ray with an elliptical torus about
+; the y axis; also the part that all tori share after the polynomial.
 ;
 ;       CALL ELLIPTICAL_TORUS (RAY, PRIMITIVE, SEGMENT)
 ;       CALL ELLIPTICAL_TORUS_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in torus_scalar.s, method as in torus_vector.s.
+; The arguments are those of torus_scalar.s, the method is that of
+; torus_vector.s.
 
         .macro  elliptical_polynomial
         MPYS    dx, dx, e0

@@ -1,5 +1,6 @@
-; elliptical_torus_vector.s - a queue of rays meets an elliptical torus about the
-; y axis; formulas, arguments and results as in torus_vector.s.
+; elliptical_torus_vector.s - intersects a queue of rays with an elliptical
+; torus about the y axis.  Formulas, arguments and results are those of
+; torus_vector.s.
 
         .macro  elliptical_polynomial
         MPYSV   [lane_dx], [lane_dx], [e0]

@@ -1,11 +1,12 @@
-; lanes_scalar.s - one ray and a shape whose crossings the root solver finds;
-; see lanes_vector.s.  What shows a miss ends the work.
+; lanes_scalar.s - prepares one ray for the root solver and computes tin and
+; tout from its roots.  The method is that of lanes_vector.s; the first test
+; that shows a miss ends the computation.
 
         .include "roots/quartic_scalar.s"
 
         .share  local
-        .reg    lower, tin                      ; comes where tin will be
-        .regs   r58, k4, k3, k2, k1, k0         ; of the quartic
+        .reg    lower, tin                      ; overwritten by tin
+        .regs   r58, k4, k3, k2, k1, k0         ; coefficients
         .regs   r63, near_low, near_high, near_resolution
         .regs   r66, along, near_o2, link_kept
         .regs   r69, e0, e1, e2, e3, e4, e5, e6
@@ -41,7 +42,8 @@ near_list:      .descriptor 5, near_input
         leave   \save, \registers
         .endm
 
-; o in t0-t2, o . o in near_o2, near_low, near_high; or to miss.
+; Computes o (t0-t2), o . o (near_o2), near_low and near_high, or branches to
+; miss.
         .macro  come_near x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, t0, t1, t2, along, t3, t4
         dot     t0, t1, t2, t0, t1, t2, near_o2, t4
@@ -56,7 +58,7 @@ come_near_ahead\@:
         CFPGE   near_low, near_high, \miss
         .endm
 
-; tin = tout = the first root; or to miss.
+; Sets tin = tout = the first root, or branches to miss.
         .macro  solve_near resolution, miss
         RTOR    \resolution, near_resolution
         EX      t3, near_input
@@ -70,7 +72,7 @@ come_near_ahead\@:
         RTOR    tin, tout
         .endm
 
-; The ray misses.
+; Returns a miss.
         .macro  miss_near save=near_save, registers=LANE_REGISTERS
         RTOR    big, tin
         RTOR    minus_big, tout

@@ -1,16 +1,16 @@
-; lanes_vector.s - the rays that come near a shape whose crossings the root
-; solver finds, and how its roots become tin and tout.
+; lanes_vector.s - selects the rays that come near a shape whose crossings the
+; root solver computes, and turns their roots into tin and tout.
 ;
-; A shape has a bounding sphere about its centre.  With a ray's origin moved to
-; o, its closest approach to the centre (quadratic_vector.s), and s the
-; distance from there, the ray is in the sphere for
+; A shape has a bounding sphere about its centre.  o is the ray's closest
+; approach to the centre (quadratic_vector.s), and s the distance along the ray
+; from there.  The ray is in the sphere for
 ;
 ;   |s| <= high = sqrt(bound^2 - o . o)
 ;
-; and crossings count for  low < s <= high,  low = lower + along or, if that is
-; less, -high.  Where low is not below high the ray misses.  The others, m of
-; n, are compressed: the lanes.  They use the registers of the shading, which
-; loads them again; their vectors are their own.
+; Crossings count for  low < s <= high,  low = max(lower + along, -high).  A ray
+; with low >= high misses.  The m other rays of the n are compressed: the lanes.
+; Their descriptors are in registers of the shading, which loads them again;
+; their vectors have memory of their own.
 ;
 ; Source: the project's notes on ray tracing, 0 and 1.1.
 
@@ -18,14 +18,14 @@
 
         .reg    lane_link, r123
         .share  hits
-        .regs   r136, lane_at                           ; places in the queue
+        .regs   r136, lane_at                           ; indices in the queue
         .regs   r137, lane_ox, lane_oy, lane_oz, lane_dx, lane_dy, lane_dz
         .regs   r143, lane_along, lane_low, lane_high
-        .regs   r146, k4, k3, k2, k1, k0                ; of the quartic
+        .regs   r146, k4, k3, k2, k1, k0                ; coefficients
         .regs   r151, e0, e1, e2, e3, e4, e5, e6, e7, e8, e9, e10, e11, e12
         .endshare
 
-; More of them, in registers that the shading loads again: r233-r253.
+; More vectors of lanes, in registers that the shading loads again: r233-r253.
         .share  scratch
         .regs   r233, pa0, pa1, pa2, pa3, pa4, pa5, pb0, pb1, pb2, pb3, pb4
         .regs   r244, n1x, n1y, n1z, n2x, n2y, n2z, spread, f0, f1, f2
@@ -51,14 +51,16 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         set_lengths \count, m_high, lane_bases, lane_descriptors, LANE_VECTORS, pa0
         .endm
 
-; Lengths for count lanes, their registers named from first on.
+; Sets the lengths of the lanes' vectors, whose registers begin at first, to
+; count.
         .macro  set_lanes count, first=lane_at
         set_lengths \count, m_high, lane_shade_bases, lane_shade_descriptors, SHADE_VECTORS, \first
         .endm
 
-; From the origins x, told from the centre, and the scalar bound2 = bound^2:
-; bits0 = the rays that come near, in w0-w2 o, in w3 along, in w5, w6 low and
-; high, in w7 o . o; m of them; to miss if there are none.
+; Selects the rays that come near.  x0, x1, x2 are the origins relative to the
+; centre; the scalar bound2 = bound^2.  bits0 = these rays, m = their number;
+; w0-w2 = o, w3 = along, w5, w6 = low, high, w7 = o . o.  Branches to miss if
+; there are none.
         .macro  find_lanes x0, x1, x2, bound2, miss
         closest_approach \x0, \x1, \x2, w0, w1, w2, w3, w4
         dot_vectors w0, w1, w2, w0, w1, w2, w7, w4
@@ -88,8 +90,8 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         CPSV    [w6], [lane_high] ? [bits0]
         .endm
 
-; The first root of each lane's quartic k4 .. k0, with the scalar resolution,
-; is tin = tout of its ray; hits0 = the lanes that have one.
+; Computes the first root of each lane's quartic k4 .. k0, with the scalar
+; resolution, as tin = tout of its ray.  hits0 = the lanes that have one.
         .macro  solve_lanes resolution, routine=solve_quartic
         RTOR    link_inner, lane_link
         EX      target, \routine
@@ -105,7 +107,7 @@ lane_shade_store: .space (SHADE_VECTORS - 4) * QUEUE
         VTOVX   [lane_at], [e0], [tout]
         .endm
 
-; All rays miss.
+; Returns a miss for all rays.
         .macro  miss_all
         VTOV    big, [tin]
         VTOV    minus_big, [tout]

@@ -1,14 +1,15 @@
-; lathe_scalar.s - one ray meets a lathe: segments of a path, turned about the y
-; axis.
+; lathe_scalar.s - intersects one ray with a lathe: the segments of a path,
+; turned about the y axis.
 ;
 ;       CALL LATHE (RAY, PRIMITIVE, SEGMENT)
 ;       CALL LATHE_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;       CALL OPEN_LATHE_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;
-; Arguments as in sphere_scalar.s, method as in lathe_vector.s.  SEGMENTS = the
-; ray's way inside of the closed path, as many as P_SEGMENTS says; CROSSINGS =
-; those with what is seen, twice as many words: ascending, the last once more if
-; their number is odd, then misses.
+; The arguments are those of sphere_scalar.s, the method is that of
+; lathe_vector.s.  SEGMENTS receives P_SEGMENTS segments of the ray inside the
+; closed path.  CROSSINGS receives the crossings with the visible surface, in
+; twice as many words: ascending, the last one repeated if their number is odd,
+; then misses.
 
         .if     LATHES
         .ifndef LANE_REGISTERS
@@ -102,10 +103,10 @@ lathe_level\@:
         RTOR    segment_at, t0
         IX      t0, 64 * LATHE_RISES
         ELEN    t0, 5
-        SWAP    [t0], row_rises, [r0]           ; .. line_nr
+        SWAP    [t0], row_rises, [r0]           ; row_rises .. line_nr
         .endm
 
-; E in cone_e.
+; Computes the coefficients of the segment's cone, and cone_e = E.
         .macro  meet_cone
         MPYS    near_y, line_ny, line_e
         MPYS    dy, line_ny, line_f
@@ -132,7 +133,7 @@ lathe_level\@:
         SUBN    t0, t1, cone_e
         .endm
 
-; q.
+; Computes q.
         .macro  solve_cone
         SQRT    cone_e, t0
         ABS     cone_b, t1
@@ -143,7 +144,7 @@ lathe_level\@:
 cone_solved\@:
         .endm
 
-; To passed_over if the segment is not crossed.
+; Branches to passed_over if the ray does not cross the segment twice.
         .macro  keep_twice passed_over
         CFPGE   r0, cone_e, \passed_over
         CFPGE   r0, cone_a, \passed_over
@@ -157,7 +158,8 @@ cone_solved\@:
         CFPGE   t1, t3, \passed_over
         .endm
 
-; crossed_at.  t0 = 1: it is c / q.
+; Computes crossed_at of a segment that is crossed once: c / q if t0 = 1, else
+; q / a.
         .macro  cross_once
         RTOR    beyond, t0
         CFPGE   dy, r0, once_rises\@
@@ -197,7 +199,7 @@ once_below\@:
         SUBN    crossed_at, along, crossed_at
         .endm
 
-; Each crossing of rows rows, at crossed_at, to found.
+; Computes the crossings with the first rows rows; found uses each crossed_at.
         .macro  walk_segments rows, found
         RTOR    a_primitive, t0
         IX      t0, 64 * P_TABLE
@@ -205,7 +207,7 @@ once_below\@:
         RTOR    \rows, segments_left
 segment\@:
         ELEN    segment_at, 5
-        SWAP    [segment_at], row_square, [r0]  ; .. row_high
+        SWAP    [segment_at], row_square, [r0]  ; row_square .. row_high
         ES      beyond, 0
         CFPLT   row_height, ray_low, segment_before\@
         CFPLT   ray_high, row_height, segment_before\@
@@ -252,7 +254,7 @@ segment_passed\@:
         CFPLT   r0, segments_left, segment\@
         .endm
 
-; The crossing that is met first: tin.
+; tin = the nearest crossing ahead.
         .macro  crossed_ahead
         CFPGE   least, crossed_at, crossed_not\@
         CFPGE   crossed_at, tin, crossed_not\@

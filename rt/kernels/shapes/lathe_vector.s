@@ -1,55 +1,56 @@
-; lathe_vector.s - a queue of rays meets a lathe: segments of a path in r and y,
-; r >= 0, turned about the y axis; each sweeps a piece of a cone.
+; lathe_vector.s - intersects a queue of rays with a lathe: the segments of a
+; path in r and y, r >= 0, turned about the y axis.  Each sweeps a piece of a
+; cone.
 ;
-; A height of the axis amid the path is y = 0 here.  With the ray's origin moved
-; to o, its closest approach to that point, and d its direction, the ray's
-; distance from the axis is a hyperbola in r and y.  Of each corner (r, y) of the
-; path: is it beyond the hyperbola, seen from the axis?
+; y = 0 is a height within the path.  o is the ray's closest approach to that
+; point of the axis and d its direction.  In r and y a ray is a hyperbola.  A
+; corner (r, y) of the path is beyond the hyperbola, seen from the axis, if
 ;
 ;   (r dy)^2 > (ox dy - oy dx + y dx)^2 + (oz dy - oy dz + y dz)^2
 ;
-; What is beyond it is convex.  So a segment is crossed
+; The region beyond it is convex.  So a segment is crossed
 ;
-;   once    if one of its corners is beyond and the other is not,
-;   never   if both are: it is passed over,
-;   twice or never if neither is.  Where the ray comes to the segment's heights
-;           only outside of the cylinder about the path, never: passed over, too.
+;   once            if one of its corners is beyond and the other is not;
+;   never           if both are: it is skipped;
+;   twice or never  if neither is.  It is also skipped if the ray reaches its
+;                   heights only outside the cylinder that bounds the path.
 ;
-; A corner at whose height the ray is outside of that cylinder is not beyond.
-; Where that is so of all rays of the queue nothing is worked out of it, and
-; nothing of segments of such heights.
+; A corner at a height at which the ray is outside that cylinder is not beyond.
+; If this is so for all rays of the queue, nothing is computed for the corner,
+; and nothing for segments at such heights.
 ;
-; A corner is decided once for both segments that have it, and one on the axis is
-; never beyond: so a ray crosses a path that is closed, or goes from the axis to
-; the axis, an even number of times, whatever is rounded.
+; A corner is decided once for both its segments, and a corner on the axis is
+; never beyond.  So a ray crosses a path that is closed, or that begins and ends
+; on the axis, an even number of times, independently of rounding.
 ;
-; With  nr r + ny y = k  for the line of the segment, nr >= 0, nr^2 + ny^2 = 1:
+; The line of the segment is  nr r + ny y = k,  nr >= 0, nr^2 + ny^2 = 1:
 ;
 ;   e = k - ny oy     f = ny dy
 ;   a = nr^2 (dx^2 + dz^2) - f^2      b = nr^2 (ox dx + oz dz) + e f
 ;   c = nr^2 (ox^2 + oz^2) - e^2      root = nr sqrt(E)
 ;   E = (e dx + f ox)^2 + (e dz + f oz)^2 - nr^2 (ox dz - oz dx)^2
 ;
-; a t^2 + 2 b t + c is the cone; b^2 - a c = nr^2 E, in which nothing large
-; cancels where the line is nearly level.  The ray goes to the axis' side at
-; t = (-b - root)/a and comes from there at (-b + root)/a, whatever the sign of a:
-; as q/a or c/q, q = -(b + sign(b) root) (quadratic_vector.s).
+; The cone is a t^2 + 2 b t + c = 0, with b^2 - a c = nr^2 E.  In E nothing
+; large cancels if the line is nearly level.  For either sign of a the ray
+; crosses to the axis' side at t = (-b - root)/a and back at (-b + root)/a.
+; These are q/a and c/q with q = -(b + sign(b) root) (quadratic_vector.s).
 ;
-; Once:  the one of these in whose sense the corners differ, cut to the heights
-;        of the segment.
-; Twice: if a > 0, E > 0 and their middle is between the heights, from the lower
-;        one on:  (low - oy) a <= -b dy < (high - oy) a.
+; Once:  the root whose side the corners show, clamped to the heights of the
+;        segment.
+; Twice: both roots if a > 0, E > 0 and their middle is between the heights, the
+;        lower one included:  (low - oy) a <= -b dy < (high - oy) a.
 ;
-; lathe: the crossing that is met first.
-; lathe_solid: the segments inside of the closed path; see columns_vector.s.
-; open_lathe_crossings: the crossings, likewise; the last once more if their
-;   number is odd.
+; lathe: the nearest crossing ahead.
+; lathe_solid: the segments inside the closed path (columns_vector.s).
+; open_lathe_crossings: the crossings, in the same columns; the last one is
+;   repeated if their number is odd.
 ;
-; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table.  The
-;      rows behind those that are seen close the path (rt/shapes/lathe.c).
-; Out: tin = tout = the crossing that is met first; a miss is big, minus_big.
-;      lathe_solid: P_SEGMENTS segments, of vectors one after another from tin on;
-;      open_lathe_crossings: as many pairs of crossings.
+; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table.
+;      The rows after those of the visible surface close the path
+;      (rt/shapes/lathe.c).
+; Out: tin = tout = the nearest crossing ahead; a miss is big, minus_big.
+;      lathe_solid: P_SEGMENTS segments in successive vectors from tin on;
+;      open_lathe_crossings: P_SEGMENTS pairs of crossings.
 ; Source: derived here; the project's notes on ray tracing, 0 and 4.2.
 
         .if     LATHES
@@ -60,7 +61,8 @@
         .include "shapes/columns_vector.s"
         .endif
 
-; Of the lanes, all rays at hand, in the lanes' own vectors: o is lane_ox ..
+; One word per near ray, in the vectors of the lanes.  o is lane_ox, lane_oy,
+; lane_oz.
         .reg    rise_square, lane_dx            ; dy^2
         .reg    level_square, lane_dy           ; dx^2 + dz^2
         .reg    per_rise, lane_dz               ; 1 / dy
@@ -69,9 +71,9 @@
         .reg    gap, k2                       ; (ox dz - oz dx)^2
         .reg    turn_x, k1                    ; ox dy - oy dx
         .reg    turn_z, e0                    ; oz dy - oy dz
-        .reg    ray_low, lane_low               ; heights, within the cylinder
+        .reg    ray_low, lane_low               ; heights within the cylinder
         .reg    ray_high, lane_high
-        .reg    line_e, e1                      ; of a segment
+        .reg    line_e, e1                      ; of the segment
         .reg    line_f, e2
         .reg    cone_a, e3
         .reg    cone_b, e4
@@ -82,7 +84,7 @@
         .endshare
         .reg    falling, bits2                  ; dy < 0
 
-; Of a row.
+; The words of a row.
         .share  shape
         .regs   r46, row_square, row_height, row_begins, row_low, row_high
         .regs   r51, row_rises, line_ny, line_k, line_nr2, line_nr
@@ -92,10 +94,11 @@
         .reg    queue_low, s5
         .reg    queue_high, s6
 
-; The ray's heights where it is within the cylinder about the path: with h the
-; root of  R^2 (dx^2 + dz^2) - (ox dz - oz dx)^2,
-;   oy - (ox dx + oz dz +- h) dy / (dx^2 + dz^2)
-; all of a ray along y; those of the queue.
+; Computes the heights of each ray within the cylinder that bounds the path.
+; With h = sqrt(R^2 (dx^2 + dz^2) - (ox dz - oz dx)^2) they are
+;   oy - (ox dx + oz dz +- h) dy / (dx^2 + dz^2),
+; or all heights for a ray parallel to y.  queue_low, queue_high = the range of
+; all rays.  Branches to miss if that is outside the path.
         .macro  heights_within miss
         LINKV
         MPYSV   [level_square], sh1, [w0]
@@ -157,7 +160,7 @@
         DIVSV   one, [per_rise], [per_rise]
         .endm
 
-; [beyond] of the row's corner.
+; [beyond] = the row's corner is beyond the hyperbola.
         .macro  look_at_corner
         LINKV
         MPYSV   [dx], row_height, [w0]
@@ -177,7 +180,8 @@
         ANDB    [bits1], [beyond], [beyond]
         .endm
 
-; [once], and [twice] of those that may be; to passed_over if there are none.
+; [once] = the rays that cross the segment once, [twice] = those that may cross
+; it twice.  Branches to passed_over if both are empty.
         .macro  sort_rays passed_over
         XORB    [beyond], [beyond_before], [once]
         CMPGEV  [ray_high], row_low, [bits0]
@@ -190,7 +194,7 @@
         IBXEQ   s0, r0, r0, \passed_over
         .endm
 
-; E in [w0].
+; Computes the coefficients of the segment's cone, and [w0] = E.
         .macro  meet_cone
         LINKV
         MPYSV   [lane_oy], line_ny, [line_e]
@@ -222,8 +226,8 @@
         SUBNV   [w2], [w1], [cone_c]
         .endm
 
-; Those of [twice] that cross the segment itself; to passed_over if there are
-; none, nor any [once].
+; Keeps the rays of [twice] that cross the segment itself.  Branches to
+; passed_over if [twice] and [once] are empty.
         .macro  keep_twice passed_over
         CMPLTV  r0, [w0], [bits0]
         ANDB    [bits0], [twice], [twice]
@@ -248,7 +252,7 @@ none_twice\@:
         IBXEQ   s0, r0, r0, \passed_over
         .endm
 
-; q; [bits0] where b >= 0.
+; Computes q.  [bits0] = b >= 0.
         .macro  solve_cone
         CMPLTV  [w0], r0, [bits0]
         VTOV    r0, [w0] ? [bits0]
@@ -260,8 +264,8 @@ none_twice\@:
         VTOV    -[cone_q], [cone_q] ? [bits0]
         .endm
 
-; [crossed_at] of [once].  Where the segment rises, [beyond] where the ray does
-; says that the ray goes to the axis' side.
+; Computes [crossed_at] of the rays of [once].  If the segment rises, a ray that
+; rises goes to the axis' side exactly if its upper corner is beyond.
         .macro  cross_once
         XORB    [beyond], [falling], [bits1]
         XORB    [bits1], [bits0], [bits1]
@@ -291,14 +295,15 @@ once_chosen\@:
         SUBNV   [crossed_at], [lane_along], [crossed_at]
         .endm
 
-; [crossed_at] of [twice].
+; Computes [crossed_at] of the rays of [twice] as over / under.
         .macro  cross_twice over, under
         MASKV   [\under], one, [w1] ? [twice]
         DIVSV   [\over], [w1], [crossed_at]
         SUBNV   [crossed_at], [lane_along], [crossed_at]
         .endm
 
-; The crossings of rows rows, at [crossed_at] where [bits], to found bits.
+; Computes the crossings with the first rows rows; found uses [crossed_at] in
+; the lanes of bits.
         .macro  walk_segments rows, found
         load_field P_TABLE, segment_at
         RTOR    \rows, segments_left
@@ -337,7 +342,7 @@ segment_passed\@:
         CFPLT   r0, segments_left, segment\@
         .endm
 
-; The crossings that are met first: tin.
+; tin = the nearest crossings ahead.
         .macro  crossed_ahead bits
         CMPLTV  [lower], [crossed_at], [bits0]
         ANDB    [bits0], [\bits], [bits1]

@@ -1,13 +1,15 @@
-; mesh_crossings_scalar.s - all crossings of one ray with a mesh.
+; mesh_crossings_scalar.s - computes all crossings of one ray with a mesh.
 ;
 ;       CALL MESH_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;       CALL MESH_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;       CALL MESH_BODY (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in mesh_crossings_vector.s.  CROSSINGS
-; = those beyond the ray's least distance, ascending, SEGMENTS = the ray's way
-; inside from its start on: how many there are goes to P_SEGMENTS, P_EVENTS; behind
-; as many words as there is room for stands the triangle of each.
+; The arguments are those of sphere_scalar.s, the method is that of
+; mesh_crossings_vector.s.  CROSSINGS receives the crossings beyond the ray's
+; lower limit, ascending; SEGMENTS receives the segments of the ray inside, from
+; its start on.  Their number is stored in P_EVENTS or P_SEGMENTS.  The
+; triangles of the crossings are stored after the words reserved for the
+; crossings.
 
         .share  local
         .regs   r131, mesh_crossed, sorted_count, sorted_triangles, sorted_at
@@ -25,7 +27,8 @@
 crossings_save: .space MESH_CROSSING_REGISTERS
         .code
 
-; An edge from a to b with the products ax by and ay bx.
+; Changes the side if the edge from a to b crosses y = 0 to the right.  product,
+; other = ax by, ay bx.
         .macro  cross_edge ya, yb, product, other
         CFPGE   \ya, r0, edge_from_above\@
         CFPLT   \yb, r0, edge_crossed\@
@@ -39,7 +42,7 @@ edge_changes\@:
 edge_crossed\@:
         .endm
 
-; t0, triangle into the list, in order.
+; Inserts the crossing t0 and its triangle into the sorted list.
         .macro  list_crossing
         RTOR    sorted_count, sorted_at
         IX      sorted_count, 1
@@ -89,7 +92,8 @@ side_wide\@:
 side_not\@:
         .endm
 
-; Of a solid what lies beyond the start counts, or beyond lower if that is less.
+; For a solid, crossings count beyond the start, or beyond lower if that is
+; less.
         .macro  from_start
         RTOR    r0, mesh_least
         .if     INTERIORS
@@ -100,7 +104,7 @@ from_start\@:
         .endif
         .endm
 
-; The list is empty; behind it stand the triangles.
+; Starts an empty list; the triangles are stored after room words.
         .macro  begin_crossings room
         FLR     \room, sorted_triangles
         SHIFTI  sorted_triangles, 6, sorted_triangles

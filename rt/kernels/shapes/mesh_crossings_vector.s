@@ -1,55 +1,60 @@
-; mesh_crossings_vector.s - all crossings of a queue's rays with a mesh, for
-; trees and for meshes that light passes through.
+; mesh_crossings_vector.s - computes all crossings of a queue of rays with a
+; mesh, for Boolean trees and for meshes that transmit light.
 ;
-; The rays walk as in mesh_vector.s, but no triangle ends a walk.  A closed mesh has
-; an even number of crossings with a line only if each is counted once, also where
-; the line meets an edge or a corner.  So the ray is cut out of a plane: with the
-; corners P as there, the ray being the origin, and what has y >= 0 being above,
+; The rays traverse as in mesh_vector.s, but no triangle ends a traversal.  A
+; line has an even number of crossings with a closed mesh only if each counts
+; once, also at an edge or a corner.  Therefore a plane through the ray cuts the
+; triangles.  With the corners P as there, the ray at the origin, and "above"
+; for y >= 0:
 ;
-;   an edge from a below to b above crosses y = 0 to the right  if  ax by >= ay bx
-;   a triangle is crossed if of its edges two cross y = 0, and one of them to the
-;       right
+;   an edge from a below to b above crosses y = 0 to the right
+;       if  ax by >= ay bx
+;   a triangle is crossed if two of its edges cross y = 0, and exactly one of
+;       them to the right
 ;
-; Of an edge that is all that depends on it, and all triangles at an edge ask it in
-; one order, from below.  The plane cuts each triangle in none or two of its edges,
-; so a closed mesh in closed lines of edges; and on such a line sides change an even
-; number of times, whatever is rounded.  With U, V, W as there:
+; Nothing else about an edge matters, and all its triangles evaluate it in the
+; same order, from below.  The plane cuts each triangle in two of its edges or
+; in none, so it cuts a closed mesh in closed lines of edges.  On such a line
+; the side changes an even number of times, independently of rounding.  With U,
+; V, W as there:
 ;
 ;   t = (|U| z0 + |V| z1 + |W| z2) / dz / (|U| + |V| + |W|)
 ;
-; for all of them have one sign, but where what is rounded decides; where all
-; are 0, t = z0 / dz.
+; U, V, W have one sign, unless rounding decides; if all are 0, t = z0 / dz.
 ;
-; Each crossing goes to the end of its ray's list; of several pairs of one ray that
-; are met at once the last that is stored, the others in the next turn.  Lists are
-; columns, one for the first crossings of all rays, one for the second ..; as many
-; columns behind as there is room for stand their triangles.  At last the columns
-; are brought in order, by exchanges of neighbours.
+; Each crossing is appended to its ray's list.  If several pairs of one ray
+; cross in the same step, the last store wins and the other pairs are stored in
+; further turns.  Lists are columns: one for the first crossings of all rays,
+; one for the second, and so on.  The triangles are in as many columns again,
+; after the reserved ones.  At the end exchanges of neighbouring columns sort
+; the lists.
 ;
-; mesh_crossings: the crossings beyond lower, a little farther than near_limit at the
-;   most: what lies behind that is not seen.
-; mesh_solid, mesh_body: those beyond the ray's start, or beyond lower if that is less, with the mesh or with its body.  It starts inside if their number is odd:
-;   then the first is minus_big.
+; mesh_crossings: the crossings beyond lower and up to 2 k_delta
+;   beyond near_limit; those farther away are not visible.
+; mesh_solid, mesh_body: the crossings with the mesh or with its body beyond the
+;   ray's start, or beyond lower if that is less.  The ray starts inside if
+;   their number is odd: then the first is minus_big.
 ;
 ; In:  ox oy oz dx dy dz lower near_limit, near long; the primitive's record and
 ;      table.
-; Out: from tin on columns of crossings, ascending, of those at one distance the first
-;      triangle first; behind the last big, or of segments minus_big for where
-;      they end; P_SEGMENTS, P_EVENTS, of a shape with P_STATE_KERNEL what is asked.
-; Source: which sides: the crossings of a polygon, textbook; that a mesh's are even
-; whatever is rounded, and the lists: derived here.
+; Out: from tin on, columns of crossings, ascending; at equal distance the first
+;      triangle comes first.  After the last is big, or minus_big at the end of
+;      a segment.  P_EVENTS or, for solids, P_SEGMENTS is the number of columns
+;      or segments; a solid without P_STATE_KERNEL also gets P_EVENTS.
+; Source: the side rule: crossings of a polygon, textbook; that the crossings of
+; a mesh are even independently of rounding, and the lists: derived here.
 
         .share  hits
-        .reg    mesh_counts, r167               ; how many crossings, integers
+        .reg    mesh_counts, r167               ; crossings per ray, integers
         .endshare
 
-; As the pairs' vectors in mesh_vector.s, with bits for the corners.
+; As the vectors of pairs in mesh_vector.s, with bits for the corners.
         .share  scratch
         .regs   r251, side_b0, side_b1, side_b2
         .endshare
         .equ    CROSSING_VECTORS, SIDE_VECTORS + 3
 
-; What is known of the mesh, in the place of its shape.
+; Data of the mesh, in the registers of its shape.
         .share  shape
         .regs   r40, mesh_is_solid, mesh_room, triangles_at
         .endshare
@@ -67,8 +72,9 @@ odd_store:      .space 2 * QUEUE
         set_lengths \count, m_high, crossing_bases, lane_descriptors, CROSSING_VECTORS, side_place
         .endm
 
-; [side_bits] changes where an edge from a to b crosses y = 0 to the right: with
-; [into], [side_g0] = the products ax by, ay bx; then [into] = their difference.
+; Changes [side_bits] in the lanes in which the edge from a to b crosses y = 0
+; to the right.  [into], [side_g0] = ax by, ay bx; then [into] = their
+; difference.
         .macro  cross_edge above_a, above_b, ax, ay, bx, by, into
         MPYSV   [\ax], [\by], [\into]
         MPYSV   [\ay], [\bx], [side_g0]
@@ -81,13 +87,13 @@ odd_store:      .space 2 * QUEUE
         SUBNV   [\into], [side_g0], [\into]
         .endm
 
-; The column behind, and the one of its triangles.
+; Advances to the next column, of crossings or of triangles.
         .macro  next_list_column column
         EX      s0, 64 * CROSSING_SIZE
         ADDX    \column, s0, \column
         .endm
 
-; [a] and [b] where [bits0] change places.
+; Exchanges [a] and [b] in the lanes of [bits0].
         .macro  swap_columns a, b
         VTOV    [\a], [w0]
         VTOV    [\b], [\a] ? [bits0]
@@ -104,7 +110,7 @@ mesh_crossings:
 mesh_body:
         ES      mesh_is_solid, 1
         VTOV    big, [w9]
-        load_record P_SHAPE + 2, 2, s2          ; where its table stands, its room
+        load_record P_SHAPE + 2, 2, s2          ; offset and room of the body
         FLR     s2, s2
         SHIFTI  s2, 6, s2
         load_record P_TABLE, 2, mesh_table
@@ -115,7 +121,7 @@ mesh_solid:
         VTOV    big, [w9]
 crossings_begin:
         load_field P_SHAPE + 1, s3
-        load_record P_TABLE, 2, mesh_table      ; and mesh_row
+        load_record P_TABLE, 2, mesh_table      ; also mesh_row
 crossings_room:
         FLR     mesh_row, mesh_row
         FLR     s3, mesh_room
@@ -129,7 +135,7 @@ crossings_room:
         start_walk w9
         walk_mesh meet_every, 0
 
-; An odd number: one more.
+; Adds minus_big to the lists with an odd number of crossings.
         IBXEQ   mesh_is_solid, r0, r0, crossings_fill
         ANDV    [mesh_counts], one_index, [w0]
         CMPNEV  [w0], r0, [bits0]
@@ -146,7 +152,7 @@ crossings_room:
         VTOVX   [s2], r0, [triangles_at]
         ADDXV   [mesh_counts], one_index, [mesh_counts] ? [bits0]
 
-; Behind the last: s2 columns are in use.
+; Fills the ends of the lists.  s2 = the number of columns in use.
 crossings_fill:
         ES      s2, 0
         RTOR    tin, s3
@@ -176,7 +182,7 @@ crossings_filled:
         ES      s2, 2
         BIM     crossings_count
 
-; Column after column to its place among those before it.
+; Moves each column back to its place among the previous ones.
 crossings_order:
         ES      s3, 1
         RTOR    tin, s4
@@ -206,7 +212,7 @@ crossings_placed:
         IX      s3, 1
         BIM     crossings_next
 
-; Segments that are not.
+; Sets the unused segments to misses.
 crossings_ordered:
         IBXEQ   mesh_is_solid, r0, r0, crossings_count
         RTOR    tin, s3
@@ -230,7 +236,7 @@ crossings_store:
 crossings_given:
         BIM     0, link_kernel
 
-; The pairs are met, mesh_pairs of them.
+; Tests the mesh_pairs pairs and appends their crossings.
 meet_every:
         set_crossing_sides mesh_pairs
         ES      mesh_pairs, 0

@@ -1,11 +1,12 @@
-; mesh_scalar.s - one ray meets a mesh: many triangles under a hierarchy of boxes.
+; mesh_scalar.s - intersects one ray with a mesh: triangles in a hierarchy of
+; bounding boxes.
 ;
 ;       CALL MESH (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in mesh_vector.s.  Where a triangle
-; that is met stands in the table is written to the primitive's P_PATCH_POINT.  Of a ray to
-; a light (RAY = SHADOW_RAY) SEGMENT is any hit before its limit, which stands in
-; SHADOW_LIMIT; behind that stands where it goes.
+; The arguments are those of sphere_scalar.s, the method is that of
+; mesh_vector.s.  The offset of the hit triangle in the table is stored in
+; P_PATCH_POINT.  For a ray to a light (RAY = SHADOW_RAY) SEGMENT is any hit
+; before the limit in SHADOW_LIMIT; the point where the ray ends follows it.
 
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
@@ -13,7 +14,7 @@
 
         .share  local
         .regs   r79, mesh_table, mesh_row, node, node_at, signs, met_link
-        .regs   r85, axis_x, axis_y, axis_z             ; the ray's own: 0, 1, 2
+        .regs   r85, axis_x, axis_y, axis_z             ; the ray's axes, 0-2
         .regs   r88, own_ox, own_oy, own_oz, shear_x, shear_y, own_z
         .regs   r94, inverse_x, inverse_y, inverse_z, size_x, size_y, size_z
         .regs   r100, box_x, box_y, box_z, box_hx, box_hy, box_hz
@@ -67,8 +68,8 @@ greater\@:
 lesser\@:
         .endm
 
-; The corners along one of the ray's own axes, at triangle_at; not yet told from
-; its origin.
+; Loads the corners of the triangle at triangle_at along one of the ray's own
+; axes, not yet relative to its origin.
         .macro  load_corners axis, c0, c1, c2
         LOD     [triangle_at, \axis], \c0
         ADDX    \axis, t0, t1
@@ -83,7 +84,7 @@ lesser\@:
         SUBN    \c2, \o, \c2
         .endm
 
-; What a walk needs of the ray: its own axes, signs.
+; Prepares the data of the ray for a traversal: its own axes and signs.
         .macro  begin_mesh
         FLR     sh0, mesh_row
         RTOR    a_primitive, t0
@@ -114,24 +115,24 @@ mesh_turned\@:
         RTOR    big, tin
         .endm
 
-; A ray to a light ends at the first triangle that it meets before the light
-; (mesh_stops = 1); what is met at its limit stops none.
+; A ray to a light ends at the first triangle that it hits before the light
+; (mesh_stops = 1).  A hit at its limit does not count.
         .macro  begin_limit
         ES      mesh_stops, 0
-        RTOR    met_link, nearest_side          ; behind all triangles
+        RTOR    met_link, nearest_side          ; after all triangles
         .if     CASTS_SHADOWS
         EX      t0, shadow_ray
         IBXNE   t0, r0, a_ray, limit_none\@
         ES      mesh_stops, 1
-        RTOR    r0, nearest_side                ; before them
+        RTOR    r0, nearest_side                ; before all triangles
         EX      t0, shadow_limit
         LOD     [t0], tin
 limit_none\@:
         .endif
         .endm
 
-; The node at node_at, which then is at its links; to beside if the ray does not come
-; near.
+; Tests the box of the node at node_at, which advances to its links.  Branches
+; to beside if the ray misses the box.
         .macro  near_boxes beside
         LOD     [node_at], box_x
         IX      node_at, 64
@@ -174,8 +175,9 @@ limit_none\@:
         .include "shapes/mesh_windows_scalar.s"
         .endif
 
-; Through the nodes before tin; the sides of the ray that a triangle has to sides.
-; Rows of nodes; so far behind the links stands what a leaf has.
+; Traverses the nodes nearer than tin.  sides tests a triangle.  rows is the
+; address of the rows, size the words of a row, first the offset of a leaf's
+; triangles from the links.
         .macro  walk_mesh sides, way=boxes, rows=mesh_table, size=MESH_SIZE, first=MESH_FIRST - MESH_LINKS
         ES      node, \size
 mesh_node\@:
@@ -187,7 +189,7 @@ mesh_node\@:
         SUBX    node, met_link, node
         IX      node_at, 64 * (\first)
         ELEN    node_at, 2
-        SWAP    [node_at], triangle, [r0]       ; and triangles_left
+        SWAP    [node_at], triangle, [r0]       ; also triangles_left
         BIM     mesh_triangle\@
 mesh_beside\@:
         IX      node_at, 64
@@ -231,14 +233,14 @@ mesh_triangle\@:
 mesh_walked\@:
         .endm
 
-; U, V, W.
+; Computes U, V, W.
         .macro  subtract_sides
         SUBN    side_u, t0, side_u
         SUBN    side_v, t1, side_v
         SUBN    side_w, t2, side_w
         .endm
 
-; What is met first: tin, nearest_side.
+; Keeps the nearest hit in tin and nearest_side.
         .macro  nearest_sides
         subtract_sides
         CFPLT   side_u, r0, mesh_all_below\@

@@ -1,40 +1,42 @@
-; mesh_vector.s - a queue of rays meets a mesh: many triangles under a hierarchy
-; of boxes.
+; mesh_vector.s - intersects a queue of rays with a mesh: triangles in a
+; hierarchy of bounding boxes.
 ;
-; Each ray walks through the hierarchy by itself, and all take a step at a time:
-; a node is told by where it stands, what it holds is gathered.  Its links say
-; where a ray goes on, by the signs of its direction so that of two nodes below
-; the nearer comes first; there is no stack.  Rays at the end are left out when
-; they are many.  A ray that comes to a leaf makes pairs with its triangles and
-; walks on; pairs are met before there are more than rays that walk.
+; Each ray traverses the hierarchy by itself, and all rays advance one step at a
+; time.  A node is identified by its offset; its contents are gathered.  Its
+; links give the next node, chosen by the signs of the ray's direction so that
+; the nearer of two children comes first; there is no stack.  Finished rays are
+; removed by compression when they are a quarter of all.  A ray at a leaf makes
+; pairs with the leaf's triangles and continues.  Pairs are tested before they
+; outnumber the traversing rays.
 ;
-; A box with centre C and half sides H is passed, of each axis, for
+; A ray is inside a box with centre C and half sides H, on each axis, for
 ;
 ;   (C - o) / d - H / |d|  <=  t  <=  (C - o) / d + H / |d|
 ;
-; and near if these have a t >= 0 in common before the ray's limit.  The boxes
-; are greater than what they hold by more than is rounded, and the beginning
-; counts for a little less, for what rays from far away lose.  Where d is 0 it
-; counts as 1e-60.
+; It hits the box if these intervals have a t >= 0 in common before the ray's
+; limit.  The boxes exceed their contents by more than the rounding errors, and
+; the entry is reduced a little for the errors of distant rays.  d = 0 counts as
+; 1e-60.
 ;
-; A triangle: the axis z where |d| is greatest, and x, y the next after it.  Its
-; corners, told from o and sheared along d, are P = (x - z dx / dz, y - z dy / dz),
-; so the ray is the origin.  With a x b = ax by - ay bx:
+; For a triangle, z is the axis on which |d| is greatest, and x, y are the next
+; ones.  Its corners relative to o, sheared along d, are
+; P = (x - z dx / dz, y - z dy / dz), so the ray is at the origin.  With
+; a x b = ax by - ay bx:
 ;
 ;   U = P1 x P2    V = P2 x P0    W = P0 x P1       all >= 0 or all <= 0
 ;   t = (U z0 + V z1 + W z2) / dz / (U + V + W)     U + V + W not 0
 ;
-; What a corner becomes depends on the ray alone, products have no order, and
-; a difference and its opposite never have one sign; so two triangles with
-; two corners in common leave no gap between them.
+; A sheared corner depends on the ray alone, products commute, and a difference
+; and its opposite never have the same sign.  So two triangles with two common
+; corners leave no gap.
 ;
-; A ray to a light ends at the first triangle that it meets before the light.
+; A ray to a light ends at the first triangle that it hits before the light.
 ;
 ; In:  ox oy oz dx dy dz lower near_limit, near long; the primitive's record and
 ;      table; shadows.
-; Out: tin = tout = the least t beyond lower up to the limit, patch_s its triangle
-;      in the table, of several the first, patch_t 0; of a ray to a light any t
-;      before its limit; a miss is big, minus_big.
+; Out: tin = tout = the smallest t beyond lower up to the limit, patch_s the
+;      offset of its triangle in the table, of several the first, patch_t 0;
+;      for a ray to a light any t before its limit; a miss is big, minus_big.
 ; Source: the edges: Woop, Benthin and Wald 2013; links by directions: threaded
 ; hierarchies, Arvo 1988; pairs: derived here.
 
@@ -42,8 +44,8 @@
         .include "shapes/lanes_vector.s"
         .endif
 
-; The rays that walk, m of them: the node, the place among those at hand, origin,
-; 1/d, 1/|d|, twice the number of its signs, limit.
+; The m traversing rays: node, index among the near rays, origin, 1/d, 1/|d|,
+; twice the number of its signs, limit.
         .share  hits
         .regs   r136, mesh_at, mesh_place, mesh_ox, mesh_oy, mesh_oz
         .regs   r141, mesh_ix, mesh_iy, mesh_iz, mesh_ax, mesh_ay, mesh_az
@@ -55,27 +57,28 @@
         .reg    mesh_pairs, r161
         .endshare
 
-; Rays that come to a leaf: its next triangle, their places, how many triangles
-; it has left.
+; Rays at a leaf: its next triangle, their indices, the number of its remaining
+; triangles.
         .share  hits
         .regs   r162, leaf_triangle, leaf_place, leaf_left, leaf_bits
         .reg    leaf_count, r166
         .endshare
 
-; The pairs: places and triangles, three corners by x, y, z of their own, U, V, W.
+; Pairs: rays and triangles, three corners by x, y, z of the ray's own axes, U,
+; V, W.
         .share  scratch
         .regs   r233, side_place, side_triangle, side_x0, side_y0, side_z0
         .regs   r238, side_x1, side_y1, side_z1, side_x2, side_y2, side_z2
         .regs   r244, side_u, side_v, side_w, side_g0
         .regs   r248, side_bits, side_more, side_tie
         .endshare
-        .reg    side_g1, side_w                 ; until there is W, and after it
+        .reg    side_g1, side_w                 ; while W is not in use
         .equ    SIDE_VECTORS, 18
         .equ    PARTS_BITS, 2
         .equ    PARTS, 1 << PARTS_BITS
 
-; All of them lie where the lanes of other shapes do; bits0 and bits1 are given up
-; when the walk begins.
+; All these vectors share the memory of the lanes of other shapes.  bits0 and
+; bits1 are no longer needed when the traversal begins.
         .data
 mesh_zero:      .word 1e-60
 walk_bases:
@@ -88,7 +91,7 @@ side_bases:
         .endif
         .code
 
-; There are m rays that walk.
+; Sets the lengths of the traversing rays' vectors to m.
         .macro  set_walk
         set_lengths m, m_high, walk_bases, lane_shade_descriptors, WALK_VECTORS, mesh_at
         .endm
@@ -97,8 +100,8 @@ side_bases:
         set_lengths \count, m_high, side_bases, lane_descriptors, SIDE_VECTORS, side_place
         .endm
 
-; [kx], [ky], [kz] = x, y, z, in the order of each ray's own axes: y is the
-; greatest in bits0, z in bits1.
+; [kx], [ky], [kz] = x, y, z in the order of each ray's own axes: y is the
+; greatest in the lanes of bits0, z in those of bits1.
         .macro  own_axis a, b, c, into
         VTOV    \a, [\into]
         VTOV    \b, [\into] ? [bits0]
@@ -111,11 +114,12 @@ side_bases:
         own_axis \x, \y, \z, \kz
         .endm
 
-; Rays at hand that are neighbours come to the same nodes, whose words are in
-; one bank, which is busy for four accesses: so they are taken from one of PARTS
-; parts of them after the other.
-; [mesh_place] = i / PARTS + i mod PARTS times the size of a part, as far as there
-; are such rays; i has a little more room than pairs have.
+; Neighbouring rays visit the same nodes, whose words are in one memory bank,
+; and a bank is busy for four accesses.  So the rays are taken from each of
+; PARTS parts in turn:
+; [mesh_place] = i / PARTS + (i mod PARTS) * (size of a part), without the
+; values that are m or more.  i runs to m, rounded up to a multiple of PARTS;
+; the vectors of pairs have room for it.
         .macro  mix_rays
         EX      s2, PARTS - 1
         ADDX    m, s2, s3
@@ -144,7 +148,7 @@ side_bases:
         ABSV    [\inverse], [\size]
         .endm
 
-; Of the box at MESH_BOX + number: [low], [high] along one axis.
+; [low], [high] = the interval in the box at MESH_BOX + number along one axis.
         .macro  box_axis number, own, inverse, size, low, high
         RTOR    mesh_table, s0
         IX      s0, 64 * (MESH_BOX + \number)
@@ -158,7 +162,7 @@ side_bases:
         ADDNV   [mesh_g0], [mesh_g1], [\high]
         .endm
 
-; .. and what it has in common with those before.
+; Intersects the interval with that of one more axis.
         .macro  box_next number, own, inverse, size
         box_axis \number, \own, \inverse, \size, mesh_g2, mesh_g3
         CMPLTV  [mesh_low], [mesh_g2], [mesh_bits]
@@ -167,7 +171,8 @@ side_bases:
         VTOV    [mesh_g3], [mesh_high] ? [mesh_bits]
         .endm
 
-; The pairs of the rays at leaves, behind the others; s0 = these, in bits.
+; Appends a vector of the rays at leaves to the pairs.  s0 = the offset of their
+; end, in bits.
         .macro  add_pair vector, store
         EX      s1, \store
         ADDX    s1, s0, s1
@@ -183,7 +188,7 @@ side_bases:
         CPSV    [\vector], [\vector] ? [side_bits]
         .endm
 
-; Only those pairs of which nothing has shown that the ray passes by.
+; Keeps only the pairs of side_bits, which the ray may hit.
         .macro  keep_sides
         side_keep side_place
         side_keep side_triangle
@@ -200,7 +205,7 @@ side_bases:
         VXTOV   [side_place], [\vector], [\into]
         .endm
 
-; One coordinate of the corners, told from the origin.
+; Gathers one coordinate of the corners, relative to the ray's origin.
         .macro  side_axis axis, o, c0, c1, c2
         of_ray  \axis, side_g0
         ADDXV   [side_triangle], [side_g0], [side_g0]
@@ -239,7 +244,7 @@ side_bases:
         ANDB    [\bits], [side_tie], [\bits]
         .endm
 
-; What a walk needs of the rays at hand: their own axes.
+; Prepares the data of the near rays for a traversal: their own axes.
         .macro  begin_mesh
         RTOR    mesh_table, mesh_links
         IX      mesh_links, 64 * MESH_LINKS
@@ -262,8 +267,8 @@ side_bases:
         MPYSV   [w4], [w5], [w4]
         .endm
 
-; A step of the rays that walk: [mesh_bits] = those that come near their node, [mesh_g1] =
-; where all go on.
+; One step of the traversing rays: [mesh_bits] = those that hit the box of their
+; node, [mesh_g1] = the next node of each.
         .macro  step_boxes
         load_word bound_less, s1
         box_axis 0, mesh_ox, mesh_ix, mesh_ax, mesh_low, mesh_high
@@ -300,7 +305,7 @@ side_bases:
         VXTOV   [mesh_place], [\limits], [mesh_limit]
         .endm
 
-; Those at hand, in the order in which they walk.
+; [mesh_place] = the near rays in the order of the traversal.
         .macro  place_rays
         .if     QUEUE < PARTS || QUEUE > 65535 - PARTS
         VTOV    [iota], [mesh_place]
@@ -312,7 +317,7 @@ side_bases:
         .macro  among_all
         .endm
 
-; All, or some of them, stand at the first node.
+; All rays, or those that among_\some selects, start at the first node.
         .macro  start_walk limits, some=all
         ES      s2, MESH_SIZE
         VTOV    s2, [mesh_at]
@@ -330,8 +335,8 @@ side_bases:
         .include "shapes/mesh_windows_vector.s"
         .endif
 
-; To the end; pairs are met by the routine meet, which may change limits or
-; not.  So far behind the links stands what a leaf has.
+; Traverses to the end.  The routine meet tests the pairs; limits = 1: it may
+; change limits.  first = the offset of a leaf's triangles from the links.
         .macro  walk_mesh meet, limits, way=boxes, first=MESH_FIRST - MESH_LINKS
 mesh_step\@:
         step_\way
@@ -351,7 +356,7 @@ mesh_narrow\@:
         set_walk
         BIM     mesh_step\@
 
-; Rays at leaves, leaf_count of them: a pair with each triangle.
+; leaf_count rays are at leaves: each makes a pair with each triangle.
 mesh_leaves\@:
         SUBXV   [mesh_g1], mesh_leaf_link, [mesh_g1] ? [mesh_met]
         RTOR    w10, leaf_triangle
@@ -395,7 +400,7 @@ mesh_walked\@:
 mesh_done\@:
         .endm
 
-; The corners of the pairs' triangles: x, y, z, sheared.
+; Gathers the corners of the pairs' triangles: x, y, z, sheared.
         .macro  take_corners
         side_axis w6, w0, side_x0, side_x1, side_x2
         side_axis w7, w1, side_y0, side_y1, side_y2
@@ -406,14 +411,14 @@ mesh_done\@:
 
         .kernel mesh
 mesh:
-        load_record P_TABLE, 2, mesh_table      ; and mesh_row
+        load_record P_TABLE, 2, mesh_table      ; also mesh_row
         FLR     mesh_row, mesh_row
         begin_mesh
         VTOV    [near_limit], [w9]
         VTOV    big, [tin]
         VTOV    r0, [patch_s]                   ; before all triangles
-        IBXNE   shadows, r0, r0, mesh_begin     ; what is at the light stops none
-        VTOV    mesh_leaf_link, [patch_s]       ; behind all: at the limit counts
+        IBXNE   shadows, r0, r0, mesh_begin     ; hits at the light do not count
+        VTOV    mesh_leaf_link, [patch_s]       ; after all: hits there count
 mesh_begin:
         VTOV    r0, [patch_t]
         .if     MESH_BOXES == 0
@@ -436,7 +441,8 @@ mesh_walk_done:
         MASKV   [tin], minus_big, [tout] ? [bits0]
         BIM     0, link_kernel
 
-; The pairs are met, mesh_pairs of them: w9, tin, patch_s of their rays.
+; Tests the mesh_pairs pairs.  Changes w9, tin, patch_s of the rays that are
+; hit.
 meet_sides:
         set_sides mesh_pairs
         ES      mesh_pairs, 0
@@ -472,8 +478,8 @@ meet_sides:
         ANDB    [side_bits], [side_more], [side_bits]
         BIM     sides_better
 
-; The nearest of each ray: where one has several, the last that is stored drops
-; out of the next turn.
+; Keeps the nearest hit of each ray.  If a ray has several, the last store wins,
+; and that pair drops out of the next turn.
 sides_turn:
         ORNB    [side_bits], [side_bits], [side_bits]
 sides_better:

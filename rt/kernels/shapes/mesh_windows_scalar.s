@@ -1,11 +1,12 @@
-; mesh_windows_scalar.s - a ray that goes through an eye: formulas as in
-; mesh_windows_vector.s.  Of a ray that goes to no light the origin tells.
+; mesh_windows_scalar.s - tests one ray against the windows of a mesh if the ray
+; goes through a viewpoint.  The formulas are those of mesh_windows_vector.s.  A
+; ray that is not a shadow ray goes through a viewpoint if its origin is one.
 
         .reg    mesh_u, inverse_x
         .reg    mesh_v, inverse_y
         .reg    mesh_forth, inverse_z
         .reg    mesh_windows, size_x
-; Until the walk begins, where its boxes are.
+; The viewpoint, in the registers of the boxes until the traversal begins.
         .share  local
         .regs   r100, eye_x, eye_y, eye_z, eye_axis, eye_sign, eye_far, eye_windows
         .endshare
@@ -16,13 +17,13 @@
         RTOR    \v, mesh_v
         .endm
 
-; What a walk needs of the eye that the ray goes through, or to none; to missed if it
-; goes away from the mesh.
+; Prepares the data of the viewpoint that the ray goes through.  Branches to
+; none if there is none, or to missed if the ray goes away from the mesh.
         .macro  begin_windows none, missed
         RTOR    mesh_table, t0
         IX      t0, 64 * MESH_FIRST
         ELEN    t0, 2
-        SWAP    [t0], t1, [r0]                  ; and t2: how many
+        SWAP    [t0], t1, [r0]                  ; also t2: their number
         IBXEQ   t2, r0, r0, \none
         RTOR    ox, t3
         RTOR    oy, t4
@@ -84,7 +85,7 @@ eye_forth\@:
         MPYS    mesh_v, t0, mesh_v
         SHIFTI  eye_windows, 6, mesh_windows
         ADDX    mesh_table, mesh_windows, mesh_windows
-        ES      signs, 0                        ; one way for all
+        ES      signs, 0                        ; one order for all rays
         .endm
 
         .macro  near_windows beside

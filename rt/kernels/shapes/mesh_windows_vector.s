@@ -1,30 +1,30 @@
-; mesh_windows_vector.s - rays that all go through one point, an eye: a camera, or a
-; light.  From there a mesh is seen as windows (rt/shapes/screen_bounds.h), at which they
-; are asked in place of boxes.
+; mesh_windows_vector.s - tests a queue of rays against the windows of a mesh if
+; they all go through one viewpoint: a camera or a light.  From there the mesh
+; is seen as windows (rt/shapes/screen_bounds.h), which replace the boxes.
 ;
-; That is each ray's own matter, not its queue's: where a mesh is seen edge-on, from a
-; point in the plane of a triangle, rounding says whether it is met, and a window may leave
-; out what a box lets through.
+; The choice depends on the ray alone and not on its queue, because the results
+; can differ: if the viewpoint is in the plane of a triangle, rounding decides
+; whether it is hit, and a window may exclude what a box admits.
 ;
-; Of a ray, in the order of the eye's axes, with g = sign dw:
+; For a ray, in the order of the viewpoint's axes, with g = sign dw:
 ;
 ;   u = du / g    v = dv / g    z = |g| t
 ;
-; where t is told from the eye.  A ray to a light comes from no farther than
-; z = |g| (limit + k_shadow), and nothing counts in the first k_shadow of its way.
+; where t is measured from the viewpoint.  A ray to a light starts at
+; z = |g| (limit + k_shadow), and no hit in its first k_shadow counts.
 ;
-; Part of mesh_vector.s, as macros: where the rays that walk have origin, 1/d and so on,
-; these have u, v, |g|.
+; These macros are a part of mesh_vector.s.  The traversing rays have u, v, |g|
+; in the registers of their origin, instead of origin, 1/d and 1/|d|.
 ; Source: mesh_windows.h.
 
         .reg    mesh_u, mesh_ox
         .reg    mesh_v, mesh_oy
         .reg    mesh_forth, mesh_oz             ; |g|
         .share  hits
-        .reg    mesh_eye, r167                  ; address of its row
+        .reg    mesh_eye, r167                  ; address of the viewpoint's row
         .endshare
 
-; The eye that the rays at hand go through, or to none.
+; Finds the viewpoint that the near rays go through, or branches to none.
         .macro  find_eye none
         RTOR    shadows, s0
         if_to_point eye_place\@, s1
@@ -37,7 +37,7 @@ eye_place\@:
         RTOR    mesh_table, s0
         IX      s0, 64 * MESH_FIRST
         ELEN    s0, 2
-        SWAP    [s0], s4, [r0]                  ; and s5: how many
+        SWAP    [s0], s4, [r0]                  ; also s5: their number
         SHIFTI  s4, 6, s4
         ADDX    mesh_table, s4, mesh_eye
         BIM     eye_next\@
@@ -56,7 +56,8 @@ eye_next\@:
 eye_found\@:
         .endm
 
-; s2, s3, s4 = the directions along the eye's axes w, u, v; s5, s6, s7 = EYE_AXIS and so on.
+; s2, s3, s4 = the directions along the viewpoint's axes w, u, v; s5, s6, s7 =
+; EYE_AXIS and the next two words.
         .macro  eye_axes
         RTOR    mesh_eye, s0
         IX      s0, 64 * EYE_AXIS
@@ -76,8 +77,8 @@ eye_found\@:
 eye_turned\@:
         .endm
 
-; Those that come towards the mesh, but for rays to a light from far away, stand at the
-; first node; to none if none does.
+; Starts the rays that go towards the mesh at the first node, except rays to a
+; light from far away.  Branches to none if there are none.
         .macro  start_windows none
         place_rays
         eye_axes
@@ -114,7 +115,8 @@ windows_bound\@:
         IX      mesh_links, 64 * WINDOW_LINKS
         .endm
 
-; The others, who go by boxes; to none if there are none.
+; Prepares the rays that use boxes instead, or branches to none if there are
+; none.
         .macro  find_far none
         IBXEQ   shadows, r0, r0, \none
         RTOR    mesh_eye, s0
@@ -129,7 +131,7 @@ windows_bound\@:
         IX      mesh_links, 64 * MESH_LINKS
         .endm
 
-; .. of the rays that are placed, if there is an eye.
+; Keeps these rays among the placed ones, if there is a viewpoint.
         .macro  among_far
         IBXEQ   mesh_eye, r0, r0, far_placed\@
         RTOR    mesh_eye, s2
@@ -148,7 +150,7 @@ far_placed\@:
         ANDB    [mesh_bits], [mesh_met], [mesh_bits]
         .endm
 
-; The next word of the windows.
+; Gathers the next word of the windows.
         .macro  window_word
         VXTOV   [mesh_at], [s0], [mesh_g0]
         IX      s0, 64

@@ -1,4 +1,4 @@
-; normal_blob_scalar.s - the normal of a blob; see normal_blob_vector.s.
+; normal_blob_scalar.s - computes the normal of a blob (normal_blob_vector.s).
 
         .kernel shade
         .if     BLOB_PIECES

@@ -1,9 +1,10 @@
-; normal_blob_vector.s - the normals of blobs; see normal_vector.s.
+; normal_blob_vector.s - computes the normals of blobs (normal_vector.s).
 ;
-; Against the gradient of the field.  In the space of a component, to which the
-; matrix M leads, P is told from the nearest point of its axis, if it has one:
+; The normal is opposite to the gradient of the field.  The matrix M leads to
+; the space of a component.  There P is relative to the nearest point of its
+; axis, if it has one:
 ;
-;   g = 1 - P . P        S g^2 falls fastest along  S g M^T P,   where g > 0
+;   g = 1 - P . P        S g^2 falls fastest along  S g M^T P,   if g > 0
 
         .kernel shade
         .if     BLOB_PIECES
@@ -12,7 +13,8 @@
         ADDNV   [\x], \m3, [\x]
         .endm
 
-; Strength sh0, length of the axis sh1, matrix sh2-sh13.
+; Adds a component's part: strength sh0, length of the axis sh1, matrix
+; sh2-sh13.
         .macro  take_part
         part_point v3, sh2, sh3, sh4, sh5, v6
         part_point v4, sh6, sh7, sh8, sh9, v6

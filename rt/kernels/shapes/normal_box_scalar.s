@@ -1,4 +1,4 @@
-; normal_box_scalar.s - the normal of a box; see normal_box_vector.s.
+; normal_box_scalar.s - computes the normal of a box (normal_box_vector.s).
 
         .kernel shade
         .macro  face q, n

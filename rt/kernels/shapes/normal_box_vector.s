@@ -1,9 +1,9 @@
-; normal_box_vector.s - the normals of boxes; see normal_vector.s.
+; normal_box_vector.s - computes the normals of boxes (normal_vector.s).
 
         .kernel shade
-; Box: the face is the one whose plane is nearest,  | |X - C| - half edge |
-; the least of the three axes; x before y before z where two are equal.
-; Distances, not the ratio of the two: a box may be flat.
+; The face is the one with the nearest plane: the axis with the smallest
+; | |X - C| - half edge |; x before y before z if two are equal.  Distances are
+; compared and not ratios, because a box may be flat.
         .macro  face q, n, bits
         CMPGEV  [\q], r0, [hits2]
         MASKV   one, minus_one, [v6] ? [hits2]

@@ -1,4 +1,4 @@
-; normal_cone_scalar.s - the normal of a cone; see normal_cone_vector.s.
+; normal_cone_scalar.s - computes the normal of a cone (normal_cone_vector.s).
 
         .kernel shade
         .macro  cone_normal u, v, w, n
@@ -9,7 +9,7 @@
         SUBN    t3, t5, \n
         .endm
 
-; In the frame of the axis: t0 t1 t2; rho in t6.
+; The point in the frame of the axis: t0, t1, t2; t6 = rho.
         .macro  cone_frame
         load_shape 16
         SUBN    qx, sh0, t3

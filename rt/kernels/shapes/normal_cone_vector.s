@@ -1,12 +1,12 @@
-; normal_cone_vector.s - the normals of cones; see normal_vector.s.
+; normal_cone_vector.s - computes the normals of cones (normal_vector.s).
 
         .kernel shade
-; Cone, in the frame u v w of its axis, X - C = (xu, xv, xw), with
-; rho = sqrt(xu^2 + xv^2), r = r0 + k xw, g = 1/sqrt(1 + k^2): a point belongs
-; to a disk if it is nearer to the disk's plane than to the side,
+; In the frame u, v, w of the cone's axis X - C = (xu, xv, xw).  With
+; rho = sqrt(xu^2 + xv^2), r = r0 + k xw, g = 1/sqrt(1 + k^2), a point belongs
+; to a disk if it is nearer to the disk's plane than to the side:
 ;   | |xw| - half | < |rho - r| g
-; Disk: N = w with the sign of xw.  Side: N = g (xu/rho u + xv/rho v - k w);
-; at the apex, rho = 0, u stands for what is divided.
+; Disk: N = w with the sign of xw.  Side: N = g (xu/rho u + xv/rho v - k w).
+; At the apex, rho = 0, u replaces the quotients.
         .macro  cone_normal u, v, w, n
         MPYSV   [v3], \u, [v5]
         LINKV

@@ -1,5 +1,5 @@
-; normal_cylinder_clipped_scalar.s - the normal of a cylinder that is met as in
-; cylinder_clipped_scalar.s; see normal_cylinder_clipped_vector.s.
+; normal_cylinder_clipped_scalar.s - computes the normal of a cylinder that is
+; intersected by cylinder_clipped_scalar.s (normal_cylinder_clipped_vector.s).
 
         .kernel shade
         .share  local

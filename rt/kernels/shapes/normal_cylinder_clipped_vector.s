@@ -1,13 +1,13 @@
-; normal_cylinder_clipped_vector.s - the normals of cylinders that are met as in
-; cylinder_clipped_vector.s; see normal_vector.s.
+; normal_cylinder_clipped_vector.s - computes the normals of cylinders that are
+; intersected by cylinder_clipped_vector.s (normal_vector.s).
 ;
-; A point belongs to the surface of the ray's entry or to that of its exit, the
-; one it is nearer to: with X told from the base and x = X - (X . A) A its part
-; across the axis,
+; A point belongs to the surface of the ray's entry or to that of its exit,
+; whichever is nearer.  X is relative to the base and x = X - (X . A) A is its
+; part across the axis:
 ;   side 0    | x . x - r^2 | / (2 r)         N = x / r
 ;   bottom 1  | p . X + q |                   N = p
-;   top 2     likewise with the other plane
-; Where none is noted (CYLINDER_UNNOTED) it is the nearest of the three.
+;   top 2     the same with the other plane
+; If no surface is recorded (CYLINDER_UNNOTED), it is the nearest of the three.
 
         .kernel shade
         .macro  less_along x, a, n
@@ -16,7 +16,7 @@
         SUBNV   [\x], [v4], [\n]
         .endm
 
-; X - B in v0-v2, its part across the axis in nx ny nz.
+; X - B in v0-v2; its part across the axis in nx, ny, nz.
         .macro  find_across
         load_record P_SHAPE, 16, sh0
         SUBNV   [qx], sh0, [v0]
@@ -40,7 +40,8 @@
         .endm
 
         .ifdef  CYLINDER_UNNOTED
-; The surface in cr becomes number where that is nearer, at distance.
+; Changes the surface in cr to number in the lanes in which that is nearer, at
+; distance.
         .macro  nearer distance, number
         CMPLTV  |[\distance]|, |[v2]|, [hits0]
         VTOV    [\distance], [v2] ? [hits0]
@@ -53,7 +54,7 @@
         nearer  v1, two
         .endm
         .else
-; How far off the points are from the surface that is noted in x.
+; Computes the distances of the points from the surface recorded in x.
         .macro  from_surface x, distance
         VTOV    [v2], [\distance]
         CMPEQV  [\x], one, [hits0]

@@ -1,5 +1,5 @@
-; normal_cylinder_scalar.s - the normal of a cylinder; see
-; normal_cylinder_vector.s.
+; normal_cylinder_scalar.s - computes the normal of a cylinder
+; (normal_cylinder_vector.s).
 
         .kernel shade
         .macro  side_normal u, v, n

@@ -1,8 +1,9 @@
-; normal_cylinder_vector.s - the normals of cylinders; see normal_vector.s.
+; normal_cylinder_vector.s - computes the normals of cylinders
+; (normal_vector.s).
 
         .kernel shade
-; Cylinder, in the frame u v w of its axis, X - C = (xu, xv, xw): a point
-; belongs to a disk if it is nearer to the disk's plane than to the side,
+; In the frame u, v, w of the cylinder's axis X - C = (xu, xv, xw).  A point
+; belongs to a disk if it is nearer to the disk's plane than to the side:
 ;   | |xw| - half | < |(xu^2 + xv^2 - r^2) / (2 r)|
 ; Disk: N = w with the sign of xw.  Side: N = (xu u + xv v) / r.
         .macro  side_normal u, v, n
@@ -31,7 +32,8 @@
         VTOV    -\w, [\n] ? [hits1]
         .endm
 
-; Where [v1], the distance to a disk, is less than [v0], that to the side.
+; Sets the normal of a disk in the lanes in which [v1], the distance to the
+; disk, is less than [v0], the distance to the side.
         .macro  end_disk_normal
         CMPLTV  |[v1]|, |[v0]|, [hits0]
         CMPLTV  [v2], r0, [hits2]

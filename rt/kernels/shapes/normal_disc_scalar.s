@@ -1,1 +1,1 @@
-; normal_disc_scalar.s - the normal of a disc: its plane's (normal_plane_scalar.s).
+; normal_disc_scalar.s - the normal of a disc is that of normal_plane_scalar.s.

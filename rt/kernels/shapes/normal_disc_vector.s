@@ -1,1 +1,2 @@
-; normal_disc_vector.s - the normals of discs: their planes' (normal_plane_vector.s).
+; normal_disc_vector.s - the normals of discs are those of
+; normal_plane_vector.s.

@@ -1,1 +1,2 @@
-; normal_elliptical_torus_scalar.s - the routine of normal_torus_scalar.s.
+; normal_elliptical_torus_scalar.s - the normal is that of
+; normal_torus_scalar.s.

@@ -1,1 +1,2 @@
-; normal_elliptical_torus_vector.s - the routine of normal_torus_vector.s.
+; normal_elliptical_torus_vector.s - the normals are those of
+; normal_torus_vector.s.

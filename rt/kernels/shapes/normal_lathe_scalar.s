@@ -1,4 +1,5 @@
-; normal_lathe_scalar.s - the normal of a lathe; see normal_lathe_vector.s.
+; normal_lathe_scalar.s - computes the normal of a lathe
+; (normal_lathe_vector.s).
 
         .if     LATHES
         .kernel shade
@@ -17,7 +18,7 @@ normal_lathe:
         SUBN    qy, sh0, height_here
         ADDN    t1, t0, t0
         SQRT    t0, from_axis_here
-        RTOR    sh5, t0                         ; the least square so far
+        RTOR    sh5, t0                         ; the smallest square so far
         SUBN    height_here, sh6, height_less
         ADDN    height_here, sh6, height_more
         RTOR    m_one, nx
@@ -26,14 +27,14 @@ normal_lathe:
         IX      here, 64 * LATHE_HEIGHT
 normal_lathe_row:
         ELEN    here, 4
-        SWAP    [here], foot_height, [r0]       ; .. foot_high
+        SWAP    [here], foot_height, [r0]       ; foot_height .. foot_high
         CFPNE   foot_begins, r0, normal_lathe_next
         CFPLT   foot_high, height_less, normal_lathe_next
         CFPLT   height_more, foot_low, normal_lathe_next
         RTOR    here, t1
         IX      t1, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
         ELEN    t1, 6
-        SWAP    [t1], foot_radius, [r0]         ; .. outward_y
+        SWAP    [t1], foot_radius, [r0]         ; foot_radius .. outward_y
         nearest_edge from_axis_here, height_here, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y, normal_lathe_next
         RTOR    outward_r, nx
         RTOR    outward_y, ny

@@ -1,15 +1,17 @@
-; normal_lathe_vector.s - the normals of lathes; see normal_vector.s.
+; normal_lathe_vector.s - computes the normals of lathes (normal_vector.s).
 ;
-; A point at the distance rho from the axis belongs to the segment that is nearest
-; in r and y, as in normal_prism_vector.s: of the segment from a corner (r, y) back
-; to the one before, with its direction u, length l and outward normal n,
+; A point at distance rho from the axis belongs to the segment that is nearest
+; in r and y, as in normal_prism_vector.s.  A segment goes from a corner (r, y)
+; back to the previous one.  With its direction u, length l and outward normal
+; n:
 ;
 ;   along = (rho - r, Y - y) . u    across = (rho - r, Y - y) . n
 ;   distance^2 = across^2 + max(along - l, 0)^2 + min(along, 0)^2
 ;   N = (nr X / rho, ny, nr Z / rho);  on the axis X / rho is 1.
 ;
-; What is not nearer than a thousandth of the lathe is none: segments of heights
-; that are farther from those of all points are passed over.
+; A segment counts only if it is nearer than a thousandth of the lathe's size.
+; Segments whose heights are farther than that from those of all points are
+; skipped.
 
         .if     LATHES
         .kernel shade
@@ -19,7 +21,7 @@
         .regs   r55, outward_y
         .endshare
 
-; The least square of a distance so far in [v0], rho in [v6], Y in [v7].
+; [v0] = the smallest square of a distance so far, [v6] = rho, [v7] = Y.
         .macro  take_segment
         nearest_edge v6, v7, foot_radius, foot_height, back_r, back_y, back_length, outward_r, outward_y
         VTOV    outward_r, [nx] ? [hits0]
@@ -45,14 +47,14 @@ normal_lathe:
         IX      s1, 64 * LATHE_HEIGHT
 normal_lathe_row:
         ELEN    s1, 4
-        SWAP    [s1], foot_height, [r0]         ; .. foot_high
+        SWAP    [s1], foot_height, [r0]         ; foot_height .. foot_high
         CFPNE   foot_begins, r0, normal_lathe_next
         CFPLT   foot_high, s3, normal_lathe_next
         CFPLT   s4, foot_low, normal_lathe_next
         RTOR    s1, s0
         IX      s0, 64 * (LATHE_RADIUS - LATHE_HEIGHT)
         ELEN    s0, 6
-        SWAP    [s0], foot_radius, [r0]         ; .. outward_y
+        SWAP    [s0], foot_radius, [r0]         ; foot_radius .. outward_y
         take_segment
 normal_lathe_next:
         IX      s1, 64 * LATHE_SIZE

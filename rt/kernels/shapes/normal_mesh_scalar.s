@@ -1,4 +1,4 @@
-; normal_mesh_scalar.s - the normal of a mesh; see normal_mesh_vector.s.
+; normal_mesh_scalar.s - computes the normal of a mesh (normal_mesh_vector.s).
 
         .kernel shade
         .share  local

@@ -1,8 +1,8 @@
-; normal_mesh_vector.s - the normals of meshes; see normal_vector.s.
+; normal_mesh_vector.s - computes the normals of meshes (normal_vector.s).
 
         .kernel shade
 
-; [into] = word `number` of the triangles' rows; s1 = the table.
+; [into] = word number of the rows of the hit triangles; s1 = the table.
         .macro  of_triangle number, into
         RTOR    s1, s0
         IX      s0, 64 * (\number)
@@ -17,7 +17,8 @@
         of_triangle TRIANGLE_NORMAL + 2, nz
         .endm
 
-; [n] += its row of changes . the point, told from the first corner.
+; Adds to [n] the product of a row of the matrix TRIANGLE_CHANGE and the point,
+; relative to the first corner.
         .macro  change_normal row, n
         of_triangle TRIANGLE_CHANGE + 3 * \row, v3
         of_triangle TRIANGLE_CHANGE + 3 * \row + 1, v4
@@ -30,7 +31,7 @@ normal_mesh:
         find_triangles
         BIM     0, link_kernel
 
-; What is given at the corners, by the shares of the point.
+; Interpolates the normals of the corners linearly at the point.
 normal_smooth_mesh:
         find_triangles
         of_triangle TRIANGLE_CORNERS, v3

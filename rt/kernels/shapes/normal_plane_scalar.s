@@ -1,4 +1,4 @@
-; normal_plane_scalar.s - the normal of a plane; see normal_plane_vector.s.
+; normal_plane_scalar.s - sets the normal of a plane (normal_plane_vector.s).
 
         .kernel shade
 normal_plane:

@@ -1,7 +1,6 @@
-; normal_plane_vector.s - the normals of planes; see normal_vector.s.
+; normal_plane_vector.s - sets the normals of planes (normal_vector.s).
 
         .kernel shade
-; Plane: its own.
 normal_plane:
         load_record P_SHAPE, 3, sh0
         VTOV    sh0, [nx]

@@ -1,8 +1,10 @@
-; normal_prism_scalar.s - the normal of a prism; see normal_prism_vector.s.
+; normal_prism_scalar.s - computes the normal of a prism
+; (normal_prism_vector.s).
 
         .kernel shade
 
-; Of an edge that is nearer than the least square of a distance so far, t0.
+; t0 = the smallest square of a distance so far.  Lowers t0 to that of the edge,
+; or branches to farther if the edge is not nearer.
         .macro  nearest_edge x, z, foot_x, foot_z, back_x, back_z, length, out_x, out_z, farther
         SUBN    \x, \foot_x, t1
         SUBN    \z, \foot_z, t2
@@ -12,7 +14,7 @@
         MPYS    t2, \out_z, t6
         ADDN    t4, t3, t3                      ; along
         ADDN    t6, t5, t4
-        MPYS    t4, t4, t4                      ; across, its square
+        MPYS    t4, t4, t4                      ; the square of across
         SUBN    t3, \length, t5
         CFPGE   r0, t5, edge_begins\@
         MPYS    t5, t5, t5
@@ -26,7 +28,8 @@ edge_square\@:
         RTOR    t4, t0
         .endm
 
-; The nearer one of the caps at y = sh0 and sh1, the square of its distance in t0.
+; Sets the normal of the nearer of the caps at y = sh0 and y = sh1; t0 = the
+; square of its distance.
         .macro  nearest_cap
         SUBN    qy, sh0, t0
         SUBN    qy, sh1, t1
@@ -43,7 +46,7 @@ cap_nearest\@:
 normal_open_prism:
         load_shape 3
         EX      t0, k_big
-        LOD     [t0], t0                        ; the least square so far
+        LOD     [t0], t0                        ; the smallest square so far
         RTOR    m_one, nx
         RTOR    m_zero, ny
         BIM     normal_prism_sides

@@ -1,15 +1,16 @@
-; normal_prism_vector.s - the normals of prisms; see normal_vector.s.
+; normal_prism_vector.s - computes the normals of prisms (normal_vector.s).
 ;
-; A point belongs to what is nearest: a cap, or an edge, seen along y.  Of the
-; edge from a corner P back to the one before, with its direction u, length l
-; and outward normal n:
+; A point belongs to the nearest cap or edge, seen along y.  An edge goes from a
+; corner P back to the previous one.  With its direction u, length l and outward
+; normal n:
 ;
 ;   along = (X - P) . u    across = (X - P) . n
 ;   distance^2 = across^2 + max(along - l, 0)^2 + min(along, 0)^2
 
         .kernel shade
 
-; Of an edge that is nearer than the least square of a distance so far, [v0]: hits0.
+; [v0] = the smallest square of a distance so far.  Lowers it to that of the
+; edge; hits0 = the points to which the edge is nearer.
         .macro  nearest_edge x, z, foot_x, foot_z, back_x, back_z, length, out_x, out_z
         SUBNV   [\x], \foot_x, [v1]
         SUBNV   [\z], \foot_z, [v2]
@@ -40,7 +41,8 @@
         VTOV    sh10, [nz] ? [hits0]
         .endm
 
-; The nearer one of the caps at y = sh0 and sh1, the square of its distance in [v0].
+; Sets the normals of the nearer of the caps at y = sh0 and y = sh1; [v0] = the
+; square of its distance.
         .macro  nearest_cap
         SUBNV   [qy], sh0, [v0]
         SUBNV   [qy], sh1, [v1]

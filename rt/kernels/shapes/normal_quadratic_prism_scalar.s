@@ -1,5 +1,5 @@
-; normal_quadratic_prism_scalar.s - the normal of a prism of quadratic splines; see
-; normal_quadratic_prism_vector.s.
+; normal_quadratic_prism_scalar.s - computes the normal of a prism of quadratic
+; splines (normal_quadratic_prism_vector.s).
 
         .if     QUADRATIC_PRISMS
         .kernel shade
@@ -11,7 +11,7 @@
 normal_open_quadratic_prism:
         load_shape 3
         EX      t0, k_big
-        LOD     [t0], t0                        ; the least square so far
+        LOD     [t0], t0                        ; the smallest square so far
         RTOR    m_one, nx
         RTOR    m_zero, ny
         BIM     normal_curves
@@ -28,7 +28,7 @@ normal_curve:
         CFPNE   t2, r0, normal_curve_next
         IX      t1, 64 * (QUADRATIC_FOOT - QUADRATIC_BEGINS)
         ELEN    t1, 9
-        SWAP    [t1], foot_x, [r0]              ; .. curve_outward
+        SWAP    [t1], foot_x, [r0]              ; foot_x .. curve_outward
         SUBN    qx, foot_x, t1
         SUBN    qz, foot_z, t2
         MPYS    t1, share_x, t3

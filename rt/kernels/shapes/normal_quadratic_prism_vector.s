@@ -1,14 +1,15 @@
-; normal_quadratic_prism_vector.s - the normals of prisms of quadratic splines; see
-; normal_vector.s.
+; normal_quadratic_prism_vector.s - computes the normals of prisms of quadratic
+; splines (normal_vector.s).
 ;
-; A point belongs to what is nearest: a cap, or a parabola, seen along y.  Of a
-; parabola  P + (bow w + way) w  the w of a point X that is on it is linear:
-; w = share . (X - P), for share is across the bow.  So
+; A point belongs to the nearest cap or parabola, seen along y.  On a parabola
+; P + (bow w + way) w  the parameter w of its point X is linear:
+; w = share . (X - P), because share is perpendicular to the bow.  So
 ;
-;   w, cut to 0 .. 1    distance = |X - P - (bow w + way) w|
+;   w, clamped to 0 .. 1    distance = |X - P - (bow w + way) w|
 ;
-; which is 0 on the edge itself, and on another one no less than the distance from
-; there to here.  Normal: across  2 bow w + way.
+; This is 0 on the parabola itself.  For any other it is at least the distance
+; from the point to that parabola.  The normal is perpendicular to  2 bow w +
+; way.
 
         .if     QUADRATIC_PRISMS
         .kernel shade
@@ -27,7 +28,7 @@
         SUBNV   [\from], [\left_over], [\left_over]
         .endm
 
-; The least square of a distance so far in [v0].
+; [v0] = the smallest square of a distance so far.
         .macro  take_curve
         SUBNV   [qx], foot_x, [v1]
         SUBNV   [qz], foot_z, [v2]
@@ -80,7 +81,7 @@ normal_curve:
         CFPNE   curve_begins, r0, normal_curve_next
         IX      s0, 64 * (QUADRATIC_FOOT - QUADRATIC_BEGINS)
         ELEN    s0, 9
-        SWAP    [s0], foot_x, [r0]              ; .. curve_outward
+        SWAP    [s0], foot_x, [r0]              ; foot_x .. curve_outward
         take_curve
 normal_curve_next:
         IX      s1, 64 * QUADRATIC_SIZE

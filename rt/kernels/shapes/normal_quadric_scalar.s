@@ -1,5 +1,5 @@
-; normal_quadric_scalar.s - the normal of a quadric; see
-; normal_quadric_vector.s.
+; normal_quadric_scalar.s - computes the normal of a quadric
+; (normal_quadric_vector.s).
 
         .kernel shade
 normal_quadric:

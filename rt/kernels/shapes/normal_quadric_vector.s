@@ -1,7 +1,7 @@
-; normal_quadric_vector.s - the normals of quadrics; see normal_vector.s.
+; normal_quadric_vector.s - computes the normals of quadrics (normal_vector.s).
 
         .kernel shade
-; Quadric: N = A (X - C) + g, made a unit vector.
+; N = A (X - C) + g, normalised.
 normal_quadric:
         load_record P_SHAPE, 13, sh0
         SUBNV   [qx], sh0, [v0]
@@ -11,7 +11,7 @@ normal_quadric:
         ADDNV   [nx], sh9, [nx]
         ADDNV   [ny], sh10, [ny]
         ADDNV   [nz], sh11, [nz]
-; A gradient made a unit vector; where there is none, at an apex, x.
+; Normalises a gradient.  A zero gradient, at an apex, becomes x.
 gradient_normal:
         dot_vectors nx, ny, nz, nx, ny, nz, v0, v1
         CMPEQV  [v0], r0, [hits0]

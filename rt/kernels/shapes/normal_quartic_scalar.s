@@ -1,5 +1,5 @@
-; normal_quartic_scalar.s - the normal of a quartic surface; see
-; normal_quartic_vector.s.
+; normal_quartic_scalar.s - computes the normal of a quartic surface
+; (normal_quartic_vector.s).
 
         .kernel shade
         .macro  gradient_step c, x, work

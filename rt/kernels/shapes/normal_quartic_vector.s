@@ -1,10 +1,10 @@
-; normal_quartic_vector.s - the normals of quartic surfaces; see
-; normal_vector.s.
+; normal_quartic_vector.s - computes the normals of quartic surfaces
+; (normal_vector.s).
 
         .kernel shade
-; Quartic surface: the gradient of F, grouped as in quartic_terms.s.  Of each
-; row B (in v0, its derivative by z in v1), each group A (v2, by y v3, by z v4)
-; and F (v5, its gradient in n) Horner's rule is
+; The normal is the gradient of F, whose terms are grouped as in
+; quartic_terms.s.  For each row B (v0; its derivative by z in v1), each group A
+; (v2; by y in v3, by z in v4) and F (v5; its gradient in n) Horner's rule is
 ;
 ;   value := value x + c,    derivative := derivative x + value before
         .macro  gradient_step c, x, work
@@ -12,7 +12,7 @@
         ADDNV   [\work], [\c], [\c]
         .endm
 
-; The row of the words from sh0 on; its first word is the first coefficient.
+; Adds a term to the row; c is its coefficient, one of the words from sh0 on.
         .macro  gradient_term c
         gradient_step v1, qz, v0
         LINKV

@@ -1,7 +1,7 @@
-; normal_scalar.s - the normal at one point of a primitive: what all of the files
-; normal_.._scalar.s have in common; see normal_vector.s.  They are parts of the
-; subroutine SHADE, which branches to them by normal_link: point in qx qy qz,
-; normal in nx ny nz; uses t0-t6.
+; normal_scalar.s - the macro that all normal_.._scalar.s files share.  They are
+; parts of the subroutine SHADE, which branches to them with normal_link.  The
+; point is in qx, qy, qz, the normal in nx, ny, nz; t0-t6 change
+; (normal_vector.s).
 
         .macro  load_shape number
         RTOR    a_primitive, t0

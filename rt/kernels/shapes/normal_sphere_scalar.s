@@ -1,4 +1,5 @@
-; normal_sphere_scalar.s - the normal of a sphere; see normal_sphere_vector.s.
+; normal_sphere_scalar.s - computes the normal of a sphere
+; (normal_sphere_vector.s).
 
         .kernel shade
 normal_sphere:

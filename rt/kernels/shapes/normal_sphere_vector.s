@@ -1,7 +1,7 @@
-; normal_sphere_vector.s - the normals of spheres; see normal_vector.s.
+; normal_sphere_vector.s - computes the normals of spheres (normal_vector.s).
 
         .kernel shade
-; Sphere: N = (X - C) / r.
+; N = (X - C) / r.
 normal_sphere:
         load_record P_SHAPE, 5, sh0
         LINKV

@@ -1,5 +1,5 @@
-; normal_steiner_patch_scalar.s - the normal of a Steiner patch; see
-; normal_steiner_patch_vector.s.
+; normal_steiner_patch_scalar.s - computes the normal of a Steiner patch
+; (normal_steiner_patch_vector.s).
 
         .kernel shade
         .share  local
@@ -10,7 +10,8 @@
         .regs   r127, v0, v1, v2, v3
         .endshare
 
-; Three coordinates of a tangent: s2 = 2 s or 2 t, the other parameter.
+; Computes the coordinates of a tangent; twice = 2 s or 2 t, other = the other
+; parameter.
         .macro  tangent x, y, z, xx, yy, zz, xy, yx, zx, twice, other, e0, e1, e2
         MPYS    \xx, \twice, \e0
         MPYS    \yy, \twice, \e1

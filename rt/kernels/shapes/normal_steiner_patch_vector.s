@@ -1,9 +1,9 @@
-; normal_steiner_patch_vector.s - the normals of Steiner patches; see
-; normal_vector.s.
+; normal_steiner_patch_vector.s - computes the normals of Steiner patches
+; (normal_vector.s).
 
         .kernel shade
-; Steiner patch, at the parameters of the hit: with Hs = K1 + 2 K3 s + K4 t,
-; Ht = K2 + K4 s + 2 K5 t and X told from the centre,
+; At the parameters of the hit, with Hs = K1 + 2 K3 s + K4 t,
+; Ht = K2 + K4 s + 2 K5 t and X relative to the centre:
 ;   N = (Hs.xyz - X Hs.w) x (Ht.xyz - X Ht.w)
         .share  scratch
         .regs   r233, hx0, hy0, hz0, hx1, hy1, hz1, hx2, hy2, hz2, hx3, hy3
@@ -20,7 +20,7 @@
         ADDNV   [v7], [\sum], [\sum]
         .endm
 
-; e less its part in w, [w], times the point's coordinate q - center.
+; Subtracts from e its part in w: [w] times the point's coordinate q - center.
         .macro  less_weight q, center, w, e
         LINKV
         SUBNV   [\q], \center, [v7]

@@ -1,5 +1,5 @@
-; normal_torus_scalar.s - the normal of a torus of any kind; see
-; normal_torus_vector.s.
+; normal_torus_scalar.s - computes the normal of a torus of any kind
+; (normal_torus_vector.s).
 
         .kernel shade
 normal_torus:

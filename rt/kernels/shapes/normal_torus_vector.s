@@ -1,8 +1,9 @@
-; normal_torus_vector.s - the normals of tori of any kind; see normal_vector.s.
+; normal_torus_vector.s - computes the normals of tori of any kind
+; (normal_vector.s).
 
         .kernel shade
-; Torus: the gradient of (x^2 + z^2 + rho y^2 + b0)^2 - a0 (x^2 + z^2), with
-; g = x^2 + z^2 + rho y^2 + b0:  N = ((g - a0/2) x, rho g y, (g - a0/2) z).
+; The normal is the gradient of (x^2 + z^2 + rho y^2 + b0)^2 - a0 (x^2 + z^2).
+; With g = x^2 + z^2 + rho y^2 + b0:  N = ((g - a0/2) x, rho g y, (g - a0/2) z).
 normal_torus:
         load_record P_SHAPE, 4, sh0
         MPYSV   [qx], [qx], [v0]

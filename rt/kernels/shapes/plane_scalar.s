@@ -1,16 +1,17 @@
-; plane_scalar.s - one ray meets a half space.
+; plane_scalar.s - intersects one ray with a half space.
 ;
 ;       CALL PLANE (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in plane_vector.s.
+; The arguments are those of sphere_scalar.s, the method is that of
+; plane_vector.s.
 
-        shape_from r51                  ; behind t2
+        shape_from r51                  ; after t2
         .equ    PLANE_REGISTERS, 22
 
         .data
 plane_save:     .space PLANE_REGISTERS
         .code
-; t0 = d - N . O, t1 = N . D, t2 = t, of the plane in sh0-sh3.
+; Computes t0 = d - N . O, t1 = N . D, t2 = t for the plane in sh0-sh3.
         .macro  meet_plane parallel
         dot     ox, oy, oz, sh0, sh1, sh2, t0, t2
         SUBN    sh3, t0, t0

@@ -1,16 +1,18 @@
-; plane_vector.s - a queue of rays meets a half space: all X with N . X <= d.
+; plane_vector.s - intersects a queue of rays with a half space: all X with
+; N . X <= d.
 ;
 ;   t = (d - N . O) / (N . D)
 ;
-; N . D < 0: the ray enters at t and stays (t, big); else it is inside up to t
-; (minus_big, t).  |N . D| < tiny: parallel, inside for ever or never.
+; N . D < 0: the ray enters at t, and the segment is (t, big); else it is
+; (minus_big, t).  |N . D| < tiny: the ray is parallel, inside everywhere or
+; nowhere.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: textbook; the plane as the half space below its normal is POV-Ray's.
 
-; [w0] = d - N . O, [w1] = N . D, or one for the parallel rays of bits0,
-; [w2] = t; of the plane in sh0-sh3.
+; Computes [w0] = d - N . O, [w1] = N . D, or one for the parallel rays (bits0),
+; and [w2] = t, for the plane in sh0-sh3.
         .macro  meet_plane
         dot_constant ox, oy, oz, sh0, sh1, sh2, w0, w2
         SUBNV   sh3, [w0], [w0]

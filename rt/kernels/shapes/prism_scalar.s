@@ -1,14 +1,16 @@
-; prism_scalar.s - one ray meets a prism: loops of edges, swept along y.
+; prism_scalar.s - intersects one ray with a prism: loops of edges, swept along
+; y.
 ;
 ;       CALL PRISM (RAY, PRIMITIVE, SEGMENT)
 ;       CALL OPEN_PRISM (RAY, PRIMITIVE, SEGMENT)
 ;       CALL PRISM_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;       CALL OPEN_PRISM_SIDES (RAY, PRIMITIVE, CROSSINGS)
 ;
-; Arguments as in sphere_scalar.s, method as in prism_vector.s.  SEGMENTS = the
-; ray's way inside, as many as P_SEGMENTS says; CROSSINGS = those with the sides
-; between the caps, twice as many words: ascending, the last once more if their
-; number is odd, then misses.
+; The arguments are those of sphere_scalar.s, the method is that of
+; prism_vector.s.  SEGMENTS receives P_SEGMENTS segments of the ray inside.
+; CROSSINGS receives the crossings with the sides between the caps, in twice as
+; many words: ascending, the last one repeated if their number is odd, then
+; misses.
 
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
@@ -29,7 +31,8 @@
 prism_save:     .space PRISM_REGISTERS
         .code
 
-; The part between the caps' planes, or to miss; the ray's way across y.
+; Computes the part of the ray between the planes of the caps, or branches to
+; miss, and the ray's path perpendicular to y.
         .macro  enter_prism miss, save=prism_save, registers=PRISM_REGISTERS
         enter_solver 3, \save, \registers
         RTOR    lower, least
@@ -58,7 +61,7 @@ prism_slanted\@:
         DIVS    one, t0, inverse
         .endm
 
-; Each crossing with an edge, at crossed_at, to found.
+; Computes the crossings with the edges; found uses each crossed_at.
         .macro  walk_edges found
         RTOR    a_primitive, t0
         IX      t0, 64 * P_TABLE
@@ -66,7 +69,7 @@ prism_slanted\@:
         RTOR    sh2, rows_left
 prism_row\@:
         ELEN    row_at, 3
-        SWAP    [row_at], here_x, [r0]          ; and here_z, begins
+        SWAP    [row_at], here_x, [r0]          ; also here_z, begins
         IX      row_at, 64 * PRISM_SIZE
         SUBN    here_x, ox, t0
         SUBN    here_z, oz, t1
@@ -97,7 +100,7 @@ prism_next\@:
         CFPLT   r0, rows_left, prism_row\@
         .endm
 
-; The sides that are met first: tin.
+; tin = the nearest side ahead.
         .macro  side_ahead
         CFPLT   crossed_at, edge_low, side_not\@
         CFPLT   edge_high, crossed_at, side_not\@
@@ -147,7 +150,7 @@ open_prism:
 prism_miss:
         miss_near prism_save, PRISM_REGISTERS
 
-; inside_high = 1: an odd number is in the list.
+; Inserts the crossings between the caps.  inside_high = 1: their number is odd.
         .macro  between_caps
         CFPLT   edge_low, crossed_at, between_above\@
         XOR     inside_low, index_one, inside_low

@@ -1,36 +1,36 @@
-; prism_vector.s - a queue of rays meets a prism: closed loops of edges in x and
-; z, swept along y from one cap to the other.  What an odd number of loops runs
-; round is inside.
+; prism_vector.s - intersects a queue of rays with a prism: closed loops of
+; edges in x and z, swept along y from one cap to the other.  A point is inside
+; if an odd number of loops surrounds it.
 ;
-; Seen along y a ray is a line.  Of each corner P, told from the origin o,
+; Seen along y a ray is a line.  For each corner P, relative to the origin o,
 ;
-;   side = dx pz - dz px          which side of the line it is on
-;   way  = dx px + dz pz          how far along it
+;   side = dx pz - dz px          the side of the line on which it is
+;   way  = dx px + dz pz          its position along the line
 ;
-; An edge from one corner to the next is crossed if one side is >= 0 and the
-; other is not: so a line crosses each loop an even number of times, whatever
-; is rounded.  It is crossed at
+; An edge from one corner to the next is crossed if exactly one of their sides
+; is >= 0.  So a line crosses each loop an even number of times, independently
+; of rounding.  The crossing is at
 ;
 ;   t = (way0 + (way1 - way0) side0 / (side0 - side1)) / (dx^2 + dz^2)
 ;
-; The caps' planes leave low .. high of the ray (slab_vector.s).  It is inside
-; at low if it crosses an odd number of edges before low.
+; The planes of the caps cut the ray to low .. high (slab_vector.s).  It is
+; inside at low if it crosses an odd number of edges before low.
 ;
-; A ray along y, dx^2 + dz^2 < tiny^2, is looked at along x instead: inside for
-; ever if it crosses an odd number of edges before 0, or never.
+; A ray along y, dx^2 + dz^2 < tiny^2, is replaced by one along x: it is inside
+; everywhere if that crosses an odd number of edges before 0, else nowhere.
 ;
-; prism, open_prism: the crossing that is met first: the least t beyond the
-;   ray's least distance, or a cap, low or high, if the ray is inside there.
-; prism_solid, open_prism_sides: all of them: each edge's crossings go into
-;   columns that are kept in order, by exchanges.
+; prism, open_prism: the nearest crossing: the smallest t beyond the lower
+;   limit, or a cap, low or high, if the ray is inside there.
+; prism_solid, open_prism_sides: all crossings, sorted into columns
+;   (columns_vector.s).
 ;
-; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table, rows
-;      of x, z, 1 if a loop begins there, and what its normal wants
+; In:  ox oy oz dx dy dz lower, near long; the primitive's record and table,
+;      rows of x, z, 1 if a loop begins there, and the data of its normal
 ;      (normal_prism_vector.s).
-; Out: tin = tout = the crossing that is met first; a miss is big, minus_big.
-;      prism_solid: P_SEGMENTS segments, of vectors one after another from tin
-;      on; open_prism_sides: the crossings with the sides between the caps,
-;      likewise; the last once more if their number is odd.
+; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
+;      prism_solid: P_SEGMENTS segments in successive vectors from tin on;
+;      open_prism_sides: the crossings with the sides between the caps, in the
+;      same vectors; the last one is repeated if their number is odd.
 ; Source: textbook (the crossings of a polygon are counted); derived here.
 
         .ifndef LANE_VECTORS
@@ -40,7 +40,7 @@
         .include "shapes/columns_vector.s"
         .endif
 
-; Of the lanes, all rays at hand, in the lanes' own vectors.
+; One word per near ray, in the vectors of the lanes.
         .reg    way, lane_at
         .reg    way_before, lane_ox
         .reg    side, lane_oy
@@ -60,7 +60,7 @@
         .endshare
         .reg    inside_high, bits2
 
-; Of a row.
+; The words of a row.
         .reg    row_at, s3
         .reg    here_x, s4
         .reg    here_z, s5
@@ -102,7 +102,7 @@ prism_slanted\@:
         XORB    [inside_high], [inside_high], [inside_high]
         .endm
 
-; Where a corner lies, seen along the path: on its left, and how far along.
+; Computes side, left (side >= 0) and way of a corner.
         .macro  see_corner x, z
         SUBNV   \x, [ox], [from_x]
         SUBNV   \z, [oz], [from_z]
@@ -115,13 +115,14 @@ prism_slanted\@:
         CMPGEV  [side], r0, [left]
         .endm
 
-; The crossings with each edge, at [crossed_at] where [crossed], to found.
+; Computes the crossings with the edges; found uses [crossed_at] in the lanes of
+; [crossed].
         .macro  walk_edges found
         load_field P_TABLE, row_at
         RTOR    sh2, rows_left
 prism_row\@:
         ELEN    row_at, 3
-        SWAP    [row_at], here_x, [r0]          ; and here_z, begins
+        SWAP    [row_at], here_x, [r0]          ; also here_z, begins
         IX      row_at, 64 * PRISM_SIZE
         see_corner here_x, here_z
         CFPNE   begins, r0, prism_next\@
@@ -144,14 +145,15 @@ prism_next\@:
         CFPLT   r0, rows_left, prism_row\@
         .endm
 
-; [inside] changes where an edge is crossed before [end].
+; Changes [inside] in the lanes in which an edge is crossed before [end].
         .macro  turn_before end, inside
         CMPLTV  [crossed_at], [\end], [bits0]
         ANDB    [bits0], [crossed], [bits0]
         XORB    [\inside], [bits0], [\inside]
         .endm
 
-; bits0 and [bits] where a < b; or a >= b.
+; Both macros restrict [bits] to the lanes with a < b, or with a >= b.  bits0
+; changes.
         .macro  and_less a, b, bits
         CMPLTV  [\a], [\b], [bits0]
         ANDB    [bits0], [\bits], [\bits]
@@ -162,7 +164,7 @@ prism_next\@:
         ANDB    [bits0], [\bits], [\bits]
         .endm
 
-; The sides that are met first: tin.
+; tin = the nearest sides ahead.
         .macro  side_ahead
         and_not_less crossed_at, edge_low, crossed
         and_not_less edge_high, crossed_at, crossed
@@ -183,7 +185,7 @@ prism_next\@:
         VTOV    [\cap], [tin] ? [\inside]
         .endm
 
-; tout as tin, or a miss.
+; tout = tin, or a miss.
         .macro  leave_prism
         CMPLTV  [tin], big, [bits0]
         VTOV    minus_big, [tout]
@@ -206,7 +208,7 @@ open_prism:
         walk_edges side_ahead
         leave_prism
 
-; Crossings between the caps; [inside_high] where their number is odd.
+; Inserts the crossings between the caps.  [inside_high] = their number is odd.
         .macro  between_caps
         CMPGEV  [edge_low], [crossed_at], [bits0]
         ANDB    [bits0], [crossed], [bits0]

@@ -1,12 +1,13 @@
-; quadratic_prism_scalar.s - one ray meets a prism of quadratic splines: loops of
-; parabolas, swept along y.
+; quadratic_prism_scalar.s - intersects one ray with a prism of quadratic
+; splines: loops of parabolas, swept along y.
 ;
 ;       CALL QUADRATIC_PRISM (RAY, PRIMITIVE, SEGMENT)
 ;       CALL OPEN_QUADRATIC_PRISM (RAY, PRIMITIVE, SEGMENT)
 ;       CALL QUADRATIC_PRISM_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;       CALL OPEN_QUADRATIC_PRISM_SIDES (RAY, PRIMITIVE, CROSSINGS)
 ;
-; Arguments as in prism_scalar.s, method as in quadratic_prism_vector.s.
+; The arguments are those of prism_scalar.s, the method is that of
+; quadratic_prism_vector.s.
 
         .if     QUADRATIC_PRISMS
         .share  local
@@ -20,12 +21,13 @@
 quadratic_save: .space QUADRATIC_REGISTERS
         .code
 
-; Of the row at row_at: bend and lead; cross(bend), cross(lead).
+; Loads bend and lead of the row at row_at.  Computes cross(bend) and
+; cross(lead).
         .macro  load_curve
         RTOR    row_at, t2
         IX      t2, 64 * QUADRATIC_BEND
         ELEN    t2, 4
-        SWAP    [t2], bend_x, [r0]              ; .. lead_z
+        SWAP    [t2], bend_x, [r0]              ; bend_x .. lead_z
         MPYS    path_dx, bend_z, side_bend
         MPYS    path_dz, bend_x, t2
         MPYS    path_dx, lead_z, side_lead
@@ -34,7 +36,7 @@ quadratic_save: .space QUADRATIC_REGISTERS
         SUBN    side_lead, t3, side_lead
         .endm
 
-; To passed if side does not come back to the corners' own.
+; Branches to passed if side does not return to the value of the corners.
         .macro  look_for_both passed
         CFPLT   side_lead, r0, both_falls\@
         IBXNE   left, r0, r0, \passed
@@ -48,14 +50,14 @@ both_falls\@:
 both_end\@:
         .endm
 
-; The square of the root, in t0.
+; t0 = the square of the root.
         .macro  square_of_root
         MPYS    side_lead, side_lead, t0
         MPYS    side_bend, side_before, t1
         SUBN    t0, t1, t0
         .endm
 
-; q; dot(bend), dot(lead) twice.
+; Computes q, dot(bend) and 2 dot(lead).
         .macro  solve_curve
         MPYS    path_dx, bend_x, way_bend
         MPYS    path_dz, bend_z, t2
@@ -72,7 +74,8 @@ both_end\@:
 curve_solved\@:
         .endm
 
-; w.  t0 = 1: it is q / cross(bend).
+; Computes w of an edge that is crossed once: q / cross(bend) if t0 = 1, else
+; side0 / q.
         .macro  curve_once
         RTOR    left, t0
         CFPLT   side_lead, r0, once_sign\@
@@ -104,7 +107,7 @@ once_below\@:
         MPYS    t1, inverse, crossed_at
         .endm
 
-; Each crossing with an edge, at crossed_at, to found.
+; Computes the crossings with the edges; found uses each crossed_at.
         .macro  walk_curves found
         RTOR    a_primitive, t0
         IX      t0, 64 * P_TABLE
@@ -112,7 +115,7 @@ once_below\@:
         RTOR    sh2, rows_left
 curve\@:
         ELEN    row_at, 3
-        SWAP    [row_at], here_x, [r0]          ; and here_z, begins
+        SWAP    [row_at], here_x, [r0]          ; also here_z, begins
         SUBN    here_x, ox, t0
         SUBN    here_z, oz, t1
         MPYS    path_dx, t1, t2

@@ -1,23 +1,27 @@
-; quadratic_prism_vector.s - a queue of rays meets a prism of quadratic splines:
-; closed loops of parabolas in x and z, swept along y from one cap to the other.
+; quadratic_prism_vector.s - intersects a queue of rays with a prism of
+; quadratic splines: closed loops of parabolas in x and z, swept along y from
+; one cap to the other.
 ;
-; As in prism_vector.s; only the edges are not straight.  From a corner P to the
-; next one the points are  P + (bend w + 2 lead) w,  w from 0 to 1.  With
-; cross = dx z - dz x  and  dot = dx x + dz z  of a vector x, z, they have
+; The method is that of prism_vector.s, but the edges are curved.  From a corner
+; P to the next one the points are  P + (bend w + 2 lead) w,  w from 0 to 1.
+; With cross = dx z - dz x  and  dot = dx x + dz z  of a vector x, z, an edge
+; has
 ;
 ;   side(w) = (cross(bend) w + 2 cross(lead)) w + side0
 ;   way(w)  = (dot(bend) w + 2 dot(lead)) w + way0
 ;
-; An edge is crossed once if side is >= 0 at one of its corners and not at the
-; other.  If not it is crossed twice or never: twice where side's slope,
-; cross(lead) at w = 0, cross(lead) + cross(bend) at 1, changes its sign, from
-; the corners it goes towards 0, and it has roots.  So a line crosses each loop an
-; even number of times, whatever is rounded.  The roots are q/cross(bend) and
-; side0/q, of which the one with cross(lead) >= 0 falls at the first
-; (quadratic_vector.s); that in whose sense the corners differ counts, cut to
-; 0 .. 1.
+; An edge is crossed once if side is >= 0 at exactly one of its corners.
+; Otherwise it is crossed twice or never: twice if the slope of side,
+; cross(lead) at w = 0 and cross(lead) + cross(bend) at w = 1, changes its sign,
+; if side first approaches 0, and if it has roots.  So a line crosses each loop
+; an even number of times, independently of rounding.
 ;
-; In, out: as of prism, prism_solid and so on; rows as in records.s.
+; The roots are q/cross(bend) and side0/q (quadratic_vector.s).  If cross(lead)
+; >= 0, side falls at the first and rises at the second, else the opposite.  An
+; edge that is crossed once has the root at which side changes as its corners
+; do, clamped to 0 .. 1.
+;
+; In, out: as for prism, prism_solid and so on; the rows are those of records.s.
 ; Source: textbook; derived here.
 
         .if     QUADRATIC_PRISMS
@@ -25,11 +29,11 @@
         .reg    side_lead, e1
         .reg    side_q, e2
         .reg    way_bend, e3
-        .reg    way_lead, e4            ; twice
+        .reg    way_lead, e4            ; 2 dot(lead)
         .reg    curve_at, e5            ; w
-        .reg    both, bits1             ; where it is crossed twice
+        .reg    both, bits1             ; the lanes that cross twice
 
-; Of a row.
+; The words of a row.
         .share  shape
         .regs   r43, end_x, end_z, loop_begins, bend_x, bend_z, lead_x, lead_z
         .endshare
@@ -48,7 +52,8 @@
         ADDNV   [w1], [\into], [\into]
         .endm
 
-; [both] where side's slope changes and comes from the corners' own side.
+; [both] = the lanes in which the slope of side changes its sign and side first
+; approaches 0.
         .macro  look_for_both
         ADDNV   [side_lead], [side_bend], [w1]
         CMPLTV  [side_lead], r0, [bits0]
@@ -65,7 +70,7 @@
         IBXEQ   s0, r0, r0, \passed
         .endm
 
-; q, from the square of the root in [w0]; [bits0] where cross(lead) >= 0.
+; Computes q from the square of the root in [w0].  [bits0] = cross(lead) >= 0.
         .macro  solve_curve
         CMPLTV  [w0], r0, [bits0]
         VTOV    r0, [w0] ? [bits0]
@@ -75,9 +80,9 @@
         VTOV    -[side_q], [side_q] ? [bits0]
         .endm
 
-; w of those that are crossed once.
+; Computes w of the lanes that cross once.
         .macro  curve_once
-        XORB    [bits0], [left], [bits0]        ; by q / cross(bend)
+        XORB    [bits0], [left], [bits0]        ; those of q / cross(bend)
         MASKV   [side_q], [side_before], [curve_at] ? [bits0]
         MASKV   [side_bend], [side_q], [w1] ? [bits0]
         CMPEQV  [w1], r0, [bits0]
@@ -89,7 +94,7 @@
         VTOV    one, [curve_at] ? [bits0]
         .endm
 
-; .. of [both].
+; Computes w of the lanes of [both] as over / under.
         .macro  curve_twice over, under
         MASKV   [\under], one, [w1] ? [both]
         DIVSV   [\over], [w1], [curve_at]
@@ -103,13 +108,14 @@
         MPYSV   [w1], [inverse], [crossed_at]
         .endm
 
-; The crossings with each edge, at [crossed_at] where [crossed], to found.
+; Computes the crossings with the edges; found uses [crossed_at] in the lanes of
+; [crossed].
         .macro  walk_curves found
         load_field P_TABLE, row_at
         RTOR    sh2, rows_left
 curve\@:
         ELEN    row_at, 7
-        SWAP    [row_at], end_x, [r0]           ; .. lead_z
+        SWAP    [row_at], end_x, [r0]           ; end_x .. lead_z
         IX      row_at, 64 * QUADRATIC_SIZE
         see_corner end_x, end_z
         CFPNE   loop_begins, r0, curve_passed\@

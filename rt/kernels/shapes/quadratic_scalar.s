@@ -1,8 +1,9 @@
-; quadratic_scalar.s - one quadratic  a t^2 + 2 b t + c; see
-; quadratic_vector.s.  Without real roots to miss, with a = 0 to no_first, with
-; q = 0 (and any a) to no_second; second is there at no_first.
+; quadratic_scalar.s - solves one quadratic  a t^2 + 2 b t + c
+; (quadratic_vector.s).  Branches to no_first if a = 0, when only second exists,
+; and to no_second if q = 0, for any a.  The caller handles a negative
+; discriminant.
 
-; Registers of the kernels that solve one: behind t9.
+; Registers of the kernels that solve a quadratic, after t9.
         .share  local
         .regs   r58, shift, quad_a, quad_b, quad_c, o_along, d_along, k_along
         .endshare

@@ -1,18 +1,19 @@
-; quadric_scalar.s - one ray meets a quadric.
+; quadric_scalar.s - intersects one ray with a quadric.
 ;
 ;       CALL QUADRIC (RAY, PRIMITIVE, SEGMENT)
 ;       CALL QUADRIC_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in quadric_vector.s.  SEGMENTS = the
-; ray's way inside, where the polynomial is below 0, two of them (4 words).
+; The arguments are those of sphere_scalar.s, the method is that of
+; quadric_vector.s.  SEGMENTS receives two segments (4 words) of the ray inside,
+; where the polynomial is below 0.
 
-        shape_from r62                  ; behind quad_c
+        shape_from r62                  ; after quad_c
         .equ    QUADRIC_REGISTERS, 41
 
         .data
 quadric_save:   .space QUADRIC_REGISTERS
         .code
-; a, b, c and in t2 b^2 - a c.
+; Computes a, b, c, and t2 = b^2 - a c.
         .macro  quadric_polynomial
         SUBN    ox, sh0, t0
         SUBN    oy, sh1, t1
@@ -55,9 +56,9 @@ quadric_miss:
         RTOR    minus_big, tout
         leave_kernel index_one
 
-; Two crossings: what is inside lies between them or, with a < 0, before the
-; first and behind the second.  One: before it where the polynomial rises.
-; None: all or nothing.
+; Two crossings: the ray is inside between them or, if a < 0, before the first
+; and after the second.  One crossing: it is inside before it if the polynomial
+; rises.  None: it is inside everywhere or nowhere.
 quadric_solid:
         enter_kernel quadric_save, QUADRIC_REGISTERS, 13, index_one
         quadric_polynomial

@@ -1,16 +1,16 @@
-; quadric_vector.s - a queue of rays meets a quadric:
+; quadric_vector.s - intersects a queue of rays with a quadric:
 ;
-;   f(X) = X A X + 2 g X + k = 0,  A symmetric, X told from the shape's centre
-;   (or a point of its axis; paraboloids have no centre).
+;   f(X) = X A X + 2 g X + k = 0,  A symmetric, X relative to the shape's centre
+;   (or to a point of its axis, for paraboloids have no centre).
 ;
-; With the ray's origin moved to o, its closest approach to the centre:
+; With o, the ray's closest approach to the centre, as its origin:
 ;
 ;   h = A o + g,   a = D A D,   b = D h,   c = o (h + g) + k
 ;
-; and the crossings are the roots of a t^2 + 2 b t + c.  A quadric's inside
-; may be what lies before one and behind the other, so tin, tout are not a
-; segment here but the two crossings, the lesser first; the nearest one ahead
-; is then chosen as for all shapes.  One root (a = 0): tin = tout.
+; The crossings are the roots of a t^2 + 2 b t + c.  A quadric can contain the
+; part before one crossing and after the other.  Therefore tin, tout are not a
+; segment here but the two crossings, the smaller first; the nearest one ahead
+; is then chosen as for all shapes.  With one root (a = 0) tin = tout.
 ;
 ; In:  ox oy oz dx dy dz, near long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.  quadric_solid: two segments.
@@ -23,8 +23,9 @@
         dot_constant \x0, \x1, \x2, sh7, sh8, sh5, \y2, \work
         .endm
 
-; The polynomial (a, b, c in w10, w11, w7) and its roots, from the closest
-; approach on: tin, tout where bits0 has ones.  [w9] = the shift of the origin.
+; Computes the polynomial (a, b, c in w10, w11, w7) and its roots tin, tout in
+; the lanes of bits0, relative to the closest approach.  [w9] = the shift of the
+; origin.
         .macro  quadric_polynomial
         load_record P_SHAPE, 13, sh0
         SUBNV   [ox], sh0, [w0]
@@ -52,7 +53,7 @@
         VTOV    [w0], [w1] ? [bits2]
         VTOV    [w1], [w0] ? [bits1]
         ANDB    [bits1], [bits2], [bits1]
-        ANDNB   [bits0], [bits1], [bits0]       ; no root
+        ANDNB   [bits0], [bits1], [bits0]       ; lanes without a root
 quadric_rooted\@:
         sort_roots w0, w1
         .endm
@@ -65,9 +66,10 @@ quadric:
         move_back w9
         BIM     0, link_kernel
 
-; Two crossings: what is inside lies between them or, with a < 0, before the
-; first and behind the second.  One (a = 0): before it where the polynomial
-; rises.  None: all or nothing, as a or, with a = b = 0, c says.
+; Two crossings: the ray is inside between them or, if a < 0, before the first
+; and after the second.  One crossing (a = 0): it is inside before it if the
+; polynomial rises.  None: it is inside everywhere or nowhere, by the sign of a
+; or, if a = b = 0, of c.
 quadric_solid:
         quadric_polynomial
         SUBNV   [tin], [w9], [tin]
@@ -92,15 +94,15 @@ quadric_solid:
         CNTOB   [bits1], s0
         IBXEQ   s0, r0, r0, solid_given
         ANDB    [bits0], [bits1], [bits0]       ; a = 0: one crossing
-        ANDNB   [bits1], [bits0], [bits1]       ; .. none
+        ANDNB   [bits1], [bits0], [bits1]       ; a = 0: no crossing
         CMPGEV  [w11], r0, [bits2]
-        ANDNB   [bits0], [bits2], [bits2]       ; falls
+        ANDNB   [bits0], [bits2], [bits2]       ; the polynomial falls
         VTOV    big, [tout] ? [bits2]
         CMPGEV  [w11], r0, [bits2]
-        ANDB    [bits0], [bits2], [bits2]       ; rises
+        ANDB    [bits0], [bits2], [bits2]       ; the polynomial rises
         VTOV    minus_big, [tin] ? [bits2]
         CMPLTV  [w7], r0, [bits2]
-        ANDB    [bits1], [bits2], [bits2]       ; all
+        ANDB    [bits1], [bits2], [bits2]       ; inside everywhere
         VTOV    minus_big, [tin] ? [bits2]
         VTOV    big, [tout] ? [bits2]
 solid_given:

@@ -1,11 +1,11 @@
-; quartic_scalar.s - one ray meets a quartic surface.
+; quartic_scalar.s - intersects one ray with a quartic surface.
 ;
 ;       CALL QUARTIC_SURFACE (RAY, PRIMITIVE, SEGMENT)
 ;       CALL QUARTIC_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in quartic_vector.s.
-; SEGMENTS = the ray's way inside, where the polynomial is below 0
-; (segments_scalar.s), three of them (6 words).
+; The arguments are those of sphere_scalar.s, the method is that of
+; quartic_vector.s.  SEGMENTS receives three segments (6 words) of the ray
+; inside, where the polynomial is below 0 (segments_scalar.s).
 
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
@@ -189,7 +189,8 @@ at_least\@:
         ADDN    e0, \k, e0
         .endm
 
-; k4 .. k0 about the closest approach, and near_high, beyond which no root is.
+; Computes k4 .. k0 about the closest approach, and near_high, which no root
+; exceeds.
         .macro  surface_polynomial
         closest_approach ox, oy, oz, t0, t1, t2, along, t3, t4
         power_of_z

@@ -1,17 +1,18 @@
-; quartic_terms.s - a quartic surface along a ray, for both forms.
+; quartic_terms.s - forms the quartic of a quartic surface along a ray, for the
+; scalar and the vector form.
 ;
 ;   F(x, y, z) = ((((A0 x + A1) x + A2) x + A3) x + A4
 ;   Am(y, z) = (((B0 y + B1) y + ..) y + Bm,   Bj(z) = b0 z^j + .. + bj
 ;
-; with x, y, z linear in the distance t from the ray's closest approach to the
-; origin: o + d t.  All are polynomials of t, formed by Horner's rule with
-; o + d t in place of a number.  POV-Ray's order of the 35 coefficients is the order in
-; which this takes them: group by group A0 .. A4, in each B0, B1 ..
+; x, y, z are linear in the distance t from the ray's closest approach to the
+; origin: o + d t.  All sums are polynomials of t, formed by Horner's rule with
+; o + d t as the argument.  The 35 coefficients are used in POV-Ray's order:
+; group by group A0 .. A4, and in each group B0, B1 ..
 ;
-; Most quartics have few terms: what is 0 is left out.  seen_terms tells
-; whether the group has any so far, seen_groups whether F has.
+; Most quartics have few terms, and zero coefficients are skipped.  seen_terms =
+; 1 if the group has a term so far, seen_groups = 1 if F has.
 ;
-; Each form brings the macros
+; Each form defines the macros
 ;   term<p> c              Am += c z^p
 ;   times_y m, times_x m   Am, F times o + d t, then of degree m
 ;   clear_group m          Am := 0
@@ -52,7 +53,7 @@
         term0   sh14
         .endm
 
-; The next group of the table; table_at goes on behind it.
+; Adds the next group of the table and advances table_at.
         .macro  quartic_group degree, words
         ELEN    table_at, \words
         SWAP    [table_at], sh0, [r0]
@@ -90,11 +91,11 @@ group_none\@:
         quartic_group 4, 15
         .endm
 
-; The rows of a group behind its first word, for the gradient
-; (normal_quartic_scalar.s, normal_quartic_vector.s).  Each form brings
-;   gradient_row c         the row begins with c
-;   gradient_term c        its next coefficient
-;   gradient_group_row     the row is added to the group
+; Adds the rows of a group after its first word, for the gradient
+; (normal_quartic_scalar.s, normal_quartic_vector.s).  Each form defines
+;   gradient_row c         starts a row with c
+;   gradient_term c        adds its next coefficient
+;   gradient_group_row     adds the row to the group
         .macro  gradient_rows words
         .if     \words >= 3
         gradient_row sh1

@@ -1,20 +1,20 @@
-; quartic_vector.s - a queue of rays meets a quartic surface, POV-Ray's
-; quartic with its 35 coefficients.
+; quartic_vector.s - intersects a queue of rays with a quartic surface,
+; POV-Ray's quartic with its 35 coefficients.
 ;
-; The ray's origin is moved to o, its closest approach to the origin of the
-; shape's space; the quartic of the distance from there is formed as
-; quartic_terms.s says.  The surface may reach for ever: crossings are looked
-; for up to
+; o is the ray's closest approach to the origin of the shape's space.  The
+; quartic in the distance from o is formed by quartic_terms.s.  The surface may
+; be unbounded, so crossings are searched up to
 ;
 ;   high = 2 max(1, |k3/k4|, |k2/k4|^(1/2), |k0/k4|^(1/4), (|k1/k4| / q)^(1/2))
 ;
-; q the greatest of the terms before it: no root is beyond, for where q is less
-; than |k1/k4|^(1/3) the last term is more.  Not beyond 1e7, as in POV-Ray.
+; where q is the maximum of the previous terms.  No root is beyond: if q is less
+; than |k1/k4|^(1/3), the last term is greater than that.  high is at most 1e7,
+; as in POV-Ray.
 ;
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
 ;      quartic_solid: three segments (segments_vector.s).
-; Source: derived here; the bound is Fujiwara's, made without cube roots.
+; Source: derived here; the bound is Fujiwara's, without cube roots.
 
         .ifndef LANE_VECTORS
         .include "shapes/lanes_vector.s"
@@ -150,7 +150,7 @@ times_none\@:
         .endif
         .endm
 
-; z^2, z^3, z^4, each the one before times o + d t.
+; z^2, z^3, z^4, each the previous power times o + d t.
         .macro  power_of_z
         MPYSV   [w2], [w2], [z20]
         LINKV
@@ -232,8 +232,9 @@ quartic_surface:
         VTOV    [tin], [tout] ? [bits0]
         BIM     0, link_kernel
 
-; The crossings in turn; minus_big before the first one where the ray begins
-; inside.
+; [to] = [before] in the lanes of hits2, where the ray begins inside, else
+; [crossing].  This moves the crossings by one place; minus_big becomes the
+; first.
         .macro  begin_inside crossing, before, to
         MASKV   [\before], [\crossing], [\to] ? [hits2]
         .endm

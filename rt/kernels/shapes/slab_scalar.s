@@ -1,5 +1,5 @@
-; slab_scalar.s - one ray between two parallel planes; see slab_vector.s.  A
-; segment that has become empty goes to miss at once.
+; slab_scalar.s - cuts the segment of one ray to the part between two parallel
+; planes (slab_vector.s).  Branches to miss as soon as the segment is empty.
 
         .macro  slab o, d, low, high, miss
         ABS     \d, t0

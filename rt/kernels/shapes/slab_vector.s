@@ -1,12 +1,14 @@
-; slab_vector.s - a queue of rays between two parallel planes.
+; slab_vector.s - cuts the segments of a queue of rays to the part between two
+; parallel planes.
 ;
-; Along one axis, with origin o, direction d, planes at low and high:
-; near and far = the lesser and the greater of (low - o)/d, (high - o)/d.
-; This machine has no infinities: rays with |d| < tiny are parallel; they are
-; inside for ever (minus_big, big) or never (big, minus_big).
-; The segment tin..tout is cut down to near..far.
+; Along one axis, with origin o, direction d and planes at low and high, near
+; and far are the smaller and the greater of (low - o)/d, (high - o)/d.  The
+; segment tin .. tout is cut to near .. far.
 ;
-; Uses w0-w4, bits0-bits2, s0.
+; The machine has no infinities.  A ray with |d| < tiny is parallel, and inside
+; everywhere (minus_big, big) or nowhere (big, minus_big).
+;
+; Changes w0-w4, bits0-bits2, s0.
 
         .macro  slab o, d, low, high
         CMPLTV  |[\d]|, tiny, [bits0]
@@ -38,7 +40,7 @@ slab_crossed\@:
         VTOV    [w4], [tout] ? [bits1]
         .endm
 
-; An empty segment becomes a miss.
+; Changes an empty segment to a miss.
         .macro  close_segment
         CMPLTV  [tout], [tin], [bits0]
         VTOV    big, [tin] ? [bits0]

@@ -1,13 +1,14 @@
-; sphere_scalar.s - one ray meets a sphere.
+; sphere_scalar.s - intersects one ray with a sphere.
 ;
 ;       CALL SPHERE (RAY, PRIMITIVE, SEGMENT)
 ;
-; RAY = O, D (6 words, D of length one), and behind them, for the kernels that
-; need it, the least distance that counts; PRIMITIVE = its record; SEGMENT =
-; tin, tout (2 words); a miss is big, minus_big.  Formulas and order of the
-; operations as in sphere_vector.s, but a miss ends before the square root.
+; RAY = O, D (6 words, D of length one), then, for the kernels that use it, the
+; lower limit of the distance.  PRIMITIVE = its record.  SEGMENT = tin, tout
+; (2 words); a miss is big, minus_big.  The formulas and the order of the
+; operations are those of sphere_vector.s, but a miss returns before the square
+; root.
 
-        shape_from r55                  ; behind t6
+        shape_from r55                  ; after t6
         .equ    SPHERE_REGISTERS, 25
 
         .data

@@ -1,4 +1,4 @@
-; sphere_vector.s - a queue of rays meets a sphere.
+; sphere_vector.s - intersects a queue of rays with a sphere.
 ;
 ; With L = C - O, D of length one:
 ;
@@ -7,16 +7,16 @@
 ;   h = r^2 - w . w        h < 0: the ray misses
 ;   tin = b - sqrt(h),  tout = b + sqrt(h)
 ;
-; w is formed as a vector, not L.L - b^2, which cancels for a small and
-; distant sphere in 47 bits.
+; w is computed as a vector.  L.L - b^2 would cancel for a small and distant
+; sphere in 47 bits.
 ;
 ; In:  ox oy oz dx dy dz, n long; the primitive's record.
 ; Out: tin, tout; a miss is big, minus_big.
 ; Source: the project's notes on ray tracing, 4.2; the paper's Table 1 allows
-; 28 results a ray.
+; 28 results per ray.
 
-; [in], [out] of rays with the directions [d]; L in [l0] [l1] [l2], which are
-; used up.
+; Computes [in], [out] of rays with the directions [d], in the lanes of bits.  L
+; is in [l0], [l1], [l2], which change.
         .macro  sphere_segment l0, l1, l2, d0, d1, d2, r2, b, work, in, out, bits
         dot_vectors \l0, \l1, \l2, \d0, \d1, \d2, \b, \work
         MPYSV   [\b], [\d0], [\work]

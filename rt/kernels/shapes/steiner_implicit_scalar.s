@@ -1,12 +1,12 @@
-; steiner_implicit_scalar.s - one ray meets a Steiner patch, by the quartic of
-; its surface.
+; steiner_implicit_scalar.s - intersects one ray with a Steiner patch by the
+; quartic of its surface.
 ;
 ;       CALL STEINER_IMPLICIT (RAY, PRIMITIVE, SEGMENT)
 ;       CALL RATIONAL_STEINER_IMPLICIT (RAY, PRIMITIVE, SEGMENT)
 ;
-; Arguments as in sphere_scalar.s, method as in steiner_implicit_vector.s,
-; what is written beside as in steiner_patch_scalar.s.  The solver looks for no root
-; beyond the first acceptable one.
+; The arguments are those of sphere_scalar.s, the method is that of
+; steiner_implicit_vector.s.  P_PATCH_POINT is written as in
+; steiner_patch_scalar.s.  The solver stops at the first root that is accepted.
 
         .share  local
         .regs   r87, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1, db2
@@ -20,7 +20,7 @@
         .regs   r140, triple_x, triple_y, triple_z, triple_w
         .endshare
         .equ    PLANES_TABLE, 28
-        .share  local                   ; after those
+        .share  local                   ; the registers are used again
         .regs   r116, qxss, qxtt, qxuu, qxst, qxtu, qxus
         .regs   r122, qyss, qytt, qyuu, qyst, qytu, qyus
         .regs   r128, qzss, qztt, qzuu, qzst, qztu, qzus
@@ -56,7 +56,7 @@
         dot     nx, ny, nz, t0, t1, t2, no, t3
         .endm
 
-; Three entries of A.
+; Computes three entries of A.
         .macro  plane_forms x0, y0, z0, w0, x1, y1, z1, w1, x2, y2, z2, w2, f0, f1, f2
         dot_rows nx, ny, nz, \x0, \y0, \z0, \x1, \y1, \z1, \x2, \y2, \z2, \f0, \f1, \f2, t3, t4, t5, t6
         MPYS    no, \w0, t3
@@ -67,7 +67,7 @@
         SUBN    \f2, t5, \f2
         .endm
 
-; v in t7-t9 := A c
+; Computes v in t7-t9 := A c.
         .macro  form_times c0, c1, c2
         MPYS    fss, \c0, t7
         MPYS    fst, \c0, t8
@@ -150,7 +150,7 @@ implicit_begin:
 implicit_miss:
         miss_near patch_save, PATCH_REGISTERS
 
-; Through the triple point: the other kernel takes the arguments.
+; A ray through the triple point: the other kernel continues with its arguments.
 implicit_through:
         RTOR    link_kept, link
         EX      save_at, patch_save
@@ -158,7 +158,7 @@ implicit_through:
         SWAP    [save_at], r32, [r0]
         BIM     0, target
 
-; Shown a root by the solver: are its parameters in the triangle?
+; Accepts a root if its parameters are in the triangle.
 implicit_accept:
         MPYS    c20, q_answer, q_a
         MPYS    c21, q_answer, q_b

@@ -1,43 +1,45 @@
-; steiner_implicit_vector.s - a queue of rays meets a Steiner patch, by the
-; quartic of the surface on which it lies: the way of 1984, for comparison.
+; steiner_implicit_vector.s - intersects a queue of rays with a Steiner patch by
+; the quartic of the surface that contains it: the method of 1984, for
+; comparison.
 ;
 ; The surface H(p), p = (s, t, u), has two moving planes: matrices L1, L2 with
 ;   p . (L1 H(p)) = p . (L2 H(p)) = 0   for all p,
-; so that a point X of it has the parameters p ~ (L1 X) x (L2 X).  On a ray
+; A point X of it therefore has the parameters p ~ (L1 X) x (L2 X).  On a ray
 ; o + d tau, o its closest approach to the patch's centre, with
 ;
 ;   a = L1 (o, 1), a' = L1 (d, 0), b = L2 (o, 1), b' = L2 (d, 0):
 ;   p(tau) = c0 + c1 tau + c2 tau^2,
 ;   c0 = a x b,  c1 = a x b' + a' x b,  c2 = a' x b'
 ;
-; All points of any plane through the ray, N . X = N . o, obey p A p = 0, with
-; A = N.x Qx + N.y Qy + N.z Qz - (N . o) Qw of the quadratic forms of H.  So
-; the ray meets the surface where
+; All points of a plane through the ray, N . X = N . o, satisfy p A p = 0.  Here
+; A = N.x Qx + N.y Qy + N.z Qz - (N . o) Qw, with the quadratic forms of H.  So
+; the ray hits the surface where
 ;
 ;   c0 A c0 + 2 c1 A c0 tau + (2 c2 A c0 + c1 A c1) tau^2 + 2 c2 A c1 tau^3
 ;     + c2 A c2 tau^4 = 0
 ;
-; times the distance of the triple point T from the plane: N is square to d and
-; points towards T.  The solver looks for the roots in their order and shows
-; each; one whose parameters do not lie in the triangle, within 2^-30, is no
-; crossing.
+; times the distance of the triple point T from the plane.  N is perpendicular
+; to d and points towards T.  The solver computes the roots in ascending order
+; and passes each to a routine.  A root whose parameters are not in the
+; triangle, within 2^-30, is not a crossing.
 ;
-; The smaller N, the more of the quartic is noise, and for a ray through T it
-; is all 0.  Where |N|^2 <= 2^-20 bound^2 (T a vector of length one, in units of
-; the bound) the noise may be 2^-27 of it: such a ray goes the way of
-; steiner_patch_vector.s.  It is counted, and costs nothing where there is none.
+; The smaller N, the larger the share of rounding errors in the quartic; for a
+; ray through T all coefficients are 0.  If |N|^2 <= 2^-20 bound^2 (T a vector
+; of length one, in units of the bound), the errors may be 2^-27 of the quartic.
+; Such rays are counted, and steiner_patch_vector.s intersects them.  If there
+; are none, this costs nothing.
 ;
-; steiner_implicit, rational_steiner_implicit: which way that is.
-;
+; steiner_implicit, rational_steiner_implicit: the entries select the kernel for
+; such rays, steiner or rational_steiner.
 ; In:  ox oy oz dx dy dz lower, n long; the primitive's record and the part
-;      of its table behind PATCH_TABLE.
+;      of its table after PATCH_TABLE.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big;
 ;      patch_s, patch_t where there is a crossing.
-; Source: the project's notes on ray tracing, 2.2 (B), where it is derived; the
-; paper says no more than that the quartic is solved.
+; Source: the project's notes on ray tracing, 2.2 (B), which derive it; the
+; paper says only that the quartic is solved.
 
-; The rest of the table in two parts: L1, L2 by rows, T; then the forms
-; Qx Qy Qz Qw, of each ss tt uu st tu us.
+; The rest of the table, in two parts: L1, L2 by rows, T; then the forms
+; Qx Qy Qz Qw, each as ss tt uu st tu us.
         .share  shape
         .regs   r40, la00, la01, la02, la03, la10, la11, la12, la13
         .regs   r48, la20, la21, la22, la23
@@ -56,8 +58,8 @@
 
         .regs   pa0, ma0, ma1, ma2, da0, da1, da2, mb0, mb1, mb2, db0, db1
         .regs   n1x, db2, c00, c01, c02, c10, c11, c12, c20, c21, c22
-        .regs   pa0, fss, ftt, fuu, fst, ftu, fus      ; A, after these
-        .regs   pa0, found_s, found_t                  ; after that
+        .regs   pa0, fss, ftt, fuu, fst, ftu, fus      ; A, used after these
+        .regs   pa0, found_s, found_t                  ; used after A
 
         .share  phase
         .reg    through_count, r189
@@ -66,7 +68,8 @@
         .endshare
 
         .data
-; Of the queue: 1 for a ray not through T, else 0; and what was found for it.
+; One word per ray of the queue: 1 if the ray does not pass through T, else 0;
+; then its tin, patch_s and patch_t.
 through_store:  .space 4 * QUEUE
         .code
 
@@ -103,7 +106,7 @@ through_store:  .space 4 * QUEUE
         cross   da0, da1, da2, db0, db1, db2, c20, c21, c22, e12
         .endm
 
-; N in e0-e2, N . o in e3.
+; Computes N in e0-e2, N . o in e3.
         .macro  towards_triple t, o, n
         LINKV
         MPYSV   [\o], triple_w, [\n]
@@ -131,7 +134,7 @@ through_store:  .space 4 * QUEUE
         SUBNV   [\f], [e12], [\f]
         .endm
 
-; v in e4-e6 := A c
+; Computes v in e4-e6 := A c.
         .macro  form_times c0, c1, c2
         dot_vectors fss, fst, fus, \c0, \c1, \c2, e4, e12
         dot_vectors fst, ftt, ftu, \c0, \c1, \c2, e5, e12
@@ -160,7 +163,7 @@ through_store:  .space 4 * QUEUE
         dot_vectors c20, c21, c22, e4, e5, e6, k4, e12
         .endm
 
-; p at the roots q_t of the lanes q_at.
+; Computes p at the roots q_t of the lanes q_at.
         .macro  parameter_at c0, c1, c2, p
         lengthen q_u, \p
         VXTOV   [q_at], [\c2], [\p]
@@ -199,7 +202,7 @@ implicit_begin:
         CMPGEV  s2, [e4], [hits0]
         CNTOB   [hits0], through_count
         IBXEQ   through_count, r0, r0, implicit_form
-        VTOV    [lane_low], [lane_high] ? [hits0]       ; no interval, no root
+        VTOV    [lane_low], [lane_high] ? [hits0]       ; no interval: no root
 implicit_form:
         IX      shape_at, 64 * PLANES_TABLE
         ELEN    shape_at, FORMS_TABLE
@@ -215,8 +218,8 @@ implicit_form:
 implicit_miss:
         miss_all
 
-; The whole queue goes the other way, and all but the rays through T get back
-; what they had.
+; The other kernel processes the whole queue.  Then all rays except those
+; through T get their previous results back.
 implicit_through:
         through_vectors
         CMPLTV  [lane_low], [lane_high], [hits0]
@@ -236,7 +239,7 @@ implicit_through:
         VTOV    minus_big, [tout]
         BIM     steiner_done
 
-; Shown roots by the solver: which have parameters in the triangle?
+; Accepts the roots whose parameters are in the triangle.
 implicit_accept:
         lengthen q_u, q_d
         lengthen q_u, q_s

@@ -1,14 +1,14 @@
-; steiner_patch_scalar.s - one ray meets a Steiner patch.
+; steiner_patch_scalar.s - intersects one ray with a Steiner patch.
 ;
 ;       CALL STEINER (RAY, PRIMITIVE, SEGMENT)
 ;       CALL RATIONAL_STEINER (RAY, PRIMITIVE, SEGMENT)
 ;       CALL STEINER_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;       CALL RATIONAL_STEINER_CROSSINGS (RAY, PRIMITIVE, CROSSINGS)
 ;
-; Arguments as in sphere_scalar.s, method as in steiner_patch_vector.s.  Where on the
-; patch the ray meets it is written to the primitive's P_PATCH_POINT.  CROSSINGS
-; = all of them, in no order, then big (PATCH_CROSSINGS words); where they are
-; on the patch is written to P_PATCH_POINTS.
+; The arguments are those of sphere_scalar.s, the method is that of
+; steiner_patch_vector.s.  The parameters of the hit are stored in
+; P_PATCH_POINT.  CROSSINGS receives all crossings, unsorted, then big
+; (PATCH_CROSSINGS words); their parameters are stored in P_PATCH_POINTS.
 
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
@@ -104,7 +104,7 @@ framebuffer_found\@:
         cross_product n2x, n2y, n2z, dx, dy, dz, n1x, n1y, n1z
         .endm
 
-; k4 .. k0 = R, from G in g0-g3 and B0(s)^2 in e0-e4.
+; Computes k4 .. k0 = R, with G in g0-g3 and B0(s)^2 in e0-e4.
         .macro  eliminate
         MPYS    pa0, pb2, g0
         MPYS    pa2, pb0, t3
@@ -159,7 +159,7 @@ framebuffer_found\@:
         ADDN    k3, t4, k3
         .endm
 
-; To miss if the Bernstein coefficients of R, in k0 and e0-e3, have one sign.
+; Branches to miss if the Bernstein coefficients of R (k0, e0-e3) have one sign.
         .macro  bernstein_signs miss
         ABS     k0, t3
         ABS     k1, t4
@@ -213,8 +213,8 @@ bernstein_end\@:
         ADDN    t6, \sum, \sum
         .endm
 
-; e3 := the distance of candidate_s, candidate_t from where the ray comes nearest;
-; to none if it is not on the patch or not ahead.
+; e3 := the distance of the point candidate_s, candidate_t along the ray.
+; Branches to none if the point is not on the patch or not ahead.
         .macro  patch_distance rational, none
         CFPLT   candidate_t, patch_low, \none
         ADDN    candidate_s, candidate_t, e3
@@ -234,7 +234,7 @@ bernstein_end\@:
         SUBN    e3, along, e3
         .endm
 
-; The nearest is kept.
+; Keeps the nearest candidate.
         .macro  patch_candidate rational
         patch_distance \rational, candidate_none\@
         CFPGE   e3, tin, candidate_none\@
@@ -245,7 +245,7 @@ candidate_none\@:
         BIM     0, patch_link
         .endm
 
-; All are, as many as there is room for.
+; Stores every candidate while there is room.
         .macro  patch_crossing rational
         patch_distance \rational, crossing_none\@
         IBXEQ   crossings_left, r0, r0, crossing_none\@
@@ -306,7 +306,7 @@ crossing_none\@:
         ES      crossings_wanted, \wanted
         .endm
 
-; No crossings yet.
+; Sets all crossings to big.
         .macro  clear_crossings
         RTOR    a_segment, point_at
         .rept   PATCH_CROSSINGS
@@ -372,7 +372,7 @@ steiner_eliminate:
         EX      root_at, near_roots
         RTOR    big, tin
 
-; Root by root.
+; One pass per root.
 steiner_root:
         CFPGE   r0, roots_left, steiner_done
         LOD     [root_at], candidate_s
@@ -406,7 +406,7 @@ steiner_miss:
 steiner_given:
         leave_segments patch_save, PATCH_REGISTERS
 
-; A pair of lines: t from the first conic.
+; The second conic is a pair of lines: t is a root of the first conic.
 steiner_lines:
         MPYS    pa4, candidate_s, e1
         MPYS    pa3, candidate_s, e0

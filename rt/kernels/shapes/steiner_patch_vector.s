@@ -1,49 +1,48 @@
-; steiner_patch_vector.s - a queue of rays meets a Steiner patch, a triangle of degree
-; two with six control points and weights, by the quartic in one of its
-; parameters.
+; steiner_patch_vector.s - intersects a queue of rays with a Steiner patch, a
+; triangle of degree two with six control points and weights, by the quartic in
+; one of its parameters.
 ;
-; About the patch's centre, with four coordinates x y z w:
+; Relative to the patch's centre, with four coordinates x y z w:
 ;
 ;   H(s, t) = K0 + K1 s + K2 t + K3 s^2 + K4 s t + K5 t^2
 ;   point = H.xyz / H.w,  s >= 0, t >= 0, s + t <= 1
 ;
-; o = the ray's closest approach to the centre, d its direction.  Two planes
-; through the ray, the first one along P too, cut the patch in conics of s, t:
+; o is the ray's closest approach to the centre, d its direction.  Two planes
+; through the ray, the first one also parallel to P, cut the patch in conics of
+; s, t:
 ;
 ;   P  = K5.xyz - K5.w o
-;   n2 = d x P,  less its part along d       n1 = n2 x d
-;   Ai = n1 . Ki.xyz - (n1 . o) Ki.w         Bi likewise with n2, B5 = 0
+;   n2 = d x P,  without its part along d    n1 = n2 x d
+;   Ai = n1 . Ki.xyz - (n1 . o) Ki.w         Bi the same with n2, B5 = 0
 ;
 ;   A5 t^2 + A(s) t + A0(s) = 0,  A0(s) = A0 + A1 s + A3 s^2,  A(s) = A2 + A4 s
 ;   B(s) t + B0(s) = 0,           B0(s) = B0 + B1 s + B3 s^2,  B(s) = B2 + B4 s
 ;
 ; Eliminating t = -B0(s)/B(s) leaves  R(s) = A5 B0(s)^2 + B(s) G(s),
-; G(s) = A0(s) B(s) - A(s) B0(s).  Where all Bernstein coefficients of R on
-; [0, 1] have one sign the ray misses.  Of the roots of R each that has its t
-; in the triangle is a crossing at the distance d . H.xyz / H.w; the nearest
-; one counts.  The roots come in the order of s, not of the distance, so all of
-; them are looked for.
+; G(s) = A0(s) B(s) - A(s) B0(s).  If all Bernstein coefficients of R on [0, 1]
+; have one sign, the ray misses.  A root of R with its t in the triangle is a
+; crossing at the distance d . H.xyz / H.w; the nearest one counts.  All roots
+; are computed, because they are ordered by s and not by distance.
 ;
-; d along P leaves no plane: any other will do, through a vector of the patch's
-; table.  Where B(s) and B0(s) both are next to nothing the second conic is a
-; pair of lines and the ray in the plane of a curve s = const: then t is one of
-; the roots of the first conic, and Newton's rule on both conics shows which is
-; right.
+; If d is parallel to P, there is no such plane, and any other serves: one
+; through a vector of the patch's table.  If B(s) and B0(s) are both nearly 0,
+; the second conic is a pair of lines, and the ray is in the plane of a curve s
+; = const.  Then t is one of the roots of the first conic, and Newton's method
+; on both conics shows which one.
 ;
-; steiner is for weights that are all one (Ki.w = 0 but for K0.w = 1),
-; rational_steiner for all others.
-; steiner_crossings, rational_steiner_crossings give all of them, for Boolean
-; trees.
+; steiner is for weights that are all one (Ki.w = 0 except K0.w = 1),
+; rational_steiner for all others.  steiner_crossings and
+; rational_steiner_crossings compute all crossings, for Boolean trees.
 ;
 ; In:  ox oy oz dx dy dz lower, n long; the primitive's record and table.
 ; Out: tin = tout = the nearest crossing; a miss is big, minus_big;
 ;      patch_s, patch_t where there is a crossing.
 ; steiner_crossings, rational_steiner_crossings:
-; In:  also tin, PATCH_CROSSINGS vectors one after another; likewise patch_s and
+; In:  also tin, PATCH_CROSSINGS successive vectors, and as many for patch_s and
 ;      patch_t.
-; Out: in these the crossings ahead, in no order, and then big; their
+; Out: in these the crossings ahead, unsorted, then big; their parameters.
 ;      parameters.
-; Source: the project's notes on ray tracing, 2.3, where it is derived.
+; Source: the project's notes on ray tracing, 2.3, which derive it.
 
         .ifndef LANE_VECTORS
         .include "shapes/lanes_vector.s"
@@ -66,7 +65,8 @@
         .reg    candidate_routine, r198
         .endshare
 
-; c of a conic from the plane n and the constants of K; no = n . o.
+; Computes the coefficient c of a conic from the plane n and the constants of K;
+; no = n . o.
         .macro  conic n0, n1, n2, kx, ky, kz, c
         dot_constant \n0, \n1, \n2, \kx, \ky, \kz, \c, e12
         .endm
@@ -78,7 +78,7 @@
         SUBNV   [\c], [e12], [\c]
         .endm
 
-; Six or, of the second plane, five coefficients.
+; Computes six coefficients of the first conic and five of the second.
         .macro  conics rational
         dot_vectors n1x, n1y, n1z, lane_ox, lane_oy, lane_oz, e0, e12
         dot_vectors n2x, n2y, n2z, lane_ox, lane_oy, lane_oz, e1, e12
@@ -111,8 +111,8 @@
         .endif
         .endm
 
-; The two planes; in e0-e2 P of a rational patch.  A ray counts as along P
-; where |d x P|^2 <= 2^-72 |P|^2.
+; Computes the normals of the two planes.  A ray counts as parallel to P if
+; |d x P|^2 <= 2^-72 |P|^2.  For a rational patch P is in e0-e2.
         .macro  planes rational
         .if     \rational
         LINKV
@@ -162,7 +162,7 @@ framebuffer_found\@:
         SUBNV   [\sum], [e12], [\sum]
         .endm
 
-; k4 .. k0 = R, from G in e0-e3 and B0(s)^2 in e4-e8.
+; Computes k4 .. k0 = R, with G in e0-e3 and B0(s)^2 in e4-e8.
         .macro  eliminate
         MPYSV   [pa0], [pb2], [e0]
         subtract_product pa2, pb0, e0
@@ -203,8 +203,8 @@ framebuffer_found\@:
         add_product pb4, e3, k4
         .endm
 
-; hits0: the Bernstein coefficients of R, in k0 and e0-e3, are all above the
-; noise; hits1: all below it, negative.
+; hits0 = all Bernstein coefficients of R (k0, e0-e3) exceed the rounding
+; errors; hits1 = all are below the negative of these.
         .macro  bernstein_sign c
         CMPLTV  [e4], [\c], [hits2]
         ANDB    [hits0], [hits2], [hits0]
@@ -244,9 +244,9 @@ framebuffer_found\@:
         bernstein_sign e3
         .endm
 
-; Candidates [candidate_s], [candidate_t] in the lanes of hits2: those in the
-; triangle and beyond the least distance, and in [e3] their distances; to none if
-; there are none.
+; patch_distance: of the candidates [candidate_s], [candidate_t] in the lanes of
+; hits2, keeps those in the triangle and beyond the lower limit.  [e3] = their
+; distances.  Branches to none if there are none.
         .macro  patch_coordinate k0, k1, k2, k3, k4, k5, sum
         LINKV
         MPYSV   [candidate_s], \k1, [\sum]
@@ -287,7 +287,7 @@ framebuffer_found\@:
         SUBNV   [e3], [lane_along], [e3]
         .endm
 
-; Those nearer than tin take its place.
+; Replaces tin by the candidates that are nearer.
         .macro  patch_candidate rational
         patch_distance \rational, candidate_none\@
         VXTOV   [lane_at], [tin], [e4]
@@ -300,8 +300,8 @@ candidate_none\@:
         BIM     0, patch_link
         .endm
 
-; All are put into the next of their ray's vectors, as far as there are any: then
-; lane_at is a place in the next.
+; Appends every candidate to the next of its ray's vectors, while there are any.
+; lane_at then is the ray's index in the vector after that.
         .macro  patch_crossing rational
         patch_distance \rational, crossing_none\@
         EX      s0, PATCH_CROSSINGS * QUEUE
@@ -316,7 +316,7 @@ crossing_none\@:
         BIM     0, patch_link
         .endm
 
-; One step of Newton's rule on both conics: s and t less e0 and e1.
+; One step of Newton's method on both conics: subtracts e0 and e1 from s and t.
         .macro  newton_step
         MPYSV   [pa3], [candidate_s], [e0]
         MPYSV   [pa4], [candidate_t], [e1]
@@ -352,12 +352,12 @@ crossing_none\@:
         SUBNV   [candidate_t], [e1], [candidate_t]
         .endm
 
-; Only the lanes of hits0.
+; Keeps only the lanes of hits0.
         .macro  keep vector
         CPSV    [\vector], [\vector] ? [hits0]
         .endm
 
-; The roots in turn, each its own vector; one less is to come.
+; Advances to the next root: rotates the vectors and decrements the count.
         .macro  next_root
         RTOR    root0, s2
         RTOR    root1, root0
@@ -429,13 +429,13 @@ steiner_eliminate:
         RTOR    s8, patch_high
         VTOV    patch_low, [e0]
         VTOV    patch_high, [e1]
-        VTOV    patch_low, [e1] ? [hits0]       ; no interval, no root
+        VTOV    patch_low, [e1] ? [hits0]       ; no interval: no root
         RTOR    link_inner, lane_link
         EX      s8, solve_quartic_all
         call_quartic s8, k4, k3, k2, k1, k0, e0, e1, s9
         RTOR    lane_link, link_inner
 
-; Root by root: the lanes that have one more.
+; One pass per root, with the lanes that have another one.
 steiner_root:
         CMPLTV  r0, [root_count], [hits0]
         CNTOB   [hits0], s2
@@ -479,7 +479,7 @@ steiner_taken:
         CMPGEV  [spread], [e3], [hits0]
         MPYSV   [e0], [e0], [e3]
         CMPGEV  [spread], [e3], [hits1]
-        ANDB    [hits0], [hits1], [hits1]       ; both next to nothing
+        ANDB    [hits0], [hits1], [hits1]       ; both nearly 0
         NANDB   [hits1], [hits1], [hits2]
         RTOR    root0, candidate_s
         RTOR    e2, candidate_t
@@ -497,7 +497,8 @@ steiner_done:
 steiner_miss:
         BIM     0, link_kernel
 
-; A pair of lines, in the lanes of hits1: t from the first conic.
+; In the lanes of hits1 the second conic is a pair of lines: t is a root of the
+; first.
 steiner_lines:
         MPYSV   [pa4], [root0], [e1]
         LINKV

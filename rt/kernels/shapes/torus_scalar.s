@@ -1,17 +1,18 @@
-; torus_scalar.s - one ray meets a torus about the y axis.
+; torus_scalar.s - intersects one ray with a torus about the y axis.
 ;
 ;       CALL TORUS (RAY, PRIMITIVE, SEGMENT)
 ;       CALL TORUS_SOLID (RAY, PRIMITIVE, SEGMENTS)
 ;
-; Arguments as in sphere_scalar.s, method as in torus_vector.s.  SEGMENTS = the
-; ray's way inside (segments_scalar.s), two of them (4 words);
-; elliptical_torus_scalar.s has what follows the polynomial.
+; The arguments are those of sphere_scalar.s, the method is that of
+; torus_vector.s. SEGMENTS receives two segments (4 words) of the ray inside
+; (segments_scalar.s). elliptical_torus_scalar.s contains the part after the
+; polynomial.
 
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"
         .endif
 
-; To miss if the ray stays above the torus or below it.
+; Branches to miss if the ray stays above or below the torus.
         .macro  leave_above miss
         MPYS    near_low, dy, e0
         MPYS    near_high, dy, e1

@@ -1,35 +1,36 @@
-; torus_vector.s - a queue of rays meets a torus about the y axis.
+; torus_vector.s - intersects a queue of rays with a torus about the y axis.
 ;
-; Elliptical: R = major radius, p, n = half axes of the tube, away from the
-; axis and along it; rho = p^2/n^2, b0 = R^2 - p^2, a0 = 4 R^2:
+; Elliptical: R is the major radius, p and n are the half axes of the tube,
+; perpendicular to the axis and along it; rho = p^2/n^2, b0 = R^2 - p^2, a0 = 4
+; R^2:
 ;
 ;   (x^2 + z^2 + rho y^2 + b0)^2 = a0 (x^2 + z^2)
 ;
-; With the ray's origin moved to o, its closest approach to the centre,
+; With o, the ray's closest approach to the centre, as its origin,
 ;
 ;   f = dx^2 + dz^2      l = ox dx + oz dz     g = ox^2 + oz^2
 ;   a = f + rho dy^2     b = 2 (l + rho oy dy) c = g + rho oy^2 + b0
 ;
-; both sides are polynomials of the distance s from there:
+; both sides are polynomials in the distance s from o:
 ;
 ;   (a s^2 + b s + c)^2 = a0 (f s^2 + 2 l s + g)
 ;
-; Circular (p = n = r): o . d = 0 takes away the cubic term, and with
+; Circular (p = n = r): the cubic term vanishes because o . d = 0, and with
 ; k = o . o - R^2 - r^2
 ;
 ;   s^4 + (2 k + a0 dy^2) s^2 + 2 a0 oy dy s + k^2 + a0 (oy^2 - r^2) = 0
 ;
 ; In:  ox oy oz dx dy dz lower, near long; the primitive's record.
-; Out: tin = tout = the nearest crossing; a miss is big, minus_big.  .._solid: two
-;      segments (segments_vector.s).
+; Out: tin = tout = the nearest crossing; a miss is big, minus_big.
+;      torus_solid: two segments (segments_vector.s).
 ; Source: the project's notes on ray tracing, 1.1.
 
         .ifndef LANE_VECTORS
         .include "shapes/lanes_vector.s"
         .endif
 
-; Rays that stay above the torus or below it, y > sh9 or y < -sh9 at both ends, are
-; left out.
+; Removes rays that stay above or below the torus: y > sh9 or y < -sh9 at both
+; ends.
         .macro  leave_above miss
         MPYSV   [w5], [dy], [w8]
         ADDNV   [w8], [w1], [w8]
@@ -48,7 +49,7 @@
         IBXEQ   m, r0, r0, \miss
         .endm
 
-; The lanes' quartics.
+; Computes the quartics of the lanes.
         .macro  torus_polynomial
         CPSV    [w7], [e0] ? [bits0]
         SUBNV   [e0], sh5, [e0]                 ; k
