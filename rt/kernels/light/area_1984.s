@@ -1,6 +1,7 @@
-; area_1984.s - what of a light with an area comes through to the hits of a queue;
-; the order of the operations as in area_vector.s.  Part of shade_1984.s, as macros:
-; the rays to a point of the area are the queue that is made in lit_store.
+; area_1984.s - computes the light of an area light that reaches the hits of a
+; queue, ray by ray.  The order of the operations is that of area_vector.s.
+; These macros are a part of shade_1984.s; the queue of rays to a point of the
+; area is made in lit_store.
 
         .share  loop
         .regs   r177, area_x, area_y, area_z, area_weight
@@ -10,11 +11,11 @@
         .endshare
 
         .data
-area_at:        .word 0                 ; the point, and how many are left with it
+area_at:        .word 0                 ; the point; the number of points left
                 .word 0
 area_rays:      .word 0                 ; of the queue
         .align  64
-area_store:     .space 3 * QUEUE        ; what has come through
+area_store:     .space 3 * QUEUE        ; sum of the transmitted light
         .code
 
         .macro  area_loop
@@ -32,14 +33,14 @@ area_store:     .space 3 * QUEUE        ; what has come through
         STO     [lit_at, loop_index], \value
         .endm
 
-; The next point of the area, and how many are left with it.
+; Stores the next point of the area and the number of points left.
         .macro  area_go_on
         EX      loop_at, area_at
         ELEN    loop_at, 2
         SWAP    [r0], area_next_at, [loop_at]
         .endm
 
-; The rays to the point of area_at, in place of those to the light.
+; Replaces the rays to the light by rays to the point in area_at.
         .macro  area_rays_to_point
         load_at area_at, 1, area_next_at
         EX      loop_at, shade_shadows
@@ -81,7 +82,7 @@ area_ray\@:
         area_put light_left, \number, area_sum
         .endm
 
-; shade_light has an area: the rays to its first point.
+; If shade_light has an area, makes the rays to its first point.
         .macro  area_begin
         EX      loop_at, shade_light
         EX      lit_at, shade_shadows
@@ -107,7 +108,8 @@ area_zero\@:
 area_begun\@:
         .endm
 
-; What came through from a point of the area is added; the next one is met in walk.
+; Adds the light from a point of the area and continues at walk with the next
+; point.
         .macro  area_next walk
         load_at area_at, 1, area_next_at
         IBXEQ   area_next_at, r0, r0, area_done\@

@@ -1,5 +1,6 @@
-; area_scalar.s - what of a light with an area comes through to a point; the order
-; of the operations as in area_vector.s.  Part of shade_scalar.s, as macros.
+; area_scalar.s - computes the light of an area light that reaches a point.  The
+; order of the operations is that of area_vector.s.  These macros are a part of
+; shade_scalar.s.
 
         .share  local
         .regs   r58, area_x, area_y, area_z, area_weight, area_at, area_left
@@ -7,7 +8,8 @@
         .regs   r68, area_passing_r, area_passing_g, area_passing_b
         .endshare
 
-; Where the points of light_beam stand and how many they are, or to none.
+; area_at, area_left = address and number of the points of light_beam.  Branches
+; to none if it has no area.
         .macro  area_of_light none
         IBXEQ   light_beam, r0, r0, \none
         RTOR    light_beam, here
@@ -22,7 +24,7 @@
         ADDN    \sum, t0, \sum
         .endm
 
-; light_r .. = what comes from all points of its area.
+; light_r, light_g, light_b = the light from all points of the area.
         .macro  light_of_area
         RTOR    m_zero, area_r
         RTOR    m_zero, area_g

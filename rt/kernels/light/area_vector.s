@@ -1,26 +1,30 @@
-; area_vector.s - what of a light with an area comes through to what a queue hit.
+; area_vector.s - computes the light of an area light that reaches the hits of a
+; queue.
 ;
-; From the points that face the light rays go to each point of its area, a queue
-; for each (shadow_vector.s), which ends there, not k_shadow before as those to a
-; light without an area (POV-Ray's rule); in the dark nothing comes of its weight.
-; Where a point of the light and a hit are one, nothing is between, in any direction:
-; x is taken, as the scalar form would look for the next crossing of a clear body for
-; ever in one that is indefinite.
+; From the hits that face the light, rays go to each point of its area, one
+; queue per point (shadow_vector.s).  They end at the point, and not k_shadow
+; before it as rays to a light without an area (POV-Ray's rule).  A point in the
+; dark adds nothing.
+;
+; If a point of the light equals a hit, nothing is between them and the
+; direction is arbitrary; x is used.  With an indefinite direction the scalar
+; form would search for the next crossing of a transparent body without end.
 ;
 ; In:  hits3, light_at, light_beam; px ..
-; Out: hit_tint_store = what comes through; tinted = 1; lx .., ndotl as they are
-;      for the light's own place; ndotl = 0 but for hits3.
+; Out: hit_tint_store = the transmitted light; tinted = 1; lx .., ndotl as for
+;      the light's own position; ndotl = 0 except in hits3.
 ; Source: beam.s.
 
         .data
-area_at:        .word 0                 ; the next point, how many are left
+area_at:        .word 0                 ; the next point; the number left
                 .word 0
 area_link:      .word 0
         .align  64
-area_store:     .space 3 * QUEUE        ; what has come through, of all hits
+area_store:     .space 3 * QUEUE        ; sum of the light, for all hits
         .code
 
-; Where the points of light_beam stand, or to none.
+; work = the address of the points of light_beam.  Branches to none if it has no
+; area.
         .macro  area_of_light work, none
         IBXEQ   light_beam, r0, r0, \none
         RTOR    light_beam, \work
@@ -38,7 +42,8 @@ area_store:     .space 3 * QUEUE        ; what has come through, of all hits
         VTOV    r0, [s0]
         .endm
 
-; The weights of the point where there is light, times what comes through.
+; Adds the weight of the point, times the transmitted light, where it is not
+; dark.
         .macro  area_add light, number
         area_channel s0, \number
         MPYSV   [ndotl], \light, [v1]
@@ -51,7 +56,7 @@ area_store:     .space 3 * QUEUE        ; what has come through, of all hits
         VTOV    [s0], [s1]
         .endm
 
-; The way from the hits to a point.
+; lx, ly, lz = the directions from the hits to a point.
         .macro  area_way x, y, z
         SUBNV   \x, [px], [lx]
         SUBNV   \y, [py], [ly]

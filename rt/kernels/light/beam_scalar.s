@@ -1,6 +1,6 @@
-; beam_scalar.s - lights that do not shine all around, or fade: formulas in beam.s,
-; order of the operations as in beam_vector.s.  Parts of the subroutines that shade,
-; as macros, and registers that these have in common.
+; beam_scalar.s - computes the light of beams and fading lights at a point.  The
+; formulas are in beam.s, the order of the operations is that of beam_vector.s.
+; These macros and registers are a part of the subroutines that shade.
 
         .include "light/beam.s"
 
@@ -11,10 +11,11 @@
         .regs   r124, dim, beam_off, beam_q, beam_three
         .endshare
 
-; The way to the light whose beam is light_beam: as beam_vector.s has it.
+; Computes the direction to the light whose beam is light_beam, as beam_vector.s
+; does.
 ;
-; In:  lx ly lz = P - X.  Out: lx ly lz = L; light_distance; beam_off = the distance
-; from the axis of a cylinder.
+; In:  lx ly lz = P - X.  Out: lx ly lz = L; light_distance; beam_off = the
+;      distance from the axis of a cylinder.
         .macro  beam_towards
         RTOR    light_beam, here
         ELEN    here, BEAM_WORDS
@@ -47,7 +48,7 @@ beam_way\@:
         BSAVE   power_link, [target]
         .endm
 
-; dim, or to none if it is 0.
+; Computes dim, or branches to none if it is 0.
         .macro  find_dim none
         RTOR    m_one, dim
         IBXEQ   beam_kind, r0, r0, dim_fading\@
@@ -97,7 +98,7 @@ dim_found\@:
         CFPGE   r0, dim, \none
         .endm
 
-; What comes to the point of the light's colour, or of what was left of it.
+; Multiplies the light's colour, or its transmitted part, by dim.
         .macro  dim_light
         MPYS    dim, light_r, light_r
         MPYS    dim, light_g, light_g

@@ -1,10 +1,10 @@
-; beam_vector.s - lights that do not shine all around, or fade: formulas in
-; beam.s.
+; beam_vector.s - computes the light of beams and fading lights at the hits of a
+; queue.  The formulas are in beam.s.
 
         .include "light/beam.s"
 
         .share  scratch
-        .reg    light_beam, r248        ; behind the light's other words
+        .reg    light_beam, r248        ; after the light's other words
         .endshare
         .share  shape
         .regs   r40, beam_dims, beam_parallel, beam_kind
@@ -14,10 +14,10 @@
 
         .data
         .align  64
-dim_store:      .space QUEUE            ; dim, of all hits
+dim_store:      .space QUEUE            ; dim of all hits
         .code
 
-; [v] from 0 to 1.
+; Clamps [v] to 0 .. 1.
         .macro  unit_range v
         CMPLTV  [\v], r0, [hits1]
         VTOV    r0, [\v] ? [hits1]
@@ -31,7 +31,8 @@ dim_store:      .space QUEUE            ; dim, of all hits
         SUBNV   [\l], [v1], [\l]
         .endm
 
-; Whether the rays to the light are parallel, for the kernels that bound them.
+; Sets shadow_parallel, for the kernels that bound the rays: 1 if they are
+; parallel.
         .macro  beam_shadows work, at
         RTOR    r0, \work
         IBXEQ   light_beam, r0, r0, beam_shadows\@
@@ -44,10 +45,10 @@ beam_shadows\@:
         .endm
 
         .kernel shade
-; The way to the light whose beam is light_beam.
+; Computes the direction to the light whose beam is light_beam.
 ;
-; In:  lx ly lz = P - X.  Out: lx ly lz = L; [v0] = the distance; [v5] = that from
-; the axis of a cylinder.
+; In:  lx ly lz = P - X.  Out: lx ly lz = L; [v0] = the distance; [v5] = the
+;      distance from the axis of a cylinder.
 beam_towards:
         RTOR    light_beam, s0
         ELEN    s0, BEAM_WORDS
@@ -69,11 +70,11 @@ beam_directions:
         VTOV    beam_z, [lz]
         BIM     0, link_inner
 
-; dim, to dim_store.
+; Computes dim in dim_store.
 ;
-; In:  as beam_towards gives it; hits3: the points that face the light, s8 of
-; them.  Out: those that light comes to; ndotl = 0 of the others.
-; Uses v0-v7, hits1, hits2, s0, s1.
+; In:  the results of beam_towards; hits3: the s8 points that face the light.
+; Out: hits3, s8: those that the light reaches; ndotl = 0 for the others.
+; Changes v0-v7, hits1, hits2, s0, s1.
 find_dim:
         VTOV    [v0], [v6]
         VTOV    one, [v7]
@@ -133,8 +134,8 @@ dim_found:
         BIM     0, link
         .endkernel
 
-; A channel of what comes to the hits: of the light's colour, or of what was left
-; of it.
+; Computes one channel of the light that reaches the hits: dim times the light's
+; colour or its transmitted part.
         .macro  dim_channel light, number
         describe s1, hit_tint_store + 64 * QUEUE * \number, h
         IBXNE   tinted, r0, r0, dim_tinted\@

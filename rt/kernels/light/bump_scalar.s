@@ -1,5 +1,6 @@
-; bump_scalar.s - normals that a pattern changes, at a point: formulas in bump.s, order
-; of the operations as in bump_vector.s.  Parts of the subroutines that shade.
+; bump_scalar.s - computes normals with bumps at a point.  The formulas are in
+; bump.s, the order of the operations is that of bump_vector.s.  These macros
+; and routines are a part of the subroutines that shade.
 
         .share  local
         .regs   r126, bump_outer, bump_link
@@ -7,7 +8,7 @@
         .reg    bump_at, r131
         .regs   r132, bump_value, bump_x, bump_y, bump_z
         .regs   r136, bump_corner, bump_left
-        .reg    height_link, r83                ; facing, until it is known
+        .reg    height_link, r83                ; shares the register of facing
         .regs   r139, bump_sum_x, bump_sum_y, bump_sum_z
         .regs   r142, bump_share
         .regs   r143, bump_from, bump_to, bump_low, bump_rise
@@ -26,7 +27,8 @@
         LOD     [here], \register
         .endm
 
-; The three products with the nine words that bump_words has put to sh0.
+; Computes the three products with the nine words that bump_words loaded from
+; sh0 on.
         .macro  bump_rows x0, x1, x2, y0, y1, y2
         dot     \x0, \x1, \x2, sh0, sh1, sh2, \y0, t0
         dot     \x0, \x1, \x2, sh3, sh4, sh5, \y1, t0
@@ -45,7 +47,7 @@
         ADDN    t1, \normal, \normal
         .endm
 
-; v = where q is in its cube, from its middle.
+; v = the position of q in its unit cube, relative to its centre.
         .macro  quilt_place q, v
         RTOR    \q, \v
         less_floor \v, t0
@@ -71,7 +73,8 @@
         BSAVE   bump_link, [target]
         .endm
 
-; nx ny nz, facing by the primitive's bumps; raw_x .. as they were.
+; Applies the primitive's bumps to nx, ny, nz and facing; raw_x .. = the old
+; normal.
         .macro  change_normal
         RTOR    nx, raw_x
         RTOR    ny, raw_y
@@ -147,7 +150,7 @@ bumped\@:
         .endm
 
         .kernel shade
-; lx ly lz = the normal by the bump at bump_at, in the space of its map.
+; lx, ly, lz = the normal by the bump in bump_at, in the space of its map.
 find_bump:
         bump_place bump_x, bump_y, bump_z
         bump_words BUMP_CARRY, 9, sh0
@@ -203,7 +206,7 @@ bump_quilted:
         quilt_push q_z, lz
         BIM     bump_back
 
-; y_0 = the height at q_x q_y q_z, by map_function .. and the bump's map.
+; y_0 = the height at q_x, q_y, q_z, by map_function .. and the bump's map.
 find_height:
         EX      target, find_pattern
         BSAVE   pattern_link, [target]

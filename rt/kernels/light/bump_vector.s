@@ -1,5 +1,5 @@
-; bump_vector.s - normals that a pattern changes, at the m points of a part of the
-; hits: formulas in bump.s.
+; bump_vector.s - computes normals with bumps at the m points of a part of the
+; hits.  The formulas are in bump.s.
 
         .share  scratch
         .regs   r234, bump_outer, bump_left, bump_corner, bump_corners_left
@@ -8,7 +8,7 @@
 
         .data
         .align  64
-bump_normals:   .space 3 * QUEUE        ; of a part: those without bumps
+bump_normals:   .space 3 * QUEUE        ; normals of a part without bumps
 bump_bits:      .space 2 * QUEUE_BIT_WORDS
         .code
 
@@ -25,7 +25,7 @@ bump_bits:      .space 2 * QUEUE_BIT_WORDS
         LOD     [s0], \register
         .endm
 
-; Descriptors of the normals that the part had without bumps.
+; Describes the normals of the part without bumps.
         .macro  normals_before x0, x1, x2
         describe \x0, bump_normals, m
         describe \x1, bump_normals + 64 * QUEUE, m
@@ -36,7 +36,8 @@ bump_bits:      .space 2 * QUEUE_BIT_WORDS
         dot_constant \x0, \x1, \x2, \row0, \row1, \row2, \to, v0
         .endm
 
-; The three products with the nine words that load_bump has put to m00.
+; Computes the three products with the nine words that load_bump loaded from m00
+; on.
         .macro  bump_rows x0, x1, x2, y0, y1, y2
         bump_row m00, m01, m02, \x0, \x1, \x2, \y0
         bump_row m03, m10, m11, \x0, \x1, \x2, \y1
@@ -61,7 +62,7 @@ bump_bits:      .space 2 * QUEUE_BIT_WORDS
         ADDNV   [v1], [\normal], [\normal]
         .endm
 
-; [v] = where [q] is in its cube, from its middle.
+; [v] = the position of [q] in its unit cube, relative to its centre.
         .macro  quilt_place q, v
         VTOV    [\q], [\v]
         less_floor \v, v0
@@ -73,8 +74,8 @@ bump_bits:      .space 2 * QUEUE_BIT_WORDS
         ADDNV   [v2], [\normal], [\normal]
         .endm
 
-; [sum] is more by the share ndotl of [x] where hits1; it is the share v0 of [x] where
-; hits2.
+; bump_upper adds the share ndotl of [x] to [sum] in hits1; bump_lower sets
+; [sum] to the share v0 of [x] in hits2.
         .macro  bump_upper x, sum
         MPYSV   [\x], [ndotl], [v1]
         ADDNV   [\sum], [v1], [\sum] ? [hits1]
@@ -97,8 +98,8 @@ bump_bits:      .space 2 * QUEUE_BIT_WORDS
         .endm
 
         .kernel spawn
-; Reflected directions v1 v2 v3 that would go behind the surface of a part with bumps
-; do not.  Uses v4, v6; BSAVE link_kernel.
+; Corrects reflected directions v1 v2 v3 that would go behind the surface of a
+; part with bumps.  Changes v4, v6; called by BSAVE link_kernel.
 mirror_outside:
         load_field P_BUMP, s0
         IBXEQ   s0, r0, r0, mirror_is_outside
@@ -121,7 +122,7 @@ mirror_outside:
 mirror_is_outside:
         BIM     0, link_kernel
 
-; The root v7 has another sign where rays see the normal's back.
+; Changes the sign of the root v7 for rays that see the back of the normal.
 refract_from_back:
         describe s7, bump_bits, m
         CMPLTV  r0, [facing], [s7]
@@ -130,8 +131,8 @@ refract_from_back:
         .endkernel
 
         .kernel shade
-; The primitive's normals, nx ny nz, facing: of its bumps, bump_at.  hits0 is as it
-; was.  Uses v0-v7, hits1-hits3, lx .., cr .., red .., ndotl.
+; Applies the primitive's bumps, bump_at, to nx, ny, nz and facing.  Keeps
+; hits0.  Changes v0-v7, hits1-hits3, lx .., cr .., red .., ndotl.
 bumped:
         RTOR    link_inner, link_bump
         normals_before s1, s2, s3
@@ -149,8 +150,8 @@ bumped_found:
         dot_vectors nx, ny, nz, hdx, hdy, hdz, facing, v0
         BIM     0, link_bump
 
-; The values of the map's pattern in facing; then entry after entry, their sum in cr
-; cg cb, the upper one's share in ndotl.
+; facing = the values of the map's pattern.  Then, entry by entry: cr, cg, cb =
+; the sum, ndotl = the share of the upper entry.
 bumped_by_map:
         RTOR    bump_at, bump_outer
         load_bump BUMP_MAP, MAP_SIZE, map_function
@@ -163,15 +164,15 @@ bumped_by_map:
 bumped_entry:
         EX      target, find_bump
         BSAVE   link_kernel, [target]
-        load_bump BUMP_FROM, 4, m00             ; and to, low, rise
-        CFPGE   m00, big, bumped_lower          ; the first
+        load_bump BUMP_FROM, 4, m00             ; also to, low, rise
+        CFPGE   m00, big, bumped_lower          ; the first entry
         CMPGEV  [facing], m00, [hits1]
         CMPLTV  [facing], m01, [hits2]
         ANDB    [hits1], [hits2], [hits1]
         bump_upper lx, cr
         bump_upper ly, cg
         bump_upper lz, cb
-        CFPGE   m01, big, bumped_next           ; the last
+        CFPGE   m01, big, bumped_next           ; the last entry
 bumped_lower:
         CMPGEV  [facing], m01, [hits2]
         LINKV
@@ -212,7 +213,7 @@ bumped_each:
         IBXNE   bump_left, minus_one_index, r0, bumped_each, bump_left
         BIM     bumped_summed
 
-; lx ly lz = the normal by the bump at bump_at, in the space of its map.
+; lx, ly, lz = the normals by the bump in bump_at, in the space of its map.
 find_bump:
         bump_place red, green, blue
         load_bump BUMP_CARRY, 9, m00
@@ -270,8 +271,8 @@ bump_quilted:
         quilt_push v7, lz
         BIM     bump_back
 
-; [v0] = the heights at v5 v6 v7, by map_function .. and the bump's map.  Uses v1-v7,
-; hits1-hits3; BSAVE link_height.
+; [v0] = the heights at v5 v6 v7, by map_function .. and the bump's map.
+; Changes v1-v7, hits1-hits3; called by BSAVE link_height.
 find_height:
         EX      target, find_value
         BSAVE   link_pattern, [target]

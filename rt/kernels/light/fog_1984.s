@@ -1,6 +1,6 @@
-; fog_1984.s - the colours of n rays seen through fogs, one after another.
+; fog_1984.s - applies fogs to the colours of n rays, one ray after another.
 ;
-; In, out: as in fog_vector.s.
+; In, out: as for fog_vector.s.
 
         .include "light/fog_scalar.s"
 

@@ -1,15 +1,16 @@
-; fog_levels.s - when rays see through fogs: when all that comes of them has been
-; added to their colours, so a level's list before it is added to the level
-; before, and the frame's pixels at last.
+; fog_levels.s - applies fogs to the rays when everything they spawned has been
+; added to their colours: to a level's list before it is added to the previous
+; level, and at the end to the pixels of the frame.
 ;
 ; fog_list: In: level, its list traced.  fog_frame: In: the frame's planes.
 ; fog_depths: In: the queue's nearest and met.  Out: its part of LIST_DEPTH.
-; Both say it of QUEUE rays at a time to fog_rays (fog_vector.s, fog_1984.s).
+; fog_list and fog_frame pass QUEUE rays at a time to fog_rays (fog_vector.s,
+; fog_1984.s).
 
         .include "light/fog.s"
 
         .share  scratch
-        .reg    fog_depth, r250         ; how far the n rays see
+        .reg    fog_depth, r250         ; distances that the n rays see
         .endshare
 
         .data
@@ -19,8 +20,8 @@ fog_link:       .word 0
 fog_store:      .space QUEUE
         .code
 
-; n := how many of s1 rays are left from fog_position on, which s4 becomes; to
-; done if there are none.
+; n := the number of the s1 rays left from fog_position on, at most QUEUE; s4 :=
+; that position.  Branches to done if there are none.
         .macro  fog_queue done
         load_word fog_position, s4
         SUBX    s1, s4, n

@@ -1,5 +1,5 @@
-; fog_scalar.s - one colour seen through fogs.  Formulas and order of the
-; operations as in fog_vector.s.
+; fog_scalar.s - applies fogs to one colour.  Formulas and order of the
+; operations are those of fog_vector.s.
 
         .share  local
         .regs   r32, fog_at, fogs_left, fog_distance
@@ -22,11 +22,11 @@
         ADDN    fog_work, \haze, \color
         .endm
 
-; The colour, seen from fog_distance away.
+; Applies the fogs to the colour, seen at fog_distance.
         .macro  see_through_fog red, green, blue
         EX      fog_scale, scene_fogs
         ELEN    fog_scale, 2
-        SWAP    [fog_scale], fog_at, [r0]       ; and fogs_left
+        SWAP    [fog_scale], fog_at, [r0]       ; also fogs_left
         RTOR    m_one, pass_red
         RTOR    m_one, pass_green
         RTOR    m_one, pass_blue

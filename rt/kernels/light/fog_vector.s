@@ -1,7 +1,8 @@
-; fog_vector.s - the colours of n rays seen through fogs (fog.s).
+; fog_vector.s - applies fogs to the colours of n rays (fog.s).
 ;
-; In:  n; fog_depth: how far they see; out_red, out_green, out_blue: their colours.
-; Out: these colours, dimmed and in the fogs' haze.
+; In:  n; fog_depth: the distances they see; out_red, out_green, out_blue:
+;      colours.
+; Out: these colours, dimmed and with the haze of the fogs.
 ; Source: fog.s.
 
         .share  scratch
@@ -10,7 +11,8 @@
         .regs   r240, fog_pass_red, fog_pass_green, fog_pass_blue
         .endshare
 
-; [red] .. = product of what passes, [cr] .. = sum of the haze; [v0] = a.
+; [red] .. = the product of the transmitted shares, [cr] .. = the sum of the
+; haze; [v0] = a.
         .macro  fog_channel fog, fog_pass, pass, haze
         MPYSV   [v0], \fog_pass, [v6]
         MPYSV   [\pass], [v6], [\pass]
@@ -37,7 +39,7 @@ fog_rays:
         VTOV    r0, [cb]
         EX      fog_scale, scene_fogs
         ELEN    fog_scale, 2
-        SWAP    [fog_scale], fog_at, [r0]       ; and fogs_left
+        SWAP    [fog_scale], fog_at, [r0]       ; also fogs_left
 fog_next:
         ELEN    fog_at, FOG_SIZE
         SWAP    [fog_at], fog_scale, [r0]

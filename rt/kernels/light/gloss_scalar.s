@@ -1,6 +1,7 @@
-; gloss_scalar.s - finishes that depend on the angle: formulas in gloss.s, order
-; of the operations as in gloss_vector.s and, of find_sheen, mirror_vector.s.  Parts of the subroutines that shade, as
-; macros, and registers that these have in common.
+; gloss_scalar.s - computes finishes that depend on the angle at a point.  The
+; formulas are in gloss.s.  The order of the operations is that of
+; gloss_vector.s and, for find_sheen, of mirror_vector.s.  These macros and
+; registers are a part of the subroutines that shade.
 
         .include "light/gloss.s"
 
@@ -10,14 +11,14 @@
         .regs   r101, g_a7, g_a6, g_a5, g_a4, g_a3, g_a2, g_a1, g_a0
         .regs   r109, g_turn, g_scale, g_top
         .endshare
-        .equ    GLOSS_REGISTERS, 80     ; to these
+        .equ    GLOSS_REGISTERS, 80     ; up to these
 
         .macro  gloss_horner c
         MPYS    g_share, g_cosine, g_work
         ADDN    g_work, \c, g_share
         .endm
 
-; g_share = 1 - F(g_share), of a cosine above 0, with bumps of any.
+; g_share = 1 - F(g_share), for a cosine above 0, or with bumps for any cosine.
         .macro  find_sheen
         EX      g_work, gloss_constants
         ELEN    g_work, GLOSS_CONSTANTS
@@ -58,7 +59,7 @@ sheen_above\@:
 sheen_below\@:
         .endm
 
-; t0 = diffuse times the power of N.L.
+; t0 = diffuse times (N.L)^brilliance.
         .macro  find_diffuse
         CFPNE   f_brilliance, m_one, diffuse_power\@
         MPYS    ndotl, f_diffuse, t0

@@ -1,5 +1,6 @@
-; gloss_vector.s - finishes that depend on the angle: formulas in gloss.s.
-; Parts of the routines that shade a part of the hits.
+; gloss_vector.s - computes finishes that depend on the angle at a part of the
+; hits.  The formulas are in gloss.s.  These macros are a part of the routines
+; that shade.
 
         .include "light/gloss.s"
 
@@ -8,7 +9,7 @@
         .reg    link_gloss, r250
         .endshare
 
-; [v0] = diffuse times the power of N.L.
+; [v0] = diffuse times (N.L)^brilliance.
         .macro  find_diffuse
         CFPNE   f_brilliance, one, diffuse_power\@
         MPYSV   [ndotl], f_diffuse, [v0]

@@ -1,22 +1,23 @@
-; hits_vector.s - vectors of what rays of a queue hit: where they stand, which part
-; of them belongs to which primitive.
+; hits_vector.s - the vectors of the hits of a queue: their registers, their
+; memory, and the parts that belong to one material.
 ;
-; All have their registers from at on (queue.s); a table has where they begin.
-; What belongs to one look (records.s, P_MATERIAL) is a part, one behind the other;
-; of a part the vectors that are kept stand in those of all, the others at their
-; beginning (surface_vector.s).
+; The descriptors of all vectors are in the registers from at on (queue.s); a
+; table has their addresses.  The hits of one material (records.s, P_MATERIAL)
+; form a part; parts are contiguous.  The kept vectors of a part are slices of
+; those of all hits; its other vectors begin where those of all hits begin
+; (surface_vector.s).
 
         .share  phase
         .reg    part_at, r188
-        .reg    ndotl, r168             ; N.L, of HIT_VECTORS the last
+        .reg    ndotl, r168             ; N.L, the last of HIT_VECTORS
         .reg    part_offset, r169
         .endshare
 
         .record PART
         .field  PART_PRIMITIVE
-        .field  PART_FIRST              ; of its hits,
-        .field  PART_HITS               ; how many
-        .field  PART_SHARED             ; 1: of several primitives that look alike
+        .field  PART_FIRST              ; its first hit,
+        .field  PART_HITS               ; the number of its hits
+        .field  PART_SHARED             ; 1: several primitives of one material
         .endrecord
 
         .data
@@ -33,7 +34,7 @@ order_hit_store: .space QUEUE
         .code
         .equ    NDOTL_STORE, shade_store + 64 * QUEUE * (SHADE_VECTORS - 4)
 
-; The points where the rays hit, and their directions.
+; Computes the hit points and the directions of their rays.
         .macro  point o, d, p, hd
         VXTOV   [at], [\d], [\hd]
         MPYSV   [v0], [\hd], [v1]
@@ -41,15 +42,15 @@ order_hit_store: .space QUEUE
         ADDNV   [\p], [v1], [\p]
         .endm
 
-; .. of rays that start at one point.
+; The same for rays that start at one point.
         .macro  point_of_view o, d, p, hd
         VXTOV   [at], [\d], [\hd]
         MPYSV   [v0], [\hd], [v1]
         ADDNV   [\o], [v1], [\p]
         .endm
 
-; [into] = where the records of primitives stand by their numbers, in words from
-; table on, which is the place of a field.
+; [into] = the offsets of the records of the primitives [numbers], in words.
+; table = the address to which an offset is added to get the field.
         .macro  find_records numbers, into, field, table
         EX      s0, P_SIZE
         MPYLV   [\numbers], s0, [\into]

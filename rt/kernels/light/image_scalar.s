@@ -1,7 +1,7 @@
-; image_scalar.s - the colour of an image at a point: formulas in image.s, order of the
-; operations as in image_vector.s.  Routines that find_pattern goes to: they leave
-; the colour in y_0 .. y_2, and image_cell as pigment_cell has it; where that is
-; not 0 there is no colour.
+; image_scalar.s - computes the colour of an image at a point.  The formulas are
+; in image.s, the order of the operations is that of image_vector.s.
+; find_pattern calls these routines.  They return the colour in y_0 .. y_2, and
+; image_cell for pigment_cell; if that is not 0 there is no colour.
 
         .share  local
         .regs   r48, row_words, pixel_words, column_at, column_before
@@ -23,7 +23,8 @@
         SQRT    y_0, \to
         .endm
 
-; The weight by q_x, q_y.  The latter uses y_3, and adds to weight_sum.
+; Compute the weight from q_x, q_y.  weigh_by_distance changes y_3 and adds to
+; weight_sum.
         .macro  weigh_bilinear
         MPYS    q_x, q_y, weight
         .endm
@@ -39,7 +40,7 @@
         ADDN    weight_sum, weight, weight_sum
         .endm
 
-; The pixel of column and row, times its weight.
+; Adds the pixel of column and row, times its weight.
         .macro  add_corner weigh, column, row
         \weigh
         ADDX    \row, \column, texel
@@ -55,8 +56,9 @@
         ADDN    y_2, corner_b, y_2
         .endm
 
-; Of x along count pixels: at = floor(x + 1/2), before = that less 1, each within
-; the image and times words; x less the former.  Uses y_3, y_4.
+; For x, measured in count pixels: at = floor(x + 1/2), before = at - 1, both
+; within the image and times words; x := x + 1/2 - floor(x + 1/2).  Changes y_3,
+; y_4.
         .macro  find_neighbours x, count, words, at, before
         ADDN    \x, m_half, \x
         FLR     \x, \at
@@ -81,7 +83,7 @@ neighbours_found\@:
         MPYL    \before, \words, \before
         .endm
 
-; q_x, q_y become p, q.
+; Sums the four pixels; q_x, q_y become p, q.
         .macro  add_four weigh
         find_neighbours q_x, map_a, pixel_words, column_at, column_before
         find_neighbours q_y, map_b, row_words, row_at, row_before
@@ -99,7 +101,8 @@ neighbours_found\@:
         .endm
 
         .kernel shade
-; The cell of the primitive's image, for pigment_cell: BSAVE image_link calls it.
+; Computes the cell of the primitive's image, for pigment_cell, which calls it
+; by BSAVE image_link.
 find_image_cell:
         get_record P_PATTERN, 12, sh0
         get_record P_MAP, MAP_SIZE, map_function

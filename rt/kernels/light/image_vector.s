@@ -1,7 +1,8 @@
-; image_vector.s - the colours of images at m points: formulas in image.s.
+; image_vector.s - computes the colours of images at m points.  The formulas are
+; in image.s.
 ;
 ; In:  v5 v6 v7 = x, y, z; map_function .. = P_MAP; link_pattern.
-; Out: cr cg cb.  Uses v0-v7, red, green, blue, hits1-hits3, s0-s9.
+; Out: cr cg cb.  Changes v0-v7, red, green, blue, hits1-hits3, s0-s9.
 
         .share
         .regs   r7, row_words, pixel_words, edge_before, edge_behind, last_column
@@ -21,7 +22,7 @@
         SQRTV   [v0], [\to]
         .endm
 
-; Of the coordinates u, v of places: v downwards, and the floors of both, as
+; Changes the coordinates u, v: v points down.  Computes the floors of both, as
 ; numbers.
         .macro  find_tile u, v, u_floor, v_floor
         ADDNV   [\u], checker_shift, [\u]
@@ -33,7 +34,7 @@
         ADDNV   [\v_floor], r0, [\v_floor]
         .endm
 
-; [hits3] = where that is outside of the image, by bound, which is not 0.
+; [hits3] = the points outside the image, by bound, which is not 0.
         .macro  find_outside bound, u_floor, v_floor
         CMPNEV  [\v_floor], minus_one, [hits3]
         CFPNE   \bound, two, outside_found\@
@@ -42,7 +43,7 @@
 outside_found\@:
         .endm
 
-; One of the colours at the places [v4].
+; Adds one channel of the pixels [v4].
         .macro  add_pixel color
         VXTOV   [v4], [s0], [red]
         MPYSV   [red], [v7], [red]
@@ -50,7 +51,8 @@ outside_found\@:
         IX      s0, 64
         .endm
 
-; [v7] = the weight by v5, v6.  The latter uses v4, and adds to the sum [blue].
+; Compute the weight [v7] from v5, v6.  weigh_by_distance changes v4 and adds to
+; the sum [blue].
         .macro  weigh_bilinear
         MPYSV   [v5], [v6], [v7]
         .endm
@@ -66,7 +68,7 @@ outside_found\@:
         ADDNV   [blue], [v7], [blue]
         .endm
 
-; The pixels of column and row, times their weight.
+; Adds the pixels of column and row, times their weight.
         .macro  add_corner weigh, column, row
         \weigh
         ADDXV   [\row], [\column], [v4]
@@ -76,8 +78,9 @@ outside_found\@:
         add_pixel cb
         .endm
 
-; Of [x] along count pixels: [at] = floor(x + 1/2), [before] = that less 1, each
-; within the image and times words; [x] less the former.  Uses v4.
+; For [x], measured in count pixels: [at] = floor(x + 1/2), [before] = at - 1,
+; both within the image and times words; [x] := x + 1/2 - floor(x + 1/2).
+; Changes v4.
         .macro  find_neighbours x, count, words, at, before
         ADDNV   [\x], half, [\x]
         FLRV    [\x], [\at]
@@ -100,7 +103,8 @@ neighbours_repeated\@:
         MPYLV   [\before], \words, [\before]
         .endm
 
-; v0, v3 the columns, v1, v2 the rows at and before; v5, v6 = p, q.
+; Sums the four pixels: v0, v3 = the columns at and before, v1, v2 = the rows;
+; v5, v6 become p, q.
         .macro  add_four weigh
         find_neighbours v5, map_a, pixel_words, v0, v3
         find_neighbours v6, map_b, row_words, v1, v2
@@ -118,8 +122,8 @@ neighbours_repeated\@:
         .endm
 
         .kernel shade
-; In: px py pz; the primitive's record.  Out: hits3, where the second cell of its
-; pigment is, of a checker or of an image that is bounded.  Uses v0-v4, hits1.
+; In: px py pz; the primitive's record.  Out: hits3 = the points in the second
+; cell of its pigment, a checker or a bounded image.  Changes v0-v4, hits1.
 find_cells:
         load_field P_PIGMENT, s0
         IBXEQ   s0, r0, one_index, find_checker

@@ -1,6 +1,6 @@
-; interior_scalar.s - the bodies that a ray is in: formulas in interior.s, order
-; of the operations as in interior_vector.s.  A part of SPAWN (spawn_scalar.s), as
-; macros.
+; interior_scalar.s - computes the bodies that contain a ray.  The formulas are
+; in interior.s, the order of the operations is that of interior_vector.s.
+; These macros are a part of SPAWN (spawn_scalar.s).
 
         .share  local
         .regs   r80, in_table, in_base, in_per_base, in_full, in_per_full

@@ -1,4 +1,5 @@
-; interior_vector.s - the bodies that a queue's rays are in: formulas in interior.s.
+; interior_vector.s - computes the bodies that contain the rays of a queue.  The
+; formulas are in interior.s.
 
         .share  shape
         .regs   r40, in_table, in_base, in_per_base, in_full, in_per_full
@@ -14,13 +15,13 @@
         SUBNV   [\all], [\last], [\last]
         .endm
 
-; [index] = n([body]); [body] is a table's index then.
+; [index] = n([body]); [body] becomes the index into the table.
         .macro  index_of body, index
         FLRV    [\body], [\body]
         VXTOV   [\body], [in_table], [\index]
         .endm
 
-; lx = S of the m rays, as far as it is known.
+; lx = S of the m rays, or -1.
         .kernel spawn
 take_interiors:
         load_word queue_inside, s0
@@ -28,7 +29,7 @@ take_interiors:
         BIM     0, link_inner
 
 ; In:  lx = S, facing, hits0; spawn_index, spawn_inverted.
-; Out: lx = S, known; ly = S', lz = e; v7 = w, if the scene has such mirrors.  Uses
+; Out: lx = S; ly = S', lz = e; v7 = w, if the scene has such mirrors.  Changes
 ; v0-v4, hits1-hits3.
 find_interiors:
         find_entering
@@ -45,7 +46,7 @@ find_interiors:
         VTOV    in_body, [lx] ? [hits3]
 interiors_known:
         last_of lx, v0, v1
-        CMPEQV  [v1], in_body, [hits1]          ; left
+        CMPEQV  [v1], in_body, [hits1]          ; the rays that leave
         index_of v1, v2
         DIVSV   [v2], spawn_index, [lz]
         .if     GLOSS
@@ -81,8 +82,8 @@ interiors_come:
         DIVSV   spawn_index, [v2], [v2]
         VTOV    [v2], [lz] ? [hits1]
 
-; Is it one of those before?  v0 = what is looked at, in_scale = B^k, as many times
-; as it was divided.
+; Searches the body among the previous ones: v0 = the bodies not yet searched,
+; in_scale = B^k, where k is the number of divisions.
 interiors_under:
         RTOR    in_base, in_scale
 interiors_deeper:

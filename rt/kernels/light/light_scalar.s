@@ -1,12 +1,13 @@
-; light_scalar.s - one light and one point: formulas as in light_vector.s.
-; Parts of the subroutines that shade, as macros.
+; light_scalar.s - computes the light of one source at one point.  The formulas
+; are those of light_vector.s.  These macros are a part of the subroutines that
+; shade.
 
         .if     BEAMS
         .include "light/beam_scalar.s"
         .endif
 
-; Towards the light in lx ly lz, its distance, N . L; or to none if it shines
-; from behind.
+; Computes the direction lx, ly, lz to the light, its distance and N . L.
+; Branches to none if the light does not face the surface.
         .macro  towards_light none
         SUBN    light_x, px, lx
         SUBN    light_y, py, ly
@@ -53,7 +54,7 @@ towards_lit\@:
         ADDN    \channel, t1, \channel
         .endm
 
-; Diffuse light and the highlights, added to red, green, blue.
+; Adds diffuse light and highlights to red, green, blue.
         .macro  shine
         .if     GLOSS
         find_diffuse

@@ -1,19 +1,19 @@
-; light_vector.s - the light of one source on what a queue hit.
+; light_vector.s - computes the light of one source at the hits of a queue.
 ;
-; With L = P - X made a unit vector, P the light, l its colour or what of it
-; comes through to X (shadow_vector.s), where N.L > 0:
+; P is the position of the light, L = P - X normalised, l the light's colour or
+; the part of it that reaches X (shadow_vector.s).  If N.L > 0, the light adds
 ;
 ;   + diffuse N.L c l
-; and, if the light makes highlights:
+; and, if it makes highlights:
 ;   + phong l (R.L)^phong_size,      R = D - 2 (N.D) N, where R.L > 0
 ;   + specular l (N.H)^(1/roughness), H = (L - D) / |L - D|
 ;
 ; with R.L = D.L - 2 (N.D)(N.L) and N.H = (N.L - N.D) / sqrt(2 - 2 D.L).
-; Where L or H has no length these are indefinite, which is not above 0: such a
-; light, such a highlight is left out.  Of lights that do not shine all around, or
-; fade, L and l are in beam.s.
+; If L or H has no length, these are indefinite, which is not above 0: the light
+; or the highlight adds nothing.  beam.s defines L and l for lights that do not
+; shine in all directions or that fade.
 ;
-; In:  light_at; the hits, their parts.
+; In:  light_at; the hits and their parts.
 ; Out: added to red, green, blue.
 ; Source: POV-Ray's finish.
 
@@ -22,12 +22,12 @@
         .regs   r247, light_gleams
         .endshare
         .share  phase
-        .regs   r196, tint_r, tint_g, tint_b    ; what comes through
-        .regs   r185, tinted, link_shadow       ; tinted = 1: they hold it
+        .regs   r196, tint_r, tint_g, tint_b    ; the transmitted light
+        .regs   r185, tinted, link_shadow       ; tinted = 1: tint_r .. are set
         .reg    link_light, r191
         .endshare
 
-; What comes through to a part of the hits.
+; Describes the transmitted light of a part of the hits.
         .macro  tint_of_part tint, number
         describe \tint, hit_tint_store + 64 * QUEUE * \number, m
         ADDX    \tint, part_offset, \tint
@@ -39,7 +39,7 @@
         tint_of_part tint_b, 2
         .endm
 
-; The limits of rays to the light's own place.
+; Computes the limits of rays to the light's own position.
         .macro  end_before_light
         load_word k_shadow, s0
         SUBNV   [v0], s0, [v0]
@@ -57,7 +57,7 @@
         SWAP    [light_at], light_x, [r0]
         .endm
 
-; The light of one source added to red, green, blue.
+; Adds the light of one source to a channel.
         .macro  add_light strength, light, channel, bits
         MPYSV   [\strength], \light, [v1]
         ADDNV   [\channel], [v1], [\channel] ? [\bits]
@@ -80,7 +80,7 @@
         ADDNV   [\channel], [v1], [\channel] ? [hits3]
         .endm
 
-; A part of the hits, the light's colour in light_r ..: numbers or vectors.
+; Adds the light to a part of the hits; light_r .. are numbers or vectors.
         .macro  illuminate_part light_r, light_g, light_b
         CMPLTV  r0, [ndotl], [hits3]
         CNTOB   [hits3], s0

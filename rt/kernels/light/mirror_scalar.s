@@ -1,13 +1,13 @@
-; mirror_scalar.s - what a mirror that depends on the angle takes of a colour:
-; formulas in gloss.s, order of the operations as in mirror_vector.s.  A part of
-; SPAWN (spawn_scalar.s), as macros.
+; mirror_scalar.s - computes the colour of a mirror that depends on the angle.
+; The formulas are in gloss.s, the order of the operations is that of
+; mirror_vector.s.  These macros are a part of SPAWN (spawn_scalar.s).
 
         .share  local
         .regs   r112, g_red, g_green, g_blue, g_falloff, g_metallic, g_kind
         .regs   r118, g_pigment, g_pigment_r, g_pigment_g, g_pigment_b
         .regs   r122, g_g, g_less, g_more, g_p
         .endshare
-        .equ    MIRROR_REGISTERS, 94    ; to these
+        .equ    MIRROR_REGISTERS, 94    ; up to these
 
         .macro  mirror_channel range, least
         MPYS    g_share, \range, g_work
@@ -25,7 +25,8 @@
 greatest_found\@:
         .endm
 
-; The reflection's colour, whose least one is in sp_red .., and the weight.
+; Computes the reflection's colour and weight; sp_red .. = the least colour
+; before.
         .macro  find_mirror
         RTOR    sp_primitive, sp_at
         IX      sp_at, 64 * P_REFLECTION_RANGE
@@ -64,7 +65,7 @@ mirror_enters:
         ADDN    g_g, g_work, g_g
         SUBN    g_g, m_one, g_g
         CFPGE   g_g, r0, mirror_root
-        RTOR    m_zero, g_g                     ; then all is reflected
+        RTOR    m_zero, g_g                     ; total reflection
 mirror_root:
         SQRT    g_g, g_g
         SUBN    g_g, sp_t0, g_less
@@ -81,7 +82,7 @@ mirror_root:
         MPYS    g_less, g_p, g_share
         MPYS    g_share, m_half, g_share
         CFPLT   g_share, m_one, mirror_share
-        RTOR    m_one, g_share                  ; the indefinite, too
+        RTOR    m_one, g_share                  ; also if indefinite
 mirror_share:
         mirror_channel g_red, sp_red
         mirror_channel g_green, sp_green

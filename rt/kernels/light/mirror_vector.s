@@ -1,8 +1,8 @@
-; mirror_vector.s - how far a metal has its own colour at an angle, and what
-; mirrors that depend on the angle take of the colours: formulas in gloss.s.
+; mirror_vector.s - computes the share of a metal's own colour at an angle, and
+; the colours of mirrors that depend on the angle.  The formulas are in gloss.s.
 
-; [v0] = 1 - F([v0]), of cosines that are above 0, with bumps of any.  Uses v1-v4,
-; hits1, s0, s1.
+; [v0] = 1 - F([v0]), for cosines above 0, or with bumps for any.  Changes
+; v1-v4, hits1, s0, s1.
         .kernel shade
 find_sheen:
         EX      s0, gloss_constants
@@ -66,11 +66,11 @@ find_sheen:
         VTOV    [\channel], [ndotl] ? [hits1]
         .endm
 
-; What a mirror, which may depend on the angle, takes of the colours, in red green
-; blue; what the rays weigh, in ndotl.
+; Computes the colours of a mirror, which may depend on the angle, in red,
+; green, blue, and the weights of the rays in ndotl.
 ;
 ; In:  cr cg cb, facing, hits0; spawn_index, spawn_r ..
-; Uses v0-v6, hits1, hits2.
+; Changes v0-v6, hits1, hits2.
         .kernel spawn
 find_mirror:
         RTOR    link_kernel, link_gloss
@@ -103,7 +103,7 @@ mirror_fresnel:
         ADDNV   [v2], [v1], [v1]
         SUBNV   [v1], one, [v1]
         CMPLTV  [v1], r0, [hits1]
-        VTOV    r0, [v1] ? [hits1]      ; then all is reflected
+        VTOV    r0, [v1] ? [hits1]      ; total reflection
         SQRTV   [v1], [v1]              ; g
         SUBNV   [v1], [v5], [v2]
         ADDNV   [v1], [v5], [v3]
@@ -122,7 +122,7 @@ mirror_fresnel:
         MPYSV   [v2], [v4], [v0]
         MPYSV   [v0], half, [v0]
         CMPLTV  [v0], one, [hits1]
-        VTOV    one, [v0] ?! [hits1]    ; the indefinite, too
+        VTOV    one, [v0] ?! [hits1]    ; also if indefinite
         VTOV    [v0], [v6]
         mirror_colours
         VTOV    [red], [ndotl]

@@ -1,8 +1,9 @@
-; passing_scalar.s - what a surface between a point and a light lets through.
-; Part of those that follow shadow rays.
+; passing_scalar.s - computes the light that a surface between a point and a
+; light transmits.  This macro is a part of the subroutines that trace shadow
+; rays.
 
         .share  local
-        .regs   r89, s_red, s_green, s_blue     ; what is left of the light
+        .regs   r89, s_red, s_green, s_blue     ; the remaining light
         .regs   r92, s_clear, s_passing_r, s_passing_g, s_passing_b
         .endshare
         .equ    PASSING_REGISTERS, 7
@@ -15,8 +16,8 @@ passing_primitive: .word 0
 passing_cell:   .space 1
         .code
 
-; The crossing at w_in of the ray, of the primitive w_out: the light times the
-; colour that passes there, or to dark if none does.
+; Multiplies the light by the colour that the primitive w_out transmits at the
+; crossing w_in of the ray.  Branches to dark if it transmits none.
         .macro  pass_through dark
         RTOR    w_out, w_at
         IX      w_at, 64 * P_CLEAR

@@ -1,51 +1,54 @@
-; pattern.s - patterns of pigments besides colours, checkers and gradients, as both
-; forms of the program have them (PATTERNS = 1).
+; pattern.s - the formulas of the patterns other than checkers and gradients,
+; for the scalar and the vector form (PATTERNS = 1).
 ;
-; A pattern has a value v at each point X of the pigment's space, which is a place
-; among the stops of a map:
+; A pattern has a value v at each point X of the pigment's space.  v is a
+; position between the stops of a map:
 ;
-;   planar        1 - |y|                            but not below 0,
-;   spherical     1 - |X|                            likewise,
-;   cylindrical   1 - sqrt(x^2 + z^2)                likewise,
-;   boxed         1 - max(|x|, |y|, |z|)             likewise
-;   onion         |X|, less its floor
+;   planar        max(1 - |y|, 0)
+;   spherical     max(1 - |X|, 0)
+;   cylindrical   max(1 - sqrt(x^2 + z^2), 0)
+;   boxed         max(1 - max(|x|, |y|, |z|), 0)
+;   onion         |X| - floor(|X|)
 ;   leopard       ((sin x + sin y + sin z) / 3)^2
 ;   radial        3/4 + the angle from z towards x, in turns from -1/2 to 1/2
-;   slanted       x, less its floor if it is above 0; the pattern's x is along the
-;                 axis: a gradient that has a wave
+;   slanted       x - max(floor(x), 0); the pattern's x is along the axis: a
+;                 gradient with a wave
 ;   brick         0 in the mortar, 1 in a brick
 ;   hexagon       0, 1/2, 1 in hexagons along y, of edge 1
-;   checker       0, 1 where floor(x) + floor(y) + floor(z) is even, odd; of bumps
+;   checker       0, 1 where floor(x) + floor(y) + floor(z) is even, odd;
+;                 for bumps
 ;
-; Of all but the last three it then goes in waves:
+; All but the last three are then transformed by a wave:
 ;
-;   w = frequency v + phase, less a whole multiple of 1.00001, towards 0; or v, if
-;       the frequency is 0; less its floor if that is below 0
-;   ramp w,  triangle 2 w up to 1/2, from there 2 - 2 w,  sine (1 + sin(2 pi w)) / 2,
+;   w = frequency v + phase, reduced modulo 1.00001 towards 0; or v, if the
+;       frequency is 0; w - floor(w) if that is below 0
+;   ramp w,  triangle 2 w up to 1/2, then 2 - 2 w,  sine (1 + sin(2 pi w)) / 2,
 ;   scallop |sin(pi w)|,  cubic (3 - 2 w) w^2,  poly w^exponent
 ;
-; Bricks: with x, y, z more by the mortar m and k_checker, over the brick's size
-; (w, h, d), and {u} = u - floor(u), there is mortar where
+; Bricks: x, y, z are increased by the mortar m and k_checker.  With the brick's
+; size (w, h, d) and {u} = u - floor(u) there is mortar where
 ;
 ;   {y/h} <= m/h,   {x/w + s} <= m/w,   {z/d + 1/2 - s} <= m/d
 ;
-; with s = 0 where {y/(2 h)} <= 1/2, else 1/2.  Hexagons: of the lattice
-; k = 2/3 x, a = z / sqrt(3) - x/3 the nearest node by three roundings (k, a,
-; -k-a, of which the one that is moved farthest follows from the others); a - k
-; modulo 3.
+; with s = 0 if {y/(2 h)} <= 1/2, else 1/2.
 ;
-; sin(2 pi t): t less the nearest whole, turned about 1/4 if it is beyond, and the
-; series up to the 15th power, within 1e-11.  Angles: atan by its series up to the
-; 17th power below tan(pi/8), within 3e-9; above, of (t - 1) / (t + 1).
-; Source: POV-Ray 3.7's patterns and waves, as its documentation has them, measured by
-; its pictures (1.00001 is of these); the nearest hexagon by cube coordinates.
+; Hexagons: the nearest node of the lattice k = 2/3 x, a = z / sqrt(3) - x/3 is
+; found by three roundings (k, a, -k-a; the one that changes most is computed
+; from the other two).  The value is a - k modulo 3, halved.
+;
+; sin(2 pi t): t minus the nearest integer, reflected at 1/4 if it is beyond,
+; and the series up to the 15th power, within 1e-11.  Angles: atan by its series
+; up to the 17th power below tan(pi/8), within 3e-9; above, of
+; (t - 1) / (t + 1).
+; Source: POV-Ray 3.7's patterns and waves, by its documentation, verified by
+; its pictures (1.00001 is from these); the nearest hexagon by cube coordinates.
 
         .record MAP
-        .field  MAP_FUNCTION            ; address of the routine that finds v
-        .field  MAP_WAVE                ; .. of the one that makes w of it; 0: v is
-                                        ; the value
-        .field  MAP_NUMBERS, 4          ; frequency, phase, exponent; of bricks 1 /
-                                        ; size 3, mortar
+        .field  MAP_FUNCTION            ; address of the routine that computes v
+        .field  MAP_WAVE                ; address of the one that computes w;
+                                        ; 0: v is the value
+        .field  MAP_NUMBERS, 4          ; frequency, phase, exponent; for bricks
+                                        ; 1 / size (3 words), mortar
         .field  MAP_STOPS               ; as P_STOPS
         .field  MAP_STOP_COUNT
         .endrecord
@@ -62,7 +65,7 @@ pattern_constants:
         .word 7.64716373181981647590e-13 ; 1/15!
         .word 0.25
         .word 0.41421356237309504880    ; tan(pi/8)
-        .word 1.00001, 0.99999000009999900001   ; and its reciprocal
+        .word 1.00001, 0.99999000009999900001   ; 1.00001 and its reciprocal
         .word 0.66666666666666666667    ; 2/3
         .word 0.57735026918962576451    ; 1/sqrt(3)
         .word 0.33333333333333333333

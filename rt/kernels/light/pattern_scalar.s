@@ -1,7 +1,7 @@
-; pattern_scalar.s - the value of a pattern at a point: formulas in pattern.s, order of
-; the operations as in pattern_vector.s.  A fast routine of the subroutines that
-; find a pigment: arguments, constants and result are in their registers, BSAVE
-; pattern_link calls it.
+; pattern_scalar.s - computes the value of a pattern at a point.  The formulas
+; are in pattern.s, the order of the operations is that of pattern_vector.s.
+; This is a fast routine of the subroutines that compute a pigment: arguments,
+; constants and result are in registers, and BSAVE pattern_link calls it.
 
         .share  local
         .regs   r95, q_x, q_y, q_z, pattern_link, inner_link, sine_link
@@ -12,7 +12,7 @@
         .regs   r122, two_thirds, per_root3, third_part, three
         .endshare
 
-; [x] less its floor.
+; x := x - floor(x).
         .macro  less_floor x, work
         FLR     \x, \work
         ADDN    \work, r0, \work
@@ -31,7 +31,7 @@ not_below\@:
 greater\@:
         .endm
 
-; color0 at the point, of the words of P_PATTERN in sh0 .., of P_MAP in map_function ..
+; Computes color0 at the point.  sh0 .. = P_PATTERN, map_function .. = P_MAP.
         .macro  pattern_colour
         pattern_axis sh0, sh1, sh2, sh3, q_x
         pattern_axis sh4, sh5, sh6, sh7, q_y
@@ -86,7 +86,7 @@ pattern_wave:
         SUBN    y_0, y_1, y_0
 pattern_above:
         RTOR    map_wave, target
-        BSAVE   inner_link, [target]            ; it goes on at pattern_found
+        BSAVE   inner_link, [target]            ; continues at pattern_found
 wave_ramp:
 pattern_found:
         BIM     0, pattern_link
@@ -151,7 +151,7 @@ sine_above:
         MPYS    p_x, y_2, y_0
         BIM     0, sine_link
 
-; The functions' values, y_0.
+; The routines of the functions return their value in y_0.
 pattern_planar:
         ABS     q_y, y_0
 pattern_within:
@@ -244,7 +244,7 @@ radial_found:
         ADDN    y_0, y_1, y_0
         BIM     0, inner_link
 
-; To there where {q per + shift} <= mortar per.
+; Branches to there if {q per + shift} <= mortar per.
         .macro  mortar q, per, shift, there
         MPYS    \q, \per, y_1
         ADDN    y_1, \shift, y_1

@@ -1,4 +1,5 @@
-; pattern_vector.s - the colours of patterns at m points: formulas in pattern.s.
+; pattern_vector.s - computes the colours of patterns at m points.  The formulas
+; are in pattern.s.
 
         .share  scratch
         .reg    link_pattern, r248
@@ -9,7 +10,7 @@
         .regs   r47, two_thirds, per_root3, third, three
         .endshare
 
-; [x] less its floor.  Uses work.
+; [x] := [x] - floor([x]).  Changes work.
         .macro  less_floor x, work
         FLRV    [\x], [\work]
         ADDNV   [\work], r0, [\work]
@@ -32,15 +33,16 @@
         .endm
 
         .kernel shade
-; In:  px py pz; m00 .. = P_PATTERN, map_function .. = P_MAP or those of the sky.
-; Out: cr cg cb.  Uses v0-v7, hits1-hits3.
+; In:  px py pz; m00 .. = P_PATTERN, map_function .. = P_MAP or the map of the
+;      sky.
+; Out: cr cg cb.  Changes v0-v7, hits1-hits3.
 find_pattern:
         RTOR    link_inner, link_pattern
         pattern_axis m00, m01, m02, m03, v5
         pattern_axis m10, m11, m12, m13, v6
         pattern_axis m20, m21, m22, m23, v7
-; .. or, with BSAVE link_pattern, of the points v5 v6 v7 the values v0, if there are
-; no stops.
+; find_value is called by BSAVE link_pattern.  If there are no stops, it returns
+; the values v0 of the points v5 v6 v7.
 find_value:
         EX      s0, pattern_constants
         ELEN    s0, PATTERN_CONSTANTS
@@ -64,7 +66,7 @@ pattern_wave:
         CMPLTV  [v1], r0, [hits1]
         SUBNV   [v0], [v1], [v0] ? [hits1]
         RTOR    map_wave, target
-        BSAVE   link_inner, [target]            ; it goes on at pattern_found
+        BSAVE   link_inner, [target]            ; continues at pattern_found
 wave_ramp:
 pattern_found:
         .if     BUMPS
@@ -112,7 +114,7 @@ wave_poly:
         BSAVE   link_inner, [target]
         BIM     pattern_found
 
-; [v0] = sin(2 pi [v0]).  Uses v1-v4, hits1; BSAVE link_sine.
+; [v0] = sin(2 pi [v0]).  Changes v1-v4, hits1; called by BSAVE link_sine.
 find_sine:
         ADDNV   [v0], half, [v1]
         FLRV    [v1], [v1]
@@ -137,7 +139,7 @@ find_sine:
         MPYSV   [v0], [v2], [v0]
         BIM     0, link_sine
 
-; The values of the functions: In: v5 v6 v7 = x, y, z.  Out: v0.
+; The routines of the functions: In: v5 v6 v7 = x, y, z.  Out: v0.
 pattern_planar:
         ABSV    [v6], [v0]
 pattern_within:
@@ -189,7 +191,7 @@ pattern_leopard:
         MPYSV   [v0], [v0], [v0]
         BIM     0, link_inner
 
-; a = the less of |x| and |z| over the greater, from 0 to 1.
+; a = the smaller of |x| and |z| over the greater, from 0 to 1.
 pattern_radial:
         ABSV    [v5], [v0]
         ABSV    [v7], [v1]
@@ -222,7 +224,7 @@ pattern_radial:
         ADDNV   [v0], s0, [v0]
         BIM     0, link_inner
 
-; [hits1] = mortar where {[q] per + shift} <= mortar per.
+; [hits1] = mortar: {[q] per + shift} <= mortar per.
         .macro  mortar q, per, shift
         MPYSV   [\q], \per, [v1]
         ADDNV   [v1], \shift, [v1]
@@ -274,10 +276,10 @@ pattern_hexagon:
         nearest_whole v6, v4, v5                ; k + a
         CMPLTV  [v3], [v2], [hits1]
         CMPLTV  [v5], [v2], [hits2]
-        ANDB    [hits1], [hits2], [hits1]       ; k is moved farthest
+        ANDB    [hits1], [hits2], [hits1]       ; k changes most
         CMPGEV  [v3], [v2], [hits2]
         CMPLTV  [v5], [v3], [hits3]
-        ANDB    [hits2], [hits3], [hits2]       ; a is
+        ANDB    [hits2], [hits3], [hits2]       ; a changes most
         SUBNV   [v4], [v1], [v2]
         VTOV    [v2], [v0] ? [hits1]
         SUBNV   [v4], [v0], [v2]

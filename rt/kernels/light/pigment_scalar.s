@@ -1,11 +1,12 @@
-; pigment_scalar.s - which colour of its pigment a primitive has at a point.
+; pigment_scalar.s - selects the colour of a primitive's pigment at a point.
 ;
 ;       CALL PIGMENT_CELL (POINT, PRIMITIVE, CELL)
 ;
-; POINT = x, y, z (3 words); PRIMITIVE = its record; CELL = how far the colour
-; stands behind the first one, in bits, if colours are four words long: 0, or
-; in every other cell of a checker, where floor(x) + floor(y) + floor(z) is odd
-; in the pigment's space, 256.  Order of the operations as in pigment_vector.s.
+; POINT = x, y, z (3 words); PRIMITIVE = its record; CELL = the offset of the
+; colour from the first one, in bits, at four words per colour: 0, or 256 in
+; every other cell of a checker, where floor(x) + floor(y) + floor(z) is odd in
+; the pigment's space, and outside of a bounded image.  The order of the
+; operations is that of pigment_vector.s.
 
         .share  local
         .regs   r32, a_point, a_primitive, a_cell
@@ -55,7 +56,7 @@ pigment_save:   .space SKY_REGISTERS
         FLR     t0, \sum
         .endm
 
-; Or to plain or to gradient, if the pigment is no checker.
+; Computes cell.  Branches to plain or to gradient if the pigment is no checker.
         .macro  checker_cell plain, gradient
         ES      cell, 0
         get_field P_PIGMENT, t0
@@ -71,8 +72,8 @@ pigment_save:   .space SKY_REGISTERS
         SHIFTI  t2, 8, cell
         .endm
 
-; color0 at the point, of a gradient's words, P_PATTERN or scene_sky, in sh0 ..
-; sh5.  Order of the operations as in pigment_vector.s.
+; Computes color0 at the point.  sh0 .. sh5 = the words of a gradient, P_PATTERN
+; or scene_sky.  The order of the operations is that of pigment_vector.s.
         .macro  gradient_colour
         dot     px, py, pz, sh0, sh1, sh2, t0, t1
         ADDN    t0, sh3, t0
@@ -82,7 +83,8 @@ pigment_save:   .space SKY_REGISTERS
         map_colour
         .endm
 
-; .. of the value t0, by the map whose stops begin at sh4, sh5 behind that.
+; Computes color0 of the value t0 by the map of sh5 stops after the first, at
+; sh4.
         .macro  map_colour
         RTOR    sh4, here
 map_next\@:

@@ -1,14 +1,14 @@
-; pigment_vector.s - the colours of a primitive at m points.
+; pigment_vector.s - computes the colours of a primitive at m points.
 ;
-; Checker: the second colour where floor(x) + floor(y) + floor(z) is odd, in
-; the pigment's space.  Gradient: how far the point is along an axis, less its
-; floor, is a place among the stops of a map; between two of them the colour is
-; in a line with theirs.
+; Checker: the second colour where floor(x) + floor(y) + floor(z) is odd in the
+; pigment's space.  Gradient: the coordinate along an axis, minus its floor, is
+; a position between the stops of a map; the colour is interpolated linearly
+; between two stops.
 ;
-; In:  px py pz; the primitive's record; of find_gradient the words of P_PATTERN
-;      or scene_sky, in m00 .. m11.
-; find_pigment, find_gradient: cr cg cb.  find_checker: hits3, where the second
-; colour is.  They use v0-v4, hits3.
+; In:  px py pz; the primitive's record; for find_gradient the words of
+;      P_PATTERN or scene_sky in m00 .. m11.
+; find_pigment, find_gradient: Out: cr cg cb.  find_checker: Out: hits3 = the
+; points with the second colour.  They change v0-v4, hits3.
 ; Source: POV-Ray's gradient and its colour maps.
 
         .share  scratch
@@ -22,8 +22,8 @@
         FLRV    [v0], [\sum]
         .endm
 
-; The next stop, sh0 .. sh7, and [v1] = how far the values are from it to the one
-; behind it, from 0 to 1.
+; Loads the next stop, sh0 .. sh7.  [v1] = the position of the values between it
+; and the one after it, 0 to 1.
         .macro  next_stop
         ELEN    s9, STOP_SIZE
         SWAP    [s9], sh0, [r0]
@@ -87,7 +87,7 @@ find_gradient:
         FLRV    [v0], [v1]
         ADDNV   [v1], r0, [v1]
         SUBNV   [v0], [v1], [v0]
-find_colours:                                   ; of the values v0, by m10, m11
+find_colours:                                   ; values v0, map m10, m11
         RTOR    m10, s9
         next_stop
         LINKV

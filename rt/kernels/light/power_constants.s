@@ -1,5 +1,6 @@
-; power_constants.s - what x^y needs (see power_vector.s, power_scalar.s): the
-; same registers, loaded once, in both forms of the program.
+; power_constants.s - registers and constants of x^y (power_vector.s,
+; power_scalar.s).  The registers are loaded once and are the same in the scalar
+; and the vector form.
 
         .reg    exponent, r200
         .regs   r201, p_fraction, p_scale, p_upper, p_unit, p_47, p_minus_46
@@ -10,7 +11,7 @@
         .regs   r230, exp11, exp12, exp13
         .equ    POWER_CONSTANTS, 32
 
-; 1 + x/3 + x^2/5 + .. + x^8/17, where the form's horner leaves it.
+; 1 + x/3 + x^2/5 + .. + x^8/17, in the register or vector of horner.
         .macro  log_series x, unit
         horner_start \x, log17, log15
         horner  \x, log13
@@ -33,7 +34,7 @@ power_constants:
         .word 2.88539008177792681472    ; 2 / ln 2
         .word 0.69314718055994530942    ; ln 2
         .word 1.41421356237309504880    ; sqrt(2)
-        .word -1000.0                   ; 2^-1000 is as good as nothing
+        .word -1000.0                   ; 2^-1000 counts as 0
         .word 0.33333333333333333333    ; 1/3
         .word 0.2
         .word 0.14285714285714285714    ; 1/7

@@ -1,6 +1,7 @@
-; power_scalar.s - p_x = p_x ^ exponent; two_to: p_x = 2^p_x.  Method, series and order of the
-; operations as in power_vector.s.  A fast library routine: its arguments and
-; constants are in registers; it is called by BSAVE power_link.
+; power_scalar.s - computes p_x = p_x ^ exponent; two_to: p_x = 2^p_x.  Method,
+; series and order of the operations are those of power_vector.s.  This is a
+; fast library routine:  its arguments and constants are in registers, and BSAVE
+; power_link calls it.
 
         .regs   r233, p_x, p_k, p_s, p_square, p_t, power_link
 
@@ -14,7 +15,7 @@
         ADDN    p_t, \c, p_x
         .endm
 
-; p_x ^ exponent where that is above 0, else 0.
+; p_x := p_x ^ exponent if p_x is above 0, else 0.
         .macro  power_of_positive
         CFPGE   r0, p_x, power_dark\@
         EX      target, power

@@ -1,4 +1,4 @@
-; power_vector.s - [v0] = [v0] ^ exponent for numbers above 0, m of them.
+; power_vector.s - computes [v0] = [v0] ^ exponent for m numbers above 0.
 ;
 ;   x = c 2^e = f 2^k, f in [1/2, 1);  log2 x = k - 1/2 + log2(f / sqrt(1/2))
 ;   with s = (f - sqrt(1/2)) / (f + sqrt(1/2)), |s| < 0.172,
@@ -7,18 +7,18 @@
 ;   2^z = 2^floor(z) sqrt(2) e^((z - floor(z) - 1/2) ln 2), the exponential
 ;   by its series up to the 13th power of |.| < 0.347.
 ;
-; The first terms left out are 2e-15 and 4e-18; what the 47 bits cut off is
-; larger.  f is made by writing the exponent -47 over x's own; 2^k by
-; writing k - 46 above the coefficient 2^46: this machine's floats are open to
-; its shift and logical instructions.
+; The first omitted terms are 2e-15 and 4e-18; the truncation to 47 bits is
+; larger.  f is formed by writing the exponent -47 over that of x, and 2^k by
+; writing k - 46 above the coefficient 2^46: shift and logical instructions
+; operate on this machine's floats.
 ;
-; two_to, its second half: [v0] = 2^[v0], for numbers not above about 0.
+; two_to, the second half: [v0] = 2^[v0], for numbers not above about 0.
 ;
 ; In:  [v0] > 0 and not above about 1; exponent; m.  Out: [v0].
-; Uses v1-v4, hits1, s0.
+; Changes v1-v4, hits1, s0.
 ; Source: the series are textbook; the split is derived here for this format.
 
-; [v0] = [v0] x + c, and the first such step.
+; horner: [v0] = [v0] x + c.  horner_start: the first such step.
         .macro  horner x, c
         LINKV
         MPYSV   [v0], [\x], [v4]
@@ -31,7 +31,8 @@
         ADDNV   [v4], \c, [v0]
         .endm
 
-; [v0] ^ exponent where that is above 0, else 0.  Uses hits0, s2 besides.
+; [v0] := [v0] ^ exponent where [v0] is above 0, else 0.  Also changes hits0,
+; s2.
         .macro  power_of_positive
         CMPLTV  r0, [v0], [hits0]
         MASKV   [v0], one, [v0] ? [hits0]

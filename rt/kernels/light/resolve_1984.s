@@ -1,8 +1,8 @@
-; resolve_1984.s - the colours of a level's rays, to those of the level
-; before, one after another; a parent's reflected ray stands before its
-; refracted one in the list.
+; resolve_1984.s - adds the colours of a level's rays to their parents in the
+; previous level, ray by ray.  The reflected ray of a parent precedes its
+; refracted ray in the list.
 ;
-; In, out: as in resolve_vector.s.
+; In, out: as for resolve_vector.s.
 
         .share  loop
         .regs   r156, child_level, parents_at, children_at, parent_place

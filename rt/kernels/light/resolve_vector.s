@@ -1,15 +1,15 @@
-; resolve_vector.s - the colours of a level's rays, to those of the level
-; before.
+; resolve_vector.s - adds the colours of a level's rays to their parents in the
+; previous level.
 ;
 ;   parent's colour := parent's colour + weight * colour
 ;
-; reflected before refracted, queue by queue of the level's list, so that no
-; parent is twice in one scatter.
+; Reflected rays are added before refracted ones, queue by queue of the level's
+; list, so that no parent occurs twice in one scatter.
 ;
-; In:  level, its list traced.  Out: the colours of the level before.
+; In:  level, its list traced.  Out: the colours of the previous level.
 ; Source: the project's own; the order makes the sums equal in all forms.
 
-; Adding colours: descriptors.
+; Descriptors.
         .share  scratch
         .regs   r233, child_kind, child_parent, child_weight, child_color
         .regs   r237, parent_color, of_kind, chosen_parent, chosen_weight

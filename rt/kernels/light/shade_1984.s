@@ -1,10 +1,10 @@
-; shade_1984.s - the colours of a queue of rays, hit by hit.
+; shade_1984.s - computes the colours of a queue of rays, hit by hit.
 ;
-; In, out: as in shade_vector.s; met holds records.  The light of all hits is
-; worked out source by source, so that the rays to a light are a queue again,
-; which the kernels meet with the regions.
+; In, out: as for shade_vector.s; met holds records.  The light of all hits is
+; computed source by source, so that the rays to a light form a queue, which the
+; kernels intersect with the regions.
 
-; What is handed over, for all loops of a queue.
+; Operands that are passed for all loops of a queue.
         .share  loop
         .regs   r156, of_nearest, of_met, of_hit_s, of_hit_t
         .regs   r160, of_ox, of_oy, of_oz, of_dx, of_dy, of_dz
@@ -19,7 +19,7 @@
         .regs   r195, lit_blue, lit_gleams, lit_at, lit_count, lit_limit
         .endshare
         .share  loop
-        .reg    of_order, r192          ; places in the planes, or 0
+        .reg    of_order, r192          ; indices in the planes, or 0
         .reg    of_sky, r196            ; the stops of scene_sky, or 0
         .endshare
         .reg    lit_least, r31
@@ -28,9 +28,9 @@
 shade_operands: .space SHADE_OPERANDS
 shade_link:     .word 0
 shade_n:        .word 0
-shade_hits:     .word 0                 ; how many there are
-shade_light_at: .word 0                 ; light by light: its record
-shade_lights:   .word 0                 ; how many are left
+shade_hits:     .word 0                 ; the number of hits
+shade_light_at: .word 0                 ; record of the current light
+shade_lights:   .word 0                 ; number of lights left
 shade_light:    .space LIGHT_SIZE       ; the record, with the colour that
 hit_list:       .word 0                 ; reaches a point
                 .descriptor LIGHT_SIZE, shade_light
@@ -38,7 +38,7 @@ hit_list:       .word 0                 ; reaches a point
 shadow_parallel: .word 0                ; 1: rays to the light go to no point
         .endif
         .if     AREAS
-shade_shadows:  .word 0                 ; what they go to
+shade_shadows:  .word 0                 ; the light or point of the rays
         .endif
         .align 64
 hits:           .space HIT_SIZE * QUEUE
@@ -72,7 +72,7 @@ lit_store:      .space 7 * QUEUE        ; rays to a light, and their limits
         SWAP    [loop_at], \first, [r0]
         .endm
 
-; Where the ray of a place in the queue has its pixel.
+; pixel_of: the pixel of a ray, by its index in the queue.
         .macro  load_order
         load_at queue_order, 1, of_order
         .endm
@@ -119,7 +119,7 @@ shade_first:
         hand_over n, 1, 0, shade_n
         to_scalar
 
-; Ray by ray: what it hit, or the background.
+; Ray by ray: computes the surface of the hit, or the background.
         load_at shade_operands, SHADE_OPERANDS, of_nearest
         load_at scene_background, 3, back_red
         load_at scene_sky + 64 * 4, 1, of_sky
@@ -169,7 +169,7 @@ shade_ray_next:
         SWAP    [r0], new_ox, [loop_at]
         IBXEQ   new_oy, r0, r0, shade_store
 
-; Light by light: which hits face it.
+; Light by light: finds the hits that face it.
 shade_towards:
         load_at shade_light_at, 1, loop_at
         ELEN    loop_at, LIGHT_SIZE
@@ -185,7 +185,7 @@ shade_towards_hit:
         call_hit towards
         in_hit  HIT_NDOTL, 3, lit_ndotl         ; D . L, distance
         CFPGE   r0, lit_ndotl, shade_towards_next
-        load_at shade_light + 64 * 3, 4, lit_red ; and lit_gleams
+        load_at shade_light + 64 * 3, 4, lit_red ; also lit_gleams
         CFPEQ   lit_gleams, r0, shade_towards_next
         SUBN    lit_distance, lit_least, lit_limit
         left_vector 0, lit_red
@@ -216,7 +216,7 @@ shade_walk:
         to_vector
         .endkernel
 
-; Their rays to the light.
+; Traces the rays to the light.
         .kernel shadow
         add_to_counter rays_shadow, n
         EX      s2, lit_store
@@ -252,7 +252,7 @@ shadow_of_point:
         .endif
         .endkernel
 
-; What comes through shines on them.
+; Adds the transmitted light to the hits.
         .kernel shade
 shade_shine:
         begin_hits
@@ -283,7 +283,7 @@ shade_shines:
         call_hit shine
 shade_shine_next:
         next_hit shade_shine_hit
-        load_at shade_light_at, 2, new_ox       ; and how many are left
+        load_at shade_light_at, 2, new_ox       ; also the number of lights left
         IX      new_ox, 64 * LIGHT_SIZE
         IX      new_oy, -1
         EX      loop_at, shade_light_at
@@ -291,7 +291,7 @@ shade_shine_next:
         SWAP    [r0], new_ox, [loop_at]
         IBXNE   new_oy, r0, r0, shade_towards
 
-; Where the hits' colours go.
+; Stores the colours of the hits.
 shade_store:
         begin_hits
         load_order

@@ -1,14 +1,15 @@
-; shade_scalar.s - the colour of one ray.
+; shade_scalar.s - computes the colour of one ray.
 ;
 ;       CALL SHADE (RAY, PRIMITIVE, DISTANCE, SAMPLE)
 ;
-; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; DISTANCE (1);
-; SAMPLE = colour, normal turned against the ray, N . D, the same of the
-; outward normal, the place of the pigment's colour (pigment_scalar.s), point
-; (12 words).  With finishes that depend on the angle another argument: PIGMENT = the
-; pigment's colour (3 words).  Formulas and order of the operations as in shade_vector.s,
-; pigment_vector.s and light_vector.s, but what a light cannot reach is not
-; worked out.
+; RAY = O, D (6 words); PRIMITIVE = the record of the primitive that it hit;
+; DISTANCE (1 word); SAMPLE = colour, normal turned against the ray, N . D, the
+; same for the outward normal, the offset of the pigment's colour
+; (pigment_scalar.s), point (12 words).  With finishes that depend on the angle
+; there is another argument: PIGMENT = the pigment's colour (3 words).  The
+; formulas and the order of the operations are those of shade_vector.s,
+; pigment_vector.s and light_vector.s, but the light of a source that does not
+; reach the point is not computed.
 
         .data
 shade_save:     .space SHADE_REGISTERS
@@ -16,21 +17,21 @@ shadow_list:    .descriptor 6, shadow_ray
                 .descriptor 1, shadow_limit
                 .descriptor 3, shadow_light
 shadow_ray:     .space 8
-shadow_limit:   .space 2                ; and where it goes, or 0: to no place
+shadow_limit:   .space 2                ; the target follows, or 0: no point
 shadow_light:   .space 3
         .code
 
         .if     GLOSS
         .share  local
-        .reg    a_pigment, r138         ; until there is light
+        .reg    a_pigment, r138         ; until the light is computed
         .endshare
         .equ    SHADE_ARGUMENTS, 5
         .else
         .equ    SHADE_ARGUMENTS, 4
         .endif
 
-; The ray of shadow_ray up to a limit, to the place that stands there: here = what is left
-; of the light.
+; Traces the ray of shadow_ray up to limit.  place = the address of its target.
+; here = the address of the remaining light.
         .macro  cast_shadow limit, place
         EX      here, shadow_limit
         STO     [here], \limit

@@ -1,18 +1,19 @@
-; shade_vector.s - the colours of a queue of rays.
+; shade_vector.s - computes the colours of a queue of rays.
 ;
-; The rays that hit something, h of them, are sorted by what they hit:
-; look by look of the primitives that may have been met, a list of them that
-; mark_met makes; those of one are found by a compare and a compress.  All points, directions, normals .. stand in vectors h long,
-; one look's part behind the other's; a table has where each begins.  What
-; is the same for all is done at once, the rest part by part.  At a point X with
-; unit normal N turned towards the eye, ray direction D, pigment c:
+; The h rays that hit something are sorted by material, for all primitives in a
+; list of those that may have been hit, which mark_met makes.  The hits of one
+; material are selected by a compare and a compress.  Points, directions,
+; normals and so on are vectors of length h in which the parts of the materials
+; are contiguous; a table has their starts.  Operations that are equal for all
+; hits are done at once, the others part by part.  At a point X with the unit
+; normal N turned towards the eye, ray direction D, pigment c:
 ;
 ;   colour = ambient c
 ;          + the light of each source (light_vector.s)
 ;
 ; In:  the queue's rays, nearest, met; the scene.
-; Out: colours in out_red ..; of the first level the frame's other planes; the
-;      next level's list has what is reflected and refracted.
+; Out: colours in out_red ..; for the first level the other planes of the frame;
+;      the reflected and refracted rays in the next level's list.
 ; Source: POV-Ray's finish (phong and Blinn's halfway vector).
 
         .share  phase
@@ -42,12 +43,13 @@
 
         .include "light/hits_vector.s"
 
-; The places of the hits in the planes, of a queue by tiles (order.s).
+; Describes the indices of the hits in the planes, for queues ordered by tiles
+; (order.s).
         .macro  order_hits into
         describe \into, order_hit_store, h
         .endm
 
-; Part after part of the hits.
+; Loop over the parts of the hits.
         .macro  parts_begin
         EX      part_at, hit_parts
         load_word hit_part_count, parts_left
@@ -63,8 +65,8 @@
         IBXNE   parts_left, minus_one_index, r0, \again, parts_left
         .endm
 
-; To other if the rays are not those of the camera; unless EYES_APART these alone
-; start at one point.
+; Branches to other if the rays are not camera rays.  Without EYES_APART these
+; are the only ones that start at one point.
         .macro  unless_first_level other
         .if     EYES_APART
         load_word scene_levels, s0
@@ -95,7 +97,7 @@ shade:
         VTOV    r0, [out_nz]
         VTOV    [met], [out_id]
 
-; The sky, where nothing is met.
+; Computes the colour of the sky for the rays that hit nothing.
 shade_sky:
         load_word scene_sky + 64 * 4, s0
         IBXEQ   s0, r0, r0, shade_sort
@@ -160,7 +162,8 @@ shade_sort:
         find_records s5, s5, P_MATERIAL, s1
         VXTOV   [s5], [s1], [s5]
 
-; s8 rays are not sorted: their places in s4, what they hit in s5.
+; s8 rays are not yet sorted: s4 = their indices, s5 = the materials or
+; primitives they hit.
 sort_next:
         load_record P_TESTED, 2, s2
         RTOR    s2, s9
@@ -189,7 +192,7 @@ sort_find:
         SHIFTI  m, 6, s0
         ADDX    at, s0, at
         IBXEQ   s9, r0, one_index, sort_none
-        SHIFTI  m, 3, s0                        ; an eighth of them: they leave
+        SHIFTI  m, 3, s0                        ; an eighth: they are removed
         IBXLT   s0, r0, s8, sort_none
         SUBX    s8, m, s8
         IBXEQ   s8, r0, r0, sort_rest
@@ -205,7 +208,7 @@ sort_none:
         IBXNE   primitive, r0, one_index, sort_next
         BIM     sort_done
 
-; Nothing is left; what else may have been met is forgotten.
+; No ray is left: clears the marks of the remaining primitives.
 sort_rest:
         RTOR    s9, primitive
         IBXEQ   primitive, r0, one_index, sort_done
@@ -238,7 +241,7 @@ shade_view:
         point_of_view aoy, ady, py, hdy
         point_of_view aoz, adz, pz, hdz
 
-; Normals, what comes of the rays, pigments, ambient light.
+; Part by part: normals, spawned rays, pigments, ambient light.
 shade_surfaces:
         parts_begin
 shade_surface:

@@ -1,18 +1,19 @@
-; shadow_scalar.s - how much of a light reaches a point.
+; shadow_scalar.s - computes the share of a light that reaches a point.
 ;
 ;       CALL SHADOW (RAY, LIMIT, LIGHT)
 ;
-; RAY = from the point towards the light, its least distance k_shadow (8 words,
-; as in regions_scalar.s); LIMIT = the light's distance less k_shadow (1),
-; behind which a mesh looks for the address of the light's place, or 0;
-; LIGHT = its colour (3 words), what is left of it afterwards.
+; RAY = from the point towards the light, its lower limit k_shadow (8 words, as
+; in regions_scalar.s); LIMIT = the light's distance minus k_shadow (1 word),
+; followed by the address of the light's position, or 0, for meshes; LIGHT = its
+; colour (3 words), at the end the colour that reaches the point.
 ;
-; An opaque surface between the two takes it away, and ends the work; a clear
-; one multiplies it by the colour that it lets pass at the crossing, one after
-; another towards the light, each of a region k_shadow or more beyond the one
-; before (POV-Ray's rule).  Of the regions that cast shadows those with clear
-; parts wait until the others are met, in a list in the order of the scene: so
-; the product does not depend on the order in which they were found.
+; An opaque surface between the two blocks the light and ends the computation.
+; A transparent one multiplies it by the colour that it transmits at the
+; crossing.  The crossings are processed in order towards the light; within a
+; region each is k_shadow or more beyond the previous one (POV-Ray's rule).
+; Regions with transparent parts are processed after the others, from a list in
+; the order of the scene: so the product does not depend on the order of
+; traversal.
 
         .share  local
         .regs   r96, s_waiting, s_waiting_end
@@ -72,7 +73,7 @@ shadow_tree:
         next_visible w_least, shadow_next
         BIM     shadow_dark
 
-; The region to its place in the list.
+; Inserts the region into the list.
 shadow_wait:
         RTOR    w_region, w_at
         IX      w_at, 64 * R_CLEAR

@@ -1,29 +1,28 @@
-; shadow_vector.s - what of a light's colour comes through to what a queue hit.
+; shadow_vector.s - computes the light that reaches the hits of a queue.
 ;
-; From each point that faces the light a ray goes to it; what it meets farther
-; than k_shadow from both of them stops it.  These rays are a queue of their own
-; and are taken through the regions as any other: a ray that is stopped gets
-; a limit that nothing can be before, and is left out from there on.  In a
-; region of which parts are clear the crossings that can be seen are looked at
-; in turn: a clear primitive leaves of the light its passing colour at that
-; point, by channels, and the ray goes on from k_shadow behind it (POV-Ray's
-; rule).
+; From each point that faces the light a ray goes to it.  A hit that is farther
+; than k_shadow from both blocks it.  These rays form a queue of their own,
+; which is intersected with the regions as any other.  A blocked ray gets a
+; limit below every hit, and is no longer tested.  In a region with transparent
+; parts the visible crossings are processed in order: a transparent primitive
+; multiplies the light by its passing colour at the point, channel by channel,
+; and the ray continues k_shadow after it (POV-Ray's rule).
 ;
-; In:  hits3: the points that face the light, s8 of them; v0: distance from it;
-;      px .., lx ..; ndotl; with areas shadows: the light, or the point of its
-;      area, that they go to, and v0: their limits.
-; Out: ndotl = 0 in the dark; tinted = 1 and tint_r .. for all hits where
-;      something clear is in the way of any.
-; found_shadow: In: what walk_tree has found (visible_vector.s).  Out: nearest =
-;      minus_big of the rays that are stopped; the tints of the queue; in seen
-;      those that go no further.
+; In:  hits3: the s8 points that face the light; v0: their distance from it; px
+;      .., lx ..; ndotl; with areas shadows: the light, or the point of its
+;      area, to which the rays go, and v0: their limits.
+; Out: ndotl = 0 in the dark; tinted = 1 and tint_r .. for all hits if a
+;      transparent surface is in the way of any.
+; found_shadow: In: the results of walk_tree (visible_vector.s).  Out: nearest =
+;      minus_big for blocked rays; the tints of the queue; seen = the rays that
+;      are finished in this region.
 ; Source: derived here; the distance is POV-Ray's SHADOW_TOLERANCE.
 
         .data
-shadow_n:       .word 0                 ; what the shadows' queue is put over
+shadow_n:       .word 0                 ; saved n of the hits' queue
 shadow_view:    .word 0
         .if     BEAMS
-shadow_parallel: .word 0                ; 1: they go to no point
+shadow_parallel: .word 0                ; 1: the rays have no common target
         .endif
         .align  64
 shadow_store:   .space 7 * QUEUE        ; points, directions, limits
@@ -31,21 +30,22 @@ tint_store:     .space 3 * QUEUE        ; of the queue, then of all hits
 hit_tint_store: .space 3 * QUEUE
         .code
 
-; Vector number of the shadows' queue, from one of the hits.
+; Vector number of the shadow rays, from a vector of the hits.
         .macro  shadow_vector vector, into, number
         EX      \into, shadow_store + 64 * QUEUE * \number
         CPSV    [\vector], [\into] ? [hits3]
         .endm
 
-; What came through, of all hits: numbers where nothing was in the way.
+; Expands the transmitted light to all hits; unblocked hits get the light's
+; colour.
         .macro  spread_tint tint, light, number
         describe s0, tint_store + 64 * QUEUE * \number, n
         describe \tint, hit_tint_store + 64 * QUEUE * \number, h
         MRGV    [s0], \light, [\tint] ? [hits3]
         .endm
 
-; Of tint number number the rays of taken_at: times what passes, a number or
-; a vector.
+; Multiplies channel number of the rays of taken_at by the transmitted colour, a
+; number or a vector.
         .macro  tint_channel number, passing
         EX      s0, tint_store + 64 * QUEUE * \number
         VXTOV   [taken_at], [s0], [v1]
@@ -58,7 +58,7 @@ hit_tint_store: .space 3 * QUEUE
         VTOV    \light, [s0]
         .endm
 
-; The points of the rays of taken_at at taken_distance.
+; Computes the points of the rays of taken_at at taken_distance.
         .macro  seen_point o, d, p
         VXTOV   [taken_at], [\d], [v0]
         MPYSV   [taken_distance], [v0], [v1]
@@ -128,7 +128,7 @@ shadows_done:
         load_word shadow_view, from_one_point
         BIM     0, link_shadow
 
-; What shadow rays meet in a region.
+; Processes the hits of the shadow rays in a region.
 found_shadow:
         region_took_hits
         RTOR    region, s0

@@ -1,8 +1,9 @@
-; sky_scalar.s - what a ray that meets nothing sees, if the sky is a gradient.
+; sky_scalar.s - computes the colour that a ray without a hit sees in the sky.
 ;
 ;       CALL SKY (DIRECTION, COLOUR)
 ;
-; Both three words.  Order of the operations as in pigment_vector.s.
+; Both have three words.  The order of the operations is that of
+; pigment_vector.s.
 ; Source: POV-Ray's sky_sphere.
 
         .data
@@ -13,7 +14,8 @@ sky_direction:  .space 3
 sky_colour:     .space 3
         .code
 
-; The colour of first .. by the direction of from .., three registers each.
+; Sets the registers from first on to the colour in the direction of the three
+; registers from from on.
         .macro  see_sky from, first, at
         EX      \at, sky_direction
         ELEN    \at, 3

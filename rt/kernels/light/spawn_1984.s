@@ -1,6 +1,6 @@
-; spawn_1984.s - the rays that come of the hits, to the end of the next
-; level's list, one after another; reflected before refracted.  Part of the
-; loops that shade, called by loop_link.
+; spawn_1984.s - appends the rays spawned by the hits to the next level's list,
+; hit by hit; reflected before refracted.  This routine is a part of the loops
+; that shade and is called by loop_link.
 
         .share  local
         .regs   r32, list_at, list_place, list_stride, list_index, is_mirror
@@ -50,7 +50,7 @@ spawn_children: .space 2 * CHILD_SIZE
         ADDX    list_place, list_stride, list_place
         .endm
 
-; The child at spawn_children, of kind kind.
+; Appends a child of spawn_children to the list, with its kind.
         .macro  append child, kind, counter
         load_at spawn_children + 64 * CHILD_SIZE * \child, CHILD_SIZE, child_ox
         LOD     [of_next], list_index
@@ -105,7 +105,7 @@ spawn_hits:
         .endif
         load_order
 spawn_hit:
-        in_hit  HIT_PRIMITIVE, 2, new_primitive ; and its place
+        in_hit  HIT_PRIMITIVE, 2, new_primitive ; also its index
         RTOR    new_primitive, loop_at
         IX      loop_at, 64 * P_MIRROR
         LOD     [loop_at], is_mirror
@@ -146,7 +146,7 @@ spawn_in_rows:
 spawn_not_reflected:
         IBXEQ   is_refracted, r0, r0, spawn_next
         .if     HIDDEN
-        IBXEQ   is_refracted, r0, child_class, spawn_class_found ; 2: reflected totally
+        IBXEQ   is_refracted, r0, child_class, spawn_class_found ; 2: total
         LOD     [ray_class_at, new_place], child_class
 spawn_class_found:
         .endif

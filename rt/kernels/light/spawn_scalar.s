@@ -1,32 +1,34 @@
-; spawn_scalar.s - the rays that come of a hit.
+; spawn_scalar.s - computes the rays spawned by a hit.
 ;
 ;       CALL SPAWN (RAY, PRIMITIVE, SURFACE, WEIGHT, FOLLOWED, REFLECTED,
 ;                   REFRACTED)
 ;
-; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; SURFACE = of the
-; sample: normal turned against the ray, N . D, the same of the outward normal,
-; place of the colour, point (9), with bumps the normal without them (3); WEIGHT = that of the ray (1), where light passes
-; through something the bodies that it is in and its level before it (3).
-; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers), with
-; HIDDEN 2: it is reflected totally;
-; REFLECTED, REFRACTED = its O, D, least distance, the same to be scaled;
-; (what it passed, bodies, level;) weight; the colour it is multiplied by (12 words).  With finishes that depend on
-; the angle another argument: PIGMENT = its colour there (3).
+; RAY = O, D (6 words); PRIMITIVE = the record of the primitive that it hit;
+; SURFACE = from the sample: normal turned against the ray, N . D, the same for
+; the outward normal, offset of the colour, point (9 words), with bumps the
+; normal without them (3); WEIGHT = that of the ray (1), if light passes through
+; something preceded by the bodies that contain the ray and its level (3).
+; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2 words,
+; integers); with HIDDEN 2: total reflection.
+; REFLECTED, REFRACTED = its O, D, lower limit, the same to be scaled; (the
+; region that it passed, bodies, level;) weight; the factor of its colour (12
+; words).  With finishes that depend on the angle there is another argument:
+; PIGMENT = its colour there (3 words).
 ;
 ; With c = -N . D:
 ;
-;   reflected   D' = D - (2 N . D) N        times the reflection's colour
-;               and of length one again
+;   reflected   D' = D - (2 N . D) N        times the reflection's colour;
+;               normalised again
 ;   refracted   k = 1 - e^2 (1 - c^2),  e of interior.s;
-;               D' = e D + (e c - sqrt(k)) N; where e = 1 straight on
-;                                           times the colour that passes
+;               D' = e D + (e c - sqrt(k)) N; if e = 1, D' = D;
+;                                           times the transmitted colour
 ;
-; Where k < 0 all is reflected: the refracted ray goes where the reflected one
-; would, its colour is not changed, and there is no other reflected ray.
-; A weight is the ray's own times the greatest part of the colour; a ray that
-; weighs less than scene_bailout is not followed.  Where the outward N . D is
-; below 0 the ray enters, of an inverted shape it leaves.  Order of the
-; operations as in spawn_vector.s.
+; k < 0 is total reflection: the refracted ray gets the direction of the
+; reflected one, its colour does not change, and there is no other reflected
+; ray.  The weight is that of the parent times the maximum component of the
+; colour; a ray with a weight below scene_bailout is not followed.  If the
+; outward N . D is below 0 the ray enters; for an inverted shape it leaves.  The
+; order of the operations is that of spawn_vector.s.
 ; Source: Snell's law; the rules are POV-Ray's.
 
         .share  local
@@ -72,21 +74,21 @@
         .share  local
         .regs   r126, sp_before_x, sp_before_y, sp_before_z, sp_bump
         .endshare
-        .equ    SPAWN_REGISTERS, 98     ; to these
+        .equ    SPAWN_REGISTERS, 98     ; up to these
         .endif
 
-; A new ray, as it lies in these registers from sp_ox on.
+; A new ray, in the order of the registers from sp_ox on.
         .record CHILD
         .field  CHILD_RAY, 6            ; O, D
-        .field  CHILD_LEAST, 2          ; least distance, to be scaled
+        .field  CHILD_LEAST, 2          ; lower limit; the same, to be scaled
         .if     INTERIORS
-        .field  CHILD_PASSED            ; the rank of the region whose clear surface it
-                                ; passed, or 0
-        .field  CHILD_INSIDE            ; the bodies that it is in
+        .field  CHILD_PASSED            ; rank of the region whose
+                                ; transparent surface it passed, or 0
+        .field  CHILD_INSIDE            ; the bodies that contain it
         .field  CHILD_LEVEL             ; its level
         .endif
         .field  CHILD_WEIGHT
-        .field  CHILD_FACTOR, 3         ; of its colour in the parent's
+        .field  CHILD_FACTOR, 3         ; of its colour in its parent's
         .endrecord
 
         .if     INTERIORS
@@ -102,7 +104,7 @@ spawn_save:     .space SPAWN_REGISTERS
         .code
 
         .if     BUMPS
-; sp_x .. that would go behind the surface do not (bump.s).
+; Corrects a direction sp_x .. that would go behind the surface (bump.s).
         .macro  mirror_outside
         IBXEQ   sp_bump, r0, r0, mirror_is_outside\@
         dot     sp_x, sp_y, sp_z, sp_before_x, sp_before_y, sp_before_z, sp_k, sp_t0
@@ -139,8 +141,8 @@ mirror_is_outside\@:
         renormalise_by m_one, m_half, sp_x, sp_y, sp_z, sp_t0, sp_t1
         .endm
 
-; The colour and its greatest part, from an offset of the record plus a place
-; on, and the weight.
+; Loads the colour and its maximum component, at an offset of the record plus
+; place, and computes the weight.
         .macro  weigh offset, place
         ADDX    sp_primitive, \place, sp_at
         IX      sp_at, 64 * (\offset)
@@ -204,7 +206,7 @@ spawn:
         RTOR    sp_primitive, sp_at
         IX      sp_at, 64 * P_REFLECTION_KIND
         LOD     [sp_at], sp_flag
-        ES      sp_at, 2                        ; by Fresnel's formulas
+        ES      sp_at, 2                        ; Fresnel's formulas
         IBXEQ   sp_flag, r0, sp_at, spawn_interiors
         .endif
         BIM     spawn_no_interiors

@@ -1,26 +1,26 @@
-; spawn_vector.s - the rays that come of what a queue hit: reflected and
-; refracted ones, for the next level.
+; spawn_vector.s - computes the rays spawned by the hits of a queue, reflected
+; and refracted ones, for the next level.
 ;
 ; At a point X with unit normal N turned against the ray D, facing = N.D:
 ;
 ;   reflected   D' = D - (2 facing) N       times the reflection's colour
-;               and of length one again: within a mirroring sphere what is off
-;               would grow with each reflection
+;               normalised again: within a mirroring sphere the error of the
+;               length would grow with each reflection
 ;   refracted   e = index in front / index behind (interior.s); cosine = -facing
 ;               k = 1 - (e e) (1 - cosine cosine)
 ;               D' = e D + (e cosine - sqrt(k)) N;  e = 1: D' = D
-;                                           times the colour that passes
+;                                           times the transmitted colour
 ;
-; A ray enters where the outward normal points against it; of an inverted
-; primitive where it does not.  Where k < 0 all is reflected: the refracted ray
-; goes where the reflected one would, its colour is not changed, and there is no
+; A ray enters where the outward normal points against it; an inverted primitive
+; where it does not.  k < 0 is total reflection: the refracted ray gets the
+; direction of the reflected one, its colour does not change, and there is no
 ; other reflected ray.  A ray is followed if its importance, its parent's times
-; the greatest part of the colour, is not below scene_bailout, and, where light
-; passes through something, its parent's level is below the last; what passes and
-; is marked as too dim (its greatest part below 0) is as if nothing passed.
+; the maximum component of the colour, is not below scene_bailout, and, if light
+; passes through something, its parent's level is below the last.  A transmitted
+; colour marked as too dim (maximum below 0) counts as none.
 ;
-; In:  a part of the hits, hits0: where its normal was turned, of bumps where the ray
-;      does not enter; next_level.
+; In:  a part of the hits; hits0 = the hits whose normal was turned, with bumps
+;      those that the ray does not enter; next_level.
 ; Out: rays at the end of the next level's list: reflected, then refracted.
 ; Source: Snell's law; the rules are POV-Ray's.
 
@@ -32,7 +32,7 @@
         .regs   r251, spawn_bent_count, spawn_inside
         .endshare
 
-; The next vector of the list, from its end on: those of vector in hits1.
+; Appends vector, in the lanes of hits1, as the next vector of the list.
         .macro  spawn_vector vector
         RTOR    spawn_tail, spawn_into
         CPSV    [\vector], [spawn_into] ? [hits1]
@@ -45,8 +45,8 @@
         ADDX    spawn_tail, spawn_stride, spawn_tail
         .endm
 
-; [v5] = the importance of the part's rays, times a share, a number or a vector;
-; hits1 = where that is enough.
+; [v5] = the importance of the part's rays, times share, a number or a vector.
+; hits1 = the rays that are followed.
         .macro  spawn_importance share
         load_word queue_importance, s0
         VXTOV   [at], [s0], [v4]
@@ -68,7 +68,7 @@
         SUBNV   [\d], [v6], [\to]
         .endm
 
-; v1, v2, v3 = the reflected directions; uses v4, v6.
+; v1, v2, v3 = the reflected directions.  Changes v4, v6.
         .macro  reflect_all
         MPYSV   [facing], two, [v4]
         reflect hdx, nx, v1
@@ -81,7 +81,7 @@
         renormalise v1, v2, v3, v4, v6
         .endm
 
-; hits2 = where the rays enter.
+; hits2 = the rays that enter.
         .macro  find_entering
         .if     BUMPS
         NANDB   [hits0], [hits0], [hits2]
@@ -100,7 +100,8 @@ spawn_entering\@:
         ADDNV   [v6], [v4], [\to] ?! [hits2]
         .endm
 
-; A weight of the refracted rays: what passes, but all in total reflection.
+; Appends a channel of the factor of the refracted rays: the transmitted colour,
+; or 1 in total reflection.
         .macro  spawn_weight even, odd
         VTOV    \even, [v4]
         VTOV    \odd, [v4] ? [hits3]
@@ -123,7 +124,7 @@ spawn:
         IBXNE   spawn_clear, r0, r0, spawn_interiors
         .if     GLOSS
         load_field P_REFLECTION_KIND, s0
-        ES      s1, 2                           ; by Fresnel's formulas
+        ES      s1, 2                           ; Fresnel's formulas
         IBXNE   s0, r0, s1, spawn_no_interiors
 spawn_interiors:
         BSAVE   link_inner, [target]
@@ -144,7 +145,8 @@ spawn_no_mirror:
         .if     INTERIORS
         IBXEQ   spawn_clear, r0, r0, spawn_reflected
 
-; What passes: sh8 .. sh11, in the odd cells of a checker, hits3, sh12 .. sh15.
+; Transmitted colour: sh8 .. sh11, in the odd cells of a checker (hits3) sh12 ..
+; sh15.
         load_record P_PASSING, 8, sh8
         XORB    [hits3], [hits3], [hits3]
         load_field P_PIGMENT, spawn_checker
@@ -161,7 +163,8 @@ spawn_passing:
         ES      spawn_clear, 0
         BIM     spawn_reflected
 
-; v0 = e, v7 = k, hits2: total reflection; spawn_bent_count: e is not 1.
+; v0 = e, v7 = k, hits2 = total reflection; spawn_bent_count = the rays with e
+; other than 1.
 spawn_bend:
         XORB    [hits2], [hits2], [hits2]
         CMPNEV  [lz], one, [hits0]
@@ -241,7 +244,7 @@ spawn_none_total:
         .endif
         MPYSV   -[facing], [v0], [v6]
         SUBNV   [v6], [v7], [v7]
-        VTOV    r0, [v7] ?! [hits0]             ; straight on
+        VTOV    r0, [v7] ?! [hits0]             ; e = 1: D' = D
         refract hdx, nx, v1
         refract hdy, ny, v2
         refract hdz, nz, v3
@@ -271,7 +274,7 @@ spawn_done:
 spawn_nothing:
         BIM     0, link_kernel
 
-; Point and direction, to the end of the list.
+; Appends point and direction to the list.
 spawn_ray:
         LOD     [next_level], spawn_tail
         SHIFTI  spawn_tail, 6, spawn_tail
@@ -286,8 +289,9 @@ spawn_ray:
         spawn_vector v3
         BIM     0, link_kernel
 
-; Importance, the bodies it is in, its level and what it has passed, class, kind, place
-; of the parent in the list before.  What is refracted is of its parent's class.
+; Appends importance, the bodies that contain the ray, its level, the region it
+; passed, class, kind, and the index of the parent in its list.  A refracted ray
+; has the class of its parent.
 spawn_rest:
         spawn_vector v5
         .if     INTERIORS

@@ -1,6 +1,5 @@
-; surface_scalar.s - what is lit: a point of a primitive, its normal, its
-; pigment.  Parts of the subroutines that shade, as macros; the registers they
-; have in common.
+; surface_scalar.s - computes a surface point that is to be lit: its normal and
+; pigment.  These macros and registers are a part of the subroutines that shade.
 
         .share  local
         .regs   r32, a_ray, a_primitive, a_distance, a_sample
@@ -24,7 +23,7 @@
         .endif
         .endshare
 
-; The finish, in place of the beam until there is light.
+; The finish, in the registers of the beam until the light is computed.
         .share  local
         .regs   r139, f_ambientr, f_ambientg, f_ambientb, f_diffuse, f_phong
         .regs   r144, f_size, f_specular, f_sharpness
@@ -32,20 +31,20 @@
         .endshare
         .equ    SHADE_REGISTERS, 121
 
-; A sample, as it lies in these registers.
+; A sample, in the order of these registers.
         .record SAMPLE
         .field  SAMPLE_COLOR, 3
         .field  SAMPLE_NORMAL, 3        ; turned against the ray
         .field  SAMPLE_FACING           ; N . D
-        .field  SAMPLE_OUTWARD          ; .. of the outward normal
-        .field  SAMPLE_CELL             ; place of the colour
+        .field  SAMPLE_OUTWARD          ; the same for the outward normal
+        .field  SAMPLE_CELL             ; offset of the colour
         .field  SAMPLE_POINT, 3
         .if     BUMPS
         .field  SAMPLE_BEFORE, 3        ; the normal without bumps
         .endif
         .endrecord
 
-; Without bumps, to where a sample has it, at last.
+; Copies the normal without bumps to its place in the sample, at the end.
         .macro  give_normal_before
         .if     BUMPS
         RTOR    raw_x, lx
@@ -64,8 +63,9 @@
         ADDN    \q, \k3, \q
         .endm
 
-; The point at the distance t0, the normal there in the world, turned against
-; the ray; facing = N . D, outward the same before it was turned.
+; Computes the point at the distance t0 and the world normal there, turned
+; against the ray; facing = N . D, outward = the same before the normal was
+; turned.
         .macro  find_surface
         point   ox, dx, px
         point   oy, dy, py
@@ -104,7 +104,7 @@ surface_turned\@:
         get_field P_ON_PATCH, t0
         ES      t1, 2
         IBXNE   t0, r0, t1, surface_sided\@
-        get_field P_PATCH_POINT + 1, t0         ; a mesh has no outside
+        get_field P_PATCH_POINT + 1, t0         ; hit_t says if it enters
         RTOR    facing, outward
         IBXEQ   t0, r0, r0, surface_sided\@
         SUBN    r0, facing, outward
@@ -120,8 +120,8 @@ surface_sided\@:
         .include "light/bump_scalar.s"
         .endif
 
-; The pigment there, color0, and words of the finish; the colour begins with the
-; ambient light.
+; Computes the pigment color0 and loads words of the finish; red, green, blue
+; start with the ambient light.
         .macro  begin_colour words
         get_record P_COLOR, 6, color0r
         checker_cell pigment_found\@, pigment_gradient\@

@@ -1,23 +1,24 @@
-; surface_vector.s - the normals of surfaces where rays hit them.
+; surface_vector.s - computes the normals of surfaces at the hits of rays.
 ;
-; A point goes to the space of the shape, the normal there back, by the transpose
-; of the same matrix, and then to length one.
+; A point is transformed to the space of the shape.  The normal there is
+; transformed back by the transpose of the same matrix, and normalised.
 ;
-; set_hits:    In: h.  Out: the vectors of all hits, h long.
-; set_part:    In: part_at, a part of them.  Out: primitive, m; its part of them.
-; find_normal: In: part_at, primitive; at, [px] [py] [pz] [hdx] [hdy] [hdz], as
-;   long.  Out: [nx] [ny] [nz], [facing], hits0.
+; set_hits:    In: h.  Out: the vectors of all hits, of length h.
+; set_part:    In: part_at, a part of the hits.  Out: primitive, m; the
+;   vectors of the part.
+; find_normal: In: part_at, primitive; at, [px] [py] [pz] [hdx] [hdy] [hdz], of
+;   the length of the part.  Out: [nx] [ny] [nz], [facing], hits0.
 ; Source: textbook.
 
         .kernel shade
-; The vectors of all hits.
+; Describes the vectors of all hits.
 set_hits:
         set_lengths h, m_high, shade_bases, shade_descriptors, SHADE_VECTORS, at
         describe ndotl, NDOTL_STORE, h
         BIM     0, link_inner
 
-; .. of the part that part_at names: what it has of the vectors of all hits; the
-; vectors that nothing keeps, from their beginning on.
+; Describes the vectors of the part at part_at: slices of the kept vectors of
+; all hits; the other vectors from their beginning on.
 set_part:
         RTOR    part_at, s0
         ELEN    s0, PART_SIZE
@@ -44,9 +45,9 @@ set_part:
         ADDX    ndotl, part_offset, ndotl
         BIM     0, link_inner
 
-; The normal at the points, in the world, turned against the ray; facing =
-; its product with the ray's direction; hits0: where it was turned, or, if there are
-; bumps, where it does not face the ray; then both are as the bumps have them.
+; Computes the world normals at the points, turned against the rays; facing = N
+; . D.  hits0 = the normals that were turned, or, with bumps, those that did not
+; face the ray; then normal and facing include the bumps.
 find_normal:
         RTOR    link_kernel, link_inner
         look_at_points px, py, pz
@@ -101,7 +102,7 @@ normal_sided:
         .endif
         BIM     0, link_inner
 
-; Spheres that look alike: as normal_sphere, with a centre for each.
+; Spheres of one material: as normal_sphere, with a centre for each hit.
 normal_shared:
         VXTOV   [at], [met], [v1]
         find_records v1, v1, P_SHAPE, s1
