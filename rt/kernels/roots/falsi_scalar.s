@@ -1,16 +1,16 @@
-; falsi_scalar.s - the root of one polynomial between two ends at which its
-; signs differ; see falsi_vector.s for the method.  A macro for each degree:
+; falsi_scalar.s - refines a root of one polynomial between two ends with
+; different signs.  The method is that of falsi_vector.s.  The macro
 ;
 ;       refine  NAME, value, close
 ;
-; makes the routine NAME, called by BSAVE q_link.  value x, fx is the macro
-; that evaluates the polynomial, close the closeness.
+; makes the routine NAME for one degree, called by BSAVE q_link.  The macro
+; value x, fx evaluates the polynomial; close is the closeness.
 ;
 ; In:  q_a, q_fa and q_b, q_fb, the ends and the values there; q_resolution.
-; Out: q_answer.  Uses q_x, q_fx, q_w, q_s, q_d, q_t, q_u, q_steps.
+; Out: q_answer.  Changes q_x, q_fx, q_w, q_s, q_d, q_t, q_u, q_steps.
 
-; B takes the place of A if the sign has changed, else A is kept and its value
-; made smaller; X becomes B.  x_sign: what CFPGE q_fx, r0 says.
+; Reduces f(A), the value at the end that is kept because the sign has not
+; changed, by the rule FALSI.
         .macro  keep_end name
         .if     FALSI == ILLINOIS
         MPYS    q_fa, q_half, q_fa

@@ -1,35 +1,36 @@
-; falsi_vector.s - the roots of many polynomials, each between two ends at
-; which its signs differ.  A macro for each degree:
+; falsi_vector.s - refines the roots of many polynomials, each between two ends
+; with different signs.  The macro
 ;
 ;       refine  NAME, value, compress, close
 ;
-; makes the routine NAME, called by BSAVE q_link.  value x, fx is the macro
-; that evaluates the polynomials, compress bits the one that compresses their
-; coefficients, close the closeness.
+; makes the routine NAME for one degree, called by BSAVE q_link.  The macro
+; value x, fx evaluates the polynomials, compress bits compresses their
+; coefficients; close is the closeness.
 ;
-; The two ends are A and B, B the newer.  Sign of 0: +.
+; The two ends are A and B, B the newer one.  0 is positive.
 ;
-; 1. While both ends lie on one side of zero and one is more than twice the
-;    other, the bracket is halved in the exponent: X = sqrt(A B).
-; 2. Steps of falsi: X = B - (B - A) f(B) / (f(B) - f(A)), but no nearer to B
-;    than 7/8 D, where D = closeness |B| + resolution.  If the sign has changed
-;    from B to X, A := B; else f(A) is made smaller (quartic_constants.s).
-;    B := X.
-; 3. Found when |B - A| <= D or f(B) = 0: the end with the lesser |f|.  So the
-;    sign of f changes within D of every root.
-; 4. What is not found after FALSI_STEPS such steps is halved, X = (A + B) / 2,
-;    HALVINGS times at most.
+; 1. While both ends have the same sign and one is more than twice the other,
+;    the bracket is bisected in the exponent: X = sqrt(A B).
+; 2. Steps of regula falsi: X = B - (B - A) f(B) / (f(B) - f(A)), but at least
+;    7/8 D from B, where D = closeness |B| + resolution.  If the sign has
+;    changed from B to X, A := B; else f(A) is reduced (quartic_constants.s).  B
+;    := X.
+; 3. The root is found when |B - A| <= D or f(B) = 0: it is the end with the
+;    smaller |f|.  So the sign of f changes within D of every root.
+; 4. A bracket that is not finished after FALSI_STEPS such steps is bisected,
+;    X = (A + B) / 2, at most HALVINGS times.
 ;
-; The loop runs over all lanes that began; an answer is kept once it is found.
-; When fewer than half of the lanes in the loop are active their answers are
+; The loop runs over all lanes; an answer is kept once it is found.  When fewer
+; than half of the lanes in the loop are active, the answers of the others are
 ; scattered and the active ones compressed.
 ;
-; In:  q_a, q_fa, q_b, q_fb, the coefficients, q_at (places of the lanes), all
+; In:  q_a, q_fa, q_b, q_fb, the coefficients, q_at (indices of the lanes), all
 ;      as long as the number of lanes; q_resolution; q_result.
 ; Out: the roots, scattered by q_at into q_result.
-; Uses q_x, q_fx, q_w, q_s, q_d, q_t, q_answer and the bit vectors named here.
+; Changes q_x, q_fx, q_w, q_s, q_d, q_t, q_answer and the bit vectors named
+; here.
 
-; Give results the length of the loop; the address stays.
+; Sets the length of a descriptor; the address does not change.
         .macro  lengthen count, vector
         ELEN    \vector, 0
         ADDLEN  \vector, \count, \vector
@@ -59,7 +60,8 @@
         .endif
         .endm
 
-; A kept: its value made smaller, where the sign has not changed.
+; Reduces f(A) in the lanes in which A is kept, because the sign has not
+; changed.
         .macro  keep_ends
         .if     FALSI == ILLINOIS
         MPYSV   [q_fa], q_half, [q_fa] ?! [q_change]
@@ -91,7 +93,7 @@
         CMPGEV  [q_fb], r0, [q_b_sign]
         EQVB    [q_b_sign], [q_b_sign], [q_active]
 
-; Wide brackets.
+; Bisects wide brackets in the exponent.
 \name\()_bracket:
         MPYSV   [q_a], [q_b], [q_w]
         MPYSV   |[q_a]|, q_wide, [q_s]
@@ -177,7 +179,7 @@
         ADDX    q_active_count, q_active_count, q_u
         IBXGE   q_u, r0, q_loop, \name\()_next
 
-; Fewer than half are active.
+; Compresses the loop: fewer than half of its lanes are active.
         CPSV    [q_answer], [q_x] ?! [q_active]
         CPSV    [q_at], [q_fx] ?! [q_active]
         VTOVX   [q_fx], [q_x], [q_result]

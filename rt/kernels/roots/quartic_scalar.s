@@ -1,4 +1,4 @@
-; quartic_scalar.s - the real roots of one polynomial in an interval.
+; quartic_scalar.s - computes the real roots of one polynomial in an interval.
 ;
 ;       CALL SOLVE_QUARTIC (COEFFICIENTS, INTERVAL, ROOTS)
 ;       CALL SOLVE_QUARTIC_ALL (COEFFICIENTS, INTERVAL, ROOTS)
@@ -7,25 +7,25 @@
 ;
 ; COEFFICIENTS = c4, c3, c2, c1, c0 (5 words) of c4 t^4 + ... + c0; leading
 ; zeros make a cubic, a quadratic and so on.
-; INTERVAL = low, high, resolution (3 words): roots low < t <= high; they are
-; found to 2^-41 of themselves or to the resolution, whichever is more (0: to
-; 2^-41 of themselves, however small they are).
+; INTERVAL = low, high, resolution (3 words): roots low < t <= high, within the
+; larger of 2^-41 |t| and the resolution.  With resolution 0 even the smallest
+; roots are relatively accurate.
 ; ROOTS = up to four roots, ascending, and their number (5 words).
-; SOLVE_QUARTIC stops at the first.  Where none is found the first holds 1e30;
-; otherwise places beyond the number hold nothing to be relied on.
-; SOLVE_QUARTIC_UNTIL gives one root, the first that is acceptable.  The caller
-; has put the address of a routine into fourth, which is shown each root in
-; turn: q_answer, before the next one is sought.  It ends by BIM solver_accept
-; or, to have the next one, BIM 0, q_link, and may change r82-r92 (q_a .. q_u)
-; and what is not the solver's.
-; SOLVE_QUARTIC_SIGNS gives all roots, by changes of sign alone; those of the
-; four places that are beyond the number hold 1e30.
+; SOLVE_QUARTIC stops at the first root.  If there is none the first word is
+; 1e30; the words after the number of roots are undefined.
+; SOLVE_QUARTIC_UNTIL returns one root, the first that is accepted.  The caller
+; puts the address of a routine into fourth.  The routine receives each root in
+; q_answer before the next is computed.  It ends by BIM solver_accept, or by
+; BIM 0, q_link to get the next one, and may change r82-r92 (q_a .. q_u) and the
+; registers outside the solver.
+; SOLVE_QUARTIC_SIGNS returns all roots, by changes of sign alone; the words
+; after the number of roots are 1e30.
 ;
-; Method and order of the operations as in quartic_vector.s, but what shows
-; that an interval holds no root ends the work on it, and the first acceptable
-; root all of it.
-; Registers: local ones as in linkage.s, r32-r98, saved and given back; third
-; and fourth are in use until the end.
+; Method and order of the operations are those of quartic_vector.s.  An interval
+; is left at the first test that shows no root, and the computation ends at the
+; first accepted root.
+; Registers: local ones as in linkage.s, r32-r98, saved and restored; third and
+; fourth are in use until the end.
 
         .include "roots/quartic_constants.s"
         .include "roots/falsi_scalar.s"
@@ -38,20 +38,20 @@
         .regs   r47, q_coefficients, q_interval, q_roots    ; the arguments
         .regs   r50, q_c4, q_c3, q_c2, q_c1, q_c0           ; of f
         .regs   r55, q_low, q_high, q_resolution
-        .regs   r58, q_m4, q_m3, q_m2, q_m1, q_m0           ; their magnitudes
-        .regs   r63, q_s3, q_s2, q_s1                       ; of f'; q_c1
+        .regs   r58, q_m4, q_m3, q_m2, q_m1, q_m0           ; magnitudes
+        .regs   r63, q_s3, q_s2, q_s1                       ; of f', with q_c1
         .regs   r66, q_n3, q_n2, q_n1                       ; magnitudes
         .regs   r69, q_bend1, q_bend2                       ; f'' = 0
-        .regs   r71, q_left, q_left_slope, q_left_flat      ; f' there
+        .regs   r71, q_left, q_left_slope, q_left_flat      ; at the left end
         .regs   r74, q_right_slope, q_right_flat
-        .regs   r76, q_knot, q_knot_f, q_knot_touch         ; f there
+        .regs   r76, q_knot, q_knot_f, q_knot_touch         ; at the knot
         .regs   r79, q_next, q_next_f, q_next_touch
         .regs   r82, q_a, q_fa, q_b, q_fb, q_x, q_fx        ; the bracket
         .regs   r88, q_w, q_s, q_d, q_t, q_u                ; work
         .regs   r93, q_answer, q_steps, q_kept, q_link, q_refine
         .reg    q_count, r98
         .equ    QUARTIC_REGISTERS, 67
-        .regs   third, q_want, q_accept         ; and fourth
+        .regs   third, q_want, q_accept         ; also fourth
         .endshare
 
         .data
@@ -80,8 +80,8 @@ solver_save:   .space QUARTIC_REGISTERS
         ADDN    \fx, q_c1, \fx
         .endm
 
-; The same, and zero = 1 if the value is within the tolerance of the sum of
-; the magnitudes.  Two chains, each in the other's waits.
+; The same, and zero = 1 if the value is within the tolerance of the sum of the
+; magnitudes.  Two chains of operations are interleaved to hide their latencies.
         .macro  one_step x, fx, c, m
         MPYS    \fx, \x, \fx
         MPYS    q_t, q_u, q_t
@@ -119,7 +119,7 @@ is_zero\@:
         is_zero \fx, \zero
         .endm
 
-; Go to same if two values have one sign; 0 counts as +.
+; Branches to same if two values have the same sign; 0 is positive.
         .macro  same_sign f, g, same
         CFPGE   \f, r0, same_sign_above\@
         CFPGE   \g, r0, same_sign_end\@
@@ -138,7 +138,7 @@ clamp_above\@:
 clamp_end\@:
         .endm
 
-; A double root made exact by one step of Newton's on f'; see quartic_vector.s.
+; Sharpens a double root by one Newton step on f' (quartic_vector.s).
         .macro  polish
         cubic_value q_next, q_w
         MPYS    q_s3, q_three, q_s
@@ -162,7 +162,8 @@ polish_short\@:
 polish_end\@:
         .endm
 
-; The answer is a root; if it is not the last one wanted, go to more.
+; Stores or passes the root q_answer.  Branches to more if more roots are
+; wanted.
         .macro  take_root more
         IBXNE   q_accept, r0, r0, take_shown\@
         STO     [q_roots, q_count], q_answer
@@ -173,7 +174,7 @@ take_shown\@:
         BIM     \more
         .endm
 
-; The answer lies between knot and next.
+; Refines the root between knot and next.
         .macro  refine_value
         RTOR    q_knot, q_a
         RTOR    q_knot_f, q_fa
@@ -183,8 +184,8 @@ take_shown\@:
         BSAVE   q_link, [q_refine]
         .endm
 
-; The root of f in (knot, next], if there is one; knot := next.  at_knot = 0:
-; next is the end.
+; Computes the root of f in (knot, next], if there is one; knot := next.
+; at_knot = 0:  next is the end of the interval.
         .macro  search_values at_knot
         CFPEQ   q_next, q_knot, search_none\@
         quartic_at q_next, q_next_f, q_next_touch
@@ -207,7 +208,7 @@ search_move\@:
 search_none\@:
         .endm
 
-; The next knot, between left and right.
+; Refines the next knot, between left and right.
         .macro  refine_slope right
         RTOR    q_left, q_a
         RTOR    q_left_slope, q_fa
@@ -219,7 +220,7 @@ search_none\@:
         .endm
 
 ; The root of f' in (left, right], if there is one, is the next knot.  A right
-; end at which f' is 0 is one itself, if it is a bend.
+; end at which f' is 0 is a knot itself if it is a bend.
         .macro  search_slope right, bend
         cubic_at \right, q_right_slope, q_right_flat
         .if     \bend
@@ -239,7 +240,7 @@ search_flat\@:
         RTOR    q_right_flat, q_left_flat
         .endm
 
-; The arguments; nothing found yet.
+; Loads the arguments; no root is found yet.
         .macro  enter_search
         EX      image_at, solver_image
         ELEN    image_at, QUARTIC_CONSTANTS
@@ -254,14 +255,14 @@ search_flat\@:
         STO     [q_roots], q_none
         .endm
 
-; The derivative's coefficients.
+; Computes the coefficients of the derivative.
         .macro  derive
         MPYS    q_c4, q_four, q_s3
         MPYS    q_c3, q_three, q_s2
         ADDN    q_c2, q_c2, q_s1
         .endm
 
-; For what counts as 0.
+; Computes the magnitudes for the test against 0.
         .macro  find_magnitudes
         ABS     q_c4, q_m4
         ABS     q_c3, q_m3

@@ -1,80 +1,82 @@
-; quartic_vector.s - the real roots of many polynomials, each in an interval.
+; quartic_vector.s - computes the real roots of many polynomials, each in an
+; interval.
 ;
 ;       c4 t^4 + c3 t^3 + c2 t^2 + c1 t + c0 = 0,   low < t <= high
 ;
 ; In:   s0-s4 = descriptors of c4, c3, c2, c1, c0 (leading zeros make a cubic,
 ;       a quadratic and so on), s5, s6 = of low, high, all of one length of
 ;       at most QUEUE; a lane whose low is not below its high has no roots.
-;       s7 = resolution, one number: roots are found to 2^-41 of themselves or
-;       to the resolution, whichever is more (0: to 2^-41 of themselves,
-;       however small they are).
-; Call: BSAVE link_inner, to solve_quartic for the first root of each polynomial,
-;       to solve_quartic_all for all, to solve_quartic_until for the first that
-;       is acceptable, to solve_quartic_signs for all by changes of sign alone
-;       (macro call_quartic).  For solve_quartic_until s8 = the address
-;       of a routine, called by BSAVE s9 with the roots found in an interval,
-;       before the next interval is looked at: q_t = the roots, q_at = the
-;       places of their lanes, q_u = their number.  It gives q_bits = which are
-;       acceptable, and may change s0-s7, the vectors q_a .. q_d and the bit
-;       vector q_change (to be lengthened first) and what is not the solver's.
-; Out:  root0 = the root, the least of several, 1e30 where there is none;
-;       root_count = how many were found, numbers.  After solve_quartic_all
-;       also root1, root2, root3, ascending; a place whose number is not below
-;       root_count holds nothing to be relied on; after solve_quartic_signs
-;       it holds 1e30.  All as long as c4.
-; Changed: s0-s9, r68, r69, r76-r79, r113-r115.  What else the solver needs,
-;       r116-r200, it saves and gives back.  The inputs are only read.
+;       s7 = resolution, one number: roots are within the larger of 2^-41 |t|
+;       and the resolution.  With resolution 0 even the smallest roots are
+;       relatively accurate.
+; Call: BSAVE link_inner, to solve_quartic for the first root of each
+;       polynomial, to solve_quartic_all for all, to solve_quartic_until for the
+;       first that is accepted, to solve_quartic_signs for all by changes of
+;       sign alone (macro call_quartic).  For solve_quartic_until s8 = the
+;       address of a routine, called by BSAVE s9 with the roots of an interval
+;       before the next interval is processed: q_t = the roots, q_at = the
+;       indices of their lanes, q_u = their number.  It returns q_bits = the
+;       accepted ones, and may change s0-s7, the vectors q_a .. q_d and the bit
+;       vector q_change (lengths must be set first) and the registers outside
+;       the solver.
+; Out:  root0 = the smallest root, 1e30 if there is none; root_count = the
+;       number of roots, as a float.  After solve_quartic_all also root1, root2,
+;       root3, ascending; a place not below root_count is undefined, after
+;       solve_quartic_signs 1e30.  All as long as c4.
+; Changed: s0-s9, r68, r69, r76-r79, r113-r115.  The solver saves and restores
+;       its other registers, r116-r200.  The inputs are only read.
 ;
-; Method (the paper's: slope and curvature give the intervals in which a root
-; can lie, modified regula falsi closes on it):
+; Method (the paper's: slope and curvature determine the intervals that can
+; contain a root, modified regula falsi refines it):
 ;
 ;   bends    the roots of f'', a t^2 + 2 b t + c = 0, in closed form:
 ;            q = -(b + sign(b) sqrt(b^2 - a c)), q/a and c/q; one bend where
 ;            b^2 - a c is 0 within the tolerance.  Clamped to the interval.
 ;   knots    the roots of f' between low, the bends and high: at most one
 ;            between two of them, if the signs of f' differ
-;   roots    the roots of f between low, the knots and high, likewise
+;   roots    the roots of f between low, the knots and high, in the same way
 ;
-; interval by interval from low on, so that what comes after the first
-; acceptable root of a polynomial is not looked for.  Signs decide; 0 is +.
-; But a value is 0 where |f(t)| <= 2^-44 sum |c_i| |t|^i, the noise of 47 bits:
+; The intervals are processed in order from low on, so that nothing is computed
+; after the first accepted root of a polynomial.  Signs decide; 0 is positive.
+; A value also counts as 0 if |f(t)| <= 2^-44 sum |c_i| |t|^i, the rounding
+; error in 47 bits:
 ;
-;   - a knot at which f is 0 is a root, double or triple, and the intervals at
-;     both its sides have no other.  So is high; low would be, but is not above
-;     itself: it ends the root there.
-;   - of successive knots at which f is 0 the first is the root of the cluster
-;   - a bend at which f' is 0 is a knot, likewise.
+;   - A knot at which f is 0 is a root, double or triple, and the intervals on
+;     both sides have no other.  So is high.  low would be, but is not above
+;     itself: its interval has no other root.
+;   - Of successive knots at which f is 0, the first is the root of the cluster.
+;   - A bend at which f' is 0 is a knot, by the same test.
 ;
-; So double and triple roots come once, and a root at low does not come.
-; Knots need not be sharp: an error of 2^-28 moves f there by 2^-56 of its terms.
-; One that is a root is made sharp by a step of Newton's on f'.
+; So double and triple roots are reported once, and a root at low is not
+; reported.  Knots need not be sharp: an error of 2^-28 changes f there by 2^-56
+; of its terms.  A knot that is a root is sharpened by a Newton step on f'.
 ;
-; Not so by signs alone (signs_vector.s).
+; Roots by signs alone have no tolerance (signs_vector.s).
 ;
-; Lanes that have their root, or never had an interval, are compressed out when
-; fewer than half are left; the refinement has a loop of its own
-; (falsi_vector.s).
+; Lanes that have their root, or that never had an interval, are removed by
+; compression when fewer than half are left.  The refinement has a loop of its
+; own (falsi_vector.s).
 ; Source: the paper; the project's notes on ray tracing, 3.
 
         .include "roots/quartic_constants.s"
         .include "roots/falsi_vector.s"
         .include "roots/signs_vector.s"
 
-; The caller's: r68, r69, r113, r114 are scratch here, nothing saved.
+; Registers of the caller.  r68, r69, r113, r114 are scratch here and not saved.
         .regs   r68, q_table_at, q_image_at
         .regs   r76, root0, root1, root2, root3
         .regs   r113, q_save_at, q_length
         .reg    root_count, r115
 
 ; Vectors, then bit vectors: the order of solver_bases.
-        .share                          ; saved, and given back
-        .regs   r116, q_s3, q_s2, q_s1                      ; of f'; q_c1
+        .share                          ; saved and restored
+        .regs   r116, q_s3, q_s2, q_s1                      ; of f', with q_c1
         .regs   r119, q_bend1, q_bend2                      ; f'' = 0
         .regs   r121, q_place, q_position, q_count
         .regs   r124, q_left_slope, q_right_slope
         .regs   r126, q_knot, q_knot_f, q_next, q_next_f
         .regs   r130, q_size, q_root, q_most_value, q_most_slope
-        .regs   r134, q_k4, q_k3, q_k2, q_k1, q_k0          ; in the loop
+        .regs   r134, q_k4, q_k3, q_k2, q_k1, q_k0          ; lanes in the loop
         .regs   r139, q_a, q_fa, q_b, q_fb, q_x, q_fx
         .regs   r145, q_w, q_s, q_d, q_t, q_answer, q_at
         .equ    QUARTIC_VECTORS, 35
@@ -84,7 +86,7 @@
         .regs   r164, q_bits, q_changed
         .equ    QUARTIC_BITS, 15
 
-; Constants, then what has no beginning.
+; Constants, then registers without an initial value.
         .regs   r166, q_one, q_half, q_three_halves, q_three, q_four
         .regs   r171, q_wide, q_tolerance, q_close, q_knot_close, q_polish
         .regs   r176, q_least, q_none, q_index_one, q_falsi_steps, q_all_steps
@@ -115,7 +117,7 @@ solver_bits:   .space QUARTIC_BIT_WORDS * QUARTIC_BITS
         .align  64
 solver_store:  .space QUEUE * QUARTIC_VECTORS
 solver_order:  .space QUEUE                    ; 0, 1, 2, ...
-solver_inputs: .space QUEUE * 7                ; when they are compressed
+solver_inputs: .space QUEUE * 7                ; compressed inputs
 solver_roots:  .space QUEUE * 5
         .code
 
@@ -131,7 +133,7 @@ solver_roots:  .space QUEUE * 5
         BSAVE   link_inner, [\routine]
         .endm
 
-; Horner's rule: c4 first.
+; One step of Horner's rule.
         .macro  horner_step x, fx, c
         MPYSV   [\fx], [\x], [\fx]
         ADDNV   [\fx], [\c], [\fx]
@@ -152,7 +154,7 @@ solver_roots:  .space QUEUE * 5
         horner_step \x, \fx, \c0
         .endm
 
-; Bends out of the interval, and such as are no numbers, go to its ends.
+; Clamps bends outside the interval, and indefinite ones, to its ends.
         .macro  clamp x
         CMPGEV  [\x], [q_low], [q_sign]
         VTOV    [q_low], [\x] ?! [q_sign]
@@ -160,7 +162,7 @@ solver_roots:  .space QUEUE * 5
         VTOV    [q_high], [\x] ? [q_sign]
         .endm
 
-; Those of the lanes in the loop.
+; Values of the lanes in the loop.
         .macro  quartic_value x, fx
         quartic_polynomial \x, \fx, q_k4, q_k3, q_k2, q_k1, q_k0
         .endm
@@ -181,9 +183,9 @@ solver_roots:  .space QUEUE * 5
         cubic_compress \bits
         .endm
 
-; The value at x, and where it is 0 within the tolerance.  The sum of the
-; magnitudes is no larger than at the end of the interval that is farther from
-; 0: where a value is not as small as that (most) it need not be formed.
+; Computes the value at x, and the lanes in which it is 0 within the tolerance.
+; The sum of the magnitudes is at most that at the end of the interval that is
+; farther from 0 (most).  It is computed only if a value is that small.
         .macro  quartic_size x, size
         MPYSV   |[\x]|, |[q_c4]|, [\size]
         ADDNV   |[q_c3]|, [\size], [\size]
@@ -225,14 +227,14 @@ is_zero\@:
         is_zero \x, \fx, q_most_slope, \zero, cubic_size
         .endm
 
-; Where the signs of two values differ; 0 counts as +.
+; bits = the lanes in which the signs of two values differ; 0 is positive.
         .macro  signs_differ f, g, bits
         CMPGEV  [\f], r0, [q_sign]
         CMPGEV  [\g], r0, [\bits]
         XORB    [q_sign], [\bits], [\bits]
         .endm
 
-; Put the lanes of bits and their brackets into the loop.
+; Copies the lanes of bits and their brackets into the loop.
         .macro  take into, from, bits
         CPSV    [\from], [\into] ? [\bits]
         .endm
@@ -252,8 +254,8 @@ is_zero\@:
         IBXEQ   q_u, r0, r0, \none
         .endm
 
-; Keep the lanes of q_alive alone.  squeeze_input: the first time it leaves the
-; caller's vector for one of ours.
+; Keeps only the lanes of q_alive.  squeeze_input moves an input of the caller
+; to a vector of the solver.
         .macro  squeeze vector
         CPSV    [\vector], [\vector] ? [q_alive]
         .endm
@@ -291,13 +293,13 @@ is_zero\@:
         EQVB    [q_alive], [q_alive], [q_alive]
         .endm
 
-; Go to wide if half of the lanes or more are alive.
+; Branches to wide if at least half of the lanes are alive.
         .macro  if_half_alive wide
         ADDX    q_alive_count, q_alive_count, q_u
         IBXGE   q_u, r0, q_lanes, \wide
         .endm
 
-; The next place of the lanes of q_need for the roots q_t.
+; Appends the roots q_t to those of the lanes of q_need.
         .macro  give_place
         CPSV    [q_position], [q_at] ? [q_need]
         VTOVX   [q_at], [q_t], [root0]
@@ -306,7 +308,7 @@ is_zero\@:
         ADDNV   [q_count], q_one, [q_count] ? [q_need]
         .endm
 
-; The lanes of q_need have the root q_root.
+; Stores the roots q_root of the lanes of q_need.
         .macro  give_roots
         count_lanes q_need, give_none\@
         CPSV    [q_root], [q_t] ? [q_need]
@@ -327,8 +329,8 @@ give_first\@:
 give_none\@:
         .endm
 
-; A knot at which f is 0 is a double root, but no sharper than knots are: a step
-; of Newton's on f' makes it so, where that is short and stays in place.
+; A knot at which f is 0 is a double root, but only as sharp as knots are.  A
+; Newton step on f' sharpens it, if the step is short and stays in the interval.
         .macro  polish
         lengthen q_lanes, q_w
         lengthen q_lanes, q_s
@@ -354,7 +356,7 @@ give_none\@:
         VTOV    [q_s], [q_root] ? [q_sign]
         .endm
 
-; The lanes of q_need have their roots between knot and next.
+; Refines the roots of the lanes of q_need, between knot and next.
         .macro  refine_value
         take_bracket q_knot, q_knot_f, q_next, q_next_f, q_need
         take    q_k4, q_c4, q_need
@@ -367,7 +369,8 @@ give_none\@:
         BSAVE   q_link, [q_target]
         .endm
 
-; The roots of f in (knot, next]; at_knot = 0: next is the end.
+; Computes the roots of f in (knot, next]; at_knot = 0: next is the end of the
+; interval.
         .macro  search_values at_knot
         quartic_at q_next, q_next_f, q_next_touch
         signs_differ q_knot_f, q_next_f, q_need
@@ -393,7 +396,7 @@ search_found\@:
         exchange q_next_touch, q_knot_touch
         .endm
 
-; The lanes of q_need have their next knots between left and right.
+; Refines the next knots of the lanes of q_need, between left and right.
         .macro  refine_slope right
         take_bracket q_left, q_left_slope, \right, q_right_slope, q_need
         take    q_k3, q_s3, q_need
@@ -406,7 +409,7 @@ search_found\@:
         .endm
 
 ; The roots of f' in (left, right] are the next knots.  A right end at which f'
-; is 0 is one itself, if it is a bend.
+; is 0 is a knot itself if it is a bend.
         .macro  search_slope right, bend
         cubic_at \right, q_right_slope, q_right_flat
         signs_differ q_left_slope, q_right_slope, q_need
@@ -451,8 +454,9 @@ search_alive\@:
         RTOR    \right, q_left
         .endm
 
-; The inputs, the lanes that have an interval, the derivative; none found yet:
-; so many places hold no root.
+; Loads the inputs, selects the lanes that have an interval, and computes the
+; derivative; no root is found yet: the first places root vectors are set to
+; 1e30.
         .macro  enter_search places
         LTOR    s0, q_length
         SHIFTI  q_length, 48, q_length
@@ -524,7 +528,7 @@ enter_alive\@:
         ADDNV   [q_c2], [q_c2], [q_s1]
         .endm
 
-; a = next, b = right_slope, b^2 = knot, a c = knot_f.
+; Computes the bends; a = next, b = right_slope, b^2 = knot, a c = knot_f.
         .macro  find_bends
         MPYSV   [q_s3], q_three_halves, [q_next]
         MPYSV   [q_c3], q_three_halves, [q_right_slope]
@@ -593,7 +597,8 @@ solve_quartic_signs:
         search_signs
         BIM     solver_end
 
-; The lanes of q_need have the roots q_t: only the acceptable ones are left.
+; Passes the roots q_t of the lanes of q_need to the caller's routine; only the
+; accepted ones remain.
 solver_show:
         lengthen q_u, q_bits
         BSAVE   s9, [s8]

@@ -1,8 +1,9 @@
-; roots_scalar.s - the roots of a list of polynomials, one after another.
+; roots_scalar.s - computes the roots of a list of polynomials, one after
+; another.
 ;
-; The same operations in the same order as roots_vector.s, so that both give
-; the same roots bit for bit.  What the host lays out and reads:
-; roots_records.s.
+; It does the same operations in the same order as roots_vector.s, so that the
+; roots are equal bit for bit.  roots_records.s describes the data that the host
+; writes and reads.
 
         .include "roots/roots_records.s"
         .include "frame/linkage.s"
@@ -20,8 +21,8 @@
         .regs   r140, root0, root1, root2, root3, root_count, found
 
         .data
-; What is handed to the solver: five coefficients and the interval, as they
-; stand in the registers from c4 on, and the roots it gives back.
+; Arguments of the solver: five coefficients and the interval, in the order of
+; the registers from c4 on, and the roots that it returns.
 roots_handed:   .space 8
 roots_given:    .space 5
 quartic_list:   .descriptor 5, roots_handed
@@ -34,7 +35,7 @@ quartic_list:   .descriptor 5, roots_handed
         ADDX    at, stride, at
         .endm
 
-; The roots between interval_low and interval_high.
+; Computes the roots between interval_low and interval_high.
         .macro  call_quartic
         EX      s0, roots_handed
         ELEN    s0, 8
@@ -58,7 +59,8 @@ quartic_list:   .descriptor 5, roots_handed
         append  \root
         .endm
 
-; What the solver found; go to roots_store when that is enough.
+; Appends the roots of the solver.  Branches to roots_store when no more are
+; wanted.
         .macro  append_found
         append_counted root0, one, roots_none\@
         IBXEQ   wanted, r0, index_one, roots_store

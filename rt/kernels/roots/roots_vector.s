@@ -1,12 +1,12 @@
-; roots_vector.s - the roots of a list of polynomials, queue by queue.
+; roots_vector.s - computes the roots of a list of polynomials, queue by queue.
 ;
 ; For each queue of QUEUE polynomials (the last may be shorter): scale them,
-; find the roots below zero, the root at zero and those above zero, in this
-; order, undo the scaling, store.  An interval never holds zero inside, so that
-; roots are found to a part of themselves, however small.  Where but one root
-; is wanted, a polynomial that has one is left out of what follows.
+; compute the roots below zero, the root at zero and those above zero, in this
+; order, undo the scaling, store.  No interval contains zero, so that even the
+; smallest roots are relatively accurate.  If only one root is wanted, a
+; polynomial that has one is skipped in the following steps.
 ;
-; What the host lays out and reads: roots_records.s.
+; roots_records.s describes the data that the host writes and reads.
 
         .include "roots/roots_records.s"
 
@@ -19,7 +19,8 @@
         .regs   r26, first, polynomials, batch, number, wanted, plane, stride
         .regs   r33, routine
 
-; The planes from the queue's first polynomial on, as long as the queue.
+; The planes, from the queue's first polynomial on, with the length of the
+; queue.
         .regs   r34, c4, c3, c2, c1, c0, bound
         .regs   r40, counts, roots
 
@@ -62,7 +63,7 @@ roots_store:    .space QUEUE * ROOTS_VECTORS
         SWAP    [s0], \register, [r0]
         .endm
 
-; Append the roots times their scale where bits0 has ones.
+; Appends the roots, times their scale, in the lanes of bits0.
         .macro  append root
         MPYSV   [\root], [size], [t0]
         CPSV    [t0], [t1] ? [bits0]
@@ -79,7 +80,7 @@ roots_store:    .space QUEUE * ROOTS_VECTORS
         append  \root
         .endm
 
-; What the solver found, after one root is done.
+; Appends the roots of the solver.  Branches to done when no lane has more.
         .macro  append_found done
         append_counted root0, one, \done
         IBXEQ   wanted, r0, index_one, \done
@@ -88,7 +89,7 @@ roots_store:    .space QUEUE * ROOTS_VECTORS
         append_counted root3, four, \done
         .endm
 
-; Who has all that is wanted takes no part any more.
+; Gives finished polynomials an empty interval: sets vector to value.
         .macro  leave_out vector, value
         IBXNE   wanted, r0, index_one, leave_out\@
         CMPGEV  [found], one, [bits0]

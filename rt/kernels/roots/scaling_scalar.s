@@ -1,11 +1,11 @@
-; scaling_scalar.s - one polynomial whose coefficients are of any size, made
-; fit for the root solver; method and order of the operations as in
+; scaling_scalar.s - scales one polynomial with coefficients of any size for the
+; root solver.  Method and order of the operations are those of
 ; scaling_vector.s.
 ;
 ; In:  c4 .. c0 and bound.
-; Out: the same scaled, x_low, size, far, near; at_zero = 1: 0 is a root above
-;      the bound.  Goes to roots_refused, or on where the macro ends.
-; Uses e0-e4, top, degree, k, t0-t2.
+; Out: the same, scaled; x_low, size, far, near; at_zero = 1: 0 is a root above
+;      the bound.  Branches to roots_refused if it cannot be scaled.
+; Changes e0-e4, top, degree, k, t0-t2.
 
         .macro  exponent_of c, e
         EXP     \c, \e
@@ -57,7 +57,7 @@ scale_move:
         RTOR    zero, c4
         CFPNE   c0, r0, scale_has_zero
         IBXNE   s0, index_minus_one, r0, scale_move, s0
-        BIM     roots_store             ; all are zero
+        BIM     roots_store             ; all coefficients are zero
 scale_has_zero:
         CFPGE   bound, r0, scale_moved
         ES      at_zero, 1

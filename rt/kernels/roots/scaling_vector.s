@@ -1,25 +1,26 @@
-; scaling_vector.s - polynomials whose coefficients are of any size, made fit
-; for the root solver.
+; scaling_vector.s - scales polynomials with coefficients of any size for the
+; root solver.
 ;
 ; With t = 2^k x and a common factor the coefficients become
 ;
 ;   d_i = c_i 2^(k i - s),     k = floor((e_0 - e_p) / p),  s = e_p + k p
 ;
-; where p is the degree and e_i the exponent of c_i: the first and the last are
-; of one size, d_p in [1, 2) and d_0 in [1, 16).  Only exponents are changed,
-; nothing is lost.  With 2^M the size of the largest, all roots lie in
+; where p is the degree and e_i the exponent of c_i.  The first and the last
+; coefficient get one size, d_p in [1, 2) and d_0 in [1, 16).  Only exponents
+; change, so nothing is lost.  With 2^M the size of the largest, all roots are
+; in
 ;
 ;   2^-(M+2) < |x| < 2^(M+2)        (Cauchy)
 ;
-; A trailing zero is a root at 0; it is taken out first, with all of its kind,
-; by moving the coefficients down.  What is 2^20000 times below d_p is 0.
-; Where M > 6900 or a root might lie beyond the machine's numbers the polynomial
-; is refused.
+; A trailing zero is a root at 0.  All of them are removed first, by moving the
+; coefficients down.  A coefficient less than 2^-20000 d_p becomes 0.  A
+; polynomial is rejected if M > 6900 or if a root might exceed the machine's
+; range.
 ;
 ; In:  the planes at c4 .. c0 and bound.
 ; Out: [d4] .. [d0], [x_low] = the bound / 2^k, [size] = 2^k, [far] = 2^(M+2),
 ;      [near] = 2^-(M+2); bits: at_zero (0 is a root above the bound), refused.
-; Uses e0-e4, top, degree, k, t0-t2, bits0.
+; Changes e0-e4, top, degree, k, t0-t2, bits0.
 
         .macro  move_down
         CMPEQV  [d0], r0, [bits0]
@@ -43,7 +44,7 @@
         VTOV    \power, [degree] ? [\present]
         .endm
 
-; e := the new exponent, counted from that of d_p.
+; e := the new exponent, relative to that of d_p.
         .macro  shift_exponent e, present, power
         LINKV
         MPYSV   [k], \power, [t0]
@@ -54,7 +55,7 @@
         VTOV    [\e], [largest] ? [bits0]
         .endm
 
-; The word with the exponent e - 46, a number, and the coefficient of d.
+; Makes the word with the exponent e - 46, a number, and the coefficient of d.
         .macro  pack_exponent e, d, into
         SUBNV   [\e], forty_six, [t0]
         FLRV    [t0], [t0]
@@ -130,7 +131,7 @@ scaling_moved:
         SUBNV   r0, [t1], [t1]
         pack_exponent t1, unit, near
 
-; The bound: its exponent less k, within what there is.
+; Scales the bound: its exponent minus k, clamped to the machine's range.
         EXPV    [bound], [t1]
         ADDNV   [t1], r0, [t1]
         SUBNV   [t1], [k], [t1]

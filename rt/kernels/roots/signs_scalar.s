@@ -1,11 +1,12 @@
-; signs_scalar.s - all roots of one polynomial, by changes of sign alone; parts
-; of quartic_scalar.s.  Method as in signs_vector.s.
+; signs_scalar.s - computes all roots of one polynomial by changes of sign
+; alone.  These macros are a part of quartic_scalar.s.  The method is that of
+; signs_vector.s.
 
         .share  local
-        .reg    q_last, r78             ; root; nothing touches here
+        .reg    q_last, r78             ; previous root; replaces q_knot_touch
         .endshare
 
-; The root of f between knot and next, if there is one; knot := next.
+; Computes the root of f between knot and next, if there is one; knot := next.
         .macro  search_value_signs
         CFPEQ   q_next, q_knot, search_none\@
         quartic_value q_next, q_next_f
@@ -23,7 +24,7 @@ search_move\@:
 search_none\@:
         .endm
 
-; That of f' between left and right, if there is one, is the next knot.
+; The root of f' between left and right, if there is one, is the next knot.
         .macro  search_slope_signs right
         cubic_value \right, q_right_slope
         same_sign q_left_slope, q_right_slope, search_flat\@

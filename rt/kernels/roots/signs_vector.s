@@ -1,22 +1,22 @@
-; signs_vector.s - all roots of many polynomials, by changes of sign alone;
-; parts of quartic_vector.s.
+; signs_vector.s - computes all roots of many polynomials by changes of sign
+; alone.  These macros are a part of quartic_vector.s.
 ;
-; A solid needs all its crossings with a ray, and they must pair up.  So
-; nothing counts as 0 here but 0, which is +: there is a root where the signs
-; of f differ at two successive ones of
+; A solid needs all its crossings with a ray, and they must come in pairs.  So
+; only 0 counts as 0, and it is positive.  There is a root exactly where the
+; signs of f differ at two successive points among
 ;
 ;   low, the knots, high
 ;
-; and no other.  The value at a knot is the same for what comes before it and
-; what comes behind, whatever its last places are; so the number of roots is
-; even exactly if the signs at low and high agree.  A tangent has two roots or
-; none.  Two knots nearer to each other than they are found may be out of order
-; and so may be the roots beside them; a root is made no less than the one
-; before.
+; The value at a knot is the same for the interval before it and the one after
+; it, however inaccurate its last places are.  So the number of roots is even
+; exactly if the signs at low and high agree.  A tangent has two roots or none.
+; Two knots that are closer than their accuracy may be out of order, and so may
+; the roots next to them; therefore a root is not allowed to be smaller than the
+; previous one.
 ;
 ; Source: the project's notes on ray tracing, 0 and 3.1.
 
-; The roots of f between knot and next.
+; Computes the roots of f between knot and next.
         .macro  search_value_signs
         quartic_polynomial q_next, q_next_f, q_c4, q_c3, q_c2, q_c1, q_c0
         signs_differ q_knot_f, q_next_f, q_need
@@ -31,7 +31,7 @@ search_move\@:
         exchange q_next_f, q_knot_f
         .endm
 
-; Those of f' between left and right are the next knots.
+; The roots of f' between left and right are the next knots.
         .macro  search_slope_signs right
         cubic_polynomial \right, q_right_slope, q_s3, q_s2, q_s1, q_c1
         signs_differ q_left_slope, q_right_slope, q_need
