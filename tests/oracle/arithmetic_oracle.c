@@ -1,10 +1,10 @@
+/* arithmetic_oracle.c - the rules of docs/arithmetic.md, computed with GMP and MPFR. */
 #include "arithmetic_oracle.h"
 
 #include <assert.h>
 #include <gmp.h>
 
-/* GMP's short operands are longs; these tests want a host where a word is
- * one. */
+/* GMP's short operands are longs; the oracle needs a host whose long has 64 bits. */
 typedef char long_holds_a_word[sizeof(long) == sizeof(c205_word) ? 1 : -1];
 
 const struct oracle_format oracle_full = { 64, 47, -28672, 28671 };
@@ -21,7 +21,7 @@ struct number {
     mpz_t coefficient;
 };
 
-/* The operands and one long register, used again by every rule. */
+/* The operands and one long register, which every rule uses again. */
 static struct number left, right;
 static mpz_t wide, aligned, complement;
 static mpfr_t left_value, right_value, radicand, root;
@@ -41,7 +41,7 @@ void oracle_end(void)
     mpfr_free_cache();
 }
 
-/* The first bits, a two's complement number. */
+/* Returns the first bits as a two's complement number. */
 static long first_bits(c205_word word, long bits)
 {
     long number = (long)(word >> (64 - bits));
@@ -85,13 +85,13 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
     return C205_INDEFINITE;
 }
 
-/* What a special operand gives, where it is not kept. */
+/* Returns the result for a special operand that is not copied. */
 static c205_word plain(enum kind kind, uint64_t *flags)
 {
     return kind == INDEFINITE ? indefinite(0, flags) : machine_zero(flags);
 }
 
-/* A special operand that is its own result. */
+/* Returns a special operand unchanged, as its own result. */
 static c205_word kept(c205_word word, enum kind kind, uint64_t *flags)
 {
     if (kind == MACHINE_ZERO)
@@ -101,7 +101,7 @@ static c205_word kept(c205_word word, enum kind kind, uint64_t *flags)
     return word;
 }
 
-/* The least n with -2^n <= c < 2^n. */
+/* Returns the smallest n with -2^n <= c < 2^n. */
 static long significant_bits(const mpz_t c)
 {
     if (mpz_sgn(c) == 0 || mpz_cmp_si(c, -1) == 0)
@@ -112,7 +112,7 @@ static long significant_bits(const mpz_t c)
     return (long)mpz_sizeinbase(complement, 2);
 }
 
-/* The word of a coefficient that fits, by the range rule. */
+/* Returns the word of a coefficient that fits, by the range rule. */
 static c205_word make(const struct oracle_format *format, const mpz_t coefficient,
                       long exponent, uint64_t *flags)
 {
@@ -127,7 +127,7 @@ static c205_word make(const struct oracle_format *format, const mpz_t coefficien
     return ((c205_word)exponent * end + c) << (64 - format->width);
 }
 
-/* floor(c / 2^k), k of either sign. */
+/* Sets c to floor(c / 2^k), for k of either sign. */
 static void scale_down(mpz_t c, long k)
 {
     if (k >= 0)
@@ -136,7 +136,8 @@ static void scale_down(mpz_t c, long k)
         mpz_mul_2exp(c, c, (mp_bitcnt_t)-k);
 }
 
-/* The one rule of coefficients that are one bit too long. */
+/* Shortens a coefficient that is one bit too long; returns its exponent.  All rules use
+ * this. */
 static long shorten(const struct oracle_format *format, mpz_t c, long exponent)
 {
     if (significant_bits(c) <= format->digits)
@@ -145,7 +146,7 @@ static long shorten(const struct oracle_format *format, mpz_t c, long exponent)
     return exponent + 1;
 }
 
-/* wide x 2^exponent with the given number of significant bits. */
+/* Returns the word of wide * 2^exponent with the given number of significant bits. */
 static c205_word make_significant(const struct oracle_format *format, long bits,
                                   long exponent, uint64_t *flags)
 {
@@ -167,8 +168,8 @@ static long less_significant_operand(void)
 
 enum form { UPPER, LOWER, NORMALISED };
 
-/* To the place of the larger exponent, in the low part of the register
- * whatever falls below, the rest lost. */
+/* Shifts a coefficient to the place of the larger exponent.  Bits that fall below it
+ * are kept in the low part of the register; the rest is lost. */
 static void align(mpz_t place, const struct oracle_format *format,
                   const struct number *number, long exponent)
 {
@@ -176,15 +177,15 @@ static void align(mpz_t place, const struct oracle_format *format,
     scale_down(place, exponent - number->exponent);
 }
 
-/* A machine zero has the smallest exponent, and the coefficient 0. */
+/* A machine zero counts as a number with the smaller exponent and the coefficient 0. */
 static void weaken(struct number *number, long exponent)
 {
     number->exponent = exponent;
     mpz_set_si(number->coefficient, 0);
 }
 
-/* The sum or difference in the register of twice the digits and a sign;
- * gives its exponent. */
+/* Computes the sum or difference in a register of twice the digits and a sign.  Returns
+ * its exponent. */
 static long add_aligned(const struct oracle_format *format, bool subtract)
 {
     if (left.kind == MACHINE_ZERO)
@@ -268,7 +269,8 @@ ORACLE_RULE(average_difference)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-/* False: the result is special, and in *word. */
+/* Computes the product in wide.  Returns false if the result is special, and then sets
+ * *word. */
 static bool multiply(const struct oracle_format *format, c205_word a, c205_word b,
                      c205_word *word, uint64_t *flags)
 {
@@ -314,7 +316,8 @@ ORACLE_RULE(multiply_significant)
 
 /* ---- Divide ------------------------------------------------------------- */
 
-/* False: the result is special, and in *word. */
+/* Computes the quotient in wide.  Returns false if the result is special, and then sets
+ * *word. */
 static bool divide(const struct oracle_format *format, c205_word a, c205_word b,
                    c205_word *word, uint64_t *flags)
 {
@@ -374,7 +377,7 @@ ORACLE_RULE(square_root)
     long exponent = left.exponent - places;
     long odd = (exponent - format->digits) % 2 != 0;
     long k = format->digits - odd;
-    /* The root has as many digits, so that rounding it down is floor. */
+    /* The root has this many digits, so rounding it down gives the floor. */
     mpfr_set_prec(root, format->digits);
     mpfr_set_z_2exp(radicand, left.coefficient, k, MPFR_RNDD);
     mpfr_sqrt(root, radicand, MPFR_RNDD);
@@ -407,8 +410,8 @@ INTEGER_PART(truncate, mpz_tdiv_q_2exp)
 INTEGER_PART(floor, mpz_fdiv_q_2exp)
 INTEGER_PART(ceiling, mpz_cdiv_q_2exp)
 
-/* Of a special word too: the range rule makes the plain special of it, but
- * no exponent overflow where there was no number. */
+/* Special words are negated too.  The range rule returns their plain special result,
+ * but an operand that is no number causes no exponent overflow. */
 ORACLE_RULE(negate)
 {
     take(&left, format, a);
@@ -443,8 +446,8 @@ ORACLE_RULE(exponent)
 
 /* ---- Adjust ------------------------------------------------------------- */
 
-/* A number shifted left, one place after the other, as far as it may be and
- * is wanted; limit: how far at most. */
+/* Shifts the coefficient left by up to wanted places and at most limit places, one at a
+ * time, while it fits.  Returns the number of places. */
 static long shift_left(const struct oracle_format *format, long wanted, long limit)
 {
     long places = 0;
@@ -456,7 +459,7 @@ static long shift_left(const struct oracle_format *format, long wanted, long lim
     return places;
 }
 
-/* More than the digits of any format: past them only the sign is left. */
+/* No format has more than 100 digits, so only the sign is left after 100 places. */
 static void shift_right(long places)
 {
     scale_down(left.coefficient, places > 100 ? 100 : places);
@@ -492,7 +495,7 @@ ORACLE_RULE(adjust_exponent)
 
 /* ---- Between the sizes -------------------------------------------------- */
 
-/* Adds what makes the cut that follows a rounding, or 0. */
+/* Cuts to a half word.  The addend turns the cut into a rounding; 0 leaves a cut. */
 static c205_word contract(c205_word a, unsigned long addend, uint64_t *flags)
 {
     long places = oracle_full.digits - oracle_half.digits;
@@ -538,7 +541,7 @@ void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word wo
         mpfr_set_z_2exp(value, left.coefficient, left.exponent, MPFR_RNDD);
 }
 
-/* MPFR's predicates hold for no NaN, as the machine's for no indefinite. */
+/* MPFR's predicates are false for NaN, as the machine's are for indefinite. */
 #define COMPARISON(name, holds) \
     ORACLE_RULE(name) \
     { \

@@ -1,14 +1,14 @@
-/* bits_oracle.c - the operations that know words as rows of bits: shift,
- * the logical ones, pack, the sums of indices. */
+/* bits_oracle.c - the rules of operations on words as rows of bits: shift, logical
+ * operations, pack, sums of indices. */
 #include "arithmetic_oracle.h"
 
-/* Bit i of a word, counted from the left. */
+/* Returns bit i of a word, counted from the left. */
 static c205_word bit(c205_word word, long i)
 {
     return word >> (63 - i) & 1;
 }
 
-/* The exponent field of one word, the coefficient field of another. */
+/* Joins the exponent field of one word and the coefficient field of another. */
 static c205_word join(const struct oracle_format *format, c205_word high, c205_word low)
 {
     long middle = format->width - format->digits - 1;
@@ -20,7 +20,7 @@ static c205_word join(const struct oracle_format *format, c205_word high, c205_w
     return word;
 }
 
-/* The low bits of a number as a word of the format. */
+/* Moves the low bits of a number to the left bits of a word of the format. */
 static c205_word justified(const struct oracle_format *format, c205_word number)
 {
     return number << (64 - format->width);
@@ -49,7 +49,7 @@ ORACLE_RULE(subtract_index)
                 justified(format, as_number(format, a) - as_number(format, b)));
 }
 
-/* The coefficient field as an integer: its first bit counts negative. */
+/* Returns the coefficient field as an integer; its first bit is negative. */
 static long as_integer(const struct oracle_format *format, c205_word word)
 {
     long first = format->width - format->digits - 1;
@@ -73,7 +73,7 @@ ORACLE_RULE(shift)
     return justified(format, shifted);
 }
 
-/* One bit of the result from one bit of a and one of b: truth[a][b]. */
+/* Computes each bit of the result as truth[a][b], from one bit of a and one of b. */
 static c205_word bitwise(const struct oracle_format *format, c205_word a, c205_word b,
                          const unsigned truth[2][2])
 {

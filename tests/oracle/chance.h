@@ -1,4 +1,4 @@
-/* chance.h - what random scenes are drawn with; the state is never 0. */
+/* chance.h - random numbers for scenes and programs; the state is never 0. */
 #ifndef CHANCE_H
 #define CHANCE_H
 
@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* 0 .. count - 1. */
+/* Returns 0 .. count - 1. */
 static inline size_t below(uint64_t *state, size_t count)
 {
     return (size_t)((xorshift(state) >> 16) % count);
@@ -24,14 +24,15 @@ static inline double between(uint64_t *state, double low, double high)
     return xorshift_real(state, low, high);
 }
 
-/* As many between 1 and 2 as between 100 and 200. */
+/* Returns a number with a uniform logarithm: 1 .. 2 is as likely as 100 .. 200. */
 static inline double of_any_size(uint64_t *state, double low, double high)
 {
     return exp(between(state, log(low), log(high)));
 }
 
-/* Another stream: what the first one continues to draw does not depend on it.  Several from one
- * state have other numbers, the first odd. */
+/* Returns the state of a second stream.  The numbers of the first stream do not depend
+ * on it.  Several streams from one state have different multipliers, the first one
+ * odd. */
 static inline uint64_t stream_beside(uint64_t state, uint64_t times, uint64_t more)
 {
     uint64_t other = state * times + more;

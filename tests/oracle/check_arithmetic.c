@@ -1,10 +1,10 @@
-/* check_arithmetic - the machine's arithmetic against the oracle's.
+/* check_arithmetic.c - compares the machine's arithmetic with the oracle's.
  *
  *     check_arithmetic [--seed N] [--operation NAME] [cases]
  *
- * Each operation meets the same operands three times: as arith.h has it one
- * pair at a time, as lanes.h has it over spans, and as the oracle has it.
- * Words and flags must agree.  The first that do not are shown.
+ * Each operation is computed three times for the same random operands: by arith.h one
+ * pair at a time, by lanes.h over spans, and by the oracle.  The test fails if a word
+ * or a flag differs; it prints the first case that does.
  */
 #include "arithmetic_oracle.h"
 #include "check_conversions.h"
@@ -20,7 +20,7 @@
 
 /* ---- One operation ------------------------------------------------------ */
 
-/* Flags are only ever added to: this one, which no operation sets, stays. */
+/* Operations only set flags.  No operation sets this one, so it must remain. */
 #define EARLIER_FLAG UINT64_C(1)
 
 struct outcome {
@@ -57,7 +57,7 @@ static void show_mismatch(const char *room, const char *name, c205_word a, c205_
     printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word, got.flags);
 }
 
-/* Operands and results of one span; c has one word more, which stays. */
+/* Operands and results of one span. c has one more word, which must not change. */
 struct span {
     size_t n;
     c205_word a[SPAN], b[SPAN], c[SPAN + 1];
@@ -81,7 +81,7 @@ static bool check_scalars(const struct operation *operation, struct span *span)
     return true;
 }
 
-/* The words as computed; of the flags, the union alone is known. */
+/* Compares the words of a span, and the union of its flags. */
 static bool check_span(const struct operation *operation, struct span *span)
 {
     c205_word guard = UINT64_C(0x0123456789ABCDEF);
@@ -107,7 +107,7 @@ static bool check_span(const struct operation *operation, struct span *span)
     return false;
 }
 
-/* Short spans show a flag that is wrong, long ones the vectorised loops. */
+/* Short spans show a wrong flag, long ones test the vectorised loops. */
 static size_t span_length(uint64_t *random)
 {
     int64_t longest = random_bits(random) % 2 == 0 ? 9 : SPAN;

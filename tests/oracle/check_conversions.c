@@ -1,3 +1,5 @@
+/* check_conversions.c - compares conversions of random doubles, integers and texts with
+ * MPFR.  A conversion fails if a word, a text or the end of a parsed number differs. */
 #include "check_conversions.h"
 #include "arithmetic_oracle.h"
 #include "operands.h"
@@ -42,8 +44,8 @@ static double double_of_bits(uint64_t bits)
     return value;
 }
 
-/* About as large as what a full word and a double have in common, or as the
- * largest and smallest half words: 2^134, 2^-90. */
+/* Returns a power of the range that full words and doubles share, or one near the
+ * largest and smallest half words, 2^134 and 2^-90. */
 static int64_t usual_power(uint64_t *random)
 {
     static const int64_t ends[] = { 134, -90 };
@@ -52,7 +54,8 @@ static int64_t usual_power(uint64_t *random)
                                         : random_between(random, -60, 60);
 }
 
-/* Any double; every other one of usual size, every third with few bits. */
+/* Returns a random double; every second one of common size, every third with few
+ * bits. */
 static double random_double(uint64_t *random)
 {
     uint64_t choice = random_bits(random);
@@ -79,7 +82,7 @@ static bool from_double_agrees(const struct converters *as, uint64_t *random)
     return same_word(what, expected, as->from_double(value));
 }
 
-/* Words around the range of a double and far from it. */
+/* Returns a word near the range of a double or far from it. */
 static c205_word word_near_doubles(const struct oracle_format *format, uint64_t *random)
 {
     long bits = format->width - format->digits - 1;
@@ -145,8 +148,8 @@ static const char *chosen(uint64_t *random, const char *const *texts, size_t cou
 
 #define CHOSEN(random, texts) chosen(random, texts, sizeof texts / sizeof texts[0])
 
-/* Decimal digits of 0.DDD x 10^*exponent: those of some word, cut or exact
- * or one unit up, or any. */
+/* Makes the decimal digits of 0.DDD * 10^*exponent: those of a random word, rounded
+ * down or up, or random ones. */
 static void random_digits(const struct converters *as, uint64_t *random,
                           char digits[DIGITS + 2], long *exponent)
 {
@@ -166,8 +169,8 @@ static void random_digits(const struct converters *as, uint64_t *random,
     *exponent = point;
 }
 
-/* Sign, digits with a point somewhere, the exponent if there need be one,
- * and what is no part of the number. */
+/* Makes a text: sign, digits with a point at a random place, the exponent if needed,
+ * and characters that do not belong to the number. */
 static void random_text(const struct converters *as, uint64_t *random, char text[TEXT])
 {
     static const char *const signs[] = { "", "", "+", "-", "-" };
@@ -203,7 +206,7 @@ static void odd_text(const struct converters *as, uint64_t *random, char text[TE
         "140737488355327", "140737488355328", "-140737488355328", "-140737488355329",
         "140737488355328.99999999999999999999999999",
         "-140737488355328.00000000000000000000000000000000000000000000001",
-        /* the ends of the half words */
+        /* the limits of half words */
         "8388607", "8388608", "-8388608", "-8388609", "8388608.99999999", "21778069e33",
         "21778071e33", "21778072e33", "-21778071e33", "-21778072e33", "8e-28",
         "8077e-31", "8078e-31", "-8e-28"
@@ -232,7 +235,7 @@ static bool from_text_agrees(const struct converters *as, uint64_t *random)
 
 /* ---- Words to text ------------------------------------------------------ */
 
-/* The digits of a number without zeros at its ends. */
+/* Returns the number of digits without zeros at the ends. */
 static size_t significant_digits(const char *text)
 {
     size_t digits = 0, zeros = 0;
@@ -247,9 +250,9 @@ static size_t significant_digits(const char *text)
     return digits;
 }
 
-/* The texts that read back as value are of [value, the next above), since
- * reading is cutting; so the first of n digits that is not below it is the
- * one to try. */
+/* Reading cuts, so the texts that read back as value are those in [value, the next
+ * word).  Therefore only the smallest number of n digits that is not below value is
+ * tested. */
 static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
                             size_t digits)
 {
@@ -269,7 +272,7 @@ static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
     return same;
 }
 
-/* Read by MPFR and by the machine, as far as its range goes. */
+/* Reads the text by MPFR and, within its range, by the machine. */
 static bool reads_back(const struct converters *as, const mpfr_t value,
                        const char *text)
 {

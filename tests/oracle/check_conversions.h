@@ -1,5 +1,5 @@
-/* check_conversions.h - words of both sizes from and to doubles, integers
- * and text. */
+/* check_conversions.h - tests of conversions between words of both sizes and doubles,
+ * integers and text. */
 #ifndef CHECK_CONVERSIONS_H
 #define CHECK_CONVERSIONS_H
 
@@ -17,7 +17,7 @@ struct converters {
 struct conversion {
     const char *name;
     const struct converters *converters;
-    /* One random case; prints what differs. */
+    /* Tests one random case and prints the difference. */
     bool (*agrees)(const struct converters *converters, uint64_t *random);
 };
 

@@ -1,16 +1,20 @@
-/* check_faces.c - solids with faces that coincide, in every form.
+/* check_faces.c - compares all forms of the tracer on solids whose faces coincide.
  *
  *     check_faces [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (grid_scene.h), or every OF-th from the one of the
- * number SHARE on: in scalar form, in vector form and in the way of 1984, with
- * several queues, both ways to what is seen of a solid, with and without
- * bounding spheres.  All give one frame, bit for bit.  Parts in another order
- * are as far away, bit for bit, or, where faces of two regions may coincide, nearly: order
- * decides which of the two is seen, and nothing else.  Where the eye looks aslant, the plain tracer sees
- * the same things as far away.  A scene that fails is made smaller as long as it
- * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
- * even that.  Exit code 1: some failed.
+ * Traces random scenes (grid_scene.h), or every OF-th of them from number SHARE on: in
+ * scalar form, in vector form and in the form of 1984, with several queue lengths, with
+ * both methods for the visible surface of solids, with and without bounding spheres.
+ * The test fails unless all frames are equal bit for bit.
+ *
+ * It also fails if parts in another order change a depth.  Depths must be equal bit for
+ * bit, or nearly equal if faces of two regions may coincide, because then the order
+ * decides which of them is visible.  If the camera looks at faces obliquely, the plain
+ * tracer must see the same objects at the same depths.
+ *
+ * A failing scene is reduced while it fails, printed, and written to faces_N.pov.  With
+ * --first the test stops at the first failure without reducing it.  Exit status 1: a
+ * scene failed.
  */
 #include "rt/platform/threads.h"
 #include "rt/layout/bumps.h"
@@ -61,7 +65,7 @@ static bool has_quadratic_prisms(const struct scene *scene)
     return has_kind(scene, PRIMITIVE_QUADRATIC_PRISM);
 }
 
-/* What of a scene its program has to know; a text that has it. */
+/* A feature of a scene that needs code in the program, and a text that has it. */
 static const struct feature {
     bool (*is_in)(const struct scene *scene);
     const char *text;
@@ -77,15 +81,15 @@ static const struct feature {
 };
 enum { FEATURES = sizeof features / sizeof *features, FEATURE_SETS = 1 << FEATURES };
 
-/* Each is compared with the first. */
+/* The forms; each is compared with the first one. */
 static struct form {
     enum trace_mode mode;
     size_t queue;
     enum bounding bounding;
     enum visible visible;
     bool tiles;
-    struct trace *trace[FEATURE_SETS]; /* that have its programs */
-    struct band_tracer tracer;         /* .. and its machine */
+    struct trace *trace[FEATURE_SETS]; /* programs for each set of features */
+    struct band_tracer tracer;         /* contains their machine */
 } forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .bounding = BOUNDING_FLAT },
@@ -109,7 +113,7 @@ enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
 static c205_model *model;
 
-/* A bit for each. */
+/* Returns a bit for each feature of the scene. */
 static size_t features_of(const struct scene *scene)
 {
     size_t set = 0;
@@ -118,7 +122,7 @@ static size_t features_of(const struct scene *scene)
     return set;
 }
 
-/* A program is assembled once for all scenes with the same features. */
+/* Assembles a program once for all scenes with the same features. */
 static struct trace *assemble(const struct form *form, size_t set)
 {
     char text[50 * FEATURES] = "";
@@ -224,7 +228,8 @@ static bool same_in_all_forms(const struct scene *scene, const c205_word *expect
     return true;
 }
 
-/* Of two faces in one place the later is seen: they are not as far away to the bit. */
+/* Compares depths with a tolerance: of two coincident faces the later one is visible,
+ * and their depths may differ in the last bits. */
 static size_t first_apart(const c205_word *depth, const c205_word *expected)
 {
     size_t i = 0;
@@ -261,7 +266,7 @@ static bool same_in_any_order(const struct random_scene *grid,
     return other == PIXELS;
 }
 
-/* Of opaque regions the nearer is seen: where two of them touch a rounding decides. */
+/* Where two opaque regions touch, rounding decides which is nearer and thus visible. */
 static bool in_one_region(const struct scene *scene, size_t id, size_t other)
 {
     for (size_t i = 0; i < scene->region_count; i++) {
@@ -292,7 +297,7 @@ static bool same_sight(const struct scene *scene, const struct frame *plain,
                    && !in_one_region(scene, id, other)));
 }
 
-/* Edges and outlines are left to the roundings. */
+/* Allows 1 % of different pixels: rounding decides at edges and outlines. */
 static bool same_as_plain(const struct scene *scene, const c205_word *expected,
                           char *reason)
 {

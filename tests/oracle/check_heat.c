@@ -1,14 +1,15 @@
-/* check_heat.c - factors of random scenes, found in two ways that have nothing in common
- * but the crossings of lines.
+/* check_heat.c - compares view factors of random scenes, computed by two independent
+ * methods.
  *
  *     check_heat [SCENES [OF SHARE]] [--first]
  *
- * A few solids (placed_solid.h) radiate in one another's sight.  Rays from points of their
- * surfaces and lines through all of the scene find the same areas and the same factors, but
- * for errors that both tell; by lines reciprocity is exact, by rays rows add up to 1.  The
- * other stages, with another queue, find the same as the vector form, bit for bit, and so do
- * smoothed factors, whose rows add up to 1 and which have reciprocity.  A scene that fails is
- * printed, and written to heat_N.pov.
+ * A few solids (placed_solid.h) exchange radiation.  Rays from points of their surfaces
+ * and lines through the whole scene must give the same areas and factors, within the
+ * errors that both report.  By lines reciprocity is exact; by rays the rows sum to 1.
+ * The other modes, with another queue length, must equal the vector form bit for bit.
+ * The rows of smoothed factors must sum to 1, and smoothed factors must be reciprocal.
+ * The test fails if one of these rules does not hold; the scene is then printed and
+ * written to heat_N.pov.
  */
 #include "rt/heat/heat.h"
 #include "rt/heat/source.h"
@@ -23,7 +24,7 @@
 enum { REPEATS = 16, SIGMAS = 8 };
 
 static c205_model *model;
-static size_t pair_count; /* factors that both ways found */
+static size_t pair_count; /* factors that both methods computed */
 
 static struct heat_request usual(void)
 {
@@ -39,7 +40,8 @@ static struct heat_request usual(void)
 
 /* --- scenes ------------------------------------------------------------------- */
 
-/* What has no inside is seen from both sides by lines, and radiates from one by rays. */
+/* Lines see a surface without an inside from both sides; rays leave it from one side
+ * only. */
 static bool is_closed(const char *text)
 {
     static const char *const words[] = {
@@ -51,7 +53,7 @@ static bool is_closed(const char *text)
     return !strstr(text, "mesh") || strstr(text, "inside_vector");
 }
 
-/* The words of a solid, which the caller frees. */
+/* Returns the text of a solid; the caller frees it. */
 static char *closed_solid(uint64_t *state, const struct place *place)
 {
     for (;;) {
@@ -93,8 +95,8 @@ static bool differs(double a, double a_error, double b, double b_error, double l
     return !(fabs(a - b) <= SIGMAS * hypot(a_error, b_error) + least);
 }
 
-/* Of few rays the spread of repeats may be none: one that went elsewhere is counted as
- * possible. */
+/* With few rays the spread of the repeats may be 0.  One ray with another target is
+ * counted as possible. */
 static double error_of(const struct surface *surface, size_t to)
 {
     return hypot(surface->factor[to].error, 1 / (double)surface->sent);
@@ -125,7 +127,7 @@ static bool same_factors(const struct heat *rays, const struct heat *lines, size
 static bool same_areas(const struct surface *one, const struct surface *other,
                        double largest, char *reason)
 {
-    double single = largest / (double)(1 + other->sent); /* of a line */
+    double single = largest / (double)(1 + other->sent); /* the area of one line */
     if (!differs(one->area.value, one->area.error, other->area.value,
                  hypot(other->area.error, single), 1e-4 * largest))
         return true;
@@ -172,7 +174,7 @@ static bool find(const struct scene *scene, const struct heat_request *request,
     return heat_begin(scene, request, heat, error) && heat_find(heat, error);
 }
 
-/* Another stage, queue and number of jobs, of fewer points. */
+/* Compares another mode, queue length and number of jobs, with fewer points. */
 static bool same_stages(const struct scene *scene, struct heat_request request,
                         uint64_t *state, char *reason)
 {

@@ -1,27 +1,26 @@
-/* check_language_scenes.c - scene random texts, in every form and beside
- * POV-Ray.
+/* check_language_scenes.c - compares the pictures of random scene texts with POV-Ray's.
  *
  *     check_language_scenes [SCENES [OF SHARE]] [--first]
  *
- * Draws scene texts (language_scene.h), or every OF-th from the one of the number
- * SHARE on.  Each is read without an error or a report, by POV-Ray, too.  The
- * three stages, by rows and by tiles, with queues of random lengths, in one
- * job and in two, give one frame, bit for bit.  That frame is POV-Ray's picture:
- * a pixel is another one if a channel differs by more than .02 of white, as in
- * check_sample, and no more than one pixel in a thousand may be so.
+ * Generates scene texts (language_scene.h), or every OF-th of them from number SHARE
+ * on.  The test fails if rt205 or POV-Ray reports an error or a warning for a text.
+ * The three modes, by rows and by tiles, with random queue lengths, in one job and in
+ * two, must give the same frame bit for bit.  That frame must equal POV-Ray's picture:
+ * a pixel differs if a channel differs by more than .02 of white, as in check_sample,
+ * and at most one pixel in a thousand may differ.
  *
- * Which side of an edge a pixel shows may hang on a rounding.  So another pixel
- * is forgiven if POV-Ray itself shows another one there when the camera is
- * moved a hundredth of a pixel to one of four sides.  What is moved is the
- * camera as rt205 has read it, and the picture is compared with POV-Ray's by
- * that same camera where it stood: a camera that is read wrongly forgives
- * nothing.  Of a picture at most one pixel in fifty is forgiven.
+ * Rounding can decide which side of an edge a pixel shows.  So a different pixel is
+ * excused if POV-Ray's own picture changes there when the camera is moved by a
+ * hundredth of a pixel to one of four sides.  The moved camera is the one that rt205
+ * has read, and its picture is compared with POV-Ray's picture from that same camera
+ * before the move.  A camera that was read wrongly therefore excuses nothing.  At most
+ * one pixel in fifty is excused.
  *
- * A scene that fails is made smaller, line by line and block by block, as long as
- * it fails in the same way, printed with its seed, and written to
- * language_N.pov; so are the first three of a run, as it takes some minutes.  After
- * --first nothing more is done, not even that.  Exit code 1: some failed; 2:
- * POV-Ray is missing.
+ * A failing scene is reduced, line by line and block by block, while it fails in the
+ * same way; it is printed with its seed and written to language_N.pov.  Only the first
+ * three of a run are reduced, because this takes minutes.  With --first the test stops
+ * at the first failure without reducing it.  Exit status 1: a scene failed; 2:  POV-Ray
+ * is missing.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -46,26 +45,25 @@ enum {
     PIXELS = WIDTH * HEIGHT,
     MAX_OTHERS = PIXELS / 1000,
     MAX_FORGIVEN = PIXELS / 50,
-    AHEAD = 8,        /* runs of POV-Ray that are begun */
-    MAX_TRIALS = 400, /* to make a scene smaller */
-    MAX_SMALLER = 3,  /* scenes that are made so */
+    AHEAD = 8,        /* runs of POV-Ray that are started early */
+    MAX_TRIALS = 400, /* trials to reduce a scene */
+    MAX_SMALLER = 3,  /* scenes that are reduced */
     REASON = 400,
     PATH = 80
 };
 #define TOLERANCE .02
-#define MOVED .01 /* of a pixel */
+#define MOVED .01 /* pixels */
 
 static c205_model *model;
 
-/* What is wrong with a scene: it remains the same as the scene becomes
- * smaller. */
+/* The kind of failure, which must not change while a scene is reduced. */
 enum fault { NO_FAULT, NOT_READ, NOT_BY_POVRAY, OTHER_FRAME, OTHER_PICTURE };
 
 struct judgement {
     enum fault fault;
-    char message[REASON]; /* of who has not read it, without places */
+    char message[REASON]; /* the error, without its position */
     char reason[REASON];
-    size_t pixel; /* that is another one */
+    size_t pixel; /* the pixel that differs most */
 };
 
 static bool blame(struct judgement *judgement, enum fault fault, const char *message)
@@ -99,7 +97,7 @@ static struct scene *read_text(const char *text, struct judgement *judgement)
 
 /* --- forms ---------------------------------------------------------------- */
 
-/* Each is compared with the first; queues are drawn. */
+/* The forms; each is compared with the first one.  Queue lengths are random. */
 static const struct trace_options forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_VECTOR, .order = ORDER_TILES, .jobs = 2 },
@@ -151,7 +149,7 @@ static bool same_in_all_forms(const struct scene *scene, const struct trace *exp
 
 /* --- POV-Ray -------------------------------------------------------------- */
 
-/* A run of POV-Ray, and the file that it reads. */
+/* A run of POV-Ray, and its input file. */
 struct sitting {
     char path[PATH];
     struct povray *run;
@@ -176,7 +174,7 @@ static bool end_sitting(struct sitting *sitting, struct frame *picture,
     return good;
 }
 
-/* With the camera, as it was read, moved by so much of a pixel. */
+/* Returns the text with the camera as it was read, moved by right and up pixels. */
 static char *text_seen_from(const char *text, const struct camera *camera, double right,
                             double up)
 {
@@ -208,7 +206,7 @@ static double shown(double sample)
     return fmin(1, fmax(0, sample));
 }
 
-/* A flag for each pixel that is another one; how many. */
+/* Flags the pixels that differ, and returns their number. */
 static size_t others(const struct frame *a, const struct frame *b, bool other[PIXELS],
                      double *greatest)
 {
@@ -230,7 +228,7 @@ static const double sides[SIDES][2] = {
     { 0, 0 }, { MOVED, 0 }, { -MOVED, 0 }, { 0, MOVED }, { 0, -MOVED }
 };
 
-/* Flags pixels that POV-Ray shows otherwise from one of the sides. */
+/* Flags the pixels at which POV-Ray's picture changes when the camera is moved. */
 static bool find_edges(const char *text, const struct camera *camera, size_t number,
                        bool edge[PIXELS])
 {
@@ -330,7 +328,7 @@ static void judge_scene(const char *text, const struct scene *scene, size_t numb
     trace_free(expected);
 }
 
-/* POV-Ray's run is begun. */
+/* Compares the scene with the picture of the run, which has been started. */
 static struct judgement judge(const char *text, size_t number, struct sitting *sitting)
 {
     struct judgement judgement = { .fault = NO_FAULT };
@@ -356,7 +354,7 @@ static struct judgement judge_anew(const char *text, size_t number)
 
 /* --- failures ------------------------------------------------------------- */
 
-/* POV-Ray's last words are of another place. */
+/* Messages of POV-Ray are not compared: their last words name a position. */
 static bool fails_alike(const struct judgement *judgement,
                         const struct judgement *other)
 {
@@ -390,7 +388,7 @@ static void show(const char *text, size_t number)
 
 /* --- the command ---------------------------------------------------------- */
 
-/* Scenes whose pictures POV-Ray has begun, by their numbers. */
+/* Scenes whose runs of POV-Ray have been started, by their numbers. */
 static struct waiting {
     size_t number;
     char *text; /* NULL: none */
@@ -432,7 +430,7 @@ static bool check_scene(size_t number, bool first)
     return judgement.fault == NO_FAULT;
 }
 
-/* Whole, for all that run at once here. */
+/* Writes the image atomically, because several processes may run here at once. */
 static void keep_image(void)
 {
     char path[PATH];

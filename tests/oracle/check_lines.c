@@ -1,15 +1,18 @@
-/* check_lines.c - all that is seen along lines, in every form.
+/* check_lines.c - compares all forms of the all-hits ray query on random scenes.
  *
  *     check_lines [SCENES [OF SHARE]] [--first]
  *
- * Follows lines through random scenes, or every OF-th from the one of the number
- * SHARE on: in turn such whose faces coincide (grid_scene.h) and such of many
- * regions (many_regions.h).  The scalar form and some random ways of the vector
- * form (queues, packets, bounds) find the same, bit for bit, which keeps the rules
- * (line_rules.h); in another order of parts it is as far away, bit for bit; where no
- * roundings decide, the plain tracer sees the same.  A scene that fails is made
- * smaller as long as it fails, line by line, printed, and written to lines_N.pov;
- * after --first nothing more is done, not even that.  Exit code 1: some failed.
+ * Follows lines through random scenes, or every OF-th of them from number SHARE on:
+ * alternately scenes with coincident faces (grid_scene.h) and scenes of many regions
+ * (many_regions.h).  The test fails unless the scalar form and some random
+ * configurations of the vector form (queues, packets, bounds) find the same hits bit
+ * for bit, and the hits obey the rules of line_rules.h.  Parts in another order must
+ * give the same distances bit for bit.  Where rounding does not decide, the plain
+ * tracer must find the same hits.
+ *
+ * A failing scene is reduced line by line while it fails, printed, and written to
+ * lines_N.pov.  With --first the test stops at the first failure without reducing it.
+ * Exit status 1: a scene failed.
  */
 #include "tests/oracle/chance.h"
 #include "tests/oracle/grid_scene.h"
@@ -54,8 +57,8 @@ static struct random_scene draw(uint64_t *state, size_t number)
     return number % 2 ? many_regions(state) : grid_scene(state);
 }
 
-/* What scenes are followed along: every other line of those on the grid is on it,
- * unless the plain tracer looks on. */
+/* Generates the lines for a scene.  In scenes on the grid every other line is on the
+ * grid, unless the plain tracer also follows the lines. */
 static void draw_lines(const struct random_scene *sight, const struct scene *scene,
                        struct scene_ray list[LINES])
 {

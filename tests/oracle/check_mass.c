@@ -1,14 +1,16 @@
-/* check_mass.c - the mass properties of random solids (placed_solid.h).
+/* check_mass.c - compares the mass properties of random solids with those of
+ * transformed copies and with counts of points.
  *
  *     check_mass [SCENES [OF SHARE]] [--first]
  *
- * Measures a solid, and the same one scaled, turned and moved at random: the volume is
- * times the determinant, the centroid goes where it should, and the second moments are
- * M S M^T times the determinant; where it is scaled alike in all directions the area
- * is times the square.  A plain count of points inside (plain_mass.h), in a box that is
- * larger, finds the same volume and centroid.  The scalar form and a vector form with
- * another queue find the same, bit for bit.  Solids without volume are refused in both
- * places.  A scene that fails is printed, and written to mass_N.pov.
+ * Measures a solid (placed_solid.h) and a copy that is scaled, rotated and moved at
+ * random.  The volume must be multiplied by the determinant, the centroid must be
+ * transformed, and the second moments must become M S M^T times the determinant.  With
+ * a uniform scale the area must be multiplied by its square.  A count of random points
+ * inside (plain_mass.h), in a larger box, must give the same volume and centroid.  The
+ * scalar form and a vector form with another queue length must be equal bit for bit.
+ * Solids without volume must be rejected in both places.  A failing scene is printed
+ * and written to mass_N.pov.
  */
 #include "tests/oracle/chance.h"
 #include "tests/oracle/many_scenes.h"
@@ -37,12 +39,12 @@ static struct columns_options usual(void)
 
 struct motion {
     double scale[3], turn[3], move[3];
-    bool alike;        /* in all directions */
-    double rows[3][3]; /* of the whole */
+    bool alike;        /* by the same factor on all axes */
+    double rows[3][3]; /* the combined matrix */
     double determinant;
 };
 
-/* Turns about x, then y, then z, left-handed as the language's. */
+/* Rotates about x, then y, then z, left-handed as in the scene language. */
 static void turn_rows(double rows[3][3], size_t axis, double degrees)
 {
     double angle = degrees * acos(-1) / 180;
@@ -95,7 +97,8 @@ struct comparing {
     bool good;
 };
 
-/* Two figures with their standard errors; scale: what roundings are beside. */
+/* Compares two figures with their standard errors; scale is the size to which rounding
+ * errors are relative. */
 static void compare(struct comparing *comparing, double a, double a_error, double b,
                     double b_error, double scale, const char *what)
 {
@@ -107,7 +110,8 @@ static void compare(struct comparing *comparing, double a, double a_error, doubl
     }
 }
 
-/* Second moments of the tensor about the centroid, and how large they are. */
+/* Computes the second moments from the inertia tensor about the centroid; returns their
+ * size. */
 static double second_moments(const double inertia[6], double second[3][3])
 {
     double half = (inertia[0] + inertia[1] + inertia[2]) / 2;
@@ -169,7 +173,7 @@ static bool same_moved(const struct measured *one, const struct measured *other,
     return comparing.good;
 }
 
-/* Points of a box that is a quarter larger. */
+/* Compares with random points of a box that is a quarter larger. */
 static bool same_plain(const char *text, const struct measured *measured,
                        uint64_t *state, char *reason)
 {
@@ -181,7 +185,7 @@ static bool same_plain(const char *text, const struct measured *measured,
     for (size_t i = 0; i < 3; i++)
         width[i] = 1.25 * measured->width[i];
     plain_mass(scene, measured->middle, width, state, value, error);
-    /* the sum is no integral where one object's bodies overlap: of that here is none */
+    /* The sum is not the integral if bodies of one object overlap; none do here. */
     compare(&comparing, volume, figures->error[FIGURE_VOLUME] / STUDENT, value[0],
             error[0], volume, "volume, and points inside");
     for (size_t i = 0; i < 3; i++)
@@ -227,8 +231,7 @@ static bool is_empty(const struct measured *measured, char *reason)
     return empty;
 }
 
-static struct motion
-    motion; /* of the scene beside its other one, which does not move */
+static struct motion motion; /* of the text; the other text is not transformed */
 
 static struct random_scene draw(uint64_t *state, size_t number)
 {

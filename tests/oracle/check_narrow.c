@@ -1,13 +1,13 @@
-/* check_narrow - the machine's rule for every pair of words of a narrow
- * format.
+/* check_narrow.c - compares the machine's rules with an oracle for all words of a
+ * narrow format.
  *
  *     check_narrow [--operation NAME] [some | all]
  *
- * vm/number/rule.h is one text for words of any format; here it is compiled for
- * words of 6 + 8 bits and meets every word, or every pair of them.  Without
- * "all" some exponents are left out, but no coefficient.  What is right is
- * said by narrow_oracle.c; that itself is compared with the oracle of the
- * larger formats first, on a sample.
+ * vm/number/rule.h is one text for words of any format.  Here it is compiled for words
+ * of 6 + 8 bits and computes every word, or every pair of them.  Without "all" some
+ * exponents are omitted, but no coefficient.  The test fails if a word or a flag
+ * differs from narrow_oracle.c, which is first compared with the oracle of the larger
+ * formats on a sample.
  */
 #include "arithmetic_oracle.h"
 #include "narrow_machine.h"
@@ -28,7 +28,7 @@ struct operation {
     small_rule *expected, *machine;
 };
 
-/* How the functions of the machine are called, by kind. */
+/* Adapters that call the machine's functions, by kind. */
 #define BINARY(name, ...) \
     static c205_word machine_##name(c205_word a, c205_word b, uint64_t *flags) \
     { \
@@ -83,8 +83,8 @@ static void every_word(struct words *words)
         add_words(words, e);
 }
 
-/* A machine zero, an indefinite, the ends of the range; alignments of less
- * than a coefficient, of one, of all there is. */
+/* Adds the words with these exponents: machine zero, indefinite, the ends of the range;
+ * alignments of less than a coefficient, of one, and of the whole range. */
 static void some_words(struct words *words)
 {
     static const int64_t exponents[] = {
@@ -105,7 +105,7 @@ static void some_words(struct words *words)
 
 /* ---- One operation ------------------------------------------------------ */
 
-/* Flags are only ever added to: this one, which no operation sets, stays. */
+/* Operations only set flags.  No operation sets this one, so it must remain. */
 #define EARLIER_FLAG UINT64_C(1)
 
 static void show(const char *which, c205_word word, uint64_t flags)
@@ -140,7 +140,7 @@ static bool check_operation(const struct operation *operation,
     return true;
 }
 
-/* The two oracles, over every word of the first operand. */
+/* Compares the two oracles, for every word as the first operand. */
 static bool oracles_agree(const struct operation *operation, const struct words *words)
 {
     enum { PARTNERS = 16 };

@@ -1,11 +1,12 @@
-/* check_quartic.c - the machine's roots against exact ones.
+/* check_quartic.c - compares the machine's roots of polynomials with exact ones.
  *
  *     check_quartic [--seed N] [--falsi RULE] [polynomials of each kind]
  *     check_quartic [--seed N] --print KIND [polynomials]
  *
- * The second form prints polynomials for rt205 quartic.  The first checks: the
- * roots are those of quartic_rule.h; scalar and vector form, with any queue,
- * find the same, bit for bit; so does the search for the first root.
+ * The first form tests random polynomials of each kind: the roots must obey
+ * quartic_rule.h, and the scalar form, the vector form with any queue length and the
+ * search for the first root must give the same roots bit for bit.  The second form
+ * prints polynomials for rt205 quartic.
  */
 #include "arithmetic_oracle.h"
 #include "quartic_cases.h"
@@ -78,7 +79,7 @@ static bool same_roots(const struct polynomial_roots *a,
     return true;
 }
 
-/* Another way to the same roots: how many polynomials differ. */
+/* Solves with other options and returns the number of polynomials with other roots. */
 static unsigned long compare(const struct polynomial *polynomials, size_t count,
                              const struct polynomial_roots *expected,
                              const struct roots_options *options)

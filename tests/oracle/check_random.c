@@ -1,13 +1,13 @@
-/* check_random.c - random programs on the machine and on the reference.
+/* check_random.c - compares random programs on the machine and on the reference.
  *
- *   check_random [programs] [--seed N] [--first]
+ *     check_random [programs] [--seed N] [--first]
  *
- * Both run each program side by side; after each instruction registers, data
- * flags, program counter, trap, clock and accounts must agree, and the words
- * in and around all areas of data if it may have stored some; at the end all
- * of memory.  Some programs run in other ways as well (other_ways.h).  A
- * program on which they differ is shrunk and printed; with --first the run
- * ends there, unshrunk.
+ * Both run each program instruction by instruction.  After each instruction the
+ * registers, data flags, program counter, trap, clock and accounts must be equal, and
+ * also the words in and around all data areas if the instruction may have stored some;
+ * at the end all of memory.  Some programs are also run in other modes (other_ways.h).
+ * A program that fails is reduced and printed; with --first the run ends there without
+ * reducing it.
  */
 #include "tests/oracle/compare_states.h"
 #include "tests/oracle/read_number.h"
@@ -20,7 +20,7 @@
 
 struct run {
     uint64_t seed, programs;
-    bool first; /* only whether there is a difference */
+    bool first; /* stop at the first difference, do not reduce it */
     uint64_t passed, failed;
 };
 
@@ -51,7 +51,7 @@ static void check_one(struct run *run, uint64_t seed)
     report(&program);
 }
 
-/* Every row of the table must have a rule in the reference. */
+/* Fails for each row of the instruction table without a rule in the reference. */
 static void check_rules(struct run *run)
 {
     for (size_t i = 0; i < c205_insn_count; i++)

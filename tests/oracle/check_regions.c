@@ -1,16 +1,18 @@
-/* check_regions.c - scenes of many regions, traced in every way.
+/* check_regions.c - compares frames of scenes with many regions in random
+ * configurations.
  *
  *     check_regions [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (many_regions.h), or every OF-th from the one of the
- * number SHARE on, in vector form with every ray against every region, in scalar
- * form, and in some more random ways: stages, queues, bounds, ways to what
- * is seen of a solid, bands, jobs.  All give one frame, bit for bit, and follow
- * the same rays.  The plain tracer sees the same within the tolerances of
- * check_scene, but for pixels where a rounding decides.  A scene that fails is
- * made smaller as long as it fails in the same way, printed, and written to
- * regions_N.pov.  After --first nothing more is done, not even that.  Exit code 1:
- * some failed.
+ * Traces random scenes (many_regions.h), or every OF-th of them from number SHARE on:
+ * in vector form with every ray tested against every region, in scalar form, and in
+ * some random configurations of modes, queues, bounds, methods for solids, bands and
+ * jobs.  The test fails unless all give the same frame bit for bit and trace the same
+ * rays.  The plain tracer must agree within the tolerances of check_scene, except for
+ * pixels where rounding decides.
+ *
+ * A failing scene is reduced while it fails in the same way, printed, and written to
+ * regions_N.pov.  With --first the test stops at the first failure without reducing it.
+ * Exit status 1: a scene failed.
  */
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"
@@ -26,15 +28,15 @@
 
 enum { WAYS = 5 };
 
-/* Share of the pixels, and one more, where a rounding decides: on edges of faces,
- * shadows and checks.  Of so small a frame that is more than check_scene's. */
+/* Share of the pixels, plus one pixel, at which rounding may decide: on edges of faces,
+ * shadows and checks.  In so small a frame the share is larger than in check_scene. */
 #define ROUNDED .01
 
 static c205_model *model;
 
 /* --- ways to trace -------------------------------------------------------- */
 
-/* Every ray against every region, one after the other. */
+/* Tests every ray against every region, one after the other. */
 static const struct trace_options plainest = {
     .mode = TRACE_VECTOR, .queue = TRACE_QUEUE, .no_bounds = true, .order = ORDER_ROWS
 };
@@ -58,7 +60,7 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
     return way;
 }
 
-/* The options of rt205 render. */
+/* Appends the options of rt205 render for a configuration. */
 static void tell_way(const struct trace_options *way, char *words, size_t size)
 {
     int used = snprintf(words, size, " with --mode %s", trace_mode_name(way->mode));
@@ -75,7 +77,7 @@ static void tell_way(const struct trace_options *way, char *words, size_t size)
 #undef TELL
 }
 
-/* A guess at its processor seconds, for the host. */
+/* Estimates the processor time on the host in seconds. */
 static double seconds_of(const struct trace_options *way, double work)
 {
     if (way->mode == TRACE_SCALAR)
@@ -96,7 +98,7 @@ static struct trace_options some_way(uint64_t *state, const struct random_scene 
 
 /* --- frames --------------------------------------------------------------- */
 
-/* What is traced, and how big. */
+/* A scene and the size of its frame. */
 struct sight {
     const struct scene *scene;
     size_t width, height;
@@ -170,8 +172,8 @@ static bool same_as_plain(const struct sight *sight, const struct trace *trace,
 
 /* --- scenes --------------------------------------------------------------- */
 
-/* Ways that are to give one frame, and whether that is the plain tracer's; after a
- * failure only what has failed. */
+/* Configurations that must give one frame, and whether the plain tracer must agree.
+ * After a failure only the failing one remains. */
 static struct ways {
     size_t count;
     struct trace_options way[WAYS];

@@ -1,21 +1,20 @@
-/* check_sample.c - what becomes of a scene that somebody else has written.
+/* check_sample.c - compares the picture of a third-party scene with POV-Ray's.
  *
  *     check_sample SCENE.pov WIDTH HEIGHT [SAMPLES THRESHOLD]
  *
- * Prints one line, of fields with tabs between them:
+ * Prints one line, with fields separated by tabs:
  *
  *     refused REASON          the first error
  *     untraced REASON
  *     read REPORTS SECONDS - -
  *     read 0 SECONDS BEYOND PIXELS
  *
- * SECONDS are the processor's in the trace, in vector form.  Where nothing is
- * reported the picture is compared with POV-Ray's of the same file: of PIXELS
- * so many are BEYOND, that is, a channel differs by more than .02.  Exit code
- * 1: POV-Ray made no picture; 2: wrong usage.
+ * SECONDS is the processor time of the trace, in vector form.  If there are no reports,
+ * the picture is compared with POV-Ray's picture of the same file:  BEYOND of the
+ * PIXELS pixels have a channel that differs by more than .02.  Exit status 1:  POV-Ray
+ * made no picture; 2: wrong usage.
  *
- * With a threshold both trace more rays for pixels that differ from their
- * neighbours.
+ * With a threshold both trace more rays for pixels that differ from their neighbours.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -29,7 +28,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Other samples of one picture: what a user takes for the same. */
+/* Different samples of one picture: the tolerance at which a user sees the same
+ * picture. */
 static const struct comparison with_povray = { "colour", CHANNEL_RED, 3, 1,
                                                false,    .02,         1 };
 
@@ -49,7 +49,7 @@ static size_t count_reports(const struct diagnostics *reports)
     return count;
 }
 
-/* Colours below black are black in a picture. */
+/* Clamps colours to 0, as a picture file does. */
 static void cut(struct frame *frame)
 {
     for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)

@@ -1,18 +1,19 @@
-/* check_scene.c - scene files in all ways that trace them, and by other tracers.
+/* check_scene.c - compares the frames of scene files in all modes, and with other
+ * tracers.
  *
  *     check_scene all|some SCENE.pov ..
  *
- * The frame of a scene is equal, bit for bit, in all three stages, with queues of
- * any length, by tiles and by rows, with and without bounds and a hierarchy.  The
- * frame is the plain tracer's, and that one is POV-Ray's picture of the same file,
- * within the tolerances of compare_pictures.h.  The way of 1984 to patches and
- * cylinders has equal forms, and gives the plain tracer's frame, too.
+ * The frame of a scene must be equal bit for bit in all three modes, with queues of any
+ * length, by tiles and by rows, with and without bounds and a hierarchy.  It must equal
+ * the plain tracer's frame, and that must equal POV-Ray's picture of the same file,
+ * within the tolerances of compare_pictures.h.  The forms of the method of 1984 for
+ * patches and cylinders must be equal and must also give the plain tracer's frame.
  *
- * all: each scene in all of these ways; some: in a third of them, which the scene's
- * name chooses; all three stages are in each third.  Frames are small.
+ * all: each scene in all configurations; some: in a third of them, selected by the name
+ * of the scene.  Each third contains all three modes.  Frames are small.
  *
- * Prints a line for each comparison with a tracer and each failure, then the counts.
- * Exit code 1: one failed; 2: wrong usage.
+ * Prints a line for each comparison with a tracer and for each failure, then the
+ * counts.  Exit status 1: a comparison failed; 2: wrong usage.
  */
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
@@ -26,8 +27,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Half a step of POV-Ray's 16-bit samples is 7.6e-6; it computes colours in 24
- * bits besides, so a whole step. */
+/* Half a step of POV-Ray's 16-bit samples is 7.6e-6.  It also computes colours in 24
+ * bits, so a whole step is allowed. */
 #define POVRAY_TOLERANCE (1. / 65535)
 
 static const struct comparison with_povray = {
@@ -44,8 +45,8 @@ enum {
     NO_POVRAY = 1,
     ROUGH_POVRAY = 2,
     NO_HISTORICAL = 4, /* its frame is not compared with the plain tracer's */
-    FEWER_PIXELS = 8,  /* thousands of triangles, components, or rays a pixel */
-    ALL_PIXELS = 16,   /* POV-Ray decides a few pixels otherwise, in any size */
+    FEWER_PIXELS = 8,  /* thousands of triangles, or many rays per pixel */
+    ALL_PIXELS = 16,   /* POV-Ray differs at a few pixels, for frames of any size */
 };
 static const struct exception {
     const char *scene;
@@ -56,21 +57,22 @@ static const struct exception {
     { "scenes/steiner.pov", NO_POVRAY },
     { "tests/scenes/patches.pov", NO_POVRAY },
     { "tests/scenes/csg_patches.pov", NO_POVRAY },
-    /* Its picture is of one colour with a lens and an orthographic camera. */
+    /* POV-Ray's picture has one colour with a lens and an orthographic camera. */
     { "tests/scenes/lens_orthographic.pov", NO_POVRAY },
     { "tests/scenes/lens.pov", ROUGH_POVRAY },
-    /* It loses one of two coincident faces of a clear body and another one. */
+    /* POV-Ray loses one of two coincident faces of a transparent body and another
+     * body. */
     { "tests/scenes/coincident.pov", NO_POVRAY },
     { "tests/scenes/csg_coincident.pov", NO_POVRAY },
     { "tests/scenes/standing.pov", NO_POVRAY },
     { "tests/scenes/touching.pov", NO_POVRAY },
-    /* It keeps characters in 32 bits, decides rays to the edges of a mesh by
+    /* POV-Ray stores characters in 32 bits, decides rays to the edges of a mesh by
      * rounding, and interpolates the normals of a height_field over its cells. */
     { "tests/scenes/text.pov", NO_POVRAY },
     { "tests/scenes/mesh_closed.pov", NO_POVRAY },
     { "scenes/terrain.pov", NO_POVRAY | FEWER_PIXELS },
-    /* Random rays through a lens; a blob is not seen from nearer than .01, where
-     * a mirrored ray may begin. */
+    /* Random rays through a lens.  POV-Ray does not hit a blob nearer than .01, where a
+     * reflected ray may start. */
     { "scenes/stage.pov", NO_POVRAY | FEWER_PIXELS },
     { "scenes/mist.pov", NO_POVRAY | FEWER_PIXELS },
     { "scenes/marbles.pov", NO_POVRAY | FEWER_PIXELS },
@@ -80,8 +82,8 @@ static const struct exception {
     { "scenes/vase.pov", FEWER_PIXELS },
     { "tests/scenes/areas.pov", ALL_PIXELS },
     { "tests/scenes/in_glass.pov", ALL_PIXELS },
-    /* A face of a cylinder is in a face of a box; cylinders are parts of blobs
-     * alone. */
+    /* A face of a cylinder is in a face of a box; cylinders occur only as parts of
+     * blobs. */
     { "scenes/bearing.pov", NO_HISTORICAL },
     { "tests/scenes/blobs.pov", NO_HISTORICAL },
 };
@@ -109,14 +111,14 @@ static void verdict(bool good, const char *path, const char *what)
 struct file {
     const char *path;
     unsigned exceptions;
-    unsigned turn;        /* of three, or ALL_TURNS */
+    unsigned turn;        /* 0 .. 2, or ALL_TURNS */
     bool patches, lens;   /* it has Steiner patches or cylinders; a lens */
-    size_t width, height; /* of the scene as it was read last */
+    size_t width, height; /* of the scene as last read */
     struct scene *scene;
 };
 enum { TURNS = 3, ALL_TURNS = TURNS };
 
-/* A length of a frame: a third of the pixels, unless THOROUGH asks for all. */
+/* Returns a side length that gives a third of the pixels, or all with THOROUGH. */
 static size_t length_of(size_t length)
 {
     return getenv("THOROUGH") ? length : length * 60 / 100;
@@ -134,7 +136,7 @@ static bool contains(const char *path, const char *word)
     return found;
 }
 
-/* A camera's default depends on the size of the picture. */
+/* Reads the scene for a picture size, because the default camera depends on it. */
 static const struct scene *scene_at(struct file *file, size_t width, size_t height)
 {
     const struct scene_options options = { .width = (int)width,
@@ -153,7 +155,7 @@ static const struct scene *scene_at(struct file *file, size_t width, size_t heig
     return file->scene;
 }
 
-/* A trace that has run; NULL: it failed. */
+/* Returns a finished trace, or NULL if it failed. */
 static struct trace *traced(struct file *file, struct trace_options options)
 {
     const struct scene *scene = scene_at(file, options.width, options.height);
@@ -169,7 +171,7 @@ static struct trace *traced(struct file *file, struct trace_options options)
     return NULL;
 }
 
-/* False: it failed. */
+/* Returns false if the trace failed. */
 static bool checksum(struct file *file, struct trace_options options, uint64_t *sum)
 {
     struct trace *trace = traced(file, options);
@@ -181,7 +183,7 @@ static bool checksum(struct file *file, struct trace_options options, uint64_t *
 
 /* --- equal frames --------------------------------------------------------- */
 
-/* The frame of a way, and of the other one, in the same size. */
+/* Compares the frames of two configurations, in the same size. */
 static bool same(struct file *file, struct trace_options one,
                  struct trace_options other)
 {
@@ -197,7 +199,7 @@ static bool has_turn(const struct file *file, unsigned turn)
     return file->turn == ALL_TURNS || file->turn == turn;
 }
 
-/* Ways to the frame that the scalar form gives. */
+/* Configurations whose frames must equal that of the scalar form. */
 static const struct way {
     unsigned turn;
     const char *name;
@@ -246,7 +248,7 @@ static void check_ways(struct file *file, size_t width, size_t height)
     }
 }
 
-/* The three stages with the same options. */
+/* Compares the three modes with the same options. */
 static void check_stages(struct file *file, struct trace_options scalar,
                          const char *what)
 {
@@ -257,7 +259,7 @@ static void check_stages(struct file *file, struct trace_options scalar,
             what);
 }
 
-/* A queue of one ray takes long, and samples are many rays: fewer pixels. */
+/* Uses fewer pixels: a queue of one ray is slow, and samples are many rays. */
 static void check_samples(struct file *file)
 {
     if (has_turn(file, 0))
@@ -308,7 +310,7 @@ static bool report(const char *who, const struct comparison *comparison,
     return good;
 }
 
-/* The machine's frame, which the caller frees. */
+/* Makes the machine's frame; the caller frees it. */
 static bool trace_frame(struct file *file, struct trace_options options,
                         struct frame *frame)
 {
@@ -334,7 +336,7 @@ static bool same_as_plain(struct file *file, const struct frame *plain,
     return good;
 }
 
-/* POV-Ray's picture against the plain tracer's and the machine's. */
+/* Compares POV-Ray's picture with the plain tracer's and the machine's. */
 static bool same_as_povray(const struct file *file, const struct frame *plain,
                            const struct frame *frame, const bool *inner)
 {
@@ -400,7 +402,7 @@ static unsigned turn_of(const char *path)
     return sum % TURNS;
 }
 
-/* Scenes to look at have many parts: fewer pixels. */
+/* Uses fewer pixels for the example scenes, which have many parts. */
 static void check_file(const char *path, bool all)
 {
     bool large = strncmp(path, "scenes/", 7) == 0;

@@ -1,14 +1,15 @@
-/* check_standing.c - bodies whose faces coincide, in every form and beside
- * two other tracers.
+/* check_standing.c - compares frames of bodies with coincident faces in all forms, and
+ * with two other tracers.
  *
  *     check_standing [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (standing_scene.h), or every OF-th from the one of the number
- * SHARE on.  The forms give one frame, bit for bit.  Every pixel off the outlines is
- * that of the plain tracer.  POV-Ray loses one of two coincident faces, so its
- * picture is of the scene with a ground that is higher by LIFT; of other bodies
- * there is none.  A scene that fails is printed, and written to standing_N.pov; after
- * --first nothing more is done.  Exit code 1: some failed.
+ * Traces random scenes (standing_scene.h), or every OF-th of them from number SHARE on.
+ * The test fails unless all forms give the same frame bit for bit, and every pixel off
+ * the outlines equals the plain tracer's.  POV-Ray loses one of two coincident faces,
+ * so its picture is of the scene with a ground that is higher by LIFT; scenes of other
+ * bodies have no such picture.  A failing scene is printed and written to
+ * standing_N.pov.  With --first the test stops at the first failure.  Exit status 1: a
+ * scene failed.
  */
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"
@@ -31,11 +32,11 @@ enum {
     PATH = 80
 };
 
-/* The ground seen through a body moves by about the same distance. */
+/* Lifting the ground moves its image through a body by about the same distance. */
 #define LIFT 1e-5
 
-/* On an edge that is seen through a body the lift decides, and at some pixels POV-Ray
- * shows the lifted scene otherwise than both other tracers. */
+/* On an edge seen through a body the lift decides.  At some pixels POV-Ray's picture of
+ * the lifted scene differs from both other tracers. */
 static const struct comparison with_povray = { "colour", CHANNEL_RED, 3,  1,
                                                false,    1e-3,        .01 };
 
@@ -50,7 +51,7 @@ static uint64_t seed_of(size_t number)
 
 /* --- forms ---------------------------------------------------------------- */
 
-/* Each is compared with the first. */
+/* The forms; each is compared with the first one. */
 static const struct trace_options forms[] = {
     { .mode = TRACE_SCALAR, .queue = 1 },
     { .mode = TRACE_SCALAR, .queue = 1, .no_bounds = true },
@@ -99,7 +100,7 @@ static bool same_pictures(const struct comparison *comparison, const char *who,
     return (double)is.beyond <= comparison->share * (double)is.compared;
 }
 
-/* No pixel is left to rounding. */
+/* Allows no different pixel. */
 static bool same_as_plain(const struct frame *plain, const struct frame *ours,
                           const bool *inner, char *reason)
 {
@@ -113,7 +114,7 @@ static bool same_as_plain(const struct frame *plain, const struct frame *ours,
     return good;
 }
 
-/* Of those that are begun the first ended is the first begun. */
+/* A ring of running POV-Ray processes, first in, first out. */
 static struct povray *runs[AHEAD + 1];
 static size_t begun, ended;
 

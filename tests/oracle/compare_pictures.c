@@ -1,11 +1,11 @@
-/* compare_pictures.c - see compare_pictures.h. */
+/* compare_pictures.c - compares two frames pixel by pixel. */
 #include "tests/oracle/compare_pictures.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-/* The file holds 24-bit samples (6e-8); the machine has 47 bits, and an
- * exponent of a highlight multiplies what is lost by its size. */
+/* A file has samples of 24 bits (6e-8).  The machine has 47 bits, and the exponent of a
+ * highlight multiplies the relative error. */
 #define COLOR_TOLERANCE 1e-6
 #define GEOMETRY_TOLERANCE 1e-6
 
@@ -38,7 +38,7 @@ bool *inner_pixels(const struct frame *frame)
     return inner;
 }
 
-/* What is no number differs without bound. */
+/* Returns infinity for NaN. */
 static double difference_of(const struct comparison *comparison, double expected,
                             double found)
 {
@@ -49,7 +49,7 @@ static double difference_of(const struct comparison *comparison, double expected
     return isnan(difference) ? INFINITY : difference;
 }
 
-/* One pixel's samples into the sums; its greatest difference. */
+/* Adds the differences of one pixel to the sum; returns the largest. */
 static double add_pixel(const struct comparison *comparison,
                         const struct frame *expected, const struct frame *found,
                         size_t pixel, double *sum)
@@ -90,7 +90,7 @@ struct picture_difference compare_pictures(const struct comparison *comparison,
     return result;
 }
 
-/* A comparison of no pixel at all shows nothing. */
+/* A comparison of no pixel at all is a failure. */
 bool within(const struct comparison *comparison,
             const struct picture_difference *difference)
 {

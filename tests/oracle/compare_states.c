@@ -1,4 +1,5 @@
-/* compare_states.c - both run a program side by side. */
+/* compare_states.c - runs a program on the machine and on the reference, step by
+ * step. */
 #include "compare_states.h"
 
 #include "asm/disassemble.h"
@@ -14,12 +15,12 @@
 enum {
     WORD = 64,
     HALF = 32,
-    MARGIN = 64, /* words looked at on either side of an area */
+    MARGIN = 64, /* words compared on either side of an area */
     STEPS = 120,
-    ONE_OTHERWISE_IN = 12 /* programs, besides loops */
+    ONE_OTHERWISE_IN = 12 /* programs, in addition to loops */
 };
 
-/* What one program needs. */
+/* State for one program. */
 struct trial {
     const struct random_program *program;
     c205 *machine;
@@ -107,7 +108,7 @@ static size_t at_most(size_t count, size_t limit)
     return count < limit ? count : limit;
 }
 
-/* The words of an area and those around it, as far as there are pages. */
+/* Compares the words of an area and its margins, where pages exist. */
 static void compare_area(struct trial *trial, const struct random_area *area)
 {
     uint64_t margin = WORD * MARGIN;
@@ -122,7 +123,7 @@ static void compare_area(struct trial *trial, const struct random_area *area)
     }
 }
 
-/* What the reference stored goes into the images. */
+/* Copies the words that the reference stored to the images. */
 static void follow_changes(struct trial *trial)
 {
     const struct plain_memory *memory = &trial->reference.memory;
@@ -133,8 +134,8 @@ static void follow_changes(struct trial *trial)
     }
 }
 
-/* Other instructions leave memory alone; if not, that is seen after the
- * next one that does not, or at the end. */
+/* Returns whether the instruction may store.  If another one changes memory, the
+ * difference is found after the next storing instruction or at the end. */
 static bool may_store(const struct deed *deed)
 {
     return deed->insn_count == 0 || c205_unit_is_vector(deed->insns[0]->unit)
@@ -200,8 +201,8 @@ static void compare_clocks(struct trial *trial)
 
 /* ---- Traps ------------------------------------------------------------- */
 
-/* Traps that name the address at fault; of what is misaligned that may be the
- * beginning. */
+/* Returns whether the trap gives the address at fault.  For a misaligned operand that
+ * may be its beginning. */
 static bool names_address(c205_trap trap)
 {
     return trap == C205_TRAP_UNMAPPED_ADDRESS || trap == C205_TRAP_PROTECTED_ADDRESS;
@@ -228,7 +229,7 @@ static void differ_in_faults(struct trial *trial, const c205_stop *stop)
     }
 }
 
-/* A trapped instruction is skipped, so that the program continues.  False: it
+/* Skips a trapped instruction, so that the program continues.  Returns false if it
  * cannot. */
 static bool skip(struct trial *trial)
 {
@@ -240,7 +241,7 @@ static bool skip(struct trial *trial)
     return halves != 0;
 }
 
-/* True: go on. */
+/* Returns whether the program continues. */
 static bool after_trap(struct trial *trial, bool done, const c205_stop *stop)
 {
     if (!has_fault(&trial->reference, stop)) {
@@ -295,7 +296,7 @@ static c205_word word_at(const struct trial *trial, uint64_t address)
     return address % WORD == 0 ? first : first << HALF | second >> HALF;
 }
 
-/* Until the program ends, or differs, or is lost, or too long. */
+/* Runs until the program ends, differs, gets lost, or reaches the limit of steps. */
 static void run_steps(struct trial *trial)
 {
     struct difference *difference = trial->difference;
@@ -310,7 +311,7 @@ static void run_steps(struct trial *trial)
         compare_all_memory(trial);
 }
 
-/* They load the machine again. */
+/* Compares other modes of execution, which load the machine again. */
 static void compare_other_ways(struct trial *trial)
 {
     uint64_t hash = machine_hash(trial->machine);

@@ -1,5 +1,5 @@
-/* compare_states.h - a random program on the machine and on the reference,
- * step by step, and what differs first. */
+/* compare_states.h - runs a random program on the machine and on the reference, step by
+ * step, and reports the first difference. */
 #ifndef COMPARE_STATES_H
 #define COMPARE_STATES_H
 
@@ -8,11 +8,11 @@
 
 enum { DIFFERENCES = 16, DIFFERENCE_TEXT = 120 };
 
-/* After which instruction they differed, and in what. */
+/* The instruction after which the states differed, and the differences. */
 struct difference {
     uint64_t step, pc;
-    c205_word word; /* the instruction there */
-    size_t count;   /* may be more than are told */
+    c205_word word; /* the instruction at pc */
+    size_t count;   /* may exceed the number of texts */
     char texts[DIFFERENCES][DIFFERENCE_TEXT];
 };
 
@@ -20,7 +20,7 @@ struct difference {
 void compare_begin(void);
 void compare_end(void);
 
-/* True: they agree. */
+/* Returns true if they agree. */
 bool compare_run(const struct random_program *program, struct difference *difference);
 
 void print_program(const struct random_program *program);

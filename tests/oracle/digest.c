@@ -1,12 +1,11 @@
-/* digest.c - one number for all that a set of programs does.
+/* digest.c - computes one hash of the results of a set of programs.
  *
  *   digest [-v] [-n PROGRAMS] FILE ..
  *
- * Runs the program texts and so many random programs, each up to a limit of
- * clocks, and prints a hash of everything there is of each machine then:
- * registers, memory, clock, accounts, what is in flight.  It is the same
- * whatever compiled the machine and wherever it runs (tests/check_hosts.sh).
- * With -v a line for each program as well.
+ * Runs the program texts and PROGRAMS random programs, each up to a limit of clocks,
+ * and prints a hash of the complete state of each machine: registers, memory, clock,
+ * accounts, operations in flight.  The hash must not depend on the compiler or the
+ * host; tests/check_hosts.sh fails if it does. -v also prints a line for each program.
  */
 #include "asm/assemble.h"
 #include "base/sink.h"
@@ -87,7 +86,8 @@ static void run_texts(struct digest *digest, char **paths)
 
 /* ---- Random programs ---------------------------------------------------- */
 
-/* What traps is skipped, so that the program continues. */
+/* Runs a program; an instruction that traps is skipped, so that the program
+ * continues. */
 static void run_on(c205 *machine)
 {
     for (int i = 0; i < MAX_TRAPS; i++) {

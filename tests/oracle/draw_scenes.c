@@ -1,9 +1,9 @@
-/* draw_scenes.c - scene random texts, as files.
+/* draw_scenes.c - writes random scene texts to files.
  *
  *     draw_scenes FOLDER FIRST COUNT
  *
- * language_N.pov (language_scene.h) for each seed N from the first one on, and
- * what they show beside them.
+ * Writes language_N.pov (language_scene.h) for COUNT seeds N from FIRST on, and the
+ * image that they show.
  */
 #include "tests/oracle/language_scene.h"
 

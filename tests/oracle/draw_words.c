@@ -1,11 +1,11 @@
-/* draw_words.c - the words of the machine's random stream, for who tests them.
+/* draw_words.c - writes the machine's random stream for external tests of randomness.
  *
  *     draw_words [--bare] SEED
  *
- * Writes 32 bits of each draw to stdout, ray by ray, in the host's order of bytes,
- * until nobody reads on: the highest of the 47, made by the machine in vector form
- * (rt/kernels/points).  --bare: those of the generator without its mixed output, as
- * the definition has it, which are known to be bad.
+ * Writes the upper 32 of the 47 bits of each number to stdout, ray by ray, in the
+ * host's byte order, until the reader closes the pipe.  The machine computes them in
+ * vector form (rt/kernels/points). --bare: the numbers of the generator without its
+ * mixed output, by its definition; these are known to be bad.
  */
 #include "tests/oracle/points.h"
 

@@ -1,3 +1,5 @@
+/* exact_roots.c - isolates roots between the roots of the derivative and refines
+ * them. */
 #include "exact_roots.h"
 
 enum { MAX_NEWTON = 80, CLOSE_BITS = EXACT_BITS - 40 };
@@ -45,8 +47,8 @@ static bool is_zero_at(mpfr_t *c, int degree, const mpfr_t x, const mpfr_t value
     return zero;
 }
 
-/* All positive roots lie in 2^-bound .. 2^bound: Cauchy, both ways.  c[0] and
- * c[degree] are not 0. */
+/* Returns the exponent of Cauchy's bounds: all positive roots are in 2^-bound ..
+ * 2^bound. c[0] and c[degree] are not 0. */
 static long bound_exponent(mpfr_t *c, int degree)
 {
     mpfr_exp_t largest = mpfr_get_exp(c[0]);
@@ -59,7 +61,7 @@ static long bound_exponent(mpfr_t *c, int degree)
     return (long)(largest - least) + 2;
 }
 
-/* Work numbers of one search. */
+/* Temporary numbers of one search. */
 struct search {
     mpfr_t *c;
     int degree;
@@ -79,7 +81,7 @@ static void narrow(struct search *s, int sign)
     mpfr_set(sign == s->sign ? s->b : s->a, s->x, MPFR_RNDN);
 }
 
-/* Until b <= 2 a, halving the exponent. */
+/* Bisects the exponent until b <= 2 a. */
 static void halve_wide(struct search *s)
 {
     for (;;) {
@@ -96,7 +98,7 @@ static void halve_wide(struct search *s)
     }
 }
 
-/* Newton's step from x, or the middle of the bracket. */
+/* Makes a Newton step from x, or takes the middle of the bracket. */
 static void step_from(struct search *s, int steps)
 {
     exact_value(s->slope, s->derivative, s->degree - 1, s->x);
@@ -109,7 +111,7 @@ static void step_from(struct search *s, int steps)
     }
 }
 
-/* The root in (a, b), where the signs differ, into x. */
+/* Sets x to the root in (a, b), where the signs differ. */
 static void close_in(struct search *s)
 {
     halve_wide(s);
@@ -153,7 +155,7 @@ static void add_root(struct exact_roots *roots, const mpfr_t x, bool multiple)
     roots->multiple[roots->count++] = multiple;
 }
 
-/* Between the knots, which end with the bound; s->a is the left end. */
+/* Searches between the knots and up to the bound; s->a is the left end. */
 static void search_between(struct search *s, const struct exact_roots *knots,
                            struct exact_roots *roots, long bound)
 {

@@ -1,7 +1,7 @@
-/* exact_roots.h - the positive roots of polynomials, to many digits.
+/* exact_roots.h - computes the positive roots of polynomials to many digits.
  *
- * With MPFR, by the roots of the derivatives: between two of them a polynomial
- * is monotone.  Coefficients are taken as they are, c[i] of x^i.
+ * It uses MPFR and the roots of the derivatives: between two of them a polynomial is
+ * monotone.  Coefficients are exact; c[i] belongs to x^i.
  */
 #ifndef EXACT_ROOTS_H
 #define EXACT_ROOTS_H
@@ -13,23 +13,23 @@
 
 enum {
     EXACT_BITS = 320,      /* of all numbers here */
-    EXACT_ZERO_BITS = 200, /* |f| < 2^-200 sum |c_i| x^i is f = 0 */
+    EXACT_ZERO_BITS = 200, /* |f| < 2^-200 sum |c_i| x^i counts as 0 */
     EXACT_DEGREE = 4
 };
 
 struct exact_roots {
     size_t count;
-    mpfr_t x[EXACT_DEGREE];      /* ascending, each once */
-    bool multiple[EXACT_DEGREE]; /* f' is 0 there as well */
+    mpfr_t x[EXACT_DEGREE];      /* ascending, distinct */
+    bool multiple[EXACT_DEGREE]; /* f' is 0 there, too */
 };
 
 void exact_init(struct exact_roots *roots);
 void exact_clear(struct exact_roots *roots);
 
-/* c has degree + 1 members; leading and trailing zeros do no harm. */
+/* c has degree + 1 elements; leading and trailing zeros are allowed. */
 void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree);
 
-/* f(x); and the sum of |c_i| x^i, x > 0. */
+/* Set value to f(x), and size to the sum of |c_i| x^i, for x > 0. */
 void exact_value(mpfr_t value, mpfr_t *c, int degree, const mpfr_t x);
 void exact_size(mpfr_t size, mpfr_t *c, int degree, const mpfr_t x);
 

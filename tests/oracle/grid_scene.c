@@ -1,4 +1,4 @@
-/* grid_scene.c - see grid_scene.h. */
+/* grid_scene.c - generates random scenes on a coarse grid. */
 #include "tests/oracle/grid_scene.h"
 
 #include "tests/oracle/scene_words.h"
@@ -13,7 +13,7 @@ enum { MAX_PARTS = 3, MAX_SOLIDS = 2, MAX_LAMPS = 2, DEPTH = 4, WORDS = SOLID_WO
 struct grid {
     char view[WORDS];
     bool aslant;
-    double scale; /* of everything but the lamps */
+    double scale; /* of everything except the lamps */
     size_t lamp_count, solid_count;
     char lamps[MAX_LAMPS][WORDS];
     struct solid *solids[MAX_SOLIDS + 1]; /* with a ground */
@@ -26,7 +26,7 @@ static double on_grid(uint64_t *state)
     return .5 * (double)below(state, 5) - 1;
 }
 
-/* Another place of the grid. */
+/* Returns another coordinate of the grid. */
 static double off(uint64_t *state, double place)
 {
     double other = on_grid(state);
@@ -59,7 +59,7 @@ static void random_sphere(uint64_t *state, char *shape)
     solid_words(shape, "sphere { <%g, %g, %g>, %g ", x, y, z, size_on_grid(state));
 }
 
-/* From one end of an axis to the other. */
+/* Makes an axis parallel to a coordinate axis, from base to cap. */
 static void random_axis(uint64_t *state, double base[3], double cap[3])
 {
     size_t along = below(state, 3);
@@ -94,7 +94,7 @@ static void random_plane(uint64_t *state, char *shape)
                 on_grid(state));
 }
 
-/* On the plane of some box's face. */
+/* Makes a disc in the plane of a box face. */
 static void random_disc(uint64_t *state, char *shape)
 {
     char axis = "xyz"[below(state, 3)];
@@ -115,8 +115,7 @@ static void random_torus(uint64_t *state, char *shape)
                     size_on_grid(state) / 2, size_on_grid(state));
 }
 
-/* A cylinder, a slab, a cone, a ball, a half-space, what lies outside of a
- * hyperboloid. */
+/* Makes a cylinder, slab, cone, ball, half space or the outside of a hyperboloid. */
 static void random_quadric(uint64_t *state, char *shape)
 {
     static const char *const quadrics[] = {
@@ -128,7 +127,7 @@ static void random_quadric(uint64_t *state, char *shape)
     solid_words(shape, "quadric { %s ", quadrics[which]);
 }
 
-/* x^4 + y^4 + z^4 = 1. */
+/* Makes x^4 + y^4 + z^4 = 1. */
 static void random_quartic(uint64_t *state, char *shape)
 {
     (void)state;
@@ -136,7 +135,7 @@ static void random_quartic(uint64_t *state, char *shape)
                        "0,0,0,0,0,0,1,0,0,0,-1> ");
 }
 
-/* A flat one, in a plane of the grid, or a bent one. */
+/* Makes a flat patch in a plane of the grid, or a bent one. */
 static void random_patch(uint64_t *state, char *shape)
 {
     double z = on_grid(state), bend = below(state, 2) ? .5 : 0;
@@ -146,7 +145,7 @@ static void random_patch(uint64_t *state, char *shape)
                 z, z, z, z + bend, z + bend, z - bend);
 }
 
-/* Boxes and cylinders more often: of these whole faces coincide. */
+/* Boxes and cylinders are more frequent, because their whole faces can coincide. */
 static void random_shape(uint64_t *state, char *shape)
 {
     static void (*const shapes[])(uint64_t *, char *) = {
@@ -213,7 +212,7 @@ static struct solid *random_joining(uint64_t *state)
     return solid_new(joining, 2 + below(state, MAX_PARTS - 1));
 }
 
-/* One in eight solids is clipped.  What else is drawn does not depend on it. */
+/* Clips one in eight solids.  The other random choices do not depend on it. */
 static struct solid *random_clip(uint64_t state)
 {
     static void (*const shapes[])(uint64_t *, char *) = {
@@ -230,8 +229,8 @@ static struct solid *random_clip(uint64_t state)
     return clip;
 }
 
-/* One in ten shapes is a box of triangles.  What else is drawn does not depend on
- * it. */
+/* Makes one in ten shapes a box of triangles.  The other random choices do not depend
+ * on it. */
 static void random_box_mesh(uint64_t state, char *shape)
 {
     double corner[2][3];
@@ -267,7 +266,8 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
     return solid;
 }
 
-/* Three of a square's four halves, cut by both diagonals, or of a bent one. */
+/* Makes three of the four triangles into which the diagonals divide a square, flat or
+ * bent. */
 static struct solid *random_mesh(uint64_t *state)
 {
     struct solid *solid = solid_new(SHAPE, 0);
@@ -290,7 +290,7 @@ static void random_view(uint64_t *state, struct grid *scene)
     double s = scene->scale = below(state, 8) ? 1 : 1e-4;
     double x = s * on_grid(state), y = s * on_grid(state);
     double z = s * on_grid(state);
-    bool parallel = *state % 8 == 0; /* nothing else depends on it */
+    bool parallel = *state % 8 == 0; /* no other choice depends on it */
     switch (below(state, 8)) {
     case 0: /* rays run in faces */
     case 1:
@@ -331,8 +331,8 @@ static void random_lamp(uint64_t *state, char *lamp)
                     below(state, 3) ? "" : "shadowless ");
 }
 
-/* One in three scenes is of clear solids on a ground.  What else is drawn does not
- * depend on it. */
+/* Puts the solids of one in three scenes on a ground and makes them transparent.  The
+ * other random choices do not depend on it. */
 static void put_on_ground(uint64_t state, struct grid *scene)
 {
     state = stream_beside(state, 7, 1);
@@ -406,7 +406,7 @@ static void shuffle(struct solid **solids, size_t count, uint64_t *state)
     }
 }
 
-/* What a difference takes away may be taken in any order. */
+/* The subtracted parts of a difference may be shuffled. */
 static void shuffle_parts(struct solid *solid, uint64_t *state)
 {
     size_t kept = solid->joining == DIFFERENCE && solid->count > 0;

@@ -1,3 +1,4 @@
+/* islands.c - computes the islands of a polynomial from the roots of its neighbours. */
 #include "islands.h"
 
 enum { SHORES = 2 * EXACT_DEGREE };
@@ -16,8 +17,8 @@ void islands_clear(struct islands *islands)
         mpfr_clears(islands->island[i].low, islands->island[i].high, (mpfr_ptr)NULL);
 }
 
-/* Where f = +-2^-ISLAND_BITS sum |c_i| x^i: roots of a polynomial whose
- * coefficients differ by that much. */
+/* Computes the points with f = +-2^-ISLAND_BITS sum |c_i| x^i: roots of a polynomial
+ * whose coefficients are changed by that much. */
 static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree, int sign)
 {
     mpfr_t moved[EXACT_DEGREE + 1];
@@ -33,7 +34,7 @@ static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree, int s
         mpfr_clear(moved[i]);
 }
 
-/* Is f 0, as far as can be told, between two shores? */
+/* Returns whether |f| is within the bound between two shores. */
 static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
 {
     mpfr_t x, value, size;
@@ -48,7 +49,7 @@ static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
     return land;
 }
 
-/* Both lists in one, ascending. */
+/* Merges both lists in ascending order. */
 static size_t merge(mpfr_ptr *shores, struct exact_roots *a, struct exact_roots *b)
 {
     size_t count = 0, i = 0, j = 0;

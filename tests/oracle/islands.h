@@ -1,10 +1,10 @@
-/* islands.h - where a polynomial is 0 as far as 47 bits can tell.
+/* islands.h - computes where a polynomial is 0 within the accuracy of 47 bits.
  *
- * On t > 0 the set |f(t)| <= 2^-ISLAND_BITS sum |c_i| t^i is a few intervals,
- * the islands.  Every root of f lies in one.  An error of 2^-ISLAND_BITS in
- * each coefficient may move a root anywhere in its island, join the roots of an
- * island or let them vanish in pairs; it can do nothing outside.  So the width
- * of an island is the condition of its roots.
+ * On t > 0 the set |f(t)| <= 2^-ISLAND_BITS sum |c_i| t^i consists of a few intervals,
+ * the islands.  Every root of f is on one.  An error of 2^-ISLAND_BITS in each
+ * coefficient may move a root anywhere on its island, join the roots of an island, or
+ * remove them in pairs.  It changes nothing outside.  So the width of an island is the
+ * condition of its roots.
  */
 #ifndef ISLANDS_H
 #define ISLANDS_H
@@ -22,7 +22,8 @@ struct islands {
 
 void islands_init(struct islands *islands);
 void islands_clear(struct islands *islands);
-/* Of the polynomial with the coefficients c[i] of x^i; ascending. */
+/* Computes the islands of the polynomial with coefficients c[i] of x^i, in ascending
+ * order. */
 void islands_find(struct islands *islands, mpfr_t *c, int degree);
 
 #endif

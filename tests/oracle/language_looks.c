@@ -1,7 +1,7 @@
-/* language_looks.c - pigments, finishes, normals, textures and random motions. */
+/* language_looks.c - random pigments, finishes, normals, textures and transforms. */
 #include "tests/oracle/language_parts.h"
 
-/* Turns and sizes; what they move stays about the origin. */
+/* Rotations and scales; an object at the origin stays there. */
 void say_turns(struct language *draw)
 {
     for (size_t i = below(&draw->state, 3); i > 0; i--)
@@ -13,7 +13,7 @@ void say_turns(struct language *draw)
 
 /* --- pigments ------------------------------------------------------------- */
 
-/* Entries may be at one place, and not all of 0 to 1 need have one. */
+/* Entries may have equal positions, and need not cover 0 .. 1. */
 void say_map(struct language *draw)
 {
     double at = between(&draw->state, -.1, .3);
@@ -43,7 +43,7 @@ void say_pigment(struct language *draw)
     say(draw, "}\n");
 }
 
-/* A whole solid that lets light pass, and its look. */
+/* A closed solid that transmits light, and its texture. */
 void say_clear_look(struct language *draw)
 {
     open_solid_shape(draw, true);
@@ -57,8 +57,8 @@ void say_clear_look(struct language *draw)
 
 /* --- finishes ------------------------------------------------------------- */
 
-/* Not where light may pass: of a checker whose colours let different shares pass a
- * metal is another one in POV-Ray. */
+/* Not where light is transmitted: for a checker whose colours transmit different
+ * shares, POV-Ray computes a metal differently. */
 void say_metallic(struct language *draw)
 {
     if (draw->metals && one_in(&draw->state, 3))
@@ -121,8 +121,8 @@ void say_slopes(struct language *draw)
     say(draw, "}\n");
 }
 
-/* Now and then; of mirrors not so steep: what then goes along the surface meets it again
- * or not, by how near POV-Ray looks. */
+/* Adds a normal to some textures; on mirrors it is less steep.  A reflected ray along
+ * the surface hits it again or not, depending on POV-Ray's tolerance. */
 static void say_normal_of(struct language *draw, double steep)
 {
     uint64_t before = draw->state;

@@ -1,20 +1,21 @@
-/* language_parts.h - what draws a scene random text: the drawing, and its
- * parts from values up to objects.
+/* language_parts.h - the generator of random scene texts: its state and its parts, from
+ * values to objects.
  *
- * Texts are drawn by patterns: a pattern is text with parts, drawn from left to right.
+ * Texts are generated from patterns.  A pattern is text with parts, which are evaluated
+ * from left to right.
  *
- *     ~LOW:HIGH~     a number between these, written down or computed
- *     @LOW:HIGH@     a vector of three such
- *     ^DLOW:HIGH^    a number with D digits; of several that no other part separates the
- *                    last is drawn first; $. separates
- *     ^#LOW:COUNT^   .. a whole number, one of COUNT from LOW on
- *     $N[A|B..$]     one of the patterns, of N cases: the last pattern has all that are
- *                    left; without N each has one
- *     $f2; $v2;      an expression, a float's or a vector's, two deep at most
- *     $=N; $+N; $!N; a declared name N0, N1 ..; a new one; from here on it is declared
+ *     ~LOW:HIGH~     a number between these, as a literal or an expression
+ *     @LOW:HIGH@     a vector of three such numbers
+ *     ^DLOW:HIGH^    a number with D digits; of several without another part between
+ *                    them, the last is generated first; $. separates
+ *     ^#LOW:COUNT^   an integer, one of COUNT from LOW on
+ *     $N[A|B..$]     one of the patterns, by N equal cases: the last pattern has all
+ *                    the remaining ones; without N each pattern has one
+ *     $f2; $v2;      an expression, a float or a vector, at most two levels deep
+ *     $=N; $+N; $!N; a declared name N0, N1 ..; a new one; its declaration ends here
  *     $rule;         the rule of this name (language_rules.c)
  *
- * What may be left out is a line, or a block from its opening to its closing line
+ * A line, or a block from its opening to its closing line, can be removed
  * (text_shrink.h).
  */
 #ifndef LANGUAGE_PARTS_H
@@ -24,7 +25,7 @@
 
 #include <stdio.h>
 
-/* Names declared so far, by their kinds: N0, N1 .. are floats. */
+/* Kinds of declared names; N0, N1 .. are floats. */
 enum language_name {
     NAME_FLOAT,
     NAME_VECTOR,
@@ -45,19 +46,19 @@ enum { LANGUAGE_ELEMENTS = 4 }; /* of an array */
 struct language {
     uint64_t state;
     FILE *text;
-    FILE *text_of_all; /* where text goes to again behind an image, or NULL */
+    FILE *text_of_all; /* the text to continue after an image, or NULL */
     size_t names[LANGUAGE_NAMES];
-    double steep;  /* how steep a normal may be */
+    double steep;  /* maximum slope of a normal */
     bool streams;  /* Stream is a seed */
-    bool library;  /* colors.inc is there */
-    bool turning;  /* I is a loop's float */
+    bool library;  /* colors.inc is included */
+    bool turning;  /* I is the variable of a loop */
     bool calling;  /* a macro may be called */
-    bool clear;    /* light may pass: no fog */
-    bool metals;   /* it passes nowhere */
-    bool clipping; /* what is drawn clips: it is no mesh */
+    bool clear;    /* light may be transmitted: no fog */
+    bool metals;   /* no light is transmitted: metals are allowed */
+    bool clipping; /* the object clips: it is no mesh */
 };
 
-/* A rule is a pattern, or a function where the text depends on what was drawn before. */
+/* A rule is a pattern, or a function if the text depends on previous choices. */
 struct language_rule {
     const char *name;
     void (*say)(struct language *draw);
@@ -66,18 +67,18 @@ struct language_rule {
 extern const struct language_rule language_rules[];
 extern const size_t language_rule_count;
 
-/* The pattern that the format makes. */
+/* Evaluates the pattern that the format makes. */
 void say(struct language *draw, const char *format, ...);
 void say_pattern(struct language *draw, const char *pattern);
 void say_number(struct language *draw, double low, double high);
 
-/* Of one pigment of so many the lines that make it an image, clear around that or not
- * anywhere.  What else is drawn of it is drawn as ever, up to end_image, but not said. */
+/* Makes one pigment of one_of an image, which is surrounded by a transparent colour if
+ * clear.  The pattern up to end_image is then evaluated but not printed. */
 void begin_image(struct language *draw, size_t one_of, bool clear);
 void end_image(struct language *draw);
 
-/* An open block of a shape, for modifiers: about the origin, no larger than a ball of 1.3
- * about it.  closed: with an inside, and no way in. */
+/* Opens a block of a shape, for modifiers.  The shape is at the origin, within a ball
+ * of radius 1.3.  closed: it has an inside and no opening. */
 void open_solid_shape(struct language *draw, bool closed);
 
 /* The functions of the rules. */

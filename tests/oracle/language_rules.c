@@ -1,10 +1,10 @@
-/* language_rules.c - the scene random language: the rules of its texts. */
+/* language_rules.c - the rules of the random scene language. */
 #include "tests/oracle/language_parts.h"
 
 #define PLACE_OFF "translate <^4.1:.2^, ^4.1:.2^, ^4.1:.2^>\n"
 #define SHARE(word, most) word " $3[rgb @.02:" most "@|~.02:" most "~$]\n"
 #define SHIFT "translate <^4-.4:.4^, ^4-.4:.4^, ^4-.4:.4^>\n"
-/* Rays that pass a thing as if it was not there. */
+/* Hides an object from some kinds of rays. */
 #define HIDDEN(in) \
     "$" in "[no_shadow\n|$]$" in "[$6[no_image off|no_image$]\n|$]$" in \
     "[no_reflection\n|$]"
@@ -45,13 +45,13 @@ const struct language_rule language_rules[] = {
       "|matrix <1, ^3-.3:.3^, 0, ^3-.3:.3^, .9, 0, 0, ^3-.3:.3^, 1, 0, ^3-.2:.2^, 0>$]\n" },
     { "turns", say_turns, NULL },
     /* --- pigments --- */
-    /* Steps of a pattern lie off the planes in which things are drawn, where a
-     * rounding would decide between two of its colours. */
+    /* Steps of a pattern are off the planes of the objects, where rounding would decide
+     * between two of its colours. */
     { "pattern_place", NULL, "scale ^4.3:.9^\n$2[$turn;|$]" PLACE_OFF },
     { "checker", NULL, "checker$8[| $color;$[, | $]$color;$]\n$pattern_place;" },
     { "map", say_map, NULL },
     { "gradient", NULL, "gradient $arrow;$6[\n|$map;$]$pattern_place;" },
-    /* What goes round more than once or twice has edges that are as narrow as pixels. */
+    /* More than two repetitions have edges as narrow as a pixel. */
     { "waves", NULL,
       "$2[$[ramp_wave|triangle_wave|sine_wave|scallop_wave|cubic_wave|poly_wave$]\n|$]"
       "$6[poly_wave ^3.3:4^\n|$]$3[frequency ~-2:2~\n|$]$3[phase ~-1:2~\n|$]" },
@@ -68,8 +68,8 @@ const struct language_rule language_rules[] = {
       "|rgbft <^2.4:1^, ^2.4:1^, ^2.4:1^, .5, ~.1:.4~>"
       "|$color;$[ transmit .6| filter .7| filter .4 transmit .3$]$]\n" },
     { "pigment", say_pigment, NULL },
-    /* Of what continues for ever: far out a gradient is another one in POV-Ray, whose
-     * values go round at 1.00001 below -1. */
+    /* For unbounded objects.  Far away POV-Ray's gradient differs, because its values
+     * are reduced modulo 1.00001 below -1. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
     /* --- finishes --- */
     { "reflection", NULL,
@@ -91,8 +91,8 @@ const struct language_rule language_rules[] = {
     { "finish", say_finish, NULL },
     { "ground_finish", say_ground_finish, NULL },
     /* --- normals --- */
-    /* Without the functions and streams that numbers may have: what else is drawn does
-     * not depend on normals. */
+    /* Without the functions and streams of other numbers, so that the other random
+     * choices do not depend on normals. */
     { "bump", NULL,
       "$[gradient x|gradient <1, -1, .5>|onion|leopard|radial frequency 3|boxed|spherical"
       "|cylindrical|planar|quilted$]"
@@ -119,17 +119,17 @@ const struct language_rule language_rules[] = {
       "|texture {\n$texture_words;}\n$]" },
     { "clear_look", say_clear_look, NULL },
     /* --- shapes --- */
-    /* Of a radius below 0 POV-Ray's bounding box is inside out: it sees the ball only
-     * if there are fewer than three things. */
+    /* With a negative radius POV-Ray's bounding box is inside out: it shows the ball
+     * only if there are fewer than three objects. */
     { "ball", NULL, "sphere {\n@-.2:.2@$[, | $]^4.4:.9^\n" },
     { "box", NULL, "box {\n@-.8:-.2@, @.2:.8@\n" },
     { "cylinder", NULL, "cylinder {\n@-.7:-.2@, @.2:.7@, ~.2:.6~\n" },
     { "cone", NULL, "cone {\n@-.7:-.2@, ~.3:.6~, @.2:.7@, $3[0|~.2:.6~$]\n" },
-    /* A tube that passes through itself is not drawn: of what is seen only from
-     * within POV-Ray gives normals of another part. */
+    /* The tube does not intersect itself:  POV-Ray returns normals of another part for
+     * surfaces that are visible only from inside. */
     { "torus", NULL, "torus {\n~.5:.8~, ~.1:.4~\nsturm\n" },
     { "ellipsoid", NULL, "quadric {\n@1.4:4@, @-.5:.5@, @-.2:.2@, -^4.6:1^\n" },
-    /* x^4 + y^4 + z^4 and some of the second order. */
+    /* x^4 + y^4 + z^4 and terms of the second order. */
     { "quartic", NULL,
       "quartic {\n<2, 0,0,0, ^30:1^,0,0, ^30:1^,0,^3-1:1^, 0,0,0,0,0,^3-.5:.5^, 0,0,0,0, "
       "3, 0,0, ^30:1^,0,^3-1:.5^, 0,0,0,0, 2, 0,^3-.7:.5^,0, -^3.4:1^>\nsturm\n" },
@@ -137,36 +137,36 @@ const struct language_rule language_rules[] = {
     { "blob_begin", NULL,
       "blob {\nthreshold ^4.2:.6^\n$.sphere { <^3-.3:.3^, 0, ^3-.3:.3^>, .8, 1.3 }\n" },
     { "shape", open_solid, NULL },
-    /* What has no end, or not in all directions; for cutting. */
+    /* Unbounded shapes, for cutting. */
     { "plane", NULL, "plane {\n$arrow;, ^4-.2:.5^\n" },
     { "quadric", open_quadric, NULL },
     { "cubic", NULL,
       "$2[cubic {\n|poly { 3,\n$]<^3.2:1^, 0,0,.2, 0,0,0, 0,0,1, ^3-.5:.5^, 0,0, 0,0,1, "
       "^3-1:-.2^, .1,-1, .02>\nsturm\n" },
     { "endless", NULL, "$6[$quadric;|$cubic;|$plane;$]" },
-    /* One that has no inside, but a look of its own in some parts. */
+    /* Shapes without an inside; some have textures of their own. */
     { "disc", NULL, "disc {\n@-.2:.2@, $arrow;, ^4.5:1^$2[, ^4.1:.4^|$]\n" },
     { "triangle", open_lone_triangle, NULL },
     { "mesh", open_mesh, NULL },
     { "net", open_net, NULL },
     { "bicubic", open_bicubic, NULL },
-    /* An outline with a hole; or a star, which crosses itself. */
+    /* An outline with a hole, or a star, which intersects itself. */
     { "polygon", NULL,
       "polygon {\n$3[6, <0, .9>, <.53, -.73>, <-.86, .28>, <.86, .28>, <-.53, -.73>, "
       "<0, .9>|5, <-.8, -.7>, <.8, -.6>, <.7, .8>, <-.9, .6>, <-.8, -.7>$]\n" },
-    /* Of letters with little that is round: POV-Ray keeps them in 32 bits, which is
-     * seen in highlights. */
+    /* Characters with few curves:  POV-Ray stores them in 32 bits, which shows in
+     * highlights. */
     { "sign", NULL,
       "text {\nttf \"timrom.ttf\" \"$[A|H|M|L$]\" ^3.1:.5^, ^20:.2^*x\n" },
     { "sheet", NULL,
       "$12[$sign;|$[$disc;|$disc;|$triangle;|$mesh;|$net;|$bicubic;|$polygon;$]$]" },
     /* --- modifiers --- */
     { "place", NULL, "translate <~-2.2:2.2~, ~-1:1.6~, ~-2:2~>\n" },
-    /* As a part of a solid, so that no faces coincide. */
+    /* For a part of a solid, so that no faces coincide. */
     { "shift", NULL, SHIFT },
     { "clip", say_clip, NULL },
     { "cuts", NULL, "$8[$clip;|$]$10[hollow\n|$]" HIDDEN("10") },
-    /* A look before, among or behind the motions. */
+    /* A texture before, between or after the transforms. */
     { "dress", NULL, "$turns;$look;$turns;" },
     /* --- solids --- */
     { "listed_solid", say_listed_solid, NULL },
@@ -175,7 +175,7 @@ const struct language_rule language_rules[] = {
     /* --- things --- */
     { "shape_thing", NULL, "$shape;$dress;$cuts;$place;}\n" },
     { "sheet_thing", NULL, "$sheet;$dress;" HIDDEN("8") "$place;}\n" },
-    /* Its words change nothing here. */
+    /* These words have no effect here. */
     { "solid_thing", NULL,
       "object {\n$great_solid;$2[$look;|$]$turns;"
       "$6[$[hollow|hollow off|no_radiosity|photons { }$]\n|$]" HIDDEN(
@@ -185,13 +185,13 @@ const struct language_rule language_rules[] = {
     { "listed", NULL, "$3[$sheet;$turns;" SHIFT "}\n|$listed_solid;$]" },
     { "group", NULL,
       "union {\n$2[|$listed;$]$listed;$listed;$dress;" HIDDEN("12") "$place;}\n" },
-    /* One that is within a box or a ball, as its bound says. */
+    /* An object inside a box or a ball, given as its bound. */
     { "bounded_thing", NULL,
       "union {\nbox {\n@-.6:-.1@, @.1:.6@\n$2[$look;|$]}\n"
       "sphere {\n@-.6:-.1@, ~.2:.5~\n$2[$look;|$]}\n"
       "bounded_by {\n$2[box { -1.7, 1.7 }|sphere { 0, 1.9 }$]\n}\n$dress;$place;}\n" },
-    /* Whole solids, without a way in: a ray of the eye enters an open one from behind in
-     * POV-Ray, where here it leaves. */
+    /* Closed solids without an opening: a camera ray enters an open one from the back
+     * in POV-Ray, while here it leaves. */
     { "clear_thing", NULL, "$2[$bent;|$unbent;$]" HIDDEN("6") "$place;}\n" },
     { "bent", NULL, "$unbent;interior { ior ~1.1:1.7~ }\n" },
     { "unbent", say_clear_look, NULL },
@@ -220,7 +220,7 @@ const struct language_rule language_rules[] = {
       "$[right x*image_width/image_height|right 4/3*x|right -x*4/3|right x*4/3 up y"
       "|up 1.2*y right 1.6*x$]\n" },
     { "aim", NULL, "look_at @-.4:.4@\n$4[sky <~-.6:.6~, 1, .2>\n|$]" },
-    /* By its vectors, and turned as a whole. */
+    /* A camera by its vectors, rotated as a whole. */
     { "turned_camera", NULL,
       "$3[orthographic\n" AFTER_TURNED "$.right ^35:8^*x up ^34:6^*y\n"
       "|" AFTER_TURNED "$2[$width;|$]$]rotate <~-5:35~, ~-180:180~, ~-20:20~>\n" },
@@ -232,8 +232,8 @@ const struct language_rule language_rules[] = {
     { "light_cylinder", NULL,
       "cylinder\n$point_at;$2[radius ~.5:3~\n|$]$2[falloff ~1:6~\n|$]"
       "$2[tightness ~0:8~\n|$]" },
-    /* Below all else.  It is hollow, as an orthographic picture may begin below it: in
-     * a body that is not POV-Ray sees no fog. */
+    /* Below everything else.  It is hollow, because an orthographic picture may start
+     * below it, and POV-Ray shows no fog inside a body that is not hollow. */
     { "ground", NULL,
       "$2[plane {\ny, -2.6137 hollow\n$far_pigment;|disc {\n-2.6137*y, y, 6\n$pigment;$]"
       "$3[$ground_finish;|$]}\n" },

@@ -1,4 +1,5 @@
-/* language_scene.c - see language_scene.h. */
+/* language_scene.c - generates the settings, cameras and lights of random scene
+ * texts. */
 #include "tests/oracle/language_scene.h"
 
 #include "tests/oracle/language_parts.h"
@@ -9,7 +10,7 @@
 
 /* --- declarations --------------------------------------------------------- */
 
-/* Without macros, which POV-Ray does not call there. */
+/* Without macros:  POV-Ray does not call them there. */
 void declare_array(struct language *draw)
 {
     draw->calling = false;
@@ -74,8 +75,8 @@ static void say_sky(struct language *draw)
         say(draw, "sky_sphere { Heaven rotate <0, ^2-90:90^, 20> }\n");
 }
 
-/* In a fog nothing is clear: here it fills such a thing, in POV-Ray only if that
- * is hollow. */
+/* With fog no object is transparent: here fog fills such an object, in POV-Ray only if
+ * the object is hollow. */
 static void say_fog(struct language *draw)
 {
     size_t which = below(&draw->state, 5);
@@ -88,7 +89,7 @@ static void say_fog(struct language *draw)
 
 /* --- cameras and lights --------------------------------------------------- */
 
-/* The eye is aslant, so that no ray runs in a face. */
+/* The camera looks obliquely, so that no ray is parallel to a face. */
 static void say_looking_camera(struct language *draw)
 {
     say(draw, "$5[orthographic\n|$]");
@@ -108,8 +109,8 @@ static void say_camera(struct language *draw)
     say(draw, "}\n");
 }
 
-/* False: its rays are parallel.  What lies behind such a light is faded in another
- * way in POV-Ray (docs/povray.md). */
+/* Returns false if the rays of the lamp are parallel.  POV-Ray fades the far side of
+ * such a light differently (docs/povray.md). */
 static bool say_beam(struct language *draw)
 {
     bool cone = one_in(&draw->state, 2), parallel = one_in(&draw->state, 4);
@@ -119,7 +120,7 @@ static bool say_beam(struct language *draw)
     return cone && !parallel;
 }
 
-/* What else is drawn does not depend on it. */
+/* The other random choices do not depend on it. */
 static void say_area(struct language *draw)
 {
     uint64_t kept = draw->state;

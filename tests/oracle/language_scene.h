@@ -1,24 +1,24 @@
-/* language_scene.h - random scenes, as texts in the scene language.
+/* language_scene.h - generates random scenes as texts in the scene language.
  *
- * Declarations of every kind, expressions of every operator and function,
- * conditions, loops, macros and arrays; all shapes that POV-Ray has, too, solids,
- * clipped and bounded ones, motions, looks, lights, fogs, skies and cameras: of
- * what docs/scenes.md says that it means the same in both programs.  What
- * docs/povray.md lists as a difference is not drawn; the places say so.
+ * The texts have declarations of every kind, expressions with every operator and
+ * function, conditions, loops, macros and arrays; all shapes that POV-Ray also has,
+ * solids, clipped and bounded objects, transforms, textures, lights, fogs, skies and
+ * cameras.  They use everything that means the same in both programs by docs/scenes.md.
+ * The differences listed in docs/povray.md are avoided; comments mark the places.
  */
 #ifndef LANGUAGE_SCENE_H
 #define LANGUAGE_SCENE_H
 
 #include <stdint.h>
 
-/* Pictures that they are made for. */
+/* Size of the pictures for which they are made. */
 enum { LANGUAGE_WIDTH = 40, LANGUAGE_HEIGHT = 30 };
 
-/* What they show by image_map is in a file of this name, beside them. */
+/* The image of their image_map is a file of this name in the same folder. */
 #define LANGUAGE_IMAGE "language_image.ppm"
 extern const char language_image[];
 
-/* The caller frees it. */
+/* Returns the text of a scene; the caller frees it. */
 char *language_scene_text(uint64_t seed);
 
 #endif

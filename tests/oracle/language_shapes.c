@@ -1,4 +1,4 @@
-/* language_shapes.c - random shapes: each opens its block and leaves it open, for
+/* language_shapes.c - random shapes; each function leaves the block open for
  * modifiers. */
 #include "tests/oracle/language_parts.h"
 #include "tests/oracle/scene_words.h"
@@ -8,8 +8,8 @@
 
 /* --- solids --------------------------------------------------------------- */
 
-/* An outline that does not cross itself, now and then with a hole; of straight
- * edges or of parabolas, where each loop has a point before its first. */
+/* Makes an outline that does not intersect itself, sometimes with a hole.  Its edges
+ * are straight, or parabolas, where each loop has a point before its first. */
 static void open_prism(struct language *draw)
 {
     uint64_t state = stream_beside(draw->state, 5, 1);
@@ -41,9 +41,9 @@ static void open_prism(struct language *draw)
     say(draw, "\n");
 }
 
-/* Balls and rods that melt together; what is taken away leaves a dent.  Small
- * parts are not drawn: POV-Ray sees nothing of a blob within a hundredth of where a
- * ray begins.  Nor is sturm, with which it loses a crossing now and then. */
+/* Adds a ball or rod to a blob; a negative strength leaves a dent.  Parts are not
+ * small, because POV-Ray finds no blob within a hundredth of the start of a ray. sturm
+ * is not used, because POV-Ray sometimes loses a crossing with it. */
 void say_component(struct language *draw)
 {
     say(draw, "$2[cylinder {\n@-.4:.4@, @.1:.5@, |sphere {\n@-.4:.4@, $]~.4:.7~"
@@ -54,8 +54,8 @@ void say_component(struct language *draw)
         "$3[scale <^3.7:1.2^, ^3.7:1.2^, 1> rotate <0, ^10:90^, ^10:90^>\n|$]}\n");
 }
 
-/* Now and then, instead of another shape: scenes that have none are as they were
- * before there were blobs. */
+/* Replaces some shapes by blobs.  Scenes without blobs are the same as before blobs
+ * existed. */
 static bool opens_blob(struct language *draw)
 {
     uint64_t kept = draw->state, state = stream_beside(kept, 7, 3);
@@ -84,8 +84,8 @@ static void open_closed(struct language *draw, size_t which)
         say_pattern(draw, closed_shapes[which]);
 }
 
-/* From the axis to the axis, or open at its ends: rising, with a level segment and
- * an upright one now and then.  It begins with a torus' numbers. */
+/* Makes a path from axis to axis, or with open ends.  It rises, with some level and
+ * some vertical segments.  It starts with the numbers of a torus. */
 static void open_lathe(struct language *draw, uint64_t *state, bool closed)
 {
     bool open = !closed && one_in(state, 3);
@@ -107,7 +107,7 @@ static void open_lathe(struct language *draw, uint64_t *state, bool closed)
     say(draw, open ? "\n" : ", <0, %.4f>\n", height);
 }
 
-/* A body of triangles, in the place of what is drawn. */
+/* Replaces a shape by a body of triangles; the shape is generated but not printed. */
 static void open_star(struct language *draw, size_t which)
 {
     struct language unseen = *draw;
@@ -125,7 +125,7 @@ void open_solid_shape(struct language *draw, bool closed)
 {
     if (opens_blob(draw))
         return;
-    /* Nothing else depends on it. */
+    /* The other random choices do not depend on it. */
     bool star = draw->state % 10 == 0 && !draw->clipping;
     size_t which = below(&draw->state, CLOSED);
     uint64_t state = stream_beside(draw->state, 5, 1);
@@ -147,7 +147,7 @@ void open_solid(struct language *draw)
     open_solid_shape(draw, false);
 }
 
-/* A hyperboloid of one sheet or of two, a cone, a cylinder, a saddle. */
+/* Makes a hyperboloid of one or two sheets, a cone, a cylinder or a saddle. */
 void open_quadric(struct language *draw)
 {
     static const char *const quadrics[] = {
@@ -163,9 +163,9 @@ void open_quadric(struct language *draw)
 
 /* --- sheets --------------------------------------------------------------- */
 
-/* bent: how far its normals, if it has any, and its plane lean.  Of one that stands
- * alone POV-Ray shows nothing if its normals are not all on one side of it, in any
- * of the places through which its motions bring it. */
+/* bent: how much its normals, if any, and its plane are tilted.  POV-Ray does not show
+ * a single triangle if its normals are not all on one side of it, in every intermediate
+ * position of its transforms. */
 static void open_triangle(struct language *draw, double bent)
 {
     static const double corner[3][2] = { { -.9, -.6 }, { .8, -.7 }, { 0, 1 } };
@@ -196,7 +196,7 @@ void open_mesh(struct language *draw)
     }
 }
 
-/* A bent net of squares, each cut in two. */
+/* Makes a bent net of squares, each of two triangles. */
 void open_net(struct language *draw)
 {
     enum { NET = 3, POINTS = NET * NET };

@@ -1,15 +1,16 @@
-/* language_things.c - solids, and things in their places, at random. */
+/* language_things.c - random solids, and objects at random places. */
 #include "tests/oracle/language_parts.h"
 
-/* Where a solid stands: in a list, as a part of another solid, or as what a
- * difference takes away or an intersection meets. */
+/* The use of a solid: in a list, as a part of another solid, or as a subtracted part of
+ * a difference or intersection. */
 enum standing { LISTED, JOINED, CUTTING };
 
 static void say_solid(struct language *draw, int depth, enum standing standing);
 
-/* By what has an end not turned inside out: POV-Ray looks at quadrics and quartics
- * in the box about what clips them, inside out or not.  Not by meshes: POV-Ray
- * loses crossings of a mesh with a ray while it asks whether they lie inside of another one. */
+/* Clips by a bounded shape that is not inverted:  POV-Ray searches quadrics and
+ * quartics in the box of the clipping shape, inverted or not.  Meshes do not clip,
+ * because POV-Ray loses crossings of a mesh while it tests whether they are inside
+ * another one. */
 void say_clip(struct language *draw)
 {
     say(draw, "clipped_by {\n");
@@ -38,10 +39,9 @@ static void say_cutter(struct language *draw, int depth)
         say_solid(draw, depth, CUTTING);
 }
 
-/* A disc is no part: of an intersection with one POV-Ray leaves out what is
- * beside the box about the disc.  A union is a list: as a part of a solid it
- * keeps its inner faces in POV-Ray, which are seen where something is clipped or
- * open. */
+/* A disc is not used as a part:  POV-Ray drops the parts of an intersection outside the
+ * box of its disc.  A union is used only in a list: as a part of a solid it keeps its
+ * inner faces in POV-Ray, which are visible where something is clipped or open. */
 static void say_joined(struct language *draw, int depth, enum standing standing)
 {
     static const char *const words[] = { "union", "merge", "intersection", "difference",
@@ -107,7 +107,7 @@ void say_for(struct language *draw)
     say(draw, "#end\n");
 }
 
-/* A macro with a number, a colour and a place, called twice. */
+/* Makes a macro with a number, a colour and a position, and two calls. */
 void say_macro(struct language *draw)
 {
     say(draw,
@@ -126,7 +126,7 @@ void say_macro(struct language *draw)
     }
 }
 
-/* Its middle comes to a random place. */
+/* The object is at a random place. */
 void say_thing(struct language *draw)
 {
     size_t which = below(&draw->state, 18);

@@ -1,4 +1,4 @@
-/* language_values.c - patterns, names, and random expressions. */
+/* language_values.c - evaluates patterns; generates names and random expressions. */
 #include "tests/oracle/language_parts.h"
 
 #include <stdarg.h>
@@ -19,7 +19,7 @@ static bool is_word(const char *word, const char *text, size_t length)
     return strlen(word) == length && strncmp(word, text, length) == 0;
 }
 
-/* A name that is there, or a new one. */
+/* Prints an existing name or a new one. */
 static void say_name(struct language *draw, enum language_name kind, char use)
 {
     size_t *count = &draw->names[kind];
@@ -35,7 +35,7 @@ static void say_name(struct language *draw, enum language_name kind, char use)
 static void say_float(struct language *draw, int depth);
 static void say_vector(struct language *draw, int depth);
 
-/* Of an expression: # stands for a float, @ for a vector, all else for itself. */
+/* Prints an operation: # becomes a float, @ a vector; other characters are copied. */
 static void say_operation(struct language *draw, const char *operation, int depth)
 {
     for (; *operation; operation++)
@@ -47,7 +47,7 @@ static void say_operation(struct language *draw, const char *operation, int dept
             putc(*operation, draw->text);
 }
 
-/* Names if there are any; else a number. */
+/* Prints a name if there is one, else a number. */
 static void say_float_leaf(struct language *draw)
 {
     size_t *names = draw->names;
@@ -71,8 +71,8 @@ static void say_float_leaf(struct language *draw)
         say(draw, "^30:3^");
 }
 
-/* Arguments are within the functions' domains; nothing grows beyond what a sine
- * of it tells. */
+/* Arguments are in the domains of the functions.  No value grows so large that its sine
+ * is inaccurate. */
 static const char *const float_patterns[] = {
     "(# + #)",
     "(# - #)",
@@ -199,7 +199,7 @@ void say_number(struct language *draw, double low, double high)
 
 /* --- colours -------------------------------------------------------------- */
 
-/* One that lets nothing pass, for where one stands: with its words. */
+/* Prints an opaque colour with its keyword. */
 void say_color(struct language *draw)
 {
     if (draw->names[NAME_COLOR] && one_in(&draw->state, 3)) {
@@ -223,7 +223,7 @@ void say_color(struct language *draw)
 
 static void expand(struct language *draw, const char *pattern, const char *end);
 
-/* LOW:HIGH and the character that ends it. */
+/* Reads LOW:HIGH; returns the position of the character that ends it. */
 static const char *read_range(const char *text, double *low, double *high)
 {
     char *end;
@@ -232,7 +232,7 @@ static const char *read_range(const char *text, double *low, double *high)
     return end + 1;
 }
 
-/* The numbers in ^ up to another part. */
+/* Prints the numbers in ^, up to the next other part. */
 static const char *say_numbers(struct language *draw, const char *pattern,
                                const char *end)
 {
@@ -267,7 +267,7 @@ static void say_point(struct language *draw, double low, double high)
     putc('>', draw->text);
 }
 
-/* Where the alternative ends that begins here. */
+/* Returns the end of the alternative that begins at p. */
 static const char *alternative_end(const char *p)
 {
     for (int open = 0; open > 0 || (*p != '|' && strncmp(p, "$]", 2) != 0); p++)

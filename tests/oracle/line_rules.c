@@ -1,4 +1,4 @@
-/* line_rules.c - see line_rules.h. */
+/* line_rules.c - generates lines and checks the hits of the all-hits ray query. */
 #include "tests/oracle/line_rules.h"
 
 #include "tests/oracle/chance.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LEAST 1e-6 /* k_tmin: what is nearer to the line's begin is not seen */
+#define LEAST 1e-6 /* k_tmin: nearer hits are ignored */
 enum { ROUNDED_EACH = 50 };
 
 /* --- lines ---------------------------------------------------------------- */
@@ -110,7 +110,7 @@ bool same_distances(const struct ray_hits *expected, const struct ray_hits *foun
 
 /* --- rules ---------------------------------------------------------------- */
 
-/* Of one line: its crossings, and what went before the one that is looked at. */
+/* One line, its hits, and the distance before its origin. */
 struct along {
     const struct scene *scene;
     const struct scene_ray *line;
@@ -177,14 +177,14 @@ static bool begins_inside(const struct along *along, const struct region *region
     return plain_is_inside(along->scene, region, &ray, LEAST - along->behind);
 }
 
-/* What is bounded, and inside of which is what is far away, is what it is not. */
+/* Returns whether a bounded region contains distant points: it is a complement. */
 static bool is_complement(const struct along *along, const struct region *region)
 {
     struct ray ray = ray_of(along->line);
     return plain_is_inside(along->scene, region, &ray, 1e9);
 }
 
-/* Those of one region. */
+/* Checks the hits of one region. */
 static bool region_keeps_rules(const struct along *along, const struct region *region)
 {
     bool closed = plain_is_closed(along->scene, region);
@@ -208,7 +208,7 @@ static bool region_keeps_rules(const struct along *along, const struct region *r
            || object_depth == is_complement(along, region);
 }
 
-/* On the plane of its triangle. */
+/* Returns whether a hit is in the plane of its triangle. */
 static bool is_on_triangle(const struct along *along, const struct ray_hit *seen)
 {
     const struct primitive *mesh = &along->scene->primitives[seen->primitive];

@@ -1,4 +1,4 @@
-/* line_rules.h - what is true of all that is seen along lines, for tests. */
+/* line_rules.h - rules for the hits of the all-hits ray query, for tests. */
 #ifndef LINE_RULES_H
 #define LINE_RULES_H
 
@@ -8,39 +8,41 @@
 
 enum { LINE_REASON = 400 };
 
-/* As rays of the scene's camera, through any place of its picture, with directions
- * of any length. */
+/* Generates lines like rays of the scene's camera, through random points of its
+ * picture, with directions of any length. */
 void draw_camera_lines(uint64_t *state, const struct scene *scene,
                        struct scene_ray *list, size_t count);
-/* Along the axes and between them, through points whose coordinates are halves from
- * -1 to 1: in faces and edges, if these are there. */
+/* Generates lines along the axes and diagonals, through points whose coordinates are
+ * halves from -1 to 1: in faces and edges, if there are any. */
 void draw_grid_lines(uint64_t *state, struct scene_ray *list, size_t count);
 
-/* Gives up where that cannot be. */
+/* Finds the hits of the lines.  Ends the program if that fails. */
 struct ray_hits find_lines(const struct scene *scene,
                            const struct ray_query_options *options,
                            const struct scene_ray *list, size_t count);
 
-/* These tell the reason where they are false, in LINE_REASON characters. */
+/* These functions write the reason, of at most LINE_REASON characters, if they return
+ * false. */
 
-/* Bit for bit. */
+/* Compares bit for bit. */
 bool same_crossings(const struct ray_hits *expected, const struct ray_hits *found,
                     char *reason);
-/* .. but of several surfaces in one place another may be seen. */
+/* Compares only the distances: of several surfaces in one place another may be
+ * found. */
 bool same_distances(const struct ray_hits *expected, const struct ray_hits *found,
                     char *reason);
 
-/* They are in order; of each region more than PLAIN_DELTA apart, into its body and
- * out of it in turn if it has one, out of it first where the line begins inside, so far
- * behind its origin, and to the outside at last if it is bounded; bodies
- * are counted; normals have length one and are against the line; points of meshes
- * lie on their triangles. */
+/* Checks that the hits are in order; that those of a region are more than PLAIN_DELTA
+ * apart and enter and leave its body alternately, first leaving it if the line starts
+ * inside (at the distance behind before its origin), and ending outside if the region
+ * is bounded; that bodies are counted; that normals have length one and point against
+ * the line; that hits with meshes are on their triangles. */
 bool keep_line_rules(const struct scene *scene, const struct scene_ray *list,
                      const struct ray_hits *found, double behind, char *reason);
 
-/* What the plain tracer sees, which begins so far behind the origins; only where, and
- * not of what, unless certain; but for one line and a share of them where a rounding
- * decides. */
+/* Compares with the plain tracer, which starts at the distance behind before the
+ * origins.  Unless certain, only the distances are compared.  One line and a share of
+ * them may differ, because rounding decides. */
 bool same_as_plain_lines(const struct scene *scene, const struct scene_ray *list,
                          const struct ray_hits *found, double behind, bool certain,
                          char *reason);

@@ -1,4 +1,4 @@
-/* many_regions.c - see many_regions.h. */
+/* many_regions.c - generates random scenes of many regions. */
 #include "tests/oracle/many_regions.h"
 
 #include "tests/oracle/scene_words.h"
@@ -23,16 +23,16 @@ struct regions {
 struct drawing {
     uint64_t *state;
     struct regions *scene;
-    struct place places[MAX_MANY_REGIONS]; /* of the scene's solids */
-    bool whole;                            /* on whole numbers */
-    bool endless;                          /* some things are */
+    struct place places[MAX_MANY_REGIONS]; /* positions of the scene's solids */
+    bool whole;                            /* integer coordinates */
+    bool endless;                          /* some objects are unbounded */
 };
 
 /* --- groups --------------------------------------------------------------- */
 
-/* What places of a group have in common, and a place after the other. */
+/* The properties of a group, and the function that places its members. */
 struct group {
-    size_t count, side; /* of a lattice */
+    size_t count, side; /* side: of a lattice */
     double centre[3], spread, size;
     bool same, endless, scattered;
     void (*place)(uint64_t *state, const struct group *group, size_t i,
@@ -54,7 +54,7 @@ static void in_cloud(uint64_t *state, const struct group *group, size_t i,
                   / cbrt((double)group->count);
 }
 
-/* Of eight in a corner each. */
+/* Places clusters at the eight corners of a cube. */
 static void in_clusters(uint64_t *state, const struct group *group, size_t i,
                         struct place *place)
 {
@@ -137,7 +137,7 @@ static struct solid *copy_of_one(struct drawing *drawing, size_t count)
     return solid_copy(drawing->scene->solids[i]);
 }
 
-/* Copies of things that are there are in the same place, bit for bit. */
+/* Copies of existing objects have the same position, bit for bit. */
 static void add_solid(struct drawing *drawing, const struct group *group, size_t i)
 {
     uint64_t *state = drawing->state;
@@ -176,8 +176,8 @@ static void add_groups(struct drawing *drawing, size_t count)
     }
 }
 
-/* A plane in which bottoms of things on whole numbers lie.  What else is drawn does
- * not depend on it. */
+/* Adds a plane that contains the bottoms of objects with integer coordinates.  The
+ * other random choices do not depend on it. */
 static void add_ground(struct drawing *drawing)
 {
     uint64_t state = stream_beside(*drawing->state, 7, 1);
@@ -191,7 +191,7 @@ static void add_ground(struct drawing *drawing)
     scene->solids[scene->solid_count++] = ground;
 }
 
-/* Some of the scene's things become one, or all of them. */
+/* Joins some or all of the scene's objects to one solid. */
 static void join_some(struct drawing *drawing)
 {
     struct regions *scene = drawing->scene;
@@ -208,7 +208,7 @@ static void join_some(struct drawing *drawing)
 
 /* --- eyes and lamps ------------------------------------------------------- */
 
-/* Somewhere among the things, or in the middle of one. */
+/* Returns the position of a random object. */
 static struct place some_place(const struct drawing *drawing)
 {
     size_t count = drawing->scene->solid_count;
@@ -217,7 +217,7 @@ static struct place some_place(const struct drawing *drawing)
     return drawing->places[below(drawing->state, count)];
 }
 
-/* About all but the farthest of them: half-way between two. */
+/* Returns the midpoint between two objects, and their distance as the size. */
 static struct place whole_place(const struct drawing *drawing)
 {
     struct place a = some_place(drawing), b = some_place(drawing);
@@ -234,9 +234,9 @@ static void look_from_afar(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
     struct place place = one_in(state, 4) ? some_place(drawing) : whole_place(drawing);
-    /* what is too near for look_at is no camera */
+    /* look_at needs a minimum distance */
     double far = fmax(place.size * between(state, 1.2, 4), 1e-3);
-    bool parallel = *state % 6 == 0; /* nothing else depends on it */
+    bool parallel = *state % 6 == 0; /* no other choice depends on it */
     solid_words(drawing->scene->view,
                 "%slocation <%.12g, %.12g, %.12g> "
                 "look_at <%.12g, %.12g, %.12g> "
@@ -249,7 +249,7 @@ static void look_from_afar(const struct drawing *drawing)
                 drawing->scene->height, between(state, 15, 70));
 }
 
-/* Rays run in faces. */
+/* Rays are parallel to faces. */
 static void look_along_an_axis(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
@@ -300,8 +300,8 @@ static void random_lamp(const struct drawing *drawing, char *lamp)
                 at[1], at[2], bright, shadowless, beam);
 }
 
-/* One scene in six has fog, about as thick as the scene is deep; what else is
- * drawn does not depend on it. */
+/* Gives fog to one scene in six, with a depth like that of the scene.  The other random
+ * choices do not depend on it. */
 static void random_fog(uint64_t state, char *fog)
 {
     state = stream_beside(state, 5, 1);

@@ -1,10 +1,10 @@
-/* many_regions.h - random scenes of no object at all up to some hundred.
+/* many_regions.h - generates random scenes of zero to a few hundred objects.
  *
- * Groups of things in clouds, clusters, rows and lattices on whole numbers, one
- * within the other, all in one point, the same thing again and again in other
- * colours, without an end, tiny and huge: shapes, trees of them, now and then
- * one great tree.  Some are clear or mirrors, some cast no shadow.  Eyes and
- * lamps stand outside, among the things, or within one.
+ * Groups of objects are in clouds, clusters, rows and lattices of integer coordinates,
+ * nested, at one point, repeated in other colours, unbounded, tiny and huge.  The
+ * objects are shapes and Boolean trees, sometimes one large tree.  Some are transparent
+ * or mirrors, some cast no shadow.  Cameras and lamps are outside, among the objects,
+ * or inside one.
  */
 #ifndef MANY_REGIONS_H
 #define MANY_REGIONS_H
@@ -13,7 +13,8 @@
 
 enum { MAX_MANY_REGIONS = 400 };
 
-/* All from the state, which is never 0; the more there is to see, the smaller the frame. */
+/* Generates a scene from the state, which is never 0.  The more work a pixel takes, the
+ * smaller the frame. */
 struct random_scene many_regions(uint64_t *state);
 
 #endif

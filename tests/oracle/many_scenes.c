@@ -1,4 +1,4 @@
-/* many_scenes.c - see many_scenes.h. */
+/* many_scenes.c - the main loop of checks with random scenes. */
 #include "tests/oracle/many_scenes.h"
 
 #include "rt/scene/language/scene_read.h"

@@ -1,4 +1,4 @@
-/* measured.c - see measured.h. */
+/* measured.c - measures a scene text on the machine. */
 #include "tests/oracle/measured.h"
 
 #include "tests/oracle/many_scenes.h"

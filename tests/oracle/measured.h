@@ -1,4 +1,4 @@
-/* measured.h - the mass properties of a scene's text, as the machine finds them, for
+/* measured.h - the mass properties of a scene text as the machine computes them, for
  * tests. */
 #ifndef MEASURED_H
 #define MEASURED_H
@@ -10,15 +10,15 @@ enum { MEASURED_PARTS = 4 };
 
 struct measured {
     size_t parts;
-    struct mass_figures part[MEASURED_PARTS + 1]; /* the last one: all of them */
+    struct mass_figures part[MEASURED_PARTS + 1]; /* the last: all parts */
     double overlap, overlap_error;
-    double middle[3], width[3]; /* of the box about all of it */
+    double middle[3], width[3]; /* of the bounding box */
     uint64_t checksum;
-    c205_error error; /* if there is one */
+    c205_error error; /* set on failure */
 };
 
-/* All of density one, inertia about the origin.  Options without model and parts, which
- * are found here.  False: it cannot be measured; the error says why. */
+/* Measures a scene with density one; the inertia is about the origin. options need no
+ * model and no parts.  Returns false and an error if it cannot be measured. */
 bool measure_scene(const char *text, struct columns_options options,
                    struct measured *measured);
 

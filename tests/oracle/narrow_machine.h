@@ -1,5 +1,5 @@
-/* narrow_machine.h - the machine's exact rule in the narrow format of
- * narrow_oracle.h: narrow_add_upper .. as arith.h has arith_add_upper. */
+/* narrow_machine.h - the machine's exact rules in the narrow format of narrow_oracle.h:
+ * narrow_add_upper and so on, like arith_add_upper of arith.h. */
 #ifndef NARROW_MACHINE_H
 #define NARROW_MACHINE_H
 

@@ -1,3 +1,5 @@
+/* narrow_oracle.c - the rules of docs/arithmetic.md in plain integers, for the narrow
+ * format. */
 #include "narrow_oracle.h"
 
 /* ---- Words -------------------------------------------------------------- */
@@ -71,7 +73,7 @@ static c205_word unchanged(c205_word word, uint64_t *flags)
     return word;
 }
 
-/* The range rule. */
+/* Makes a word by the range rule. */
 static c205_word make(int64_t exponent, int64_t coefficient, uint64_t *flags)
 {
     if (exponent > NARROW_EXPONENT_MAX) {
@@ -85,8 +87,7 @@ static c205_word make(int64_t exponent, int64_t coefficient, uint64_t *flags)
 
 /* ---- Significant bits --------------------------------------------------- */
 
-/* The longest integer there is: a sum before it is shortened, a product, a
- * quotient. */
+/* Bits of the longest integer: a sum before it is shortened, a product, a quotient. */
 enum { LONGEST = SUM_DIGITS + 1 };
 static signed char significant[2 << LONGEST];
 
@@ -100,7 +101,7 @@ void small_begin(void)
     }
 }
 
-/* The least n with -2^n <= c < 2^n. */
+/* Returns the smallest n with -2^n <= c < 2^n. */
 static int64_t significant_bits(int64_t c)
 {
     return significant[c + (1 << LONGEST)];
@@ -114,7 +115,7 @@ static int64_t less_significant(struct number a, struct number b)
     return least < 1 ? 1 : least;
 }
 
-/* floor(c / 2^places), of many places too. */
+/* Returns floor(c / 2^places), for any number of places. */
 static int64_t right(int64_t c, int64_t places)
 {
     return c >> (places > 63 ? 63 : places);
@@ -152,7 +153,7 @@ static c205_word cut_sum(int64_t exponent, int64_t sum, enum form form, uint64_t
     return make(exponent, right(sum, DIGITS), flags);
 }
 
-/* sign: of b. */
+/* Computes a + sign * b. */
 static c205_word add(c205_word word_a, c205_word word_b, int64_t sign, enum form form,
                      uint64_t *flags)
 {
@@ -202,7 +203,7 @@ c205_word small_average_difference(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Multiply, divide --------------------------------------------------- */
 
-/* Sets *special instead, where an operand says what the result is. */
+/* Returns the product, or sets *special if an operand is special. */
 static int64_t product(struct number a, struct number b, c205_word *special,
                        uint64_t *flags)
 {
@@ -414,7 +415,7 @@ c205_word small_shift(c205_word a, c205_word b, uint64_t *flags)
 
 /* ---- Compare ------------------------------------------------------------ */
 
-/* In units of the smallest exponent; machine zero is 0. */
+/* Returns the value in units of the smallest exponent; machine zero is 0. */
 static int64_t value(struct number a)
 {
     return a.zero || a.indefinite

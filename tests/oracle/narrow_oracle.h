@@ -1,8 +1,8 @@
-/* narrow_oracle.h - the arithmetic a third time, for the narrow format.
+/* narrow_oracle.h - a third implementation of the arithmetic, for the narrow format.
  *
- * docs/arithmetic.md with 7 for 47, in plain integers that hold every exact
- * result, fast enough for all pairs of words.  Words, and the arguments of
- * the rules, are those of arithmetic_oracle.h with oracle_narrow.
+ * It follows docs/arithmetic.md with 7 digits instead of 47, in plain integers that
+ * hold every exact result, and is fast enough for all pairs of words.  Words and
+ * arguments of the rules are those of arithmetic_oracle.h with oracle_narrow.
  */
 #ifndef NARROW_ORACLE_H
 #define NARROW_ORACLE_H
@@ -17,7 +17,7 @@ enum {
     NARROW_EXPONENT_MIN = -28
 };
 
-/* Before the first rule. */
+/* Call it before the first rule. */
 void small_begin(void);
 
 typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);
@@ -27,7 +27,7 @@ typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);
 #define RELATION(name) small_rule small_##name;
 #include "vm/arith.def"
 
-/* The word of an exponent and a coefficient, whatever they are. */
+/* Returns the word of an exponent and a coefficient, which may be out of range. */
 c205_word narrow_word(int64_t exponent, int64_t coefficient);
 int64_t narrow_exponent_of(c205_word word);
 int64_t narrow_coefficient_of(c205_word word);

@@ -1,4 +1,5 @@
-/* operand_letters.c - the syntax of a format beside the letters of a row. */
+/* operand_letters.c - matches the syntax of a format with the operand letters of a
+ * row. */
 #include "operand_letters.h"
 
 #include <ctype.h>
@@ -22,7 +23,7 @@ static int role_of_letter(char letter)
     }
 }
 
-/* A short or an immediate format has R, S and T. */
+/* Short and immediate formats have the fields R, S and T. */
 static bool has_short_fields(const c205_insn *row)
 {
     return !strpbrk(c205_format_syntax(row->format), "ABCab");

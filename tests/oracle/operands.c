@@ -1,7 +1,9 @@
+/* operands.c - generates pairs of operands: all pairs of edge words, and random
+ * families. */
 #include "operands.h"
 
-/* splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number
- * generators", 2014. */
+/* splitmix64:  Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
+ * 2014. */
 uint64_t random_bits(uint64_t *random)
 {
     uint64_t z = *random += UINT64_C(0x9E3779B97F4A7C15);
@@ -16,7 +18,7 @@ int64_t random_between(uint64_t *random, int64_t low, int64_t high)
     return low + (int64_t)(random_bits(random) % span);
 }
 
-/* What a family draws from: the format and the random numbers. */
+/* The source of a family: the format and the random numbers. */
 struct draw {
     const struct oracle_format *format;
     uint64_t *random;
@@ -48,7 +50,7 @@ static int64_t two(int64_t n)
 }
 
 /* clang-format off */
-/* An exponent beside a place of the format; so many times its digits off. */
+/* An exponent relative to a place of the format: digits times its digits, plus more. */
 static const struct {
     enum { FIRST, SMALLEST, NOUGHT, LARGEST, LAST } beside;
     int64_t digits, more;
@@ -59,14 +61,14 @@ static const struct {
     /* the largest numbers, the smallest */
     {LARGEST, 0, 0}, {LARGEST, 0, -1}, {LARGEST, -1, 0}, {SMALLEST, 0, 0},
     {SMALLEST, 0, 1}, {SMALLEST, 1, -1}, {SMALLEST, 1, 0},
-    /* integers and what just is none */
+    /* integers, and numbers just outside them */
     {NOUGHT, -1, -1}, {NOUGHT, -1, 0}, {NOUGHT, -1, 1}, {NOUGHT, -1, 2},
     {NOUGHT, 0, -1}, {NOUGHT, 0, 0}, {NOUGHT, 0, 1}, {NOUGHT, 1, 0},
 };
 /* clang-format on */
 
 /* clang-format off */
-/* times x 2^(digits x halves / 2 + places) + more */
+/* times * 2^(digits * halves / 2 + places) + more */
 static const struct {
     int64_t times, halves, places, more;
 } edge_coefficients[] = {
@@ -114,8 +116,8 @@ static c205_word edge(const struct oracle_format *format, size_t i)
 
 /* ---- Coefficients and words --------------------------------------------- */
 
-/* Of either sign, with a number of significant bits; one in four with long
- * runs of zeros or of ones. */
+/* Returns a coefficient of either sign with this number of significant bits; one in
+ * four has long runs of zeros or ones. */
 static int64_t coefficient(struct draw draw, int64_t digits)
 {
     uint64_t bits = random_bits(draw.random);
@@ -146,14 +148,15 @@ static c205_word normalised(struct draw draw, int64_t exponent)
     return pack(draw.format, exponent, coefficient(draw, draw.format->digits));
 }
 
-/* Of values around one, the ends of the range far off. */
+/* Returns an exponent of values around one, far from the ends of the range. */
 static int64_t usual_exponent(struct draw draw)
 {
     int64_t digits = draw.format->digits;
     return between(draw, -2 * digits - 16, digits / 2 - 3);
 }
 
-/* Past the digits of a sum, either way. */
+/* Returns a difference of exponents that may exceed the digits of a sum, in either
+ * direction. */
 static int64_t difference(struct draw draw)
 {
     int64_t past = 2 * draw.format->digits + 6;
@@ -199,7 +202,7 @@ static void aligned_unnormalised(struct draw draw, c205_word *a, c205_word *b)
     *b = any_digits(draw, exponent + difference(draw));
 }
 
-/* b is plus or minus a, or nearly. */
+/* b is plus or minus a, or nearly so. */
 static void cancelling(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t most = draw.format->digits;
@@ -212,7 +215,7 @@ static void cancelling(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, exponent + doubled, sign * (c / (1 + doubled)) + near);
 }
 
-/* The same value, or nearly, differently shifted. */
+/* a and b have the same value, or nearly so, with different exponents. */
 static void equal_values(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t digits = between(draw, 1, draw.format->digits);
@@ -229,8 +232,8 @@ static int64_t end_of_range(struct draw draw)
     return one_in(draw, 2) ? draw.format->exponent_max : draw.format->exponent_min;
 }
 
-/* Results near the ends of the range: the exponents or their opposites add
- * up to about the largest or the smallest. */
+/* Makes results near the ends of the range: the sum or difference of the exponents is
+ * near the largest or smallest exponent. */
 static void extreme_exponents(struct draw draw, int64_t *a, int64_t *b)
 {
     const struct oracle_format *format = draw.format;
@@ -266,7 +269,7 @@ static void extreme_sums(struct draw draw, c205_word *a, c205_word *b)
     *b = any_digits(draw, second);
 }
 
-/* a is a square, or one off it; roots to just below that of 2^digits. */
+/* a is a square, or one off it; roots go up to just below that of 2^digits. */
 static void squares(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t last = two(draw.format->digits / 2) * 1414 / 1000;
@@ -288,7 +291,7 @@ static void multiples(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, usual_exponent(draw), divisor);
 }
 
-/* b is a count to shift by. */
+/* b is a shift count. */
 static void counts(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t most = 3 * draw.format->width + 8;
@@ -296,7 +299,7 @@ static void counts(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, 0, between(draw, -most, most));
 }
 
-/* Numbers with a special among them here and there. */
+/* Some of the numbers are special. */
 static void sprinkled(struct draw draw, c205_word *a, c205_word *b)
 {
     fast_path(draw, a, b);
@@ -306,7 +309,7 @@ static void sprinkled(struct draw draw, c205_word *a, c205_word *b)
         *b = random_word(draw.format, draw.random);
 }
 
-/* As in vectors with gaps: nothing but normalised words and zeros. */
+/* Like vectors with gaps: only normalised words and zeros. */
 static void with_zeros(struct draw draw, c205_word *a, c205_word *b)
 {
     fast_path(draw, a, b);
@@ -316,7 +319,7 @@ static void with_zeros(struct draw draw, c205_word *a, c205_word *b)
         *b = C205_MACHINE_ZERO;
 }
 
-/* b is an exponent to be brought to, near that of a. */
+/* b is an exponent near that of a, for an adjustment. */
 static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t digits = draw.format->digits;
@@ -328,8 +331,8 @@ static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
     *b = pack(draw.format, 0, exponent + distance);
 }
 
-/* What is cut off to make a half word of a is about half of what stays; the
- * half words are near the ends of their range. */
+/* The part of a that is cut off for a half word is about half a unit; half words are
+ * near the ends of their range. */
 static void nearly_halves(struct draw draw, c205_word *a, c205_word *b)
 {
     const struct oracle_format *format = draw.format;
@@ -364,8 +367,8 @@ struct operands operands_begin(const struct oracle_format *format, uint64_t seed
     return (struct operands){ .format = format, .random = seed };
 }
 
-/* One edge word with all of them; neighbouring blocks far apart, so that a
- * short run has seen a bit of everything. */
+/* Pairs one edge word with all of them.  Successive blocks use distant edges, so that a
+ * short run covers all kinds. */
 static void edge_pair(const struct oracle_format *format, size_t block, size_t i,
                       c205_word *a, c205_word *b)
 {

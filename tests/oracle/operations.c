@@ -1,3 +1,5 @@
+/* operations.c - tables of the operations with the functions of the oracle and the
+ * machine. */
 #include "operations.h"
 
 #include "vm/number/lanes.h"
@@ -18,8 +20,8 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 
 /* ---- How the functions of the machine are called ------------------------ */
 
-/* By kind, all brought to the signatures of scalar_rule and span_rule.
- * function: a name of arith.h or lanes.h. */
+/* Adapters of each kind to the signatures of scalar_rule and span_rule; function is a
+ * name of arith.h or lanes.h. */
 #define CALL_BINARY(function) \
     static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
     { \
@@ -51,8 +53,8 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
         (void)b; \
         function(c, a, n, flags); \
     }
-/* A bitmap with bits past its end spoils the flags, which comparisons do
- * not touch. */
+/* Clears the flags if the bitmap has bits after its end; comparisons do not change
+ * flags. */
 #define CALL_RELATION_SPAN(function) \
     SPAN_OF(function) \
     { \
@@ -83,7 +85,7 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 /* clang-format on */
 #include "vm/arith.def"
 
-/* One word at a time, the usual case first (quick.h). */
+/* One word at a time, by the fast path for common operands. */
 /* clang-format off */
 #define CALL_BINARY_QUICK(name) CALL_BINARY(fast_##name)
 #define CALL_UNARY_QUICK(name) CALL_UNARY(fast_##name)

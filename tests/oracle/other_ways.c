@@ -1,4 +1,5 @@
-/* other_ways.c - a random program as a whole, in slices, saved between. */
+/* other_ways.c - runs a random program as a whole, in slices, saved and restored, and
+ * so on. */
 #include "other_ways.h"
 
 #include "tests/oracle/operands.h"
@@ -10,7 +11,7 @@
 
 enum {
     HALF = 32,
-    CLOCKS = 6000, /* of a program that may continue for ever */
+    CLOCKS = 6000, /* of a program that may run forever */
     TRAPS = 120,
     LONGEST_SLICE = 150,
     ONE_SAVED_IN = 40,
@@ -61,7 +62,7 @@ static bool keep_bytes(void *context, const void *bytes, size_t count)
     return true;
 }
 
-/* What another machine makes of a saved one. */
+/* Returns a machine restored from the saved state of another one. */
 static c205 *copy_machine(const c205 *machine)
 {
     struct bytes kept = { NULL, 0, 0 };
@@ -85,7 +86,7 @@ struct way {
 struct run {
     const struct way *way;
     c205 *machine;
-    bool restored; /* the machine is the run's own */
+    bool restored; /* the run owns the machine */
     uint64_t random, limit;
     unsigned traps;
 };
@@ -104,7 +105,7 @@ static void hear_nothing(void *context, const c205 *machine, const c205_event *e
     (void)context, (void)machine, (void)event;
 }
 
-/* Machines are used again, and nobody can stop listening: so to another. */
+/* Machines are reused and a listener cannot be removed, so a copy gets the listener. */
 static void listen(struct run *run)
 {
     change_machine(run);
@@ -118,7 +119,7 @@ static uint64_t next_limit(struct run *run)
     return run->way->sliced && end < run->limit ? end : run->limit;
 }
 
-/* Behind what trapped.  False: it cannot go on. */
+/* Skips an instruction that trapped.  Returns false if the run ends. */
 static bool skip(struct run *run, const c205_stop *stop)
 {
     unsigned halves = random_insn_halves(run->machine, stop->pc);
@@ -126,7 +127,7 @@ static bool skip(struct run *run, const c205_stop *stop)
     return halves != 0 && ++run->traps < TRAPS;
 }
 
-/* One slice.  False: it was the last. */
+/* Runs one slice.  Returns false if it was the last. */
 static bool run_on(struct run *run)
 {
     c205_stop stop = c205_run(run->machine, next_limit(run));
@@ -160,7 +161,8 @@ static uint64_t hash_at_end(const struct random_program *program, const struct w
     return hash;
 }
 
-/* A run on pages in common with others: what these have stays as it was. */
+/* Runs the program on pages shared with other machines; their contents must not
+ * change. */
 static const char *disagreeing_share(const struct random_program *program,
                                      uint64_t limit, uint64_t expected)
 {

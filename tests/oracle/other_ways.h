@@ -1,22 +1,23 @@
-/* other_ways.h - a random program run otherwise than step by step.
+/* other_ways.h - runs a random program in other modes than step by step.
  *
- * As a whole; in slices, each ended by the clock limit; in slices between
- * which the machine is saved and another one restored from that; with somebody
- * who listens, from the beginning or now and then; on pages in common with others,
- * which keep what they have.  What traps is skipped.  All ways must end in one state: everything that a saved
- * machine holds, clock and accounts among it.
+ * The modes are: as a whole; in slices, each ended by the clock limit; in slices
+ * between which the machine is saved and another one restored from it; with a listener,
+ * from the start or from some time on; on pages shared with other machines, whose
+ * contents must not change.  Instructions that trap are skipped.  All modes must end in
+ * the same state: everything that a saved machine contains, including clock and
+ * accounts.
  */
 #ifndef OTHER_WAYS_H
 #define OTHER_WAYS_H
 
 #include "tests/oracle/random_program.h"
 
-/* Of all that a machine is. */
+/* Returns a hash of the complete state. */
 uint64_t machine_hash(const c205 *machine);
 
-/* NULL: they agree; else the name of a way that did not.  stepped is the hash
- * of a machine that went to the end of the program step by step; NULL: it did
- * not come to the end, and the ways agree among themselves only. */
+/* Returns NULL if the modes agree, else the name of one that differs. stepped is the
+ * hash of a machine that ran step by step to the end of the program.  NULL: it did not
+ * reach the end, and the modes are only compared with each other. */
 const char *disagreeing_way(const struct random_program *program,
                             const uint64_t *stepped);
 
