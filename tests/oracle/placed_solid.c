@@ -1,4 +1,5 @@
-/* placed_solid.c - see placed_solid.h. */
+/* placed_solid.c - random shapes of every kind, random finishes, and CSG trees of them
+ * at a given place (placed_solid.h). */
 #include "tests/oracle/placed_solid.h"
 
 #include "tests/oracle/scene_words.h"
@@ -48,7 +49,8 @@ static void random_box(uint64_t *state, const struct place *place, struct solid 
     }
 }
 
-/* From one disk to the other along an axis: the ends, and the words behind. */
+/* Prints a cone or a cylinder along an axis: both ends, the radii, and the keyword open
+ * or none. */
 static void print_axis(uint64_t *state, const struct place *place, struct solid *solid,
                        bool cone)
 {
@@ -82,7 +84,7 @@ static void random_cone(uint64_t *state, const struct place *place, struct solid
     print_axis(state, place, solid, true);
 }
 
-/* What is drawn about the origin, and moved. */
+/* Moves a shape that was generated at the origin to the place. */
 static void move_to(uint64_t *state, const struct place *place, struct solid *solid)
 {
     solid_words(solid->motion,
@@ -91,7 +93,7 @@ static void move_to(uint64_t *state, const struct place *place, struct solid *so
                 place->at[0], place->at[1], place->at[2]);
 }
 
-/* A spool, or what is open. */
+/* A spool, or an open surface. */
 static void random_lathe(uint64_t *state, struct solid *solid)
 {
     double radius = .1 * (double)(1 + below(state, 6));
@@ -106,7 +108,7 @@ static void random_lathe(uint64_t *state, struct solid *solid)
                     radius, height, height + .1);
 }
 
-/* Or a lathe. */
+/* A torus or a lathe. */
 static void random_torus(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
@@ -119,7 +121,7 @@ static void random_torus(uint64_t *state, const struct place *place,
     move_to(state, place, solid);
 }
 
-/* Half of them of parabolas. */
+/* Half of the prisms have quadratic splines. */
 static void random_prism(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
@@ -143,7 +145,7 @@ static void random_patch(uint64_t *state, const struct place *place,
     move_to(state, place, solid);
 }
 
-/* A cone, a ball, a cylinder without ends, what lies outside a hyperboloid. */
+/* A cone, a sphere, an open cylinder, or the outside of a hyperboloid. */
 static void random_quadric(uint64_t *state, const struct place *place,
                            struct solid *solid)
 {
@@ -165,8 +167,8 @@ static void random_plane(uint64_t *state, const struct place *place,
                          : -place->at[axis] - place->size);
 }
 
-/* Now and then instead of another shape, which is drawn all the same: so what
- * else is drawn does not depend on it. */
+/* Replaces one shape in 15 by a blob.  The other shape's random numbers are drawn
+ * nevertheless, so the rest of the scene does not change. */
 static void random_blob(uint64_t *state, const struct place *place, struct solid *solid)
 {
     uint64_t own = stream_beside(*state, 7, 3);
@@ -205,8 +207,8 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
     return solid;
 }
 
-/* A pyramid whose front is open, its top anywhere, and a smooth side; or a
- * body, of which nothing else depends. */
+/* A pyramid with an open front, a random top and one smooth side; or a closed body.  No
+ * other random number depends on the choice. */
 struct solid *mesh_at(uint64_t *state, const struct place *place)
 {
     struct solid *solid = solid_new(SHAPE, 0);

@@ -1,5 +1,5 @@
-/* placed_solid.h - one random thing, about a place: a shape, or a tree of a
- * few, and what it is made of.  All from a state, which is never 0. */
+/* placed_solid.h - random objects at a place: a shape or a small CSG tree, with its
+ * finish.  All random numbers come from a state, which is never 0. */
 #ifndef PLACED_SOLID_H
 #define PLACED_SOLID_H
 
@@ -8,27 +8,29 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* About where a thing is, and how far it reaches. */
+/* The position of an object and its approximate size. */
 struct place {
     double at[3], size;
-    bool whole; /* parts are moved by whole quarters of it */
+    bool whole; /* children are moved by whole quarters of the size */
 };
 
-/* To what is short to write, and differs in ends of what is tiny. */
+/* Rounds the place to few digits, so that its text is short; the coordinates of tiny
+ * objects differ in their last digits. */
 void place_make_short(struct place *place);
 
-/* Of what a scene's things are made. */
+/* The finishes of the objects of a scene. */
 enum mood { DULL, MIXED, CLEAR, MOODS };
 
-/* A shape or, if depth is not 0, perhaps a tree so deep; the caller frees it. */
+/* Returns a shape or, if depth is not 0, possibly a tree of at most that depth; the
+ * caller frees it. */
 struct solid *solid_at(uint64_t *state, const struct place *place, enum mood mood,
                        int depth);
-/* Open, or a body. */
+/* Returns an open mesh or a closed one. */
 struct solid *mesh_at(uint64_t *state, const struct place *place);
-/* A shape that no bound can hold. */
+/* Returns a shape without bounds. */
 struct solid *endless_at(uint64_t *state, const struct place *place);
 
-/* Pigment, finish and so on, to SOLID_WORDS characters. */
+/* Writes a pigment, a finish and so on, at most SOLID_WORDS characters. */
 void random_look(uint64_t *state, enum mood mood, char *look);
 enum solid_joining random_joining(uint64_t *state);
 

@@ -1,4 +1,5 @@
-/* plain_adaptive.c - see plain_adaptive.h. */
+/* plain_adaptive.c - adaptive refinement, one block of pixels at a time
+ * (plain_adaptive.h). */
 #include "tests/oracle/plain_adaptive.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@ enum { BLOCK = 32, COLOURS = 3 };
 
 struct visit {
     const struct frame *first, *sampled;
-    size_t samples, width; /* of first: the picture's, and one */
+    size_t samples, width; /* of first: the picture's width plus one */
     double threshold, power;
     struct frame shown; /* of first's size */
     bool *refined;
@@ -76,7 +77,7 @@ static void visit_pixel(struct visit *visit, size_t row, size_t column)
         refine(visit, pixel);
 }
 
-/* Block by block. */
+/* Visits the picture block by block. */
 static void visit_all(struct visit *visit)
 {
     size_t width = visit->width, height = visit->first->height;

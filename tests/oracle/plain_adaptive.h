@@ -1,6 +1,6 @@
-/* plain_adaptive.h - which pixels get more rays because they differ from their
- * neighbours, and what these make of them: the rule of
- * rt/kernels/frame/adaptive.s, pixel after pixel. */
+/* plain_adaptive.h - the rule of rt/kernels/frame/adaptive.s in plain C: selects the
+ * pixels that differ from their neighbours, and computes their colours from more
+ * rays. */
 #ifndef PLAIN_ADAPTIVE_H
 #define PLAIN_ADAPTIVE_H
 
@@ -8,13 +8,14 @@
 
 struct plain_refined {
     size_t count;  /* pixels that are refined */
-    double margin; /* the least by which a distance was off the threshold */
+    double margin; /* smallest difference of a distance from the threshold */
 };
 
-/* first: of rays through the middles, one column and one row more than the
- * picture, which has those to the left and above besides; sampled: samples times
- * as many of both.  The picture's colours become those of first, or means.  All are
- * of a scene with that assumed_gamma. */
+/* Refines a picture.  first: the samples of rays through the pixel centres, with one
+ * more column on the left and one more row on top than the picture.  sampled: the same
+ * pixels with samples times as many rows and columns.  Sets the picture's colours to
+ * those of first, or to means of sampled.  All frames are of one scene, whose
+ * assumed_gamma is gamma. */
 struct plain_refined plain_adaptive(const struct frame *first,
                                     const struct frame *sampled, size_t samples,
                                     double threshold, double gamma,

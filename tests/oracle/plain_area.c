@@ -1,3 +1,5 @@
+/* plain_area.c - areas and centroids of surfaces, as sums over grids of parameters
+ * (plain_area.h). */
 #include "tests/oracle/plain_area.h"
 
 #include <stddef.h>
@@ -7,8 +9,8 @@
 
 #define TURN 6.28318530717958647692
 
-/* A point of the primitive's own space: piece number piece, at u and v, each
- * 0 .. 1. */
+/* Sets point, in local space, to the point of a piece of the surface at the parameters
+ * u and v, each in [0, 1]. */
 typedef void place_point(const struct primitive *primitive, size_t piece, double u,
                          double v, double point[3]);
 
@@ -56,7 +58,7 @@ static void place_elliptical_torus(const struct primitive *primitive, size_t pie
                    primitive->shape.elliptical_torus.axial, u, v, point);
 }
 
-/* On a circle about a point, square to an axis. */
+/* Sets point on the circle about a point, in the plane perpendicular to an axis. */
 static void place_on_circle(const double center[3], const double axis[3], double radius,
                             double v, double point[3])
 {
@@ -74,7 +76,7 @@ static void place_on_circle(const double center[3], const double axis[3], double
     add_scaled(point, point, radius * sin(TURN * v), second);
 }
 
-/* The side, and the discs of base and cap. */
+/* Places a point on the side, or on the disc of the base or the cap. */
 static void place_on_cone(const double base[3], double base_radius, const double cap[3],
                           double cap_radius, size_t piece, double u, double v,
                           double point[3])
@@ -155,7 +157,7 @@ static void place_steiner_patch(const struct primitive *primitive, size_t piece,
 struct surface_grid {
     const struct primitive *primitive;
     place_point *place;
-    size_t pieces, cells; /* across each piece, and down */
+    size_t pieces, cells; /* along u and along v of each piece */
 };
 
 static struct surface_grid grid_over(const struct primitive *primitive)
@@ -192,7 +194,7 @@ static void place_in_world(const struct surface_grid *grid, size_t piece, size_t
     transform_point(&grid->primitive->to_world, point);
 }
 
-/* A cell as the quadrangle of its corners. */
+/* Adds a cell, as the quadrilateral of its corners. */
 static void add_cell(const struct surface_grid *grid, size_t piece, size_t i, size_t j,
                      struct plain_area *sum)
 {
@@ -218,7 +220,8 @@ static struct plain_area sum_cells(const struct surface_grid *grid)
     return sum;
 }
 
-/* What is off by the square of a cell's size goes with two grids (Richardson). */
+/* Removes the error term that is quadratic in the cell size, by Richardson
+ * extrapolation from two grids. */
 struct plain_area plain_area(const struct primitive *primitive)
 {
     struct surface_grid grid = grid_over(primitive);

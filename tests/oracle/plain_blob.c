@@ -1,7 +1,7 @@
-/* plain_blob.c - blobs: the field is asked point by point, of how far each
- * component is.  Between the places where the line comes near a component, leaves
- * it or passes the end of a cylinder's axis it is a quartic, which five of its
- * values give. */
+/* plain_blob.c - blobs.  The field is evaluated at points, from the distance to each
+ * component.  Along a line it is a quartic between the distances at which the line
+ * enters or leaves a component or passes an end plane of a cylinder.  Five values of
+ * the field give each quartic. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/oracle/plain_shapes.h"
 
@@ -18,7 +18,7 @@ static void own_point(const struct transform *transform, const double point[3],
         own[i] = dot(transform->rows[i], point) + transform->rows[i][3];
 }
 
-/* From the nearest point of the axis, or from the centre. */
+/* Computes the vector from the nearest point of the axis, or from the centre. */
 static void way_from(const struct blob_part *part, const double own[3], double way[3])
 {
     double axis[3];
@@ -30,7 +30,7 @@ static void way_from(const struct blob_part *part, const double own[3], double w
     add_scaled(way, way, -fmin(fmax(share, 0), 1), axis);
 }
 
-/* What is left of it there: 1 - (distance / radius)^2. */
+/* Returns 1 - (distance / radius)^2 of a component at a point of its own space. */
 static double nearness(const struct blob_part *part, const double own[3])
 {
     double way[3];
@@ -56,7 +56,7 @@ bool in_blob(const struct primitive *primitive, const double point[3])
     return field_at(primitive, point) > 0;
 }
 
-/* Against the gradient. */
+/* The normal is opposite to the gradient of the field. */
 static void blob_normal(const struct primitive *primitive, const double point[3],
                         double normal[3])
 {
@@ -86,7 +86,7 @@ static void add_place(struct places *places, double at)
     places->at[places->count++] = at;
 }
 
-/* |from + t along| = radius */
+/* Adds the solutions of |from + t along| = radius. */
 static void add_ball(struct places *places, const double from[3], const double along[3],
                      double radius)
 {
@@ -100,7 +100,7 @@ static void add_ball(struct places *places, const double from[3], const double a
     }
 }
 
-/* What of a vector is across a direction of length one. */
+/* Computes the part of a vector that is perpendicular to a unit vector. */
 static void across(const double a[3], const double unit[3], double part[3])
 {
     add_scaled(part, a, -dot(a, unit), unit);
@@ -130,7 +130,7 @@ static int by_place(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Eight for each component at most. */
+/* Adds at most eight distances for each component. */
 static void find_places(const struct primitive *primitive, const struct ray *ray,
                         struct places *places)
 {
@@ -151,7 +151,7 @@ static void find_places(const struct primitive *primitive, const struct ray *ray
 
 /* --- between two places --------------------------------------------------- */
 
-/* The polynomial of x, -1 .. 1 along the way, that has the values at the
+/* Computes the polynomial in x, -1 to 1 over the interval, with the given values at the
  * nodes. */
 static void interpolate(const long double nodes[NODES], const long double values[NODES],
                         long double c[NODES])

@@ -1,3 +1,5 @@
+/* plain_bump.c - normals changed by bump patterns, by POV-Ray's rules
+ * (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
 #include "tests/oracle/plain_shapes.h"
@@ -6,7 +8,7 @@
 
 /* --- heights -------------------------------------------------------------- */
 
-/* From one end with its slope to the other: Hermite's cubics. */
+/* Interpolates between two ends with their slopes, by a cubic Hermite spline. */
 static double between_ends(const struct slope_stop *a, const struct slope_stop *b,
                            double u)
 {
@@ -41,7 +43,7 @@ static void map_point(const struct transform *map, const double point[3],
         there[i] = dot(map->rows[i], point) + map->rows[i][3];
 }
 
-/* Normals go back by the transposed map: n_i = the sum of map_ji n'_j. */
+/* Transforms a normal back by the transposed map: n_i = the sum of map_ji n'_j. */
 static void back(const struct transform *map, const double there[3], double normal[3])
 {
     for (int i = 0; i < 3; i++)
@@ -55,7 +57,7 @@ static double triple(const double a[3], const double b[3], const double c[3])
            + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/* .. and there by Cramer's rule. */
+/* The inverse of back, by Cramer's rule. */
 static void there_from(const struct transform *map, const double normal[3],
                        double there[3])
 {
@@ -70,7 +72,8 @@ static void there_from(const struct transform *map, const double normal[3],
 
 /* --- bumps ---------------------------------------------------------------- */
 
-/* Away from where it rises, by differences to the corners of a tetrahedron. */
+/* Tilts the normal away from the pattern's gradient, by differences between the corners
+ * of a tetrahedron. */
 static void push(const struct bump *bump, const double point[3], double normal[3])
 {
     double r = sqrt(8) / 3, h = sqrt(2. / 3), amount = -.1 * bump->amount;
@@ -85,7 +88,7 @@ static void push(const struct bump *bump, const double point[3], double normal[3
     }
 }
 
-/* By where a point is in its cube. */
+/* Tilts the normal by the position of the point within its unit cube. */
 static void quilt(const struct bump *bump, const double point[3], double normal[3])
 {
     double from[3];
@@ -97,7 +100,7 @@ static void quilt(const struct bump *bump, const double point[3], double normal[
     add_scaled(normal, normal, bump->amount * curve / sqrt(.75), from);
 }
 
-/* In the space around it. */
+/* Applies a bump in the space of the pattern. */
 static void change(const struct bump *bump, const struct transform *space,
                    bool unscaled, const double point[3], double normal[3])
 {

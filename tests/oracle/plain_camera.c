@@ -1,4 +1,4 @@
-/* plain_camera.c - see plain_camera.h. */
+/* plain_camera.c - camera rays, and points on the lens (plain_camera.h). */
 #include "tests/oracle/plain_camera.h"
 
 #include "rt/scene/vector.h"
@@ -10,13 +10,15 @@ size_t plain_samples(const struct camera *camera)
     return (size_t)ceil(sqrt(camera->lens_points));
 }
 
-/* How far cell number of so many is from the middle of a side from -1 to 1. */
+/* Returns the centre of a cell of the interval -1 to 1, which is divided into cells
+ * parts. */
 static double in_cell(size_t number, size_t cells)
 {
     return ((double)(number % cells) + .5) * 2 / (double)cells - 1;
 }
 
-/* Rings of the square -1 .. 1 become circles, and their sides quarters. */
+/* Maps the square -1 to 1 to the unit disk: concentric squares become circles, and each
+ * of their sides a quarter. */
 static void to_disk(double a, double b, double *x, double *y)
 {
     double radius = fmax(fabs(a), fabs(b)), angle = 0;
@@ -28,8 +30,8 @@ static void to_disk(double a, double b, double *x, double *y)
     *y = radius * sin(angle);
 }
 
-/* The ray from a point of the lens to where the one from its middle is in focus;
- * the points by the rule of rt/layout/lens.c. */
+/* Moves the ray's origin to a point of the lens and directs it to the focal point of
+ * the ray through the lens centre.  The points follow the rule of rt/layout/lens.c. */
 static void leave_lens(const struct camera *camera, size_t row, size_t column,
                        struct ray *ray)
 {

@@ -1,18 +1,20 @@
+/* plain_image.c - image maps: projection, repetition and interpolation, by POV-Ray's
+ * rules (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
 #include <math.h>
 
-/* POV-Ray's images begin so much earlier. */
+/* POV-Ray's images start earlier by this distance. */
 #define EARLIER 1e-10
 
-/* From a towards b, of a whole turn. */
+/* Returns the angle from a to b as a fraction of a full turn. */
 static double turn(double a, double b)
 {
     double share = atan2(b, a) / (2 * acos(-1));
     return share < 0 ? share + 1 : share;
 }
 
-/* Along the image, from 0 to 1 of it, and up. */
+/* Computes the coordinates along the image, 0 to 1 over its width, and up. */
 static void place_of(const struct image_map *map, const double point[3], double *u,
                      double *v)
 {
@@ -42,7 +44,7 @@ bool plain_image_misses(const struct image_map *map, const double point[3])
            || (map->mapping == IMAGE_CYLINDRICAL && is_beyond(v));
 }
 
-/* Of so many in a row, that row again and again or its ends for ever. */
+/* Wraps an index into count columns or rows; if once, clamps it to them instead. */
 static size_t within(double place, size_t count, bool once)
 {
     double last = (double)count - 1;
@@ -51,7 +53,8 @@ static size_t within(double place, size_t count, bool once)
     return (size_t)fmin(place - floor(place / (double)count) * (double)count, last);
 }
 
-/* A pixel of any column and row, these told from the left and from the top. */
+/* Returns the colour of the pixel at a column from the left and a row from the top,
+ * both of any size. */
 static void pixel_at(const struct image_map *map, double column, double row,
                      double color[3])
 {
@@ -62,7 +65,7 @@ static void pixel_at(const struct image_map *map, double column, double row,
         color[i] = table->light[table->samples[3 * (y * table->width + x) + i]];
 }
 
-/* How much of a pixel shows whose middle is that far away, in pixels. */
+/* Returns the weight of a pixel whose centre is at this offset, in pixels. */
 static double weight_of(enum image_sampling sampling, double along, double across)
 {
     if (sampling == IMAGE_BY_DISTANCE)
@@ -70,7 +73,7 @@ static double weight_of(enum image_sampling sampling, double along, double acros
     return (1 - fabs(along)) * (1 - fabs(across));
 }
 
-/* Of the pixels whose middles are about the place. */
+/* Interpolates between the pixels whose centres surround the place. */
 static void between_pixels(const struct image_map *map, double column, double row,
                            double color[3])
 {

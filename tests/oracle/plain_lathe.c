@@ -1,9 +1,10 @@
-/* plain_lathe.c - lathes: each segment of the path is a piece of a cone, of a
- * cylinder or a ring.  Inside is what the path, closed, runs round an odd number
- * of times. */
+/* plain_lathe.c - lathes: each segment of the path is a part of a cone, of a cylinder
+ * or a ring.  A point is inside if the closed path winds round it an odd number of
+ * times. */
 #include "tests/oracle/plain_shapes.h"
 
-/* From its lower end, which belongs to it, to the higher one. */
+/* Returns whether y is on the segment; its lower end is included, its upper end is
+ * not. */
 static bool has_height(const double from[2], const double to[2], double y)
 {
     return y >= fmin(from[1], to[1]) && y < fmax(from[1], to[1]);
@@ -17,7 +18,8 @@ static double least_radius(const struct outline *path)
     return least;
 }
 
-/* The angle that a way is seen under, turned about it; on to its end. */
+/* Returns the signed angle that the segment subtends at a point, and sets from to its
+ * end. */
 static double turn_to(const double point[2], double from[2], const double to[2])
 {
     double r0 = from[0] - point[0], y0 = from[1] - point[1];
@@ -27,7 +29,9 @@ static double turn_to(const double point[2], double from[2], const double to[2])
     return atan2(r0 * y1 - y0 * r1, r0 * r1 + y0 * y1);
 }
 
-/* Level and upright at least radius; 1e-4 aside of a segment there. */
+/* Closes the path and returns the angle of the closing lines: horizontal ones, and a
+ * vertical one at the path's least radius.  A line that would lie on a segment is moved
+ * by 1e-4. */
 static double turn_back(const struct outline *path, const double point[2], double at[2])
 {
     const double(*points)[2] = (const double(*)[2])path->points;
@@ -80,8 +84,8 @@ static size_t cross_ring(const double from[2], const double to[2],
     return (away >= from[0]) != (away >= to[0]);
 }
 
-/* At a distance, if that is at a height of the segment and on this half of the
- * double cone: its normal stands across the segment. */
+/* Accepts the crossing at a distance if it is at a height of the segment and on this
+ * half of the double cone.  Its normal is perpendicular to the segment. */
 static size_t cross_at(const double from[2], const double to[2], double distance,
                        const struct ray *ray, struct crossing *crossing)
 {
@@ -93,7 +97,7 @@ static size_t cross_at(const double from[2], const double to[2], double distance
     return has_height(from, to, point[1]);
 }
 
-/* rise^2 (x^2 + z^2) = (rise r + out (y - height))^2 */
+/* Solves rise^2 (x^2 + z^2) = (rise r + out (y - height))^2. */
 static size_t cross_segment(const double from[2], const double to[2],
                             const struct ray *ray, struct crossing *crossings)
 {

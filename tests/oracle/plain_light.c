@@ -1,16 +1,19 @@
-/* plain_light.c - see plain_light.h. */
+/* plain_light.c - shading, highlights, shadows and light attenuation, by POV-Ray's
+ * rules (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
 
-/* POV-Ray 3.7's: lights more oblique than this, and patterns nearer than this
- * to the next cell, count as at the limit; shadows need blockers this far from
- * the point, from the light and, within one solid, from each other. */
+/* POV-Ray 3.7's limits.  The first applies to lights at grazing angles and to points
+ * near the next cell of a pattern.  The second is the least distance of a shadow's
+ * blocker from the point, from the light and, within one solid, from the next
+ * blocker. */
 #define SMALL_ANGLE 1e-10
 #define SHADOW_DISTANCE 1e-3
 
 /* --- surfaces ----------------------------------------------------------- */
 
-/* Which of the two of a checker; within an image, or outside. */
+/* Returns which of the checker's two cells contains the point, or whether the point is
+ * outside the image. */
 static int pigment_cell(const struct pigment *pigment, const double point[3])
 {
     double local[3], sum = 0;
@@ -81,9 +84,9 @@ void plain_describe(const struct scene *scene, const struct ray *ray,
     }
 }
 
-/* phong: the eye's ray mirrored at the surface, against the light;
- * specular: the direction halfway between eye and light, against the
- * normal.  Neither takes the surface's colour, clear or not. */
+/* phong: the reflected eye ray against the light.  specular: the direction halfway
+ * between eye and light, against the normal.  Neither depends on the surface's colour
+ * or its transparency. */
 static double highlight(const struct finish *finish, const double eye[3],
                         const double normal[3], const double to_light[3])
 {
@@ -100,8 +103,8 @@ static double highlight(const struct finish *finish, const double eye[3],
     return sum;
 }
 
-/* POV-Ray's: the less of its own colour a metal shows the more obliquely it is
- * seen or lit. */
+/* POV-Ray's rule: a metal shows less of its own colour the more obliquely it is seen or
+ * lit. */
 static void add_metal(double metallic, double cosine, const double pigment[3],
                       double color[3])
 {
@@ -112,7 +115,8 @@ static void add_metal(double metallic, double cosine, const double pigment[3],
         color[i] *= 1 - own + own * pigment[i];
 }
 
-/* What of unpolarised light a surface between media gives back. */
+/* Returns the share of unpolarised light that an interface between two media
+ * reflects. */
 static double fresnel_share(double index, double cosine)
 {
     double inside = sqrt(fmax(1 - (1 - cosine * cosine) / (index * index), 0));
@@ -148,8 +152,8 @@ static bool casts_shadow(const struct scene *scene, const struct region *region)
     return false;
 }
 
-/* Each surface on the way takes its part, straight on, going in and coming
- * out. */
+/* Multiplies by the transmission of each surface on the straight way, where the ray
+ * enters and where it leaves. */
 static void pass_region(const struct plain_tracer *tracer, const struct region *region,
                         const struct ray *ray, double distance, double color[3])
 {
@@ -178,7 +182,7 @@ static void pass_scene(const struct plain_tracer *tracer, const struct ray *ray,
 
 /* --- light -------------------------------------------------------------- */
 
-/* The way from a point to the light; parallel rays come from a plane. */
+/* Computes the vector from a point to the light.  Parallel rays start on a plane. */
 static double way_to_light(const struct light *light, const double point[3],
                            double way[3])
 {
@@ -196,7 +200,8 @@ static double way_to_light(const struct light *light, const double point[3],
     return distance;
 }
 
-/* 3 t^2 - 2 t^3 from low to high; all above high, whatever low is. */
+/* Returns 3 t^2 - 2 t^3 between low and high; all points above high are 1, even if low
+ * is not below high. */
 static double spline(double low, double high, double at)
 {
     if (at >= high)
@@ -242,7 +247,7 @@ static double share_in_cylinder(const struct light *light, const double point[3]
                                 : 1);
 }
 
-/* What share of a light comes so far, as POV-Ray's pictures have it. */
+/* Returns the share of a light that arrives, with POV-Ray's attenuation. */
 static double share_of_light(const struct light *light, const double point[3],
                              const double way[3], double distance)
 {
@@ -257,8 +262,8 @@ static double share_of_light(const struct light *light, const double point[3],
     return share;
 }
 
-/* The share that the light's rule gives a place of a side: two ends are halves,
- * longer stretches are halved again. */
+/* Returns the weight of a place on one side of an area light.  Of two places each has
+ * half; longer ranges are bisected. */
 static double side_share(int from, int to, int place)
 {
     if (place < from || place > to)
@@ -288,7 +293,8 @@ static void area_place(const struct light *light, int u, int v, double place[3])
     add_scaled(place, place, b, light->area_axes[1]);
 }
 
-/* Of an area each place sends its share, through all that is before it. */
+/* Sums the contributions of all places of an area light, each attenuated by the
+ * surfaces in front of it. */
 static void pass_from_area(const struct plain_tracer *tracer, const struct light *light,
                            const struct ray *to_light, double color[3])
 {
@@ -308,8 +314,8 @@ static void pass_from_area(const struct plain_tracer *tracer, const struct light
     copy(color, sum);
 }
 
-/* A light behind the surface gives nothing, and one without shadows has no
- * highlights. */
+/* Adds one light.  A light on the far side of the surface adds nothing; a shadowless
+ * light has no highlights. */
 static void add_light(const struct plain_tracer *tracer, const struct light *light,
                       const struct plain_surface *surface, double color[3])
 {

@@ -1,4 +1,4 @@
-/* plain_lines.c - see plain_lines.h. */
+/* plain_lines.c - the sorted visible crossings of a line (plain_lines.h). */
 #include "tests/oracle/plain_lines.h"
 
 #include <stdlib.h>
@@ -6,8 +6,8 @@
 
 /* --- bodies ------------------------------------------------------------- */
 
-/* A lathe's path ends where it begins, or on the axis at both ends, where it is
- * closed by nothing that could be seen. */
+/* Returns whether a lathe's path ends where it starts, or has both ends on the axis,
+ * where no surface is missing. */
 static bool path_is_closed(const struct outline *path)
 {
     const double *first = path->points[0];
@@ -61,7 +61,8 @@ struct seen_list {
     size_t count, room;
 };
 
-/* Behind those that are no farther: of one region they come in order. */
+/* Inserts a crossing after those that are not farther; those of one region arrive in
+ * order. */
 static void insert(struct seen_list *seen, const struct plain_crossing *crossing)
 {
     size_t at = seen->count++;

@@ -1,8 +1,8 @@
-/* plain_lines.h - all that is seen of a scene along a line, in plain C doubles.
+/* plain_lines.h - all visible crossings of a scene along a line, in plain C doubles.
  *
- * From the rule of docs/solids.md alone: of each region the crossings that can be
- * seen (plain_regions.h), one behind the other, those no farther than PLAIN_DELTA
- * behind one that is seen left out; then those of all regions by their distance.
+ * This is the rule of docs/solids.md alone.  The visible crossings of each region
+ * (plain_regions.h) are taken in order; one that is at most PLAIN_DELTA after a visible
+ * one is omitted.  The crossings of all regions are then sorted by distance.
  */
 #ifndef PLAIN_LINES_H
 #define PLAIN_LINES_H
@@ -11,21 +11,22 @@
 
 struct plain_crossing {
     double distance;
-    size_t primitive; /* of the scene's, from 0 on */
+    size_t primitive; /* index in the scene */
     size_t region;
-    int crossing;     /* 1 into the region's body, -1 out of it, 0: it has none */
+    int crossing;     /* 1 enters the region's body, -1 leaves it, 0: no body */
     double normal[3]; /* against the line */
 };
 
-/* Whether all surfaces of a region are seen, and those of bodies. */
+/* Returns whether all primitives of a region are visible and closed. */
 bool plain_is_closed(const struct scene *scene, const struct region *region);
 
-/* Is a line whose direction has length one inside of it at that distance? */
+/* Returns whether the point of a line at that distance is inside the region.  The
+ * direction has length one. */
 bool plain_is_inside(const struct scene *scene, const struct region *region,
                      const struct ray *line, double distance);
 
-/* Those of a line whose direction has length one, farther than `least`; as many as
- * there is room for.  Returns how many there are. */
+/* Lists the crossings of a line farther than `least`, up to room of them, and returns
+ * their total number.  The direction has length one. */
 size_t plain_line(const struct scene *scene, const struct ray *line, double least,
                   struct plain_crossing *list, size_t room);
 

@@ -1,4 +1,4 @@
-/* plain_mass.c - see plain_mass.h. */
+/* plain_mass.c - Monte Carlo integration with stratified points (plain_mass.h). */
 #include "tests/oracle/plain_mass.h"
 
 #include "tests/oracle/chance.h"
@@ -14,13 +14,13 @@ struct box {
     struct crossing_list *crossings;
 };
 
-/* In a cell, from the box's middle. */
+/* Returns a random coordinate of a cell, relative to the centre of the box. */
 static double place_in(uint64_t *state, double width, size_t cell)
 {
     return width * (((double)cell + between(state, 0, 1)) / CELLS - .5);
 }
 
-/* The points of one line along z that are inside of some region. */
+/* Adds the points of one line along z that are inside a region. */
 static void add_line(const struct box *box, uint64_t *state, double x, double y,
                      double sum[PLAIN_MASS_FIGURES])
 {

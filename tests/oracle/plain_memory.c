@@ -9,7 +9,7 @@ enum { WORD_BITS = 64, FIRST_SLOTS = 1024 };
 #define NO_ADDRESS UINT64_MAX
 
 struct plain_slot {
-    uint64_t address; /* NO_ADDRESS: free */
+    uint64_t address; /* NO_ADDRESS: unused */
     c205_word word;
 };
 
@@ -44,7 +44,7 @@ static void free_slots(struct plain_memory *memory, size_t count)
         memory->slots[i] = (struct plain_slot){ NO_ADDRESS, 0 };
 }
 
-/* The slot of an address, or the free one where it belongs. */
+/* Returns the slot of an address, or the unused slot for it. */
 static struct plain_slot *find(const struct plain_memory *memory, uint64_t address)
 {
     uint64_t mixed = address * UINT64_C(0x9E3779B97F4A7C15);

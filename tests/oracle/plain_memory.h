@@ -1,8 +1,8 @@
 /* plain_memory.h - memory as a sparse map from addresses to words.
  *
- * Written from docs/machine.md alone, for the reference interpreter.  Every
- * store is remembered until it is settled or undone, so that an instruction
- * which turns out to trap can be taken back as a whole.
+ * Written from docs/machine.md alone, for the reference interpreter.  Stores are
+ * recorded until plain_commit or plain_undo, so that all stores of an instruction that
+ * traps can be undone.
  */
 #ifndef PLAIN_MEMORY_H
 #define PLAIN_MEMORY_H
@@ -28,7 +28,8 @@ struct plain_memory {
     size_t change_count, change_room;
 };
 
-/* Addresses are bit addresses of words; only their low 48 bits count. */
+/* Clears the bits of a bit address that do not count: only the low 48 bits do, and
+ * addresses are those of words. */
 uint64_t plain_address(uint64_t address);
 uint64_t plain_page_number(uint64_t address);
 
@@ -40,16 +41,16 @@ void plain_map(struct plain_memory *memory, uint64_t address, size_t words,
 bool plain_is_mapped(const struct plain_memory *memory, uint64_t address);
 bool plain_is_writable(const struct plain_memory *memory, uint64_t address);
 
-/* Words never stored are zero, mapped or not. */
+/* Reads a word.  Words that were never stored are zero, mapped or not. */
 c205_word plain_read(const struct plain_memory *memory, uint64_t address);
 void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 
-/* The stores since the last of these two calls are kept or taken back. */
+/* Keeps or undoes the stores since the last call of either function. */
 void plain_commit(struct plain_memory *memory);
 void plain_undo(struct plain_memory *memory);
 
-/* Room for count items of a size, the first ones kept; ends the program
- * when the host has no memory left. */
+/* Resizes an array to count items and keeps the first ones; exits if the host is out of
+ * memory. */
 void *plain_room(void *items, size_t count, size_t size);
 
 #endif

@@ -1,14 +1,14 @@
-/* plain_mesh.c - meshes: every triangle on its own.
+/* plain_mesh.c - meshes, by a test of every triangle.
  *
- * origin + t direction = a + u (b - a) + v (c - a) by Cramer's rule, in long
- * doubles.
+ * The test solves origin + t direction = a + u (b - a) + v (c - a) by Cramer's rule, in
+ * long doubles.
  */
 #include "tests/oracle/plain_shapes.h"
 
-#define EDGE 1e-13L     /* what lies so far outside of a triangle is on it */
-#define SAME 1e-12L     /* two distances that are one */
-#define UNSURE 1e-10L   /* a ray so near to an edge may pass it */
-#define PARALLEL 1e-14L /* a line so near to a triangle's plane misses it */
+#define EDGE 1e-13L     /* a point this far outside of a triangle is on it */
+#define SAME 1e-12L     /* two distances that count as one */
+#define UNSURE 1e-10L   /* a ray this near to an edge may miss it */
+#define PARALLEL 1e-14L /* a line this nearly parallel misses */
 
 typedef long double accurate[3];
 
@@ -31,8 +31,8 @@ static long double sum_of(const accurate a, const accurate b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Where a line meets a triangle's plane: the shares of its three corners, of
- * the sum 1. */
+/* The intersection of a line with a triangle's plane: the barycentric coordinates,
+ * whose sum is 1. */
 struct meeting {
     long double distance, shares[3];
 };
@@ -65,7 +65,8 @@ static bool meet_plane(const struct triangle *triangle, const struct ray *ray,
     return true;
 }
 
-/* As POV-Ray has it corner normals count by their directions alone. */
+/* Interpolates the corner normals, which count by their directions only, as in
+ * POV-Ray. */
 static void smooth_normal(const struct triangle *triangle,
                           const struct meeting *meeting, double normal[3])
 {
@@ -108,8 +109,7 @@ static bool cross_triangle(const struct triangle *triangle, const struct ray *ra
 
 /* --- of many ------------------------------------------------------------- */
 
-/* What lies ahead goes before what lies behind, and the nearer before the
- * farther. */
+/* Orders crossings: those ahead of the origin first, then by distance. */
 static bool goes_before(double a, double b)
 {
     if ((a >= 0) != (b >= 0))
@@ -117,7 +117,8 @@ static bool goes_before(double a, double b)
     return fabs(a) < fabs(b);
 }
 
-/* Of triangles that meet the line in one point, as on an edge, the first. */
+/* Returns whether a crossing is known at this distance.  Of triangles that meet the
+ * line in one point, as on an edge, the first counts. */
 static bool is_known(const struct crossing *crossings, size_t count, double distance)
 {
     long double within = SAME * (1 + fabsl(distance));
@@ -127,7 +128,7 @@ static bool is_known(const struct crossing *crossings, size_t count, double dist
     return false;
 }
 
-/* Where there is no room left the last of all is lost. */
+/* Inserts a crossing; if there is no room the last one is dropped. */
 static size_t keep(struct crossing *crossings, size_t count,
                    const struct crossing *found)
 {
@@ -159,8 +160,8 @@ size_t cross_mesh(const struct primitive *primitive, const struct ray *ray,
 
 /* --- inside --------------------------------------------------------------- */
 
-/* How often a ray from a point meets triangles; -1: it comes so near to an edge
- * that it is not sure. */
+/* Counts the crossings of a ray from a point; -1: the ray is so near to an edge that
+ * the count is uncertain. */
 static long count_ahead(const struct triangles *triangles, const struct ray *ray)
 {
     long count = 0;
@@ -177,8 +178,8 @@ static long count_ahead(const struct triangles *triangles, const struct ray *ray
     return count;
 }
 
-/* As in POV-Ray what a ray comes out of an odd number of times, whatever its
- * direction: of a closed mesh that is one thing. */
+/* Returns whether a ray from the point crosses the mesh an odd number of times, as in
+ * POV-Ray; any direction is used.  For a closed mesh the direction does not matter. */
 bool in_mesh(const struct primitive *primitive, const double point[3])
 {
     enum { DIRECTIONS = 20 };

@@ -1,11 +1,13 @@
+/* plain_pattern.c - the values of patterns at points, by POV-Ray's rules
+ * (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-/* POV-Ray's frequency goes round at this, not at 1. */
+/* POV-Ray's frequency wraps at this value, not at 1. */
 #define ROUND 1.00001
-/* .. and bricks and cubes begin so much earlier. */
+/* Bricks and cubes start earlier by this distance. */
 #define EARLIER 1e-10
 
 static double half_turn(void)
@@ -26,15 +28,15 @@ static double leopard(const double point[3])
     return sum * sum;
 }
 
-/* Whether something of a length, repeated at once, has its joint here. */
+/* Returns whether a point is in the joint between adjacent bricks of a length. */
 static bool in_joint(double at, double length, double mortar)
 {
     double part = at / length;
     return part - floor(part) <= mortar / length;
 }
 
-/* Courses along y; in every other one the joints along x stand over the middle of
- * bricks, in the others those along z. */
+/* Courses are layered along y.  In every second course the joints along x are above the
+ * middle of bricks; in the other courses, those along z. */
 static double brick(const struct pattern *pattern, const double point[3])
 {
     const double *size = pattern->brick_size;
@@ -46,7 +48,7 @@ static double brick(const struct pattern *pattern, const double point[3])
            && !in_joint(point[2] + more + (first ? size[2] / 2 : 0), size[2], m);
 }
 
-/* The nearest centre of all that are near. */
+/* Returns the number of the nearest hexagon centre. */
 static double hexagon(const double point[3])
 {
     double column = floor(point[0] / 1.5), best = INFINITY, number = 0;

@@ -1,9 +1,9 @@
-/* plain_prism.c - prisms: each side is a rectangle, each cap what an odd number
- * of loops runs round. */
+/* plain_prism.c - prisms of linear splines: each side is a rectangle; a cap covers the
+ * points that an odd number of loops encloses. */
 #include "tests/oracle/plain_shapes.h"
 
-/* The edges of a path: from one point to the next, but not from the end of a
- * loop, which is the point that it begins with, to the next loop. */
+/* Iterates over the edges of a path.  Each loop ends with its start point; no edge
+ * leads from there to the next loop. */
 struct edges {
     const struct outline *path;
     size_t next, first;
@@ -24,8 +24,8 @@ static bool take_edge(struct edges *edges)
     return true;
 }
 
-/* By the angles that the edges are seen under from the point: a loop round it
- * has them sum up to whole turns. */
+/* Returns whether the path encloses a point, by the sum of the angles that its edges
+ * subtend: a loop round the point adds a full turn. */
 static bool is_round(const struct outline *path, double x, double z)
 {
     struct edges edges = { .path = path };
@@ -45,7 +45,7 @@ bool in_prism(const struct primitive *primitive, const double point[3])
            && is_round(&primitive->shape.prism.path, point[0], point[2]);
 }
 
-/* The plane of the side, then where in its rectangle. */
+/* Intersects the plane of the side, then tests the bounds of its rectangle. */
 static bool cross_side(const struct edges *edge, double low, double high,
                        const struct ray *ray, struct crossing *crossing)
 {

@@ -1,8 +1,8 @@
-/* plain_quadratic_prism.c - prisms of quadratic splines: each side is a parabola
- * that is swept along y, each cap what an odd number of loops runs round. */
+/* plain_quadratic_prism.c - prisms of quadratic splines: each side is a parabola that
+ * is extruded along y; a cap covers the points that an odd number of loops encloses. */
 #include "tests/oracle/plain_shapes.h"
 
-/* from (1 - w)^2 + 2 handle w (1 - w) + to w^2 */
+/* The curve from (1 - w)^2 + 2 handle w (1 - w) + to w^2. */
 struct arc {
     const double *from, *handle, *to;
 };
@@ -37,8 +37,8 @@ static double slope_at(const struct arc *arc, int k, double w)
            + 2 * (arc->to[k] - arc->handle[k]) * w;
 }
 
-/* Where x nx + z nz = c: its ends are on one side, and it comes over and goes
- * back, or not; or they are not, and it is there once. */
+/* Computes the parameters w at which x nx + z nz = c.  If both ends are on one side of
+ * the line, there are two or none; otherwise there is one. */
 static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
                         double w[2])
 {
@@ -56,7 +56,8 @@ static size_t meet_line(const struct arc *arc, double nx, double nz, double c,
     return 1;
 }
 
-/* By what is at the same z, farther along x. */
+/* Returns whether the path encloses a point: counts the crossings at the same z with a
+ * greater x. */
 static bool is_round(const struct outline *path, double x, double z)
 {
     struct arcs arcs = { .path = path };

@@ -1,17 +1,17 @@
-/* plain_quartic.c - surfaces of the fourth degree: the polynomial along the
- * line is put together from those of its coordinates. */
+/* plain_quartic.c - surfaces of the fourth degree.  The polynomial along the line is
+ * composed of those of its coordinates. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/oracle/plain_shapes.h"
 
 enum { TERMS = HIGHEST_DEGREE + 1 };
 
-/* A polynomial's coefficients, the constant first. */
+/* A polynomial's coefficients, in ascending order. */
 struct along {
     long double c[TERMS];
 };
 
-/* The line from its point nearest to the origin, in steps of length one: its
- * coordinates, and what a step is in the ray's own. */
+/* The line from its point nearest to the origin, with steps of length one: its
+ * coordinates, and the ray parameters of its start and of one step. */
 struct centred_line {
     struct along coordinate[3];
     long double start, step;
@@ -34,7 +34,7 @@ static struct centred_line centre(const struct ray *ray)
     return line;
 }
 
-/* Terms above the fourth degree are not asked for. */
+/* Multiplies two polynomials; terms above the fourth degree are dropped. */
 static struct along times(const struct along *a, const struct along *b)
 {
     struct along product = { { 0 } };
@@ -50,7 +50,7 @@ static void add_times(struct along *sum, long double factor, const struct along 
         sum->c[i] += factor * what->c[i];
 }
 
-/* Distances and points of the roots; the caller adds the normals. */
+/* Sets the distances and points of the roots; the caller adds the normals. */
 static size_t cross_surface(const struct along *surface,
                             const struct centred_line *line,
                             struct crossing crossings[MAX_CROSSINGS])
@@ -64,10 +64,11 @@ static size_t cross_surface(const struct along *surface,
 
 /* --- tori --------------------------------------------------------------- */
 
-/* The tube's ellipse is at the distance `major` from y:
+/* The ellipse of the tube has its centre at the distance `major` from the y axis:
  *     ((sqrt(x^2 + z^2) - major) / radial)^2 + (y / axial)^2 = 1.
  * Without the root, with r = (radial / axial)^2:
- *     (x^2 + z^2 + r y^2 + major^2 - radial^2)^2 = 4 major^2 (x^2 + z^2). */
+ *     (x^2 + z^2 + r y^2 + major^2 - radial^2)^2 = 4 major^2 (x^2 + z^2).
+ */
 struct torus {
     double major, radial, axial;
 };
@@ -135,8 +136,8 @@ size_t cross_elliptical_torus(const struct primitive *primitive, const struct ra
 
 /* --- any quartic -------------------------------------------------------- */
 
-/* The powers of x, y and z in the terms, in their order: falling in x, then
- * in y, then in z. */
+/* The powers of x, y and z of the terms in order: descending in x, then in y, then in
+ * z. */
 typedef int powers_of_term[3];
 
 static void list_powers(powers_of_term powers[QUARTIC_TERMS])
@@ -167,7 +168,7 @@ static struct along quartic_along(const double *coefficients,
     return sum;
 }
 
-/* The derivative of a term by one axis, at a point. */
+/* Returns the partial derivative of a term at a point. */
 static double term_slope(const powers_of_term powers, int by, const double point[3])
 {
     double value = powers[by];

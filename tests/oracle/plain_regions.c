@@ -1,4 +1,5 @@
-/* plain_regions.c - see plain_regions.h. */
+/* plain_regions.c - crossings of a ray with a CSG tree, evaluated by point tests
+ * (plain_regions.h). */
 #include "tests/oracle/plain_regions.h"
 
 #include "rt/shapes/shape.h"
@@ -8,7 +9,7 @@
 struct place {
     const struct primitive *primitive;
     double distance;
-    double normal[3]; /* in the primitive's space, of either side */
+    double normal[3]; /* in the primitive's space, of either orientation */
 };
 
 struct crossing_list {
@@ -35,7 +36,7 @@ void to_other_space(const struct transform *transform, const double in[3],
         out[i] += transform->rows[i][3];
 }
 
-/* Normals go by the transpose of the inverse. */
+/* Transforms a normal by the transpose of the inverse. */
 static void normal_to_world(const struct transform *to_local, const double in[3],
                             double out[3])
 {
@@ -63,7 +64,8 @@ void crossing_list_free(struct crossing_list *list)
     free(list);
 }
 
-/* Of places at one distance the earlier in the scene stays first. */
+/* Inserts a crossing by its distance; at equal distances the primitive that is earlier
+ * in the scene comes first. */
 static void insert(struct crossing_list *list, const struct place *place)
 {
     size_t at = list->count++;
@@ -101,7 +103,7 @@ void plain_cross_region(struct crossing_list *list, const struct scene *scene,
 
 /* --- the tree ----------------------------------------------------------- */
 
-/* A point of the ray just before a crossing, or just behind it. */
+/* A point of the ray just before a crossing, or just after it. */
 struct probe {
     const struct crossing_list *list;
     double crossing;
@@ -122,8 +124,8 @@ static bool is_near(const struct place *place, double distance)
     return fabs(place->distance - distance) <= PLAIN_DELTA;
 }
 
-/* A patch, which has no inside, counts as solid behind a crossing with it and
- * nowhere else. */
+/* Returns whether a patch counts as solid at the probe: a patch has no inside, so it is
+ * solid only just after a crossing with it. */
 static bool is_behind(const struct probe *probe, const struct primitive *patch)
 {
     for (size_t i = 0; probe->behind && i < probe->list->count; i++)
@@ -179,13 +181,13 @@ bool plain_holds(const struct crossing_list *list, double distance)
 
 /* --- what is seen ------------------------------------------------------- */
 
-/* What lies on both sides of a crossing. */
+/* The points just before and just after a crossing. */
 struct sides {
     struct probe before, behind;
 };
 
-/* A primitive shows where it is one thing before and another behind, and so is
- * every part of the tree that it belongs to. */
+/* Returns whether a crossing is visible below a node: the state of the primitive, and
+ * of every node that contains it, must change there. */
 static bool shows_below(const struct sides *sides, size_t at,
                         const struct primitive *primitive)
 {
@@ -201,15 +203,15 @@ static bool shows_below(const struct sides *sides, size_t at,
     return false;
 }
 
-/* Of a primitive alone every crossing is seen. */
+/* Returns whether a crossing is visible; for a region of one primitive, all are. */
 static bool shows(const struct sides *sides, const struct primitive *primitive)
 {
     const struct region *region = sides->before.list->region;
     return is_alone(region) || shows_below(sides, region->first_node, primitive);
 }
 
-/* Of the crossings that are as good as one that of the first primitive which
- * shows there, and of that one the nearest. */
+/* Of the crossings within the tolerance, returns that of the first primitive that is
+ * visible there; of several of one primitive, the nearest. */
 static const struct place *first_shown(const struct crossing_list *list,
                                        const struct sides *sides,
                                        const struct place *seen)
@@ -227,8 +229,9 @@ static const struct place *first_shown(const struct crossing_list *list,
     return seen;
 }
 
-/* To a ray a mesh without inside is what it comes into; but as an opaque one
- * alone it has a side, as a patch has, that its normal points to. */
+/* Returns whether the ray enters a solid.  A ray always enters a mesh without an
+ * inside.  But if the mesh is opaque and alone, the side to which its normal points
+ * counts, as for a patch. */
 static bool comes_into(const struct crossing_list *list, const struct place *place,
                        double along)
 {

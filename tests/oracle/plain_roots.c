@@ -1,4 +1,5 @@
-/* plain_roots.c - see plain_roots.h. */
+/* plain_roots.c - real roots by bisection between the roots of the derivative
+ * (plain_roots.h). */
 #include "tests/oracle/plain_roots.h"
 
 #include <math.h>
@@ -25,10 +26,10 @@ static struct polynomial derivative(const struct polynomial *f)
     return result;
 }
 
-/* The signs at both ends differ. */
+/* Bisects an interval whose ends have different signs. */
 static long double bisect(const struct polynomial *f, long double low, long double high)
 {
-    long double close = 1e-24L; /* far less than a double's last bit */
+    long double close = 1e-24L; /* far below a double's last bit */
     bool below = is_below(f, low);
     while (high - low > close) {
         long double middle = low + (high - low) / 2;
@@ -42,7 +43,7 @@ static long double bisect(const struct polynomial *f, long double low, long doub
     return low + (high - low) / 2;
 }
 
-/* The roots from low to high, the lesser first. */
+/* Computes the roots from low to high, in ascending order. */
 static size_t roots_between(const struct polynomial *f, long double low,
                             long double high, long double *roots)
 {
@@ -59,9 +60,9 @@ static size_t roots_between(const struct polynomial *f, long double low,
     return count;
 }
 
-/* Roots beyond 1 are those of the polynomial read backwards, one over them: so
- * no bound of the roots is needed, and none is lost when a leading coefficient
- * is 0. */
+/* Roots beyond 1 are the reciprocals of those of the polynomial with reversed
+ * coefficients.  So no bound of the roots is needed, and a leading coefficient of 0
+ * loses none. */
 size_t plain_roots(const long double *c, int degree, long double roots[HIGHEST_DEGREE])
 {
     struct polynomial forward = { degree, { 0 } };

@@ -1,9 +1,9 @@
-/* plain_roots.h - the real roots of a polynomial, slowly and surely.
+/* plain_roots.h - the real roots of a polynomial by a slow, robust method.
  *
- * Long doubles and bisection alone: between two neighbours among the roots of
- * the derivative a polynomial is monotone, so that a root lies there when the
- * signs differ, and only one.  Roots are found by signs, 0 counting as above:
- * roots of even order may be left out, or come twice.
+ * The method uses bisection in long doubles.  Between two adjacent roots of its
+ * derivative a polynomial is monotone: one root is there if the signs at the ends
+ * differ.  A value of 0 counts as positive.  So roots of even order may be missed, or
+ * be returned twice.
  */
 #ifndef PLAIN_ROOTS_H
 #define PLAIN_ROOTS_H
@@ -12,8 +12,8 @@
 
 enum { HIGHEST_DEGREE = 4 };
 
-/* Of c[0] + c[1] t + .. + c[degree] t^degree; the highest coefficients may be
- * 0.  In no order; returns how many, at most degree. */
+/* Computes the roots of c[0] + c[1] t + ... + c[degree] t^degree, in no order, and
+ * returns their number, at most degree.  The highest coefficients may be 0. */
 size_t plain_roots(const long double *c, int degree, long double roots[HIGHEST_DEGREE]);
 
 #endif

@@ -1,7 +1,7 @@
 /* plain_shapes.c - planes, boxes and surfaces of the second degree. */
 #include "tests/oracle/plain_shapes.h"
 
-/* The real roots of a t^2 + 2 b t + c, by the form that does not cancel. */
+/* Computes the real roots of a t^2 + 2 b t + c, by the form without cancellation. */
 static size_t quadratic(double a, double b, double c, double roots[2])
 {
     double discriminant = b * b - a * c;
@@ -37,8 +37,7 @@ static void face_crossing(struct crossing *crossing, double distance, int axis)
     crossing->normal[axis] = 1;
 }
 
-/* The part of the line between each pair of faces; the box is what all three
- * have in common. */
+/* Intersects the intervals of the line between each pair of opposite faces. */
 size_t cross_box(const struct primitive *primitive, const struct ray *ray,
                  struct crossing crossings[MAX_CROSSINGS])
 {
@@ -61,13 +60,13 @@ size_t cross_box(const struct primitive *primitive, const struct ray *ray,
     return crossings[0].distance <= crossings[1].distance ? 2 : 0;
 }
 
-/* The axis of a cone, its length, and a ray taken apart along and across it.
- * At the height h the radius is radius + slope h; a cylinder is a cone whose
- * slope is 0. */
+/* The axis of a cone, its length, and a ray split into its parts along and across the
+ * axis.  The radius at the height h is radius + slope h; a cylinder is a cone with
+ * slope 0. */
 struct axial_view {
     double axis[3], length;
-    double height, rise;          /* of origin and direction */
-    double from[3], direction[3]; /* across, from the axis */
+    double height, rise;          /* of origin and direction, along the axis */
+    double from[3], direction[3]; /* across, relative to the axis */
     double radius, slope;
 };
 
@@ -84,8 +83,8 @@ static void view_along(const double base[3], const double cap[3], const struct r
     add_scaled(view->direction, ray->direction, -view->rise, view->axis);
 }
 
-/* The distance from the axis is the radius: the difference of their squares is
- * 0, and its gradient the normal. */
+/* On the wall the distance from the axis equals the radius.  The difference of their
+ * squares is 0, and its gradient is the normal. */
 static size_t cross_wall(const struct axial_view *view, struct crossing *crossings)
 {
     double radius = view->radius + view->slope * view->height;
@@ -166,7 +165,7 @@ size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
     return 1;
 }
 
-/* Where it crosses the plane, if that is on the ring. */
+/* Intersects the plane; the crossing counts if it is on the ring. */
 size_t cross_disc(const struct primitive *primitive, const struct ray *ray,
                   struct crossing crossings[MAX_CROSSINGS])
 {
@@ -183,7 +182,8 @@ size_t cross_disc(const struct primitive *primitive, const struct ray *ray,
     return away >= primitive->shape.disc.hole && away <= primitive->shape.disc.radius;
 }
 
-/* A quadric's gradient at a point; without its linear part in a direction. */
+/* Computes a quadric's gradient at a point; with linear 0, the Hessian times a
+ * direction. */
 static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
                              double linear, double gradient[3])
 {
@@ -193,8 +193,8 @@ static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
     gradient[2] = c[4] * x + c[5] * y + 2 * c[2] * z + linear * c[8];
 }
 
-/* f(o + t d) = f(o) + t d.grad f(o) + t^2 / 2 d.H d, the Hessian H being
- * constant; and f(o) by Euler's rule for its quadratic and linear parts. */
+/* Uses f(o + t d) = f(o) + t d.grad f(o) + t^2 / 2 d.H d with the constant Hessian H.
+ * f(o) comes from Euler's rule for its quadratic and linear parts. */
 size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
                      struct crossing crossings[MAX_CROSSINGS])
 {

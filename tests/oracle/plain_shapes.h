@@ -1,6 +1,6 @@
-/* plain_shapes.h - where lines cross the primitives, for the plain tracer.
+/* plain_shapes.h - intersections of lines with the primitives, for the plain tracer.
  *
- * From the geometry of each shape, in its own space; nothing is shared with
+ * They follow from the geometry of each shape, in its own space; no code is shared with
  * the kernels.
  */
 #ifndef PLAIN_SHAPES_H
@@ -12,32 +12,31 @@
 #include <stdbool.h>
 
 struct ray {
-    double origin[3], direction[3]; /* any length but 0 */
+    double origin[3], direction[3]; /* of any length but 0 */
 };
 
-/* Where a ray crosses a surface: origin + distance direction. */
+/* A crossing of a ray with a surface, at origin + distance direction. */
 struct crossing {
     double distance;
-    double normal[3]; /* of any length and either side */
+    double normal[3]; /* of any length and either orientation */
 };
 
-/* Of a prism; a quartic has 4.  Of a mesh with more these are the first ahead
- * of the origin. */
+/* The limit of a prism; a quartic has 4.  A mesh with more has the first ones ahead of
+ * the origin. */
 enum { MAX_CROSSINGS = 40 };
 
-/* Every crossing of the whole line, in no order; returns how many. */
+/* Computes every crossing of the whole line, in no order, and returns their number. */
 typedef size_t cross_shape(const struct primitive *primitive, const struct ray *ray,
                            struct crossing crossings[MAX_CROSSINGS]);
 cross_shape plain_crossings;
 
-/* Is a point of the primitive's own space inside of it?  A patch has no
+/* Returns whether a point of the primitive's own space is inside.  A patch has no
  * inside, nor has a mesh without an inside_vector. */
 typedef bool enclose_point(const struct primitive *primitive, const double point[3]);
 enclose_point plain_encloses;
 
-/* Of each: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
- * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_blob.c,
- * plain_mesh.c */
+/* Implementations: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
+ * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_blob.c, plain_mesh.c. */
 #define SHAPE(KIND, name, ...) \
     cross_shape cross_##name; \
     enclose_point in_##name;
@@ -50,13 +49,13 @@ static inline double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The greatest of its parts, by size. */
+/* Returns the greatest absolute value of the components. */
 static inline double greatest(const double a[3])
 {
     return fmax(fabs(a[0]), fmax(fabs(a[1]), fabs(a[2])));
 }
 
-/* result = a + scale b; result may be either. */
+/* Computes result = a + scale b; result may be a or b. */
 static inline void add_scaled(double result[3], const double a[3], double scale,
                               const double b[3])
 {

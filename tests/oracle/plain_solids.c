@@ -1,4 +1,4 @@
-/* plain_solids.c - is a point inside of a primitive? */
+/* plain_solids.c - tests whether a point is inside a primitive. */
 #include "tests/oracle/plain_shapes.h"
 
 bool in_sphere(const struct primitive *primitive, const double point[3])
@@ -23,7 +23,7 @@ bool in_plane(const struct primitive *primitive, const double point[3])
     return dot(primitive->shape.plane.normal, point) < primitive->shape.plane.distance;
 }
 
-/* As in POV-Ray. */
+/* The inside of a disc is a half space, as in POV-Ray. */
 bool in_disc(const struct primitive *primitive, const double point[3])
 {
     double from[3];
@@ -31,7 +31,8 @@ bool in_disc(const struct primitive *primitive, const double point[3])
     return dot(primitive->shape.disc.normal, from) < 0;
 }
 
-/* Between the ends' planes, and nearer to the axis than its radius there. */
+/* Returns whether a point is between the planes of the ends and nearer to the axis than
+ * the radius there. */
 static bool about_axis(const double base[3], double base_radius, const double cap[3],
                        double cap_radius, const double point[3])
 {
@@ -44,7 +45,7 @@ static bool about_axis(const double base[3], double base_radius, const double ca
     return share > 0 && share < 1 && dot(from, from) < radius * radius;
 }
 
-/* An open cylinder or cone encloses what the closed one does, as in
+/* An open cylinder or cone encloses the same points as the closed one, as in
  * POV-Ray. */
 bool in_cylinder(const struct primitive *primitive, const double point[3])
 {
@@ -60,9 +61,8 @@ bool in_cone(const struct primitive *primitive, const double point[3])
                       point);
 }
 
-/* A tube thicker than its ring passes through itself, and its core, where the
- * ellipses of both sides overlap, lies outside: there its polynomial is above
- * 0. */
+/* A tube thicker than its ring intersects itself.  Its core, where the ellipses of both
+ * sides overlap, is outside: the polynomial is positive there. */
 static bool in_ellipses(double major, double radial, double axial,
                         const double point[3])
 {

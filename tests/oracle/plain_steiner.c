@@ -1,10 +1,9 @@
 /* plain_steiner.c - quadratic triangular patches with weights.
  *
- * Two planes through the line cut the patch in two conics of its parameters.
- * Where the Bezier coefficients of one have one sign on a triangle, neither
- * that conic nor the line passes there (the coefficients' hull); what is left
- * after halving the triangle's edges some times gives Newton's rule its
- * starts.
+ * Two planes through the line cut the patch in two conics of its parameters.  If the
+ * Bezier coefficients of a conic have one sign on a triangle, neither the conic nor the
+ * line crosses the triangle (convex hull property).  The triangles that remain after
+ * some subdivisions are the starts of Newton's rule.
  */
 #include "tests/oracle/plain_shapes.h"
 
@@ -12,18 +11,18 @@
 
 enum {
     HALVINGS = 12,
-    STEPS = 60 /* of Newton's rule; near a tangent each gains one bit */
+    STEPS = 60 /* of Newton's rule; near a tangent each adds one bit */
 };
-#define CONVERGED 1e-15L /* a step's length */
-#define SAME 1e-9L       /* two roots */
-#define EDGE 1e-14L      /* what lies so far outside of the patch is on it */
+#define CONVERGED 1e-15L /* length of the last step */
+#define SAME 1e-9L       /* distance of two roots that count as one */
+#define EDGE 1e-14L      /* a point this far outside of the patch is on it */
 
 /* Bezier coefficients in the order of the control points. */
 struct conic {
     long double c[STEINER_POINTS];
 };
 
-/* s, t, u of the sum 1. */
+/* Barycentric coordinates s, t, u, whose sum is 1. */
 struct place {
     long double p[3];
 };
@@ -37,8 +36,8 @@ struct search {
 static const int first_index[STEINER_POINTS] = { 0, 1, 2, 0, 1, 0 };
 static const int second_index[STEINER_POINTS] = { 0, 1, 2, 1, 2, 2 };
 
-/* The polar form: linear in both places, the conic's value where they are
- * one. */
+/* The polar form: it is linear in both places, and is the conic's value if they are
+ * equal. */
 static long double polar(const struct conic *conic, const struct place *a,
                          const struct place *b)
 {
@@ -62,7 +61,7 @@ static void cross_product(const double a[3], const double b[3], double result[3]
     }
 }
 
-/* Two directions across the ray, and across each other. */
+/* Computes two directions perpendicular to the ray and to each other. */
 static void plane_normals(const struct ray *ray, double normals[2][3])
 {
     const double *d = ray->direction;
@@ -77,7 +76,7 @@ static void plane_normals(const struct ray *ray, double normals[2][3])
     normalise(normals[1]);
 }
 
-/* Each control point's height over the plane, times its weight. */
+/* The coefficient of a control point is its height over the plane times its weight. */
 static struct conic conic_of(const struct primitive *primitive, const struct ray *ray,
                              const double normal[3])
 {
@@ -109,7 +108,7 @@ static void note(struct search *search, const struct place *place)
         search->found[search->count++] = *place;
 }
 
-/* A conic's value and its derivatives by s and t, u being 1 - s - t. */
+/* Computes a conic's value and its derivatives by s and t, with u = 1 - s - t. */
 static void linearise(const struct conic *conic, const struct place *at,
                       long double terms[3])
 {
@@ -185,8 +184,8 @@ static void look_within(struct search *search, const struct place corners[3],
 
 /* --- back to space ------------------------------------------------------ */
 
-/* H is the sum of the rows times s, t, u, and half its derivative by each of
- * them that row. */
+/* H is the sum of the rows times s, t, u; half of its derivative by one of them is that
+ * row. */
 struct homogeneous {
     double xyz[3], w;
 };
@@ -207,7 +206,7 @@ static struct homogeneous row_of(const struct primitive *primitive, int row,
     return sum;
 }
 
-/* The derivative of the point by s (or t) against u, over 2 / w. */
+/* Computes the derivative of the point by s (or t) against u, over 2 / w. */
 static void tangent(const struct homogeneous *by, const struct homogeneous *against,
                     const double point[3], double result[3])
 {
