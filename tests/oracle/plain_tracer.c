@@ -1,4 +1,5 @@
-/* plain_tracer.c - see plain_tracer.h. */
+/* plain_tracer.c - recursive ray tracing with reflection, refraction and fog, by
+ * POV-Ray's rules (plain_tracer.h). */
 #include "tests/oracle/plain_tracer.h"
 
 #include "tests/oracle/plain_camera.h"
@@ -7,31 +8,32 @@
 #include <assert.h>
 #include <math.h>
 
-/* Hits nearer than this are the surface that a ray starts from. */
+/* Nearer hits belong to the surface where the ray starts. */
 #define NEAREST_HIT 1e-6
-/* .. and what lies farther along a ray is not seen. */
+/* Surfaces farther along a ray are invisible. */
 #define FARTHEST_HIT 1e12
-/* POV-Ray's: ratios nearer to 1 than this do not bend a ray. */
+/* POV-Ray's limit: ratios nearer to 1 than this do not bend a ray. */
 #define SAME_INDEX 1e-10
 
-/* The interiors that a ray is in, the outermost first: of each a primitive
- * that has it. */
+/* The interiors that contain a ray, the outermost first, each as one of the primitives
+ * that have it. */
 enum { MAX_INTERIORS = 64 };
 struct interiors {
-    bool known; /* those of a ray from the eye are not */
+    bool known; /* false for rays from the eye */
     size_t count;
     const struct primitive *of[MAX_INTERIORS];
 };
 
-/* A ray on its way: how many rays led to it, itself counted, but those that
- * went straight on; how much of the pixel's colour it may make. */
+/* A ray.  level: the number of rays from the eye to this one, both included, without
+ * those that continued straight.  importance: the largest share of the pixel's colour
+ * that the ray can add. */
 struct path {
     struct ray ray;
     int level;
     double importance;
     struct interiors interiors;
-    size_t passed;  /* the rank of what it passed at its start; 0: nothing */
-    bool reflected; /* once at least on its way from the eye */
+    size_t passed;  /* rank of the region that it passed at its start; 0: none */
+    bool reflected; /* at least once since the eye */
 };
 
 static void trace_path(const struct plain_tracer *tracer, const struct path *path,
@@ -48,13 +50,13 @@ static bool has_clear_part(const struct scene *scene, size_t region)
     return false;
 }
 
-/* A region's place among all, or among those with clear parts, from 1 on. */
+/* A region's index among all, or among those with transparent parts, from 1. */
 struct rank {
     size_t place, count;
 };
 
-/* How much farther a hit counts than it is: the less the later its region, and more on
- * a clear surface than on any opaque one. */
+/* Returns the amount that is added to a hit's distance for comparisons: less for later
+ * regions, and more on a transparent surface than on any opaque one. */
 static double yield_of(const struct plain_hit *hit, struct rank all, struct rank clear)
 {
     bool is_clear = pigment_is_clear(&hit->primitive->pigment);
@@ -62,7 +64,7 @@ static double yield_of(const struct plain_hit *hit, struct rank all, struct rank
     return (1 + is_clear - (double)rank.place / (double)rank.count) * PLAIN_DELTA;
 }
 
-/* POV-Ray's: refraction does not change which objects a ray sees. */
+/* POV-Ray's rule: refraction does not change which objects a ray sees. */
 static bool is_seen(const struct scene *scene, const struct region *region,
                     const struct path *path)
 {
@@ -73,8 +75,8 @@ static bool is_seen(const struct scene *scene, const struct region *region,
     return false;
 }
 
-/* Returns the rank of the region that is hit: its number among those with clear
- * parts, or 0. */
+/* Sets hit to the nearest hit.  Returns the rank of its region: its number among those
+ * with transparent parts, or 0. */
 static size_t find_nearest(const struct plain_tracer *tracer, const struct path *path,
                            struct plain_hit *hit)
 {
@@ -107,7 +109,8 @@ static size_t find_nearest(const struct plain_tracer *tracer, const struct path 
 
 /* --- what a ray is in --------------------------------------------------- */
 
-/* A ray from the eye is in nothing, or in what it leaves first. */
+/* Initializes the interiors of a ray from the eye: none, or the one that it leaves
+ * first. */
 static void find_interiors(struct interiors *in, const struct plain_hit *hit)
 {
     if (!in->known && !hit->entering)
@@ -120,7 +123,7 @@ static double innermost_index(const struct interiors *in)
     return in->count ? in->of[in->count - 1]->ior : 1;
 }
 
-/* The place of an interior, or the count. */
+/* Returns the index of an interior, or the count if it is not present. */
 static size_t find(const struct interiors *in, size_t interior)
 {
     size_t at = 0;
@@ -129,9 +132,9 @@ static size_t find(const struct interiors *in, size_t interior)
     return at;
 }
 
-/* Out of an interior if the ray is in it, or else into it.  Returns the index
- * of what it was in to that of what it is in then: 1, where the one that it
- * comes out of was not the innermost. */
+/* Leaves the surface's interior if the ray is in it; otherwise enters it.  Returns the
+ * refractive index before divided by that after: 1 if the interior that it leaves was
+ * not the innermost. */
 static double cross(struct interiors *in, const struct primitive *surface)
 {
     double from = innermost_index(in);
@@ -147,8 +150,9 @@ static double cross(struct interiors *in, const struct primitive *surface)
     return from / innermost_index(in);
 }
 
-/* The index that counts in Fresnel's formulas, POV-Ray's: out of the innermost
- * of several it is 1, and nothing more than the least is mirrored. */
+/* Returns the relative index for Fresnel's formulas, by POV-Ray's rule: where a ray
+ * leaves the innermost of several interiors it is 1, and the reflection is the minimal
+ * one. */
 static double mirror_index(const struct interiors *in, const struct primitive *surface)
 {
     double innermost = innermost_index(in);
@@ -159,7 +163,7 @@ static double mirror_index(const struct interiors *in, const struct primitive *s
 
 /* --- rays that come of a hit -------------------------------------------- */
 
-/* Where a ray is hit, and what it may still add to. */
+/* A hit, and the colour to which its rays are added. */
 struct branching {
     const struct plain_tracer *tracer;
     const struct path *path;
@@ -168,7 +172,8 @@ struct branching {
     size_t rank; /* of the region that is hit */
 };
 
-/* A ray of a direction, a level and what it is in. */
+/* Traces a secondary ray, whose direction, level and interiors are set, unless it adds
+ * too little; adds its colour by weight. */
 static void follow(const struct branching *from, struct path *path, double share,
                    const double weight[3])
 {
@@ -185,8 +190,9 @@ static void follow(const struct branching *from, struct path *path, double share
         from->color[i] += weight[i] * seen[i];
 }
 
-/* A changed normal may send it behind the surface: POV-Ray then takes the normal that
- * was, of what is behind the changed one, too, from the start. */
+/* Computes the reflected direction.  A normal changed by bumps may send it below the
+ * surface.  POV-Ray then reflects it again at the original normal; if it also points
+ * below the changed normal, POV-Ray reflects the original ray there instead. */
 static void mirror(const struct plain_surface *surface, double direction[3])
 {
     const double *d = surface->ray->direction;
@@ -204,8 +210,8 @@ static bool goes_straight(double ratio)
     return fabs(ratio - 1) < SAME_INDEX;
 }
 
-/* Snell's law: across the normal the direction is `ratio` times what it was.
- * False: that is more than 1, and nothing leaves. */
+/* Applies Snell's law: the part of the direction that is perpendicular to the normal is
+ * scaled by `ratio`.  Returns false if its length then exceeds 1: total reflection. */
 static bool refract(const struct plain_surface *surface, double ratio,
                     double direction[3])
 {
@@ -214,7 +220,7 @@ static bool refract(const struct plain_surface *surface, double ratio,
     copy(direction, surface->ray->direction);
     if (goes_straight(ratio))
         return true;
-    if (dot(direction, n) > 0) /* its back is seen */
+    if (dot(direction, n) > 0) /* seen from the far side */
         scale_by(n, -1);
     add_scaled(across, direction, -dot(direction, n), n);
     scale_by(across, ratio);
@@ -225,17 +231,17 @@ static bool refract(const struct plain_surface *surface, double ratio,
     return true;
 }
 
-/* POV-Ray's: of what passes less than the limit, judged by its brightness,
- * nothing is followed. */
+/* POV-Ray's rule: no ray is refracted if the brightness of the transmission is below
+ * the limit. */
 static bool is_clear(const struct scene *scene, const double passing[3])
 {
     return .297 * passing[0] + .589 * passing[1] + .114 * passing[2]
            > scene->adc_bailout;
 }
 
-/* What is totally reflected keeps all of its colour, and the surface is then
- * no other mirror besides.  In a scene where nothing is clear each surface
- * tells again on which side of it a ray is. */
+/* Traces the reflected and the refracted ray.  A total reflection keeps its whole
+ * colour, and the surface then has no other reflection.  In a scene without transparent
+ * objects each surface determines again on which side of it a ray is. */
 static void branch(const struct branching *from, const struct plain_hit *hit)
 {
     static const double all[3] = { 1, 1, 1 };
@@ -270,8 +276,8 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
         follow(from, &refracted, greatest(passing), passing);
 }
 
-/* Each fog lets e^(-depth / distance) through, tinted by its filter, but its
- * transmit at least, and is seen for the rest. */
+/* Applies the fogs.  Each transmits e^(-depth / distance), but at least its transmit,
+ * tinted by its filter; the rest is its own colour. */
 static void see_through_fogs(const struct scene *scene, double depth, double color[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -316,7 +322,7 @@ static void trace_path(const struct plain_tracer *tracer, const struct path *pat
 
 /* --- the frame ---------------------------------------------------------- */
 
-/* Colours computed for a display of some gamma: its power of them is light. */
+/* Converts colours that were computed for a display with a gamma to linear light. */
 static double as_light(const struct scene *scene, double color)
 {
     double gamma = scene->assumed_gamma;
@@ -337,7 +343,7 @@ static void store(const struct scene *scene, const struct frame *frame, size_t p
     frame->channel[CHANNEL_ID][pixel] = id;
 }
 
-/* What of a pixel's light comes to this sample. */
+/* Adds one sample's share to the light of a pixel. */
 static struct plain_hit trace_sample(const struct plain_tracer *tracer,
                                      const struct frame *frame, size_t samples,
                                      size_t x, size_t y, double light[3])

@@ -1,3 +1,5 @@
+/* points.c - the random stream and the lattice by their definition, and by a program of
+ * the machine (points.h). */
 #include "tests/oracle/points.h"
 
 #include <stdio.h>
@@ -9,7 +11,7 @@
 
 static const uint64_t mask = (UINT64_C(1) << 47) - 1;
 
-/* Unsigned products keep their low 64 bits, and so the low 47. */
+/* Unsigned products are exact in their low 64 bits, and so in their low 47. */
 uint64_t stream_state_at(uint64_t p)
 {
     if (p == 0)
@@ -18,7 +20,7 @@ uint64_t stream_state_at(uint64_t p)
     return root * root * (p % 2 ? UINT64_C(44485709377909) : 1) & mask;
 }
 
-/* The integer next to 2^45 / golden ratio. */
+/* The integer nearest to 2^45 / golden ratio. */
 static const uint64_t seed_apart = UINT64_C(21745137823721);
 
 uint64_t stream_mixed(uint64_t x)

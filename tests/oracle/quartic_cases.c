@@ -1,3 +1,5 @@
+/* quartic_cases.c - random polynomials, mostly from their exact roots
+ * (quartic_cases.h). */
 #include "quartic_cases.h"
 
 #include <math.h>
@@ -29,7 +31,7 @@ const char *quartic_kind_name(enum quartic_kind kind)
 
 /* ---- Random numbers -------------------------------------------------- */
 
-static double unit(uint64_t *state) /* 0 .. 1 */
+static double unit(uint64_t *state) /* in [0, 1) */
 {
     return xorshift_real(state, 0, 1);
 }
@@ -73,7 +75,7 @@ static void product_end(struct product *product)
         mpfr_clear(product->c[i]);
 }
 
-/* Times (t - x). */
+/* Multiplies by (t - x). */
 static void add_root(struct product *product, double x)
 {
     mpfr_t term;
@@ -85,7 +87,7 @@ static void add_root(struct product *product, double x)
     mpfr_clear(term);
 }
 
-/* Times (t - x)^2 + y^2. */
+/* Multiplies by (t - x)^2 + y^2. */
 static void add_pair(struct product *product, double x, double y)
 {
     mpfr_t first, term;
@@ -107,7 +109,8 @@ static void add_pair(struct product *product, double x, double y)
     mpfr_clears(first, term, (mpfr_ptr)NULL);
 }
 
-/* Times factor 10^exponent, cut to words: leading coefficients first. */
+/* Scales by factor 10^exponent and truncates the coefficients to words, the leading
+ * ones first. */
 static void cut(struct polynomial *polynomial, const struct product *product,
                 double factor, long exponent)
 {
@@ -198,7 +201,7 @@ static make_product *const products[QUARTIC_KINDS] = {
     [QUARTIC_BOUND] = make_separated,     [QUARTIC_SCALED] = make_spread,
 };
 
-/* A random point on the unit sphere. */
+/* Sets v to a random point on the unit sphere. */
 static void direction(double *v, uint64_t *state)
 {
     double length;
@@ -218,9 +221,10 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* A ray from p, on the bounding sphere, in the direction d towards a point
- * within, meets the torus (|X|^2 - R^2 - r^2)^2 + 4 R^2 (y^2 - r^2) = 0.
- * Source: POV-Ray's torus.cpp; the project's notes on ray tracing, 1. */
+/* The intersections of a torus and a ray.  The ray starts at p on the bounding sphere,
+ * in the direction d of a point inside.  The torus is (|X|^2 - R^2 - r^2)^2 + 4 R^2
+ * (y^2 - r^2) = 0.  Source:  POV-Ray's torus.cpp; the project's notes on ray tracing,
+ * 1. */
 static void make_torus(struct polynomial *polynomial, uint64_t *state)
 {
     double major = 1, minor = 0.25;
@@ -254,7 +258,7 @@ static void make_coefficients(struct polynomial *polynomial, enum quartic_kind k
                                : c205_from_double(signed_unit(state));
 }
 
-/* Leading coefficients that are nearly 0 add a root far away. */
+/* Leading coefficients near 0 add a root far away. */
 static void weaken(struct polynomial *polynomial, uint64_t *state)
 {
     for (int i = 0; i < 3 && unit(state) < 0.6; i++)

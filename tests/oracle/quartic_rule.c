@@ -1,3 +1,5 @@
+/* quartic_rule.c - checks computed roots against exact roots and islands
+ * (quartic_rule.h). */
 #include "quartic_rule.h"
 
 #include "arithmetic_oracle.h"
@@ -62,7 +64,7 @@ static void half_take(struct half *half, const struct polynomial *polynomial,
     islands_find(&half->islands, half->c, EXACT_DEGREE);
 }
 
-/* Is x on this side above the bound? */
+/* Returns whether x, on this side, is above the bound. */
 static bool is_above(const struct half *half, const mpfr_t x)
 {
     int order = mpfr_cmp(x, half->bound);
@@ -74,7 +76,7 @@ static bool is_between(const mpfr_t x, const mpfr_t low, const mpfr_t high)
     return mpfr_lessequal_p(low, x) && mpfr_lessequal_p(x, high);
 }
 
-/* A little around the island: the last bits of its root. */
+/* Sets low and high to the island, widened by the last bits of its root. */
 static void take_shores(struct half *half, const struct island *island)
 {
     mpfr_mul_d(half->low, island->low, 1 - 0x1p-40, MPFR_RNDD);
@@ -92,7 +94,8 @@ static int count_found(struct half *half)
     return count;
 }
 
-/* Relative to the exact root i; half->found is the last one looked at. */
+/* Returns the error of half->found, the last root examined, relative to exact root
+ * i. */
 static double relative_error(struct half *half, size_t i)
 {
     mpfr_sub(half->error, half->found, half->exact.x[i], MPFR_RNDN);
@@ -119,13 +122,13 @@ static bool is_narrower(struct half *half, const struct island *island, double w
     return mpfr_cmp_d(half->error, width) < 0;
 }
 
-/* What is known exactly of an island, as take_shores has left it. */
+/* Exact properties of an island, within the limits of take_shores. */
 struct facts {
-    int roots, multiple; /* on it; a multiple root is a knot as well */
+    int roots, multiple; /* on it; a multiple root is also a knot */
     int knots, bends;    /* roots of f' and f'' on it */
     int above, at_bound; /* roots above the bound, roots there */
-    size_t root;         /* one of those above */
-    bool bounded;        /* the bound lies on it */
+    size_t root;         /* index of one of those above */
+    bool bounded;        /* the bound is on the island */
 };
 
 static struct facts find_facts(const struct half *half)
@@ -150,10 +153,11 @@ static struct facts find_facts(const struct half *half)
     return facts;
 }
 
-/* Between n roots, multiple ones included, there are n - 1 knots and those
- * that are roots; each pair of complex roots nearby has two more, or one if
- * there is no root.  A bend on a wide island shows one as well: it is that of
- * nearly a triple root. */
+/* Returns the largest number of roots that may be computed on an island.  Between n
+ * roots, counted with multiplicity, there are n - 1 knots, and the multiple roots are
+ * knots.  A pair of complex roots nearby adds two knots, or one if there is no real
+ * root.  A bend on a wide island also indicates a pair, that of nearly a triple
+ * root. */
 static int most_roots(struct half *half, const struct island *island,
                       const struct facts *facts)
 {
@@ -218,7 +222,7 @@ static const char *check_half(struct half *half, struct tally *tally)
 
 /* ---- One polynomial ----------------------------------------------------- */
 
-/* Ascending, above the bound, and 0 where 0 is a root. */
+/* Roots must ascend, be above the bound, and include 0 if 0 is a root. */
 static const char *check_order(const struct polynomial *polynomial,
                                const struct polynomial_roots *roots)
 {

@@ -1,20 +1,20 @@
-/* quartic_rule.h - are these the roots of a polynomial?
+/* quartic_rule.h - checks the computed roots of a polynomial.
  *
- * The polynomial is taken as it is stored, in words of 47 bits; its exact roots
- * come from exact_roots.h.  The rule, with islands as islands.h has them:
+ * The polynomial is exact as stored, in words of 47 bits; its exact roots come from
+ * exact_roots.h.  The rule uses the islands of islands.h:
  *
- *   1. every root found lies on an island
- *   2. on an island with n different roots above the bound, 1 to n are found;
- *      so where there is one, one.  It may be one more for each pair of
- *      complex roots too near to be told from a double root: where f' has more
- *      roots there than lie between and at those of f, or where f'' has one and
- *      the island is wider than 1e-5 of the root.
- *   3. on the island of the bound a root may be missed; a root that is the
- *      bound itself is not found
- *   4. where the island is narrower than 1e-10 of the root, the error is too
- *   5. t = 0 is found if and only if the last coefficient is 0 and the bound
- *      below 0
- *   6. the roots ascend from above the bound
+ *   1. Every computed root is on an island.
+ *   2. On an island with n different roots above the bound, 1 to n are
+ *      computed; so if there is one, one.  One more is allowed for each pair
+ *      of complex roots too near to be distinguished from a double root: if
+ *      f' has more roots there than are between and at the roots of f, or if
+ *      f'' has a root there and the island is wider than 1e-5 of the root.
+ *   3. On the island of the bound a root may be missing.  A root equal to the
+ *      bound is not a result.
+ *   4. If the island is narrower than 1e-10 of the root, so is the error.
+ *   5. t = 0 is a result if and only if the last coefficient is 0 and the
+ *      bound is below 0.
+ *   6. The roots ascend from above the bound.
  */
 #ifndef QUARTIC_RULE_H
 #define QUARTIC_RULE_H
@@ -22,18 +22,18 @@
 #include "islands.h"
 #include "rt/roots/roots.h"
 
-/* Results of many polynomials. */
+/* Statistics of many polynomials. */
 struct tally {
     unsigned long polynomials, wrong;
     unsigned long roots;    /* above the bounds */
-    unsigned long sharp;    /* of these, found on islands as in 4 */
-    unsigned long joined;   /* not found for themselves, but with others */
-    unsigned long touched;  /* found beyond their number: complex pairs */
-    unsigned long at_bound; /* missed on the island of the bound */
-    double error;           /* the largest relative one of a sharp root */
+    unsigned long sharp;    /* of these, computed on islands as in 4 */
+    unsigned long joined;   /* not computed separately, but merged with others */
+    unsigned long touched;  /* computed in excess: complex pairs */
+    unsigned long at_bound; /* missing on the island of the bound */
+    double error;           /* largest relative error of a sharp root */
 };
 
-/* What is looked at: the roots t = side x with x > 0. */
+/* One side of zero: the roots t = side x with x > 0. */
 struct half {
     const struct polynomial *polynomial;
     const struct polynomial_roots *roots;
@@ -48,8 +48,8 @@ struct half {
 void half_init(struct half *half);
 void half_clear(struct half *half);
 
-/* What is wrong; NULL: nothing.  oracle_begin (arithmetic_oracle.h) must have
- * been called. */
+/* Returns the reason of a failure, or NULL.  Requires oracle_begin
+ * (arithmetic_oracle.h). */
 const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
                          const struct polynomial_roots *roots, struct tally *tally);
 

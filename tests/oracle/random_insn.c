@@ -1,4 +1,4 @@
-/* random_insn.c - random instructions, drawn from the instruction table. */
+/* random_insn.c - random instructions, chosen from the instruction table. */
 #include "random_parts.h"
 
 #include "tests/oracle/operands.h"
@@ -61,8 +61,8 @@ static bool is_prefix(const c205_insn *insn)
     return insn->format == C205_FORMAT_NONE;
 }
 
-/* One that can be linked, each unit as often; mostly of another one than the
- * first of the pair. */
+/* Chooses an instruction that can be linked, each unit with equal probability; mostly
+ * of another unit than the first of the pair. */
 static const c205_insn *draw_linked(uint64_t *random, const c205_insn *first)
 {
     c205_unit unit;
@@ -73,8 +73,8 @@ static const c205_insn *draw_linked(uint64_t *random, const c205_insn *first)
     return draw_of_unit(random, unit);
 }
 
-/* After a prefix mostly two that can be linked; often the same once more, so
- * that units and memory are kept busy. */
+/* After a prefix, mostly chooses two instructions that can be linked.  Otherwise it
+ * often repeats the last instruction, to keep units and memory busy. */
 static const c205_insn *draw_insn(uint64_t *random, const c205_insn *const *rows,
                                   size_t i)
 {
@@ -99,8 +99,8 @@ static bool is_transfer(const c205_insn *insn)
     return false;
 }
 
-/* As above, of what goes into the machine's blocks, and at times of what does
- * not. */
+/* Like draw_insn, but for programs of scalar instructions, which the machine translates
+ * to blocks; rarely chooses a vector instruction. */
 static const c205_insn *draw_scalar(uint64_t *random, const c205_insn *const *rows,
                                     size_t i)
 {
@@ -120,7 +120,7 @@ static bool is_field(const c205_insn *insn)
     return strcmp(insn->mnemonic, "INSB") == 0 || strcmp(insn->mnemonic, "EXTB") == 0;
 }
 
-/* What the registers written i hold, by format and operand. */
+/* Returns the role of registers written as i, by format and operand. */
 static char integer_role(uint64_t *random, const c205_insn *insn, char field)
 {
     switch (insn->format) {
@@ -237,7 +237,7 @@ static unsigned draw_bits_of_g(uint64_t *random, const c205_insn *insn)
            & legal;
 }
 
-/* In half words from the branch to some instruction. */
+/* Returns the distance from the branch to a random instruction, in half words. */
 static int64_t distance(uint64_t *random, const struct random_program *program,
                         size_t i)
 {
@@ -273,7 +273,7 @@ static int64_t draw_immediate(uint64_t *random, const struct random_program *pro
     }
 }
 
-/* The operands in the order written; a letter after + is an offset. */
+/* Chooses the operands in the order of the syntax; a letter after + is an offset. */
 static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -287,9 +287,10 @@ static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields 
     }
 }
 
-/* A sum is mostly in an even register; the index of an extreme now and then in
- * that of its value; and now and then a vector begins near its first source,
- * as their registers lie beside each other, so that it recurs. */
+/* Changes the result register.  A sum is mostly in an even register.  The index of an
+ * extreme is sometimes in the register of its value.  Another result is sometimes in
+ * the register of its first source or an adjacent one; the vectors then start near each
+ * other, and the result is a recurrence. */
 static void draw_result(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     char letter = reference_letter(insn, fields->g, 'C');
@@ -323,7 +324,7 @@ static void put_insn(struct random_program *program, size_t i, const c205_insn *
     program->insns[i].halves = c205_format_halves(insn->format);
 }
 
-/* The second of a pair is mostly of the size of the first. */
+/* Mostly gives the second instruction of a pair the operand size of the first. */
 static unsigned size_of_pair(uint64_t *random, const struct random_program *program,
                              const c205_insn *const *rows, size_t i, unsigned g)
 {
@@ -365,9 +366,9 @@ static bool has_b(const c205_insn *insn)
     return reference_bits_of_g(insn) & C205_G_BROADCAST_B;
 }
 
-/* What a source is that is neither handed over nor a vector, so that memory
- * has to feed two at most: one of the first's, or the other one of the
- * second. */
+/* Broadcasts one source that is neither the linked one nor needed as a vector: one of
+ * the first instruction, or the other one of the second.  So memory has to feed at most
+ * two. */
 static void spare_a_stream(uint64_t *random, const c205_insn *const *rows,
                            c205_fields *first, c205_fields *second, bool a)
 {
@@ -377,7 +378,7 @@ static void spare_a_stream(uint64_t *random, const c205_insn *const *rows,
         broadcast(random, second, !a);
 }
 
-/* Make the second of a pair read what the first makes, mostly. */
+/* Makes the second instruction of a pair mostly read the result of the first. */
 static void link_fields(uint64_t *random, const c205_insn *const *rows,
                         c205_fields *first, c205_fields *second)
 {
@@ -390,7 +391,7 @@ static void link_fields(uint64_t *random, const c205_insn *const *rows,
     if (!one_in(random, 20))
         *(a ? &second->a : &second->b) = first->c;
     if (!one_in(random, 3))
-        second->c = first->c; /* of one length */
+        second->c = first->c; /* of equal length */
     if (!one_in(random, 20))
         spare_a_stream(random, rows, first, second, a);
     if (has_b(rows[1]) && one_in(random, 12))
@@ -414,7 +415,7 @@ static void link_pairs(uint64_t *random, struct random_program *program,
     }
 }
 
-/* A loop ends with a branch back by registers that are its own. */
+/* Ends the loop with a branch back, by registers of its own. */
 static void close_loop(struct random_program *program)
 {
     const c205_insn *insn = c205_insn_named("DBNZ", 4);
@@ -422,7 +423,7 @@ static void close_loop(struct random_program *program)
     put_insn(program, program->insn_count - 2, insn, &fields);
 }
 
-/* A scatter in the second half of a loop, upon the program itself. */
+/* Puts a scatter to the program itself in the second half of the loop. */
 static void rewrite_in_loop(uint64_t *random, struct random_program *program,
                             const c205_insn **rows)
 {

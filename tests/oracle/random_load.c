@@ -1,4 +1,4 @@
-/* random_load.c - a random program into a machine. */
+/* random_load.c - loads a random program into a machine. */
 #include "random_parts.h"
 
 #include <string.h>
@@ -8,7 +8,7 @@ enum {
     MAX_AREA = 4096 /* words, more than any area has */
 };
 
-/* Long instructions may begin in the middle of a word. */
+/* Long instructions may start in the middle of a word. */
 static void put_code(c205 *machine, const struct random_program *program)
 {
     uint64_t begin = program->code / WORD * WORD;
@@ -68,7 +68,7 @@ bool random_load(c205 *machine, const struct random_program *program, c205_error
 
 /* ---- Shared pages ---------------------------------------------------------- */
 
-/* What the page has now; one that is only read stays the machine's own. */
+/* Copies the page to a shared one; a read-only page remains private to the machine. */
 static bool share_page(const c205 *machine, size_t i, struct random_shared *shared)
 {
     static c205_word words[C205_PAGE_WORDS];

@@ -9,7 +9,7 @@
 
 enum { WORD = 64 };
 
-static c205 **machines; /* one for each model */
+static c205 **machines; /* one per model */
 static c205_model **models;
 static c205_word *images[RANDOM_PAGES];
 
@@ -99,7 +99,7 @@ c205_word *random_image(uint64_t address)
     return NULL;
 }
 
-/* The words from an address up to another, of one page or more. */
+/* Copies the words from an address to another, of one page or more. */
 static void take_words(const c205 *machine, struct plain_memory *memory,
                        uint64_t address, uint64_t end)
 {
