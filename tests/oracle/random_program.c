@@ -1,4 +1,5 @@
-/* random_program.c - random programs. */
+/* random_program.c - generates a random program, its data and its initial registers
+ * from a seed (random_program.h). */
 #include "random_parts.h"
 
 #include "tests/oracle/operands.h"
@@ -38,7 +39,7 @@ const char *const random_models[] = {
 };
 const size_t random_model_count = sizeof random_models / sizeof random_models[0];
 
-/* Page 5 is not there, nor are pages 0 and 7 and those from 9 on. */
+/* Page 5 is not mapped, nor are pages 0, 7 and those from 9. */
 const struct random_page random_pages[RANDOM_PAGES] = {
     { IN_PAGE(1, 0), C205_READ_WRITE }, { IN_PAGE(2, 0), C205_READ_WRITE },
     { IN_PAGE(3, 0), C205_READ_WRITE }, { IN_PAGE(4, 0), C205_READ_WRITE },
@@ -87,8 +88,8 @@ static c205_word number(uint64_t *random, const struct oracle_format *format)
     return one_in(random, 2) ? a : b;
 }
 
-/* A word at or between two half words, where rounding may carry: the last
- * digits that a half word has not are about half of its unit or all of it. */
+/* A word at or between two half words, where rounding may carry: the digits below a
+ * half word are about half of its unit or nearly a whole unit. */
 static c205_word near_half(uint64_t *random)
 {
     static const c205_word beyond[] = { 0, 0x7FFFFF, 0x800000, 0xFFFFFF };
@@ -132,8 +133,8 @@ uint64_t draw_length(uint64_t *random)
 
 /* ---- Data -------------------------------------------------------------- */
 
-/* Mostly on the page of the table; else on another, which may hold code, may be read
- * only, or is not there. */
+/* Mostly on the page of the table; otherwise on another one, which may contain code, be
+ * read-only or not be mapped. */
 static c205_word far_index(uint64_t *random)
 {
     int64_t pages = one_in(random, 40) ? random_between(random, -2, 3) : 0;
@@ -165,8 +166,8 @@ static c205_word plain_datum(const struct random_area *area)
     }
 }
 
-/* Beyond so many words of an area the same come again, in any order: numbers
- * take their time. */
+/* Words of an area after the first DISTINCT repeat earlier ones at random, because
+ * generating numbers is slow. */
 enum { DISTINCT = 200 };
 
 void program_data(const struct random_program *program, const struct random_area *area,
@@ -181,7 +182,7 @@ void program_data(const struct random_program *program, const struct random_area
 
 /* ---- Registers --------------------------------------------------------- */
 
-/* What the roles mean: random_parts.h. */
+/* random_parts.h describes the roles. */
 static const struct pool {
     char role;
     unsigned first, count;
@@ -196,9 +197,9 @@ static const struct pool {
     { 'x', 116, 8 },  /* lists of indices */
     { 'k', 128, 8 },  /* code addresses */
     { 's', 136, 8 },  /* short vectors for SWAP */
-    { 'p', 144, 16 }, /* a vector and its offset, alternately */
-    { 'o', 160, 16 }, /* a vector of half words and its offset, likewise */
-    { 'q', 176, 8 },  /* a bit vector and its offset, likewise */
+    { 'p', 144, 16 }, /* vectors and their offsets, alternately */
+    { 'o', 160, 16 }, /* half-word vectors and their offsets */
+    { 'q', 176, 8 },  /* bit vectors and their offsets */
     { 'f', 184, 8 },  /* fields of a register */
 };
 enum { POOLS = sizeof pools / sizeof pools[0] };
@@ -282,14 +283,14 @@ c205_word draw_code_address(uint64_t *random, const struct random_program *progr
     return one_in(random, 30) ? address + 8 : address;
 }
 
-/* Some words of the program itself. */
+/* A vector of words of the program itself. */
 static c205_word code_vector(uint64_t *random, const struct random_program *program)
 {
     uint64_t address = draw_code_address(random, program);
     return (c205_word)random_between(random, 1, 5) << 48 | address / WORD * WORD;
 }
 
-/* In the program, on a page that is only read, or at the end of a page. */
+/* In the program, on a read-only page, or at the end of a page. */
 static c205_word table_elsewhere(uint64_t *random, const struct random_program *program)
 {
     uint64_t before = (uint64_t)random_between(random, 0, 90);
@@ -341,7 +342,7 @@ static uint64_t step_of(char role)
     return is_of_halves(role) ? HALF : WORD;
 }
 
-/* Near the vector before, or, of half words, near one of words. */
+/* Near the previous vector; for half words, possibly near a vector of words. */
 static c205_word near_another(uint64_t *random, const struct random_program *program,
                               char role, unsigned number)
 {
@@ -351,7 +352,7 @@ static c205_word near_another(uint64_t *random, const struct random_program *pro
            + step_of(role) * (uint64_t)random_between(random, -3, 3);
 }
 
-/* Every fourth vector begins near another, so that they overlap. */
+/* Every fourth vector starts near another one, so that they overlap. */
 static void preset_registers(uint64_t *random, struct random_program *program)
 {
     for (size_t p = 0; p < POOLS; p++)
@@ -366,7 +367,7 @@ static void preset_registers(uint64_t *random, struct random_program *program)
         }
 }
 
-/* A loop begins in its first half. */
+/* A loop starts in the first half of the program. */
 static void preset_loop(uint64_t *random, struct random_program *program)
 {
     int64_t half = (int64_t)program->insn_count / 2;
@@ -378,8 +379,8 @@ static void preset_loop(uint64_t *random, struct random_program *program)
                                                                             half));
 }
 
-/* The words around one of the loop are the table.  Numbers are what is stored there,
- * few of which are instructions. */
+/* The table is a range of words around one of the loop.  The words stored there are
+ * numbers, few of which are instructions. */
 static void preset_rewrites(uint64_t *random, struct random_program *program)
 {
     uint64_t code = draw_code_address(random, program) / WORD * WORD;
@@ -405,7 +406,7 @@ uint64_t program_address(const struct random_program *program, size_t i)
     return address;
 }
 
-/* Anywhere, often such that the program runs on into the next page. */
+/* Any address of page 1; often the program continues in the next page. */
 static uint64_t draw_beginning(uint64_t *random)
 {
     uint64_t words = one_in(random, 3)
@@ -420,7 +421,7 @@ struct random_program random_program(uint64_t seed)
 {
     uint64_t random = seed;
     struct random_program program = { .seed = seed };
-    random = random_bits(&random); /* far from those of other seeds */
+    random = random_bits(&random); /* unrelated to those of other seeds */
     program.model = (size_t)random_between(&random, 0, (int64_t)random_model_count - 1);
     program.code = draw_beginning(&random);
     program.loop = seed % ONE_LOOP_IN == 0;

@@ -1,4 +1,4 @@
-/* read_number.h - a number among the arguments of a check. */
+/* read_number.h - reads a number from the arguments of a check. */
 #ifndef READ_NUMBER_H
 #define READ_NUMBER_H
 
@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* False: the text is no number from 0 on, or is too large. */
+/* Returns false if the text is not a number from 0, or is too large. */
 static inline bool read_number(const char *text, uint64_t *number)
 {
     char *end;

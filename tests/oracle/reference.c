@@ -1,4 +1,5 @@
-/* reference.c - one instruction: fetched, taken apart, done or taken back. */
+/* reference.c - fetches, decodes and executes one instruction, or undoes it
+ * (reference.h). */
 #include "reference_parts.h"
 
 #include <ctype.h>
@@ -37,8 +38,8 @@ static bool certain_fault(const struct reference *reference)
 
 /* ---- Operands by their letters ----------------------------------------- */
 
-/* With 32-bit operands some letters become capitals.  An order vector is a
- * source if it is given, else a result. */
+/* Applies G: with 32-bit operands some letters become capitals.  An order vector is a
+ * source if it is given, and a result otherwise. */
 static char by_g(const c205_insn *insn, unsigned g, char letter)
 {
     bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
@@ -47,7 +48,7 @@ static char by_g(const c205_insn *insn, unsigned g, char letter)
     return half && strchr("fwpvudcx", letter) ? (char)toupper(letter) : letter;
 }
 
-/* What comes behind a + is an offset and has no letter. */
+/* An offset follows a + in the syntax and has no letter. */
 char reference_letter(const c205_insn *insn, unsigned g, char field)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -87,7 +88,7 @@ void write_register(struct reference *reference, unsigned number, c205_word word
         reference->now.registers[number] = word;
 }
 
-/* Of a half register: which of all it is a half of, and which half. */
+/* Returns the full register that contains a half register. */
 static unsigned whole_register(unsigned number)
 {
     return number / 2;
@@ -151,7 +152,7 @@ static void check_write(struct reference *reference, uint64_t address, unsigned 
         add_fault(reference, C205_TRAP_PROTECTED_ADDRESS, address, certain);
 }
 
-/* The bits of a word that are an operand; bit 0 is the leftmost. */
+/* Returns the bits of a word that belong to an operand; bit 0 is the leftmost. */
 static uint64_t bits_in_word(uint64_t address, unsigned width)
 {
     return UINT64_MAX << (BITS - width) >> address % BITS;
@@ -197,8 +198,8 @@ void add_extent(struct reference *reference, uint64_t address, uint64_t bits)
 
 /* ---- Fetching ---------------------------------------------------------- */
 
-/* The next instruction of the deed, at the program counter, which moves on.
- * False: there is none, or memory ends before it does. */
+/* Fetches the instruction at the program counter, which advances.  Returns false if
+ * there is none, or if memory ends within it. */
 static bool fetch(struct reference *reference)
 {
     struct deed *deed = &reference->deed;
@@ -225,8 +226,8 @@ static bool fetch(struct reference *reference)
 
 /* ---- The bits of G ----------------------------------------------------- */
 
-/* From the operands of the row: which may be broadcast or signed, whether
- * there is a control vector, and a result that may have an offset. */
+/* Derives the bits from the operands of the row: which may be broadcast or signed, and
+ * whether there is a control vector, or a result that may have an offset. */
 static unsigned vector_bits(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -238,7 +239,7 @@ static unsigned vector_bits(const c205_insn *insn)
         bits |= C205_G_BROADCAST_B;
     if (strstr(syntax, "?Z") || strstr(syntax, "!Z"))
         bits |= C205_G_ZEROS;
-    /* of a sparse vector C205_G_GIVEN, which is the same bit */
+    /* for a sparse vector, C205_G_GIVEN is the same bit */
     if (strstr(syntax, "[C]") && insn->format != C205_FORMAT_SPREAD
         && insn->format != C205_FORMAT_SPACED)
         bits |= C205_G_OFFSET;
@@ -264,15 +265,15 @@ bool reference_has_offset(const c205_insn *insn, const c205_fields *fields)
            && reference_bits_of_g(insn) & C205_G_OFFSET;
 }
 
-/* In two parts: "p". */
+/* A sum in two parts has the letter p. */
 static bool is_sum(const c205_insn *insn)
 {
     return strchr(insn->operands, 'p');
 }
 
-/* Fields that a format lacks are zero; so is the offset of what is broadcast,
- * and the zeros of a control vector that there is not; r255 has no register
- * after it, and a sum in two registers begins with an even one. */
+/* Checks the reserved fields.  Fields that a format lacks are zero; so are the offset
+ * of a broadcast operand, and the zeros bit if there is no control vector.  r255 has no
+ * register after it.  A sum in two registers starts with an even one. */
 static bool has_only(const c205_insn *insn, c205_word word, const c205_fields *fields)
 {
     unsigned g = fields->g;
@@ -292,7 +293,7 @@ static bool lacks_control(const c205_insn *insn, const c205_fields *fields)
     return strstr(c205_format_syntax(insn->format), "!Z") && fields->z == 0;
 }
 
-/* The instruction i of the deed. */
+/* Checks instruction i of the step. */
 static void check_code(struct reference *reference, size_t i)
 {
     const struct deed *deed = &reference->deed;
@@ -352,7 +353,7 @@ static void do_fetched(struct reference *reference)
         do_one(reference, deed->insns[0], deed->fields);
 }
 
-/* One that has run out is off. */
+/* Sets the flag of the timer; a timer that has expired stops. */
 static void look_at_timer(struct reference *reference)
 {
     reference->now.flags = reference_flags(reference, reference->clock);

@@ -1,49 +1,48 @@
-/* reference.h - the machine a second time, as plainly as it can be said.
+/* reference.h - a second, simple implementation of the machine.
  *
- * Written from docs/machine.md and vm/insn.def: one instruction at a time,
- * one element at a time, in element order.  No spans, no decoded programs,
- * no clock.  Arithmetic is that of arithmetic_oracle.h; from vm/ it uses
- * only the instruction table.
+ * Written from docs/machine.md and vm/insn.def: it executes one instruction at a time,
+ * one element at a time, in element order, without spans, decoded programs or a clock.
+ * Arithmetic is that of arithmetic_oracle.h; from vm/ it uses only the instruction
+ * table.
  *
- * Where the text leaves open whether an address is used (elements that a
- * control vector leaves out, sources of which only some elements are
- * needed) a fault there is *possible*: the machine may trap or not.
- * Everything else is certain.  When an instruction has several faults any of
- * them may be the one that is told.
+ * The text does not always define whether an address is used: elements that a control
+ * vector excludes, sources of which only some elements are needed.  A fault there is
+ * *possible*: the machine may trap or not.  All other faults are certain.  If an
+ * instruction has several faults, the machine may report any of them.
  *
- * What the text does not say was settled by comparing with the machine:
- * IBX.. clears the high 16 bits; an unused field, and zeros of no control
- * vector, are undefined.
+ * Comparison with the machine settled what the text does not define: the IBX branches
+ * clear the high 16 bits; an unused field, and the zeros bit without a control vector,
+ * are undefined.
  */
 #ifndef REFERENCE_H
 #define REFERENCE_H
 
 #include "tests/oracle/plain_memory.h"
 
-/* All faults of one kind that an instruction has: the lowest and the highest
- * address at fault. */
+/* All faults of one kind of an instruction, as the lowest and the highest address at
+ * fault. */
 struct fault {
     bool possible, certain;
     uint64_t low, high;
 };
 
-/* Memory that an instruction uses, in bits. */
+/* A range of memory that an instruction uses, in bits. */
 struct extent {
     uint64_t address, bits;
 };
 
 enum { PAIR = 2, EXTENTS = 8 };
 
-/* What an instruction did, as far as a clock wants to know. */
+/* The effects of an instruction that a clock needs. */
 struct deed {
     uint64_t pc;
     size_t insn_count; /* 1, or 3: prefix and linked pair */
     const c205_insn *insns[PAIR + 1];
-    c205_word words[PAIR + 1]; /* a short one in its high half */
+    c205_word words[PAIR + 1]; /* a short one is in the high half */
     c205_fields fields[PAIR + 1];
     uint64_t elements;
-    uint64_t recurrent; /* elements that read what one before has stored */
-    uint64_t results;   /* sparse vectors: made of so many of the elements */
+    uint64_t recurrent; /* elements that read an earlier result */
+    uint64_t results;   /* of sparse vectors, computed from the elements */
     size_t extent_count;
     struct extent extents[EXTENTS];
     size_t indexed_count, indexed_room;
@@ -56,52 +55,52 @@ struct deed {
 struct reference_state {
     c205_word registers[C205_REGISTERS];
     uint64_t flags, pc;
-    uint64_t timer; /* the clock at which it runs out; 0: it is off */
+    uint64_t timer; /* the clock at which it expires; 0: it is off */
 };
 
 struct reference {
     struct reference_state now, before;
     struct plain_memory memory;
-    uint64_t clock; /* as CLOCK reads it; set by who counts clocks */
+    uint64_t clock; /* value of CLOCK; set by the caller */
     struct fault faults[C205_TRAPS];
     struct deed deed;
     bool ended;
-    bool lost; /* no rule for the instruction, or too long a work */
+    bool lost; /* instruction without a rule, or too much work */
     int64_t status;
 };
 
 void reference_begin(struct reference *reference);
 void reference_end(struct reference *reference);
 
-/* One instruction.  False: it has a certain fault, and nothing changed.
- * The stores it made are in memory.changes until the next step. */
+/* Executes one instruction.  Returns false if it has a certain fault; nothing changes
+ * then.  Its stores are in memory.changes until the next step. */
 bool reference_step(struct reference *reference);
 
-/* Take the last instruction back, which had possible faults only. */
+/* Undoes the last instruction, which had only possible faults. */
 void reference_undo(struct reference *reference);
 
-/* True: its faults include this one. */
+/* Returns whether the faults of the last instruction include this one. */
 bool reference_has_fault(const struct reference *reference, c205_trap trap,
                          uint64_t address);
 
-/* False: no rule for this instruction has been written yet. */
+/* Returns whether the instruction has a rule. */
 bool reference_knows(const c205_insn *insn);
 
-/* The data flags as they are at a clock: that of the timer comes by
- * itself. */
+/* Returns the data flags at a clock, which includes the flag of the timer. */
 uint64_t reference_flags(const struct reference *reference, uint64_t clock);
 
-/* The bits of G that an instruction may have. */
+/* Returns the bits of G that an instruction may have. */
 unsigned reference_bits_of_g(const c205_insn *insn);
 
-/* Register C+1 holds an offset of the result. */
+/* Returns whether register C+1 is an offset of the result. */
 bool reference_has_offset(const c205_insn *insn, const c205_fields *fields);
 
-/* What a field of the syntax is, A for a, by the letters of the table: in
- * capitals if it is of 32 bits, also where G says so; an order vector that may
- * be made or given is what G says.  0: no such field. */
+/* Returns the letter of the instruction table for a field of the syntax, A for a: a
+ * capital if its width is 32 bits, also by G. For an order vector that may be a source
+ * or a result, G decides.  0: there is no such field. */
 char reference_letter(const c205_insn *insn, unsigned g, char field);
-/* A half register, as a number broadcast if it may be a vector. */
+/* Returns whether the letter means a half register; with broadcast, of a vector operand
+ * that is broadcast. */
 bool reference_is_half_register(char letter, bool broadcast);
 
 #endif

@@ -1,4 +1,4 @@
-/* reference_branch.c - instructions that go elsewhere, and the monitor. */
+/* reference_branch.c - branches and the monitor. */
 #include "reference_parts.h"
 
 #include <limits.h>
@@ -7,7 +7,7 @@
 
 enum relation { LESS = 1, EQUAL = 2, GREATER = 4, UNORDERED = 8 };
 
-/* Which relations an instruction branches on. */
+/* Returns the relations on which an instruction branches. */
 static unsigned branches_on(enum reference_insn which)
 {
     switch (which) {
@@ -59,7 +59,7 @@ static void go_to(struct reference *reference, uint64_t target, bool taken)
     reference->now.pc = target;
 }
 
-/* Of the 64-bit branches: a distance from themselves, or (Y) + (B). */
+/* Returns the target of a 64-bit branch: relative to itself, or (Y) + (B). */
 static uint64_t long_target(const struct reference *reference,
                             const c205_fields *fields)
 {
@@ -116,8 +116,8 @@ static bool altered(int64_t i4, bool bit)
     return answers[i4 & 3];
 }
 
-/* The new word, and on to C if the bit is as it must be.  Of its number the
- * low 6 bits count. */
+/* Returns the altered word, and branches to C if the bit meets the condition.  Only the
+ * low 6 bits of the bit's number count. */
 static c205_word branch_on_bit(struct reference *reference, const c205_fields *fields,
                                c205_word word, c205_word number)
 {
@@ -155,7 +155,7 @@ static void branch_on_one_bit(struct reference *reference, const c205_insn *insn
 
 enum request { END, PRINT_TEXT = 4, PRINT_NUMBERS = 6, PRINT_BITS = 7, REQUESTS };
 
-/* What the monitor will print must be there. */
+/* Reads the memory that the monitor will print, which must be mapped. */
 static void look_at(struct reference *reference, c205_word descriptor, int64_t request)
 {
     for (uint64_t i = 0; i < length_of(descriptor); i++)

@@ -1,4 +1,4 @@
-/* reference_clock.c - waits and what they are charged to. */
+/* reference_clock.c - computes waits and their causes (reference_clock.h). */
 #include "reference_clock.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@ enum { WORD = 64, HALF = 32, NAME = 64 };
 
 /* ---- Constants --------------------------------------------------------- */
 
-/* In millionths. */
+/* Returns a constant in millionths. */
 static uint64_t millionths(const struct reference_clock *clock, const char *family,
                            const char *name)
 {
@@ -52,7 +52,7 @@ static uint64_t lesser(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-/* Piece by piece, by what the vector unit does meanwhile. */
+/* Charges each part of the wait to the phase of the vector unit in it. */
 static void wait_for_vector(struct reference_clock *clock, uint64_t until)
 {
     for (size_t i = 0; i < clock->phase_count; i++)
@@ -72,8 +72,8 @@ static void wait_for(struct reference_clock *clock, const struct awaited *awaite
 
 /* ---- Registers --------------------------------------------------------- */
 
-/* The registers that an instruction names, in the order in which it is
- * written: each vector with its offset. */
+/* The registers that an instruction names, in the order of its syntax; each vector is
+ * followed by its offset. */
 struct named {
     unsigned numbers[16];
     size_t count;
@@ -85,7 +85,7 @@ static void name_register(struct named *named, unsigned number)
         named->numbers[named->count++] = number;
 }
 
-/* A half register is waited for as the register it lies in. */
+/* The wait for a half register is that for the register which contains it. */
 static void name_operand(struct named *named, const c205_insn *insn,
                          const c205_fields *fields, char field, unsigned number)
 {
@@ -98,14 +98,14 @@ static void name_operand(struct named *named, const c205_insn *insn,
                              : number);
 }
 
-/* C is a register that is only written, so waited for last. */
+/* C is only written, so its wait is the last. */
 static bool is_reduction(const c205_insn *insn)
 {
     return insn->format == C205_FORMAT_REDUCE || insn->format == C205_FORMAT_REDUCE2
            || insn->format == C205_FORMAT_EXTREME;
 }
 
-/* A sum has two registers, but neither of them if the first is 0. */
+/* A sum has two registers, but none if the first is 0. */
 static bool has_second_part(const c205_insn *insn, const c205_fields *fields)
 {
     return strchr(insn->operands, 'p') && fields->c != 0;
@@ -175,7 +175,7 @@ static void wait_for_registers(struct reference_clock *clock, const c205_insn *i
         wait_for(clock, clock->registers + named.numbers[i]);
 }
 
-/* The field that an instruction writes; 0: none. */
+/* Returns the field that an instruction writes; 0: none. */
 static char written_field(const c205_insn *insn)
 {
     const char *letters = insn->operands;
@@ -189,8 +189,7 @@ static char written_field(const c205_insn *insn)
     return strchr("wmWM", letters[0]) && letters[1] != '\0' ? 'R' : 'T';
 }
 
-/* The register that gets the result, or the one so far behind it, whole or a
- * half of it. */
+/* Returns the register of the result, full or half, plus `behind`. */
 static unsigned written(const c205_insn *insn, const c205_fields *fields,
                         unsigned behind)
 {
@@ -204,7 +203,7 @@ static unsigned written(const c205_insn *insn, const c205_fields *fields,
     return reference_is_half_register(letter, false) ? number / 2 : number;
 }
 
-/* Nobody reads a result on its way to register 0, but it is one. */
+/* Delivers a result.  A result for register 0 is never read, but is in flight too. */
 static void deliver_to(struct reference_clock *clock, unsigned number,
                        struct awaited awaited)
 {
@@ -233,7 +232,7 @@ struct translation {
     uint64_t misses, faults;
 };
 
-/* Real memory has room for a page at least. */
+/* Real memory has at least one page. */
 static struct translation nothing_met(const struct reference_clock *clock)
 {
     uint64_t words = constant(clock, "page", "words");
@@ -245,7 +244,7 @@ static struct translation nothing_met(const struct reference_clock *clock)
     };
 }
 
-/* The depth of a page in the list, which it leads from now on. */
+/* Moves a page to the front of the list and returns its previous depth. */
 static size_t touch(struct reference_clock *clock, uint64_t page)
 {
     size_t depth = 0;
@@ -316,7 +315,7 @@ static void issue(struct reference_clock *clock)
     pass(clock, C205_ISSUE, constant(clock, "issue", "interval"));
 }
 
-/* Memory is the vector unit's until it is done. */
+/* Memory belongs to the vector unit until it has finished. */
 static void reach_memory(struct reference_clock *clock, const struct deed *deed)
 {
     wait_for_vector(clock, clock->vector_done);
@@ -360,7 +359,8 @@ static void step_scalar(struct reference_clock *clock, const struct deed *deed)
 
 /* ---- Branches ---------------------------------------------------------- */
 
-/* The code that ran straight on, the words of this instruction included. */
+/* Extends the instruction stack by the sequential code, up to and including this
+ * instruction. */
 static void run_on(struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t halves = 0, end;
@@ -392,7 +392,7 @@ static void step_branch(struct reference_clock *clock, const struct deed *deed)
 
 /* ---- The vector unit --------------------------------------------------- */
 
-/* How long gather or scatter wait for busy banks. */
+/* Returns the clocks that gather or scatter wait for busy banks. */
 static uint64_t conflicts(const struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t banks = constant(clock, "memory", "banks");
@@ -410,7 +410,8 @@ static uint64_t conflicts(const struct reference_clock *clock, const struct deed
     return deed->indexed_count > 0 ? time - (deed->indexed_count - 1) : 0;
 }
 
-/* So many elements at once where the pipes set the rate. */
+/* Returns the clocks of a stream: the pipes process several elements at once if its
+ * rate is per pipe. */
 static uint64_t stream(const struct reference_clock *clock, c205_timing timing,
                        bool halves, uint64_t elements)
 {
@@ -432,7 +433,7 @@ static void add_phase(struct reference_clock *clock, c205_cause cause, uint64_t 
     clock->phases[clock->phase_count++] = (struct phase){ *end, cause, clock->region };
 }
 
-/* Phases that are over are forgotten. */
+/* Removes the phases that have ended. */
 static void forget_phases(struct reference_clock *clock)
 {
     size_t kept = 0;
@@ -442,7 +443,7 @@ static void forget_phases(struct reference_clock *clock)
     clock->phase_count = kept;
 }
 
-/* Part of the start-up hides under the stream before. */
+/* Part of the start-up overlaps the previous stream. */
 static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
 {
     uint64_t hidden = lesser(lesser(constant(clock, "vector", "overlap"),
@@ -452,8 +453,8 @@ static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
         wait_for_vector(clock, clock->vector_done - hidden);
 }
 
-/* A linked pair starts up later by as much as each of the two does than an
- * addition. */
+/* The start-up of a linked pair is longer by the excess of each instruction's start-up
+ * over that of an addition. */
 static uint64_t startup_of(const struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t addition = of_class(clock, "startup", C205_TIMING_vadd);
@@ -465,8 +466,8 @@ static uint64_t startup_of(const struct reference_clock *clock, const struct dee
     return clocks;
 }
 
-/* A linked pair goes at the rate of its slowest; each element that recurs
- * waits until the one before is through. */
+/* A linked pair runs at the rate of its slowest instruction.  Each recurrent element
+ * waits for the previous one. */
 static uint64_t stream_of(const struct reference_clock *clock, const struct deed *deed,
                           uint64_t startup)
 {
@@ -515,8 +516,8 @@ void reference_clock_enter(struct reference_clock *clock, uint64_t pc)
     clock->stack_low = clock->stack_high = pc / WORD;
 }
 
-/* Floating-point operations of one element, or of one scalar instruction, by
- * how the mnemonics begin. */
+/* Returns the floating-point operations of one element, or of one scalar instruction,
+ * by the prefix of the mnemonic. */
 static unsigned flops(const c205_insn *insn)
 {
     static const char ones[][7] = { "ADDU", "ADDN", "SUBU",   "SUBL",  "SUBN",
@@ -544,7 +545,8 @@ static uint64_t operations(const struct deed *deed)
     return all;
 }
 
-/* Instructions, elements, operations, and how often control came from elsewhere. */
+/* Counts instructions, elements, operations and entries to the region from
+ * elsewhere. */
 static void count(struct reference_clock *clock, const struct deed *deed, size_t region)
 {
     struct counts *counts = clock->counts + region;

@@ -1,13 +1,13 @@
-/* reference_clock.h - the clock a second time.
+/* reference_clock.h - a second, simple implementation of the clock.
  *
- * Written from docs/timing.md: for each instruction the waits it makes, one
- * after the other, and what each is charged to.
+ * Written from docs/timing.md: for each instruction, the waits in their order and the
+ * cause that each is charged to.
  *
- * What the text does not say was settled by comparing with the machine: the
- * ranges of memory in the order A, B, Z, C (sparse: X, Y, A, B, C, Z; a
- * linked pair: first A, B, then the second), neighbours counting as two
- * sources; at the end the vector unit is waited for first, then loads, then
- * results, those for register 0 as well.
+ * Comparison with the machine settled what the text does not define.  Ranges of memory
+ * are in the order A, B, Z, C (sparse:  X, Y, A, B, C, Z; a linked pair:  A and B of
+ * the first, then the second), and neighbours count as two sources.  At the end the
+ * clock waits for the vector unit first, then for loads, then for results, including
+ * those for register 0.
  */
 #ifndef REFERENCE_CLOCK_H
 #define REFERENCE_CLOCK_H
@@ -21,20 +21,20 @@ enum {
     CLOCK_PAGES = 64 /* more than any model has in memory or registers */
 };
 
-/* When something is there, and whom one waits for until then. */
+/* The clock at which a result is ready, and the unit that produces it. */
 struct awaited {
     uint64_t ready;
     enum { ARITHMETIC, LOAD, VECTOR_UNIT } maker;
 };
 
-/* What the vector unit does until when. */
+/* An activity of the vector unit and its end. */
 struct phase {
     uint64_t end;
     c205_cause cause;
     size_t region;
 };
 
-/* Beside the clocks of a region. */
+/* Counts of a region, in addition to its clocks. */
 struct counts {
     uint64_t instructions, vector_instructions, elements, operations, entries;
 };
@@ -49,22 +49,22 @@ struct reference_clock {
     struct phase phases[CLOCK_PHASES];
     size_t phase_count;
     uint64_t vector_done, vector_stream;
-    uint64_t stack_low, stack_high; /* words of code: from, to before */
-    uint64_t pages[CLOCK_PAGES];    /* latest first */
+    uint64_t stack_low, stack_high; /* words of code, half-open */
+    uint64_t pages[CLOCK_PAGES];    /* most recent first */
     size_t page_count;
-    size_t region; /* of the instruction at work */
+    size_t region; /* of the current instruction */
     bool begun;
     struct counts counts[CLOCK_REGIONS];
     uint64_t charged[CLOCK_REGIONS][C205_CAUSES];
 };
 
 void reference_clock_begin(struct reference_clock *clock, const c205_model *model);
-/* Code begins here, come from nowhere: the instruction stack is empty. */
+/* Starts code at pc after a jump from outside: the instruction stack is empty. */
 void reference_clock_enter(struct reference_clock *clock, uint64_t pc);
-/* An instruction of a region has been done. */
+/* Adds an executed instruction of a region. */
 void reference_clock_step(struct reference_clock *clock, const struct deed *deed,
                           size_t region);
-/* The run has ended: wait for everything in flight. */
+/* Ends the run: waits for everything in flight. */
 void reference_clock_drain(struct reference_clock *clock);
 
 #endif

@@ -1,4 +1,4 @@
-/* reference_move.c - vector instructions that move elements about. */
+/* reference_move.c - vector instructions that move elements. */
 #include "reference_vector.h"
 
 static uint64_t lesser(uint64_t a, uint64_t b)
@@ -6,7 +6,7 @@ static uint64_t lesser(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-/* n elements of A, B and Z, then stored ones of C. */
+/* Uses n elements of A, B and Z, then stored elements of C. */
 static void use_operands(struct reference *reference, const struct vector *vector,
                          uint64_t n, uint64_t stored)
 {
@@ -17,7 +17,7 @@ static void use_operands(struct reference *reference, const struct vector *vecto
     use_target(reference, &vector->c, stored);
 }
 
-/* As if A had the length of C. */
+/* Reverses A as if it had the length of C. */
 static void reverse(struct reference *reference, const struct vector *vector)
 {
     uint64_t length = vector->c.length;
@@ -40,7 +40,7 @@ static void note_index(struct reference *reference, uint64_t address)
     deed->indexed[deed->indexed_count++] = address;
 }
 
-/* Where index i leads: elements from the table's address on. */
+/* Returns the address of index i: that number of elements after the table's address. */
 static uint64_t indexed(struct reference *reference, const struct vector *vector,
                         uint64_t i, const struct target *table)
 {
@@ -48,7 +48,7 @@ static uint64_t indexed(struct reference *reference, const struct vector *vector
     return plain_address(table->address + table->width * (index & LOW_48));
 }
 
-/* Element i of the table by the period, which is A and may be negative. */
+/* Returns the address of element i with the period A, which may be negative. */
 static uint64_t periodic(struct reference *reference, const struct vector *vector,
                          uint64_t i, const struct target *table)
 {
@@ -91,7 +91,7 @@ static struct target gathered_table(struct reference *reference,
     };
 }
 
-/* As many as there are indices, and room for them. */
+/* The length is the lesser of those of the indices and the result. */
 static void gather(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
@@ -109,7 +109,7 @@ static void scatter(struct reference *reference, const struct vector *vector)
         scatter_one(reference, vector, i, indexed(reference, vector, i, &vector->c));
 }
 
-/* As many as there is room for. */
+/* The length is that of the result. */
 static void gather_periodic(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
@@ -121,7 +121,7 @@ static void gather_periodic(struct reference *reference, const struct vector *ve
         gather_one(reference, vector, i, periodic(reference, vector, i, &table));
 }
 
-/* As many as there are to scatter. */
+/* The length is that of the source. */
 static void scatter_periodic(struct reference *reference, const struct vector *vector)
 {
     const struct source *b = &vector->sources.b;
@@ -160,7 +160,7 @@ static void merge(struct reference *reference, const struct vector *vector)
     }
 }
 
-/* Nobody knows beforehand how many will be stored. */
+/* The number of stored elements is not known in advance. */
 static void may_store(struct reference *reference, const struct vector *vector,
                       uint64_t length)
 {
@@ -181,7 +181,7 @@ static void compress(struct reference *reference, const struct vector *vector)
     set_length(reference, vector, stored);
 }
 
-/* It scans the length of A. */
+/* The length is the scan length. */
 static void sieve(struct reference *reference, const struct vector *vector)
 {
     uint64_t stored = 0, flags = 0, length;
