@@ -1,4 +1,5 @@
-/* asm_helper.c - programs from texts, and their words. */
+/* asm_helper.c - assembles texts for the tests of the assembler and compares
+ * programs. */
 #include "asm_helper.h"
 
 #include <glob.h>
@@ -83,7 +84,7 @@ c205_word word_of(const c205_program *program, uint64_t address)
     return 0;
 }
 
-/* Every word of one program is in the other as well. */
+/* Fails unless every word of `program` is also in `other`, at the same address. */
 static void assert_words_in(const c205_program *program, const c205_program *other)
 {
     size_t i, j;

@@ -1,4 +1,4 @@
-/* clock_driver.c - what a machine would tell its clock. */
+/* clock_driver.c - charges a clock with hand-made instructions and effects. */
 #include "clock_driver.h"
 
 uint64_t driven_pc;

@@ -1,6 +1,5 @@
-/* clock_driver.h - a clock driven with decoded instructions and effects made
- * by hand; no machine runs.
- */
+/* clock_driver.h - drives a clock with decoded instructions and hand-made effects; no
+ * machine runs. */
 #ifndef CLOCK_DRIVER_H
 #define CLOCK_DRIVER_H
 
@@ -11,11 +10,11 @@
 struct clock *clock_of(const char *text);
 struct clock *two_pipes(void);
 
-/* Where the code continues. */
+/* The address of the next instruction. */
 extern uint64_t driven_pc;
 
-/* The next instruction of the code: of region, with one or two sources and a
- * result (0: none). */
+/* Decodes the next instruction of the driven code. It has one or two sources and a
+ * result; a register of 0 means none. */
 struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t);
 
 extern const struct effect no_effect;
@@ -25,7 +24,7 @@ void branch(struct clock *clock, const char *name, uint64_t target);
 void at_address(struct clock *clock, const char *name, uint64_t address);
 uint64_t clocks_for(const struct clock *clock, c205_cause cause);
 
-/* Drain and look at the total, then start again. */
+/* Drains the clock, fails unless its total is `expected`, and resets it. */
 void assert_total(struct clock *clock, uint64_t expected);
 
 #endif

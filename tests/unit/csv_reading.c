@@ -1,7 +1,7 @@
-/* csv_reading.c - cell by cell, row by row. */
+/* csv_reading.c - reads a CSV table cell by cell, row by row. */
 #include "csv_reading.h"
 
-/* One cell; what follows it. */
+/* Reads one cell. Returns a pointer to the text after it. */
 static const char *csv_cell(const char *text, char *cell)
 {
     bool quoted = *text == '"';

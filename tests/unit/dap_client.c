@@ -28,7 +28,7 @@ static void become_adapter(int in, int out, const char *const *arguments)
     _exit(127);
 }
 
-/* One that hears nothing for so long ends by the signal. */
+/* Starts the adapter. An alarm signal ends a client that receives nothing in time. */
 void client_begin(struct dap_client *client, const char *const *arguments)
 {
     int to[2], from[2];
@@ -87,7 +87,8 @@ static void put(void *context, const char *text, size_t length)
     client_send(context, text, length);
 }
 
-/* Numbers of requests are every third one. */
+/* Sequence numbers of requests are multiples of 3, so that they differ from those of
+ * responses. */
 void client_request(struct dap_client *client, const char *command, const char *format,
                     va_list arguments)
 {

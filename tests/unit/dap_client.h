@@ -1,7 +1,8 @@
-/* dap_client.h - a client of c205 debug --dap, over two pipes.
+/* dap_client.h - a client of c205 debug --dap, connected by two pipes.
  *
- * It counts what it hears: each message has the number behind that of the one before,
- * each response is to the request that was sent.  What goes wrong fails the test.
+ * The client checks the order of messages: each message has the sequence number after
+ * that of the previous one, and each response belongs to the last request. Any
+ * violation fails the test.
  */
 #ifndef TESTS_DAP_CLIENT_H
 #define TESTS_DAP_CLIENT_H
@@ -22,23 +23,24 @@ struct dap_message {
 struct dap_client {
     pid_t process;
     int to, from;
-    struct arena arena; /* of all that was heard */
+    struct arena arena; /* owns all received messages */
     struct text_buffer input;
     unsigned sent, heard;
-    const char *text; /* of the response or event that was taken last */
+    const char *text; /* JSON text of the last response or event that was read */
     size_t event_count, event_room;
-    struct dap_message *events; /* that nobody has asked for yet */
-    struct text_buffer output;  /* of all events output */
+    struct dap_message *events; /* received, not yet read by the test */
+    struct text_buffer output;  /* text of all output events */
 };
 
-/* arguments: behind --dap, NULL at the end. */
+/* Starts the adapter. `arguments` follow --dap on the command line and end with
+ * NULL. */
 void client_begin(struct dap_client *client, const char *const *arguments);
-/* The exit status, after what it has to say no more. */
+/* Reads the remaining messages and returns the exit status. */
 int client_end(struct dap_client *client);
 
-/* Any bytes. */
+/* Sends raw bytes. */
 void client_send(struct dap_client *client, const char *bytes, size_t length);
-/* A request, its arguments printed; NULL: none. */
+/* Sends a request. Its arguments are formatted by printf; NULL: no arguments. */
 void client_request(struct dap_client *client, const char *command, const char *format,
                     va_list arguments);
 void client_command(struct dap_client *client, const char *command, const char *format,
@@ -47,32 +49,35 @@ void client_command(struct dap_client *client, const char *command, const char *
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
-/* The response to what was told last; events before it are kept. */
+/* Returns the response to the last request. Events that arrive before it are queued. */
 const struct json_value *client_response(struct dap_client *client);
-/* The body of a response that must be one of success. */
+/* Sends a request and returns the body of its response. Fails the test unless the
+ * response reports success. */
 const struct json_value *client_ask(struct dap_client *client, const char *command,
                                     const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
-/* It must be refused, with these words in the message. */
+/* Sends a request that must fail with `words` in the message. */
 void client_refused(struct dap_client *client, const char *words, const char *command,
                     const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))
 #endif
     ;
-/* The body of the next event, which must be this one; output does not count. */
+/* Returns the body of the next event, which must have this name. Output events are
+ * skipped. */
 const struct json_value *client_event(struct dap_client *client, const char *name);
-/* The same of stopped, for this reason. */
+/* Returns the body of the next event, which must be `stopped` with this reason. */
 const struct json_value *client_stopped(struct dap_client *client, const char *reason);
 
-/* Members that must be there. */
+/* Return a member of an object; a missing member fails the test. */
 const struct json_value *the(const struct json_value *object, const char *key);
 const char *the_text(const struct json_value *object, const char *key);
 int64_t the_whole(const struct json_value *object, const char *key);
-/* The element of a list whose member key has this text; NULL: there is none. */
+/* Returns the first element of a list whose member `key` has this text, or NULL if
+ * there is none. */
 const struct json_value *element_with(const struct json_value *list, const char *key,
                                       const char *text);
 size_t length_of(const struct json_value *list);

@@ -1,5 +1,6 @@
-/* dap_session.h - sessions of a client of c205 debug --dap with a program, and what they
- * look at.
+/* dap_session.h - sessions of a client of c205 debug --dap with a program, and queries
+ * of its state.
+ *
  */
 #ifndef TESTS_DAP_SESSION_H
 #define TESTS_DAP_SESSION_H
@@ -7,8 +8,8 @@
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/dap_client.h"
 
-/* A program with macros of the library, a region, a loop, a call, and the exit status 3; and
- * where some of its instructions are, and its data. */
+/* A program with macros of the library, a region, a loop, a call and exit status 3. The
+ * constants are the addresses of some of its instructions and of its data. */
 extern const char client_program[];
 enum {
     AGAIN = 0x400120,
@@ -20,42 +21,44 @@ enum {
     WORDS_B = 0x800100
 };
 
-/* The file of the last program that was written, and its name without the folder. */
+/* The path of the last program that was written, and its name without the directory. */
 extern char client_path[];
 void client_write(const char *text);
 const char *client_file_name(void);
 
-/* To where breakpoints are set; what the adapter is capable of.  more: further members of
- * launch, each behind a comma. */
+/* Starts a session up to the point where breakpoints are set, and returns the
+ * capabilities of the adapter. `more` has further members of the launch request, each
+ * after a comma. */
 const struct json_value *client_launch(struct dap_client *client, const char *text,
                                        const char *more);
 const struct json_value *client_launch_file(struct dap_client *client,
                                             const char *more);
-/* To the first instruction. */
+/* Starts a session and runs it to the first instruction. */
 void client_enter(struct dap_client *client, const char *text);
-/* To the end of the session. */
+/* Runs the program to the end of the session. */
 void client_leave(struct dap_client *client);
 
-/* A motion, and why it ends; by instructions, where it was to. */
+/* Sends an execution request and fails unless the program stops for `reason`. The
+ * second function steps by instructions. */
 void client_go(struct dap_client *client, const char *request, const char *reason);
 void client_go_finely(struct dap_client *client, const char *request);
-/* All that stops in the file: a breakpoint, or "". */
+/* Sets the only breakpoint of the file; "" removes it. */
 void client_stop_at(struct dap_client *client, const char *stop);
 
-/* ---- Where it stands ---------------------------------------------------------- */
+/* ---- Program state --------------------------------------------------------------- */
 
 const struct json_value *client_frames(struct dap_client *client);
 uint64_t client_pc(struct dap_client *client);
 uint64_t client_step(struct dap_client *client);
-/* The variables of a scope; of a reference, with further arguments. */
+/* Return the variables of a scope, or those of a reference, with further arguments. */
 const struct json_value *client_variables(struct dap_client *client, const char *scope);
 const struct json_value *client_inside(struct dap_client *client, int reference,
                                        const char *more);
 const char *value_of(const struct json_value *list, const char *name);
 int reference_of(const struct json_value *list, const char *name);
-/* Its bits: "2  X'FFD3 4000 0000 0000'  .." */
+/* Returns the bits of a value that is shown as "2  X'FFD3 4000 0000 0000'  ..". */
 c205_word word_in(const char *value);
-/* What an expression is. */
+/* Evaluates an expression and returns the text of its value. */
 const char *client_print(struct dap_client *client, const char *expression);
 const struct json_value *client_disassembled(struct dap_client *client,
                                              uint64_t address, int from, int count);

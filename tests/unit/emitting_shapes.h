@@ -10,10 +10,10 @@
 enum { EMITTING_KINDS = 9 };
 extern const enum primitive_kind emitting_kinds[EMITTING_KINDS];
 
-/* Settled, about as large as 1, mostly turned, stretched, mirrored and moved.  The
- * triangles of a mesh hold until the next one is drawn. */
+/* Draws a finished primitive of a size near 1. Most are turned, stretched, mirrored and
+ * moved. The triangles of a mesh are valid until the next mesh is drawn. */
 struct primitive draw_emitting(enum primitive_kind kind, uint64_t *random);
-/* To that place. */
+/* Moves a shape to a placement. */
 void move_shape(struct primitive *primitive, const struct placement *placement);
 
 #endif

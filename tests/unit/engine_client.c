@@ -56,7 +56,7 @@ static bool has(const char *text, const char *part)
     return strstr(text, part) || strstr(text, quoted);
 }
 
-/* The request, printed and with its quotes; the reply is read. */
+/* Formats a request, replaces ' by ", sends it and reads the reply. */
 static char *request_of(struct talk *talk, const char *format, va_list arguments)
 {
     static char request[1 << 16];

@@ -1,4 +1,4 @@
-/* engine_client.h - an engine that is asked, and its replies read. */
+/* engine_client.h - sends requests to an engine and parses its replies. */
 #ifndef TESTS_ENGINE_CLIENT_H
 #define TESTS_ENGINE_CLIENT_H
 
@@ -8,38 +8,39 @@
 
 struct talk {
     struct engine *engine;
-    struct arena arena;             /* of the last reply */
-    char *text;                     /* .. as it came */
-    const struct json_value *reply; /* .. read */
+    struct arena arena;             /* owns the last reply */
+    char *text;                     /* the last reply, unparsed */
+    const struct json_value *reply; /* the last reply, parsed */
 };
 
 void talk_begin(struct talk *talk);
 void talk_end(struct talk *talk);
 
-/* Any bytes.  The reply is JSON, "ok" is true or false, and there is an error where it is
- * false. */
+/* Sends raw bytes. Fails the test unless the reply is JSON whose "ok" is true or false,
+ * with an "error" if it is false. */
 const struct json_value *talk_bytes(struct talk *talk, const char *request,
                                     size_t length);
-/* Requests and parts of replies are written with ' for the quotes of JSON. */
+/* Replaces each ' by ". Requests and parts of replies are written with ' for the quotes
+ * of JSON. */
 void talk_quote(char *text);
-/* One that can be answered; while it is not done there is more. */
+/* Sends a request that must succeed and returns the reply. */
 const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-/* One that cannot, for a reason that has this in it. */
+/* Sends a request that must fail with `why` in the error. */
 void talk_refused(struct talk *talk, const char *why, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* The last reply contains this. */
+/* Fails the test unless the last reply contains `part`. */
 void talk_says(const struct talk *talk, const char *part);
-/* more: further members, each behind a comma. */
+/* Loads a program. `more` has further members of the request, each after a comma. */
 const struct json_value *talk_load(struct talk *talk, const char *text,
                                    const char *more);
 
-/* A member that is a number, or a text; one that is missing is a failure. */
+/* Return a member that is a number or a text; a missing member fails the test. */
 double number_of(const struct json_value *object, const char *key);
 const char *text_of(const struct json_value *object, const char *key);
 size_t items_of(const struct json_value *list);
 
-/* Members of requests: a model of its own; two programs against a constant. */
+/* Members of requests: a model by name, and a sweep of two programs over a constant. */
 #define AND_PRIOR ", 'model': 'cyber205-2pipe-prior'"
 #define SWEEP \
     "'constant': 'n', 'from': 1, 'to': 300, 'text': ' .include \\\"vectors.s\\\"\\n " \

@@ -27,7 +27,7 @@ static void from_zero(mpfr_t low)
     mpfr_set_ui(low, 0, MPFR_RNDN);
 }
 
-/* -ln 2 / 2 to ln 2 / 2 */
+/* The interval from -ln 2 / 2 to ln 2 / 2. */
 static void half_of_ln2(mpfr_t low, mpfr_t high)
 {
     mpfr_const_log2(high, MPFR_RNDN);
@@ -35,14 +35,14 @@ static void half_of_ln2(mpfr_t low, mpfr_t high)
     mpfr_neg(low, high, MPFR_RNDN);
 }
 
-/* -1/32 to 1/32 */
+/* The interval from -1/32 to 1/32. */
 static void thirty_seconds(mpfr_t low, mpfr_t high)
 {
     mpfr_set_d(low, -0.03125, MPFR_RNDN);
     mpfr_set_d(high, 0.03125, MPFR_RNDN);
 }
 
-/* 0 to 3 - 2 sqrt 2, the square of tan(pi/8) */
+/* The interval from 0 to 3 - 2 sqrt 2, the square of tan(pi/8). */
 static void squares_of_eighth(mpfr_t low, mpfr_t high)
 {
     from_zero(low);
@@ -50,14 +50,14 @@ static void squares_of_eighth(mpfr_t low, mpfr_t high)
     mpfr_ui_sub(high, 3, high, MPFR_RNDN);
 }
 
-/* 0 to the square of (sqrt 2 - 1) / (sqrt 2 + 1) = 3 - 2 sqrt 2 */
+/* The interval from 0 to the square of (sqrt 2 - 1) / (sqrt 2 + 1) = 3 - 2 sqrt 2. */
 static void squares_of_artanh(mpfr_t low, mpfr_t high)
 {
     squares_of_eighth(low, high);
     mpfr_sqr(high, high, MPFR_RNDN);
 }
 
-/* 0 to the square of pi/4 */
+/* The interval from 0 to the square of pi/4. */
 static void squares_of_quarter(mpfr_t low, mpfr_t high)
 {
     from_zero(low);
@@ -66,7 +66,8 @@ static void squares_of_quarter(mpfr_t low, mpfr_t high)
     mpfr_sqr(high, high, MPFR_RNDN);
 }
 
-/* (e^r - 1 - r) / r^2 */
+/* Computes (e^r - 1 - r) / r^2. Near r = 0 the quotient cancels; its limit 1/2 is
+ * used. */
 static void rest_of_exp(mpfr_t value, const mpfr_t r)
 {
     if (mpfr_zero_p(r) || mpfr_get_exp(r) < -DIGITS / 2) {
@@ -79,7 +80,7 @@ static void rest_of_exp(mpfr_t value, const mpfr_t r)
     mpfr_div(value, value, r, MPFR_RNDN);
 }
 
-/* (f(s) - s) / s^3 of an odd function, of the square of s. */
+/* Computes (f(s) - s) / s^3 of an odd function, as a function of the square of s. */
 static void rest_of_odd(mpfr_t value, const mpfr_t square,
                         int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t))
 {
@@ -93,7 +94,7 @@ static void rest_of_odd(mpfr_t value, const mpfr_t square,
     mpfr_clear(s);
 }
 
-/* (2 artanh s - 2 s) / s^3 */
+/* Computes (2 artanh s - 2 s) / s^3. */
 static void rest_of_log(mpfr_t value, const mpfr_t square)
 {
     rest_of_odd(value, square, mpfr_atanh);
@@ -110,7 +111,7 @@ static void rest_of_atan(mpfr_t value, const mpfr_t square)
     rest_of_odd(value, square, mpfr_atan);
 }
 
-/* (cos r - 1 + r^2 / 2) / r^4 */
+/* Computes (cos r - 1 + r^2 / 2) / r^4. */
 static void rest_of_cos(mpfr_t value, const mpfr_t square)
 {
     mpfr_t half;
@@ -125,7 +126,7 @@ static void rest_of_cos(mpfr_t value, const mpfr_t square)
     mpfr_clear(half);
 }
 
-/* (log2(1 + q) - q / ln 2) / q^2 */
+/* Computes (log2(1 + q) - q / ln 2) / q^2. */
 static void rest_of_log2(mpfr_t value, const mpfr_t q)
 {
     mpfr_t ln2;
@@ -157,7 +158,8 @@ const struct exact_polynomial *exact_polynomial_at(size_t i)
     return i < sizeof polynomials / sizeof *polynomials ? &polynomials[i] : NULL;
 }
 
-/* Point i of count: the middle plus half the way times cos(pi (2 i + 1) / (2 count)). */
+/* Chebyshev point i of count: the midpoint plus half the width times cos(pi (2 i + 1) /
+ * (2 count)). */
 static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t low,
                             const mpfr_t high)
 {
@@ -175,7 +177,7 @@ static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t l
     mpfr_clear(middle);
 }
 
-/* Divided differences in place of values: Newton's form. */
+/* Replaces the values by divided differences, the coefficients of Newton's form. */
 static void divide_differences(mpfr_t values[], mpfr_t points[], size_t count)
 {
     mpfr_t width;
@@ -190,7 +192,7 @@ static void divide_differences(mpfr_t values[], mpfr_t points[], size_t count)
     mpfr_clear(width);
 }
 
-/* Newton's form multiplied out. */
+/* Expands Newton's form into powers. */
 static void multiply_out(mpfr_t coefficients[], mpfr_t differences[], mpfr_t points[],
                          size_t count)
 {

@@ -1,28 +1,32 @@
-/* exact_functions.h - what the routines of asm/lib are to compute, with as many digits as asked
- * for, and the polynomials that they are made of, by MPFR.
+/* exact_functions.h - reference values of the routines of asm/lib, to any number of
+ * digits, and their polynomials, computed with MPFR.
+ *
  */
 #ifndef EXACT_FUNCTIONS_H
 #define EXACT_FUNCTIONS_H
 
 #include <mpfr.h>
 
-/* A function of one number, or of two. */
+/* A function of x, or of x and y. */
 typedef void exact_function(mpfr_t value, const mpfr_t x, const mpfr_t y);
 
 exact_function exact_exp, exact_log, exact_sin, exact_cos, exact_atan2, exact_power;
 
-/* What a polynomial goes through, at count Chebyshev points from low to high. */
+/* A polynomial that interpolates `value` at `count` Chebyshev points of the interval
+ * `bounds`. */
 struct exact_polynomial {
-    const char *label; /* where a routine has its coefficients, the lowest first */
+    const char *label; /* label of the coefficients in a routine, the lowest power
+                        * first */
     size_t count;
     void (*bounds)(mpfr_t low, mpfr_t high);
     void (*value)(mpfr_t value, const mpfr_t at);
 };
 
-/* NULL behind the last. */
+/* Returns the i-th polynomial, or NULL after the last. */
 const struct exact_polynomial *exact_polynomial_at(size_t i);
 
-/* The coefficients of it; each is initialised here, and cleared by the caller. */
+/* Computes the coefficients of a polynomial. The function initialises them; the caller
+ * clears them. */
 enum { EXACT_COEFFICIENTS = 16 };
 void exact_coefficients(const struct exact_polynomial *polynomial,
                         mpfr_t coefficients[]);

@@ -1,4 +1,4 @@
-/* heat_steps.h - the steps of heat have all of its clocks. */
+/* heat_steps.h - checks that the steps of a heat computation sum to all its clocks. */
 #ifndef TESTS_HEAT_STEPS_H
 #define TESTS_HEAT_STEPS_H
 

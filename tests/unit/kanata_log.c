@@ -9,21 +9,22 @@ enum { WORDS = 4, WORD = 400, MAX_LANES = 2, STAGE = 16 };
 
 struct alive {
     bool is;
-    char stage[MAX_LANES][STAGE]; /* in which it is; "": in none */
+    char stage[MAX_LANES][STAGE]; /* current stage of each lane; "": none */
 };
 
 struct kanata_log {
-    size_t count; /* instructions that have appeared */
+    size_t count; /* instructions declared so far */
     size_t capacity, retired, ended;
     struct alive *insns;
     bool begun;
-    char words[WORDS][WORD]; /* of the line */
+    char words[WORDS][WORD]; /* of the current line */
     size_t word_count;
 };
 
 /* ---- Words ----------------------------------------------------------------- */
 
-/* False: they are too many or too long, or one is empty. */
+/* Splits a line into words. Returns false if there are too many, one is too long, or
+ * one is empty. */
 static bool cut_line(struct kanata_log *log, const char *line, size_t length)
 {
     size_t used = 0;
@@ -53,7 +54,7 @@ static bool is_number(const char *word)
     return *word && strspn(word, "0123456789") == strlen(word);
 }
 
-/* The word is a number. */
+/* Returns the value of a word that is a number. */
 static uint64_t number_of(const struct kanata_log *log, size_t word)
 {
     return strtoull(log->words[word], NULL, 10);
@@ -136,7 +137,7 @@ static const char *pass_time(struct kanata_log *log)
     return NULL;
 }
 
-/* The words behind the command: n, a number; i, an instruction that is there; t, text. */
+/* The words after each command: n, a number; i, an instruction that exists; t, text. */
 static const struct kanata_command {
     const char *name, *words;
     const char *(*take)(struct kanata_log *log);

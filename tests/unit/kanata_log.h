@@ -1,17 +1,20 @@
-/* kanata_log.h - whether a text is a log of the format Kanata 0004, as its description says
- * (the Konata repository, docs/kanata-log-format.md), and nothing else is known of it.
+/* kanata_log.h - checks that a text is a log in the format Kanata 0004. The check
+ * follows the description of the format alone (the Konata repository,
+ * docs/kanata-log-format.md).
  *
- * Each line is a command and its words, apart by tabs; C= stands once, before all others.
- * Instructions are numbered from 0 as they appear, and named only after I and before R, which
- * each has in the end.  A stage is left by E, which names it, or by the next S of its lane.
- * Those that are not flushed are numbered from 0 as they retire.
+ * Each line is a command and its words, separated by tabs; C= occurs once, before all
+ * other commands. Instructions are numbered from 0 in the order of I. A command may
+ * name an instruction only after its I and before its R; each instruction has an R. A
+ * stage ends with E, which names it, or with the next S of its lane. Instructions that
+ * are not flushed are numbered from 0 as they retire.
  */
 #ifndef TESTS_KANATA_LOG_H
 #define TESTS_KANATA_LOG_H
 
 #include <stddef.h>
 
-/* What is wrong, and in which line, from 1; NULL: nothing. */
+/* Returns the first fault of a log and sets its line, counted from 1. NULL: no
+ * fault. */
 const char *kanata_fault(const char *text, size_t *line);
 
 #endif

@@ -71,7 +71,7 @@ c205_word lane_any_bits(word_format f, uint64_t *seed)
     return xorshift(seed) & format_mask(f);
 }
 
-/* Coefficients of few ones or zeros: where carries go far. */
+/* Coefficients with few ones or few zeros, so that carries propagate far. */
 c205_word lane_sparse(word_format f, uint64_t *seed)
 {
     c205_word word = around(f, seed);
@@ -86,7 +86,7 @@ c205_word lane_mostly_usual(word_format f, uint64_t *seed)
     return xorshift(seed) % 64 == 0 ? special(f, seed) : lane_near(f, seed);
 }
 
-/* A machine zero, whatever its digits. */
+/* A machine zero with random digits. */
 static c205_word zero(word_format f, uint64_t *seed)
 {
     c205_word digits = xorshift(seed) & UINT64_C(0x0FFFFFFFFFFFFFFF);
@@ -99,7 +99,7 @@ static c205_word mostly_zero(word_format f, uint64_t *seed)
     return xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed);
 }
 
-/* From the ends of exponents with so many bits less than there are. */
+/* Exponents at both ends of a range that has `less` bits fewer than the format. */
 static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1 - less);
@@ -108,7 +108,8 @@ static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
     return xorshift_normalised_of(f, seed, e, e);
 }
 
-/* Of what is usual (vm/number/common_range.h), with others rarely; just not usual. */
+/* Words just inside the common range (vm/number/common_range.h), rarely just
+ * outside. */
 static c205_word about_usual(word_format f, uint64_t *seed)
 {
     return at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2);
@@ -119,8 +120,8 @@ static c205_word beyond_usual(word_format f, uint64_t *seed)
     return at_the_ends(f, seed, 1);
 }
 
-/* With exponents of so many bits less than there are; the ends of coefficients,
- * and machine zeros, among them. */
+/* Exponents of a range that has `less` bits fewer than the format. Some coefficients
+ * are the largest or smallest; some words are machine zeros. */
 static c205_word within(word_format f, uint64_t *seed, int less)
 {
     int32_t end = 1 << (f.exponent_bits - 1) >> less;
@@ -135,8 +136,8 @@ static c205_word within(word_format f, uint64_t *seed, int less)
                               : xorshift_normalised_of(f, seed, e, e);
 }
 
-/* What doubles hold (vm/number/round_down.h); likewise, of much the same exponents;
- * with others rarely; and just not. */
+/* Words that convert to doubles exactly (vm/number/round_down.h). The variants:
+ * exponents close together, rarely other words, and exponents just out of range. */
 static c205_word moderate(word_format f, uint64_t *seed)
 {
     return within(f, seed, 7);
@@ -160,8 +161,8 @@ static c205_word beyond_moderate(word_format f, uint64_t *seed)
     return within(f, seed, 6);
 }
 
-/* As indices are, of few digits or many, machine zeros among them; with others
- * rarely. */
+/* Integers of few or many digits, as indices have, with machine zeros among them. The
+ * variant adds other words rarely. */
 static c205_word whole(word_format f, uint64_t *seed)
 {
     int64_t end = INT64_C(1) << xorshift_between(seed, 0, f.digits);
@@ -197,7 +198,7 @@ static c205_word moderate_positive(word_format f, uint64_t *seed)
     return absolute(f, moderate(f, seed));
 }
 
-/* Squares and their neighbours, where a root turns. */
+/* Squares and their predecessors, between which a truncated root changes. */
 c205_word lane_about_a_square(word_format f, uint64_t *seed)
 {
     int64_t least = INT64_C(1) << (f.digits / 2);

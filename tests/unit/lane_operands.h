@@ -1,5 +1,7 @@
-/* lane_operands.h - words and half random words, for spans of them: of all kinds that one of
- * the quick ways of vm/number may take for usual, or must not. */
+/* lane_operands.h - random words and half words for tests of spans. They include all
+ * kinds of words that a fast path of vm/number may accept, or must reject.
+ *
+ */
 #ifndef TESTS_LANE_OPERANDS_H
 #define TESTS_LANE_OPERANDS_H
 
@@ -8,8 +10,8 @@
 
 typedef c205_word supply(word_format f, uint64_t *seed);
 
-/* Both sides of the edges: of the special exponents, of exponents and
- * coefficients, of integers; and one. */
+/* Special words at both sides of each limit: the special exponents, the limits of
+ * exponents, coefficients and integers, and one. */
 enum {
     LANE_EXPONENTS = 10,
     LANE_COEFFICIENTS = 8,
@@ -20,7 +22,7 @@ c205_word lane_special_at(word_format f, size_t i);
 supply lane_near, lane_or_machine_zero, lane_any_bits, lane_sparse, lane_mostly_usual,
     lane_about_a_square;
 
-/* All of these but squares, and more. */
+/* Every supply of words but the squares. */
 enum { LANE_SUPPLIES = 23 };
 extern supply *const lane_supplies[LANE_SUPPLIES];
 

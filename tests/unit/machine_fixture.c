@@ -1,4 +1,4 @@
-/* machine_fixture.c - programs made instruction by instruction, and run. */
+/* machine_fixture.c - builds programs instruction by instruction and runs them. */
 #include "machine_fixture.h"
 
 void add_half(struct small_machine *fixture, c205_word half)

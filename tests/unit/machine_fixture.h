@@ -1,4 +1,4 @@
-/* machine_fixture.h - a machine with a little program, for the unit tests. */
+/* machine_fixture.h - a machine with a small program, for the unit tests. */
 #ifndef MACHINE_FIXTURE_H
 #define MACHINE_FIXTURE_H
 
@@ -19,13 +19,13 @@ struct small_machine {
 
 void add_half(struct small_machine *fixture, c205_word half);
 
-/* Append an instruction; gives its address. */
+/* Appends an instruction and returns its address. */
 uint64_t add(struct small_machine *fixture, const char *mnemonic, c205_fields fields);
 void begin(struct small_machine *fixture);
 struct small_machine make_small_machine(void);
 void free_small_machine(struct small_machine *fixture);
 
-/* Load code, and data_words of zeros at DATA. */
+/* Loads the code, and data_words words of zeros at DATA. */
 void load(struct small_machine *fixture, size_t data_words);
 c205_stop run(struct small_machine *fixture);
 void set(struct small_machine *fixture, unsigned number, c205_word word);

@@ -1,5 +1,7 @@
-/* plain_run.h - all states of a program, from one run forward: what a debugger is held
- * beside. */
+/* plain_run.h - records all states of a program in one forward run, as the reference
+ * for a debugger.
+ *
+ */
 #ifndef TESTS_PLAIN_RUN_H
 #define TESTS_PLAIN_RUN_H
 
@@ -8,7 +10,7 @@
 
 enum { MAX_PLAIN_STEPS = 3000 };
 
-/* Before each step. */
+/* The state before a step. */
 struct moment {
     uint64_t pc, clock;
     c205_word registers[C205_REGISTERS];
@@ -17,15 +19,16 @@ struct moment {
 
 struct plain {
     struct object *object;
-    uint64_t watched;       /* a word of memory */
-    size_t end;             /* steps until the program ends */
-    struct moment *moments; /* [end + 1], to be freed */
+    uint64_t watched;       /* bit address of the watched word */
+    size_t end;             /* number of steps of the program */
+    struct moment *moments; /* [end + 1]; the caller frees it */
 };
 
 struct moment moment_of(const c205 *machine, uint64_t watched);
-/* A word of the last segment, at random, is watched.  Takes the object. */
+/* Runs an object and records its states. A random word of the last segment is watched.
+ * Takes ownership of the object. */
 struct plain run_plainly(struct object *object, uint64_t *random_state);
-/* The region of an address, "" for none. */
+/* Returns the region that contains an address, or "" if none does. */
 const char *plain_region(const struct plain *plain, uint64_t pc);
 
 /* ---- Where a debugger stops -------------------------------------------------- */
@@ -33,18 +36,20 @@ const char *plain_region(const struct plain *plain, uint64_t pc);
 struct plain_stops {
     bool by_watch, by_place;
     uint64_t place;
-    size_t every;       /* the place counts at steps that this divides; 0: at all */
-    const char *region; /* that is entered; NULL: none */
+    size_t every;       /* the breakpoint counts only at multiples of this step number;
+                         * 0: at all steps */
+    const char *region; /* stops when this region is entered; NULL: none */
 };
 
 bool plain_stops_at(const struct plain *plain, const struct plain_stops *stops,
                     size_t step);
-/* Forward to a stop, by up to a number of steps; back to a stop, or to the beginning. */
+/* Return the step of the next stop forward, within `count` steps, or of the previous
+ * stop backward, or the first step. */
 size_t plain_on(const struct plain *plain, const struct plain_stops *stops, size_t step,
                 uint64_t count);
 size_t plain_back(const struct plain *plain, const struct plain_stops *stops,
                   size_t step);
-/* The first step at or after a clock. */
+/* Returns the first step at or after a clock. */
 size_t plain_to_clock(const struct plain *plain, size_t step, uint64_t clock);
 
 #endif

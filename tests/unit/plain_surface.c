@@ -1,4 +1,5 @@
-/* plain_surface.c - crossings, volumes and comparisons by many rays. */
+/* plain_surface.c - computes crossings and volumes of surfaces with many rays, and
+ * compares surfaces. */
 #include "plain_surface.h"
 
 void assert_near(double found, double expected, double within)
@@ -78,8 +79,8 @@ static int compare_distances(const void *a, const void *b)
     return (x->distance > y->distance) - (x->distance < y->distance);
 }
 
-/* Between the first crossing and the second, the third and the fourth: the
- * inside of a closed surface. */
+/* Returns the length of a ray inside a closed surface: the distances between crossings
+ * 1 and 2, 3 and 4, and so on. */
 static double inside(const struct surface *surface, const struct ray *ray)
 {
     struct crossing crossings[MAX_CROSSINGS];

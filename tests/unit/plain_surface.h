@@ -1,5 +1,5 @@
-/* plain_surface.h - surfaces of one or more primitives, and rays at them, for
- * the tests of the plain tracer's shapes. */
+/* plain_surface.h - surfaces of one or more primitives and rays that hit them, for the
+ * tests of the plain tracer's shapes. */
 #ifndef TESTS_PLAIN_SURFACE_H
 #define TESTS_PLAIN_SURFACE_H
 
@@ -9,7 +9,7 @@
 
 #define PI 3.14159265358979323846
 #define CLOSE 1e-12
-#define START 1e-6 /* nearer crossings are the ray's own start */
+#define START 1e-6 /* crossings nearer than this are at the ray's origin */
 
 void assert_near(double found, double expected, double within);
 double number_between(uint64_t *random, double low, double high);
@@ -24,14 +24,14 @@ struct surface {
 };
 
 struct spelling {
-    double distance; /* infinite: none */
+    double distance; /* infinite: no hit */
     double normal[3];
 };
 
 struct spelling shoot(const struct surface *surface, const struct ray *ray);
 struct surface one(enum primitive_kind kind);
 
-/* One ray: the distance (0: none), the normal that faces it. */
+/* A ray with its expected distance (0: no hit) and the normal that faces the ray. */
 struct expectation {
     double origin[3], direction[3];
     double distance, normal[3];
@@ -44,15 +44,16 @@ void assert_hits(const struct surface *surface, const struct expectation *rows,
 
 /* --- volumes ------------------------------------------------------------- */
 
-/* By parallel rays from a grid over -size .. size, in a slanted direction. */
+/* Estimates the volume with parallel oblique rays through a grid over -size .. size. */
 double volume(const struct surface *surface, double size);
 
-/* --- two surfaces that are one -------------------------------------------- */
+/* ---- Two equal surfaces --------------------------------------------------- */
 
-/* A coefficient of a quartic by the powers of x and y and z. */
+/* Sets the coefficient of x^x y^y z^z of a quartic. */
 void set_coefficient(struct surface *surface, int x, int y, int z, double value);
 
-/* Random rays at both; where they graze, a rounding decides. */
+/* Compares two surfaces with random rays. Rays that graze a surface may differ, because
+ * one rounding decides whether they hit. */
 void assert_same_surface(const struct surface *a, const struct surface *b, double size);
 
 #endif

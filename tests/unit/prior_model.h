@@ -1,4 +1,4 @@
-/* prior_model.h - the machine model of tests whose clocks nobody looks at. */
+/* prior_model.h - the machine model of tests that do not check clocks. */
 #ifndef TESTS_PRIOR_MODEL_H
 #define TESTS_PRIOR_MODEL_H
 
@@ -7,13 +7,13 @@
 
 extern c205_model *prior_model;
 
-/* Initialises options with the model and these members. */
+/* Initialises options with the model and further members. */
 #define ON_PRIOR(...) \
     { \
         .model = prior_model, __VA_ARGS__ \
     }
 
-/* For a group of tests: the model, the arithmetic of the oracle, or both. */
+/* Group fixtures: the model, the arithmetic of the oracle, or both. */
 int set_up_model(void **state);
 int tear_down_model(void **state);
 int set_up_oracle(void **state);

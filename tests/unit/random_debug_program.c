@@ -26,7 +26,7 @@ static const struct kinds scalars = { sizeof scalar_lines / sizeof *scalar_lines
 static const struct kinds vectors = { sizeof vector_lines / sizeof *vector_lines,
                                       vector_lines };
 
-/* Up to so many of them. */
+/* Adds a random number of lines, at most `most`. */
 static void add_lines(uint64_t *state, char *text, int64_t most,
                       const struct kinds *kinds)
 {

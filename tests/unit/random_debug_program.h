@@ -1,4 +1,4 @@
-/* random_debug_program.h - program random texts that end: a start, vectors, a loop. */
+/* random_debug_program.h - random program texts that terminate: a start, vectors, a loop. */
 #ifndef TESTS_DRAWN_PROGRAM_H
 #define TESTS_DRAWN_PROGRAM_H
 
@@ -6,7 +6,7 @@
 
 enum { DRAWN_TEXT = 4096 };
 
-/* Vectors of n elements, n turns of the loop; n is the caller's to define. */
+/* Vectors have n elements and the loop n iterations; the caller defines n. */
 void draw_program(uint64_t *state, char text[DRAWN_TEXT]);
 
 #endif

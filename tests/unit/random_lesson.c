@@ -36,7 +36,7 @@ static c205_word element_of(const struct random_lesson *drawn, double number)
                                          : (c205_word)(number != 0) << 63;
 }
 
-/* No two numbers are the same, or the same but for their sign; none is zero. */
+/* No two elements have the same magnitude, and none is zero. */
 static void draw_elements(const struct random_lesson *drawn, struct random_test *test,
                           uint64_t *state)
 {
@@ -102,7 +102,7 @@ static void draw_found(struct random_lesson *drawn, uint64_t *state)
                                              + number);
 }
 
-/* Half of the number of an element, as digits of its word. */
+/* Writes half of an element's number, as the digits of its word. */
 static void put_value(const struct random_lesson *drawn, const struct sink *sink)
 {
     if (drawn->kind == DRAWN_WORDS)

@@ -1,7 +1,7 @@
-/* random_lesson.h - random lessons, and answers of which it is known what is wrong.
+/* random_lesson.h - random lessons, and answers with a known mistake.
  *
- * The exercise is y := 2 x (of bits: y := not x), n elements of one kind.  An answer does the
- * work in all tests but one, and there something else.
+ * The exercise is y := 2 x (for bits: y := not x) over n elements of one kind. An
+ * answer does this in all tests but one; in that test it makes the mistake.
  */
 #ifndef TESTS_DRAWN_LESSON_H
 #define TESTS_DRAWN_LESSON_H
@@ -12,11 +12,11 @@ enum { DRAWN_LONGEST = 60, DRAWN_TESTS = 3 };
 
 enum random_kind { DRAWN_WORDS, DRAWN_HALVES, DRAWN_BITS, DRAWN_KINDS };
 
-/* How the work is done where nothing is wrong; but for words always the first way. */
+/* The correct method of the answer. Only words use the second and the third method. */
 enum random_way { WAY_VECTOR, WAY_LINKED, WAY_SCALAR, DRAWN_WAYS };
 
 enum random_fault {
-    FAULT_NONE, /* the work is done over and over, though */
+    FAULT_NONE, /* correct; the work may be repeated */
     FAULT_ELEMENT,
     FAULT_LAST_BIT,
     FAULT_NOTHING,
@@ -29,10 +29,10 @@ enum random_fault {
 };
 
 struct random_test {
-    size_t n; /* no other test has as many */
+    size_t n; /* differs from that of every other test */
     bool warm, has_goals, tolerant;
     const char *model;
-    c205_word x[DRAWN_LONGEST], wanted[DRAWN_LONGEST]; /* at the left of a word */
+    c205_word x[DRAWN_LONGEST], wanted[DRAWN_LONGEST]; /* left-aligned in a word */
     uint64_t goals[MEDALS];
 };
 
@@ -43,18 +43,20 @@ struct random_lesson {
     /* The answer. */
     enum random_fault fault;
     enum random_way way;
-    size_t faulty, element, repeated, /* in which test, where, how often more */
-        idle;        /* instructions between two others of scalar code */
-    c205_word found; /* there, of FAULT_ELEMENT and FAULT_LAST_BIT */
+    size_t faulty, element, repeated, /* index of the faulty test, index of the wrong
+                                       * element, number of repetitions */
+        idle;        /* instructions between two others in scalar code */
+    c205_word found; /* wrong value, for FAULT_ELEMENT and FAULT_LAST_BIT */
     char answer[8192];
 };
 
-/* All but the goals. */
+/* Draws everything but the goals. */
 void draw_lesson(struct random_lesson *drawn, uint64_t *random_state);
-/* The folder as it would be on disk; fails the test where that is refused. */
+/* Opens the lesson as if its folder were on disk. Fails the test if the lesson is
+ * rejected. */
 void random_open(const struct random_lesson *drawn, struct lesson *lesson);
 
-/* Fails the test where the lesson is wrong itself. */
+/* Grades an answer. Fails the test if the lesson itself is wrong. */
 void grade_well(struct lesson_verdict *verdict, const struct lesson *lesson,
                 const char *answer);
 

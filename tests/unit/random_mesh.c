@@ -1,4 +1,4 @@
-/* random_mesh.c - see random_mesh.h. */
+/* random_mesh.c - builds random triangle meshes for the tests of meshes. */
 #include "random_mesh.h"
 
 #include "tests/unit/plain_surface.h"
@@ -40,7 +40,7 @@ static bool are_apart(const struct net *net, size_t a, size_t b, double distance
     return fabs(sqrt(dot(way, way)) - distance) < 1e-9;
 }
 
-/* A face of any three points that are so far from each other. */
+/* Adds a face for every three points whose distances are all `apart`. */
 static void join_neighbours(struct net *net, double apart)
 {
     for (size_t a = 0; a < net->point_count; a++)
@@ -81,7 +81,7 @@ static void add_square(struct net *net, const size_t corners[4], bool other)
     net_face(net, corners[2], corners[3], corners[other ? 1 : 0]);
 }
 
-/* A point of one side of a cube, so many squares from its corner. */
+/* Adds a point of one side of a cube, given its offset in squares from a corner. */
 static size_t point_of_side(struct net *net, int axis, double at, double across,
                             double along)
 {
@@ -174,7 +174,7 @@ void net_soup(struct net *net, size_t count, bool slender, uint64_t *random)
 
 /* --- changes -------------------------------------------------------------- */
 
-/* The middle of an edge, the same from either end. */
+/* Returns the midpoint of an edge; both directions of the edge give the same bits. */
 static size_t middle_of(struct net *net, size_t a, size_t b)
 {
     double middle[3];
@@ -261,7 +261,7 @@ static void face_normal(const struct net *net, const size_t face[3], double norm
     }
 }
 
-/* Faces turn either way: their normals here lead away from the origin. */
+/* Faces have either orientation; here their normals point away from the origin. */
 static void add_normals(struct net *net)
 {
     memset(net->normals, 0, sizeof net->normals);

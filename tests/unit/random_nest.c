@@ -5,20 +5,20 @@
 
 enum { MAX_VARIABLES = 100, DEPTH = 4 };
 
-/* What is in a list; NUMBER: one number and no more. */
+/* The kind of a list; NUMBER is a single number. */
 enum place { OBJECTS, MODIFIERS, LAYER, FINISH, TERMS, NUMBER };
 
 struct making {
-    bool written;   /* or carried out */
-    uint64_t state; /* of the choices */
+    bool written;   /* false: expanded */
+    uint64_t state; /* random state of the choices */
     struct text_buffer text;
-    size_t silent;                /* 0: what is put goes to the text */
-    double values[MAX_VARIABLES]; /* of V0, V1 .. that are in sight */
+    size_t silent;                /* > 0: text is suppressed */
+    double values[MAX_VARIABLES]; /* values of the visible variables V0, V1 .. */
     size_t variables;
-    size_t macros;  /* written */
-    bool breakable; /* a #break does not leave half a block */
-    bool broken;    /* one has been carried out */
-    double value;   /* of the last NUMBER */
+    size_t macros;  /* number of written macros */
+    bool breakable; /* a #break here leaves no incomplete block */
+    bool broken;    /* a #break was executed */
+    double value;   /* value of the last NUMBER */
 };
 
 static void list(struct making *making, enum place place, size_t depth);
@@ -55,7 +55,7 @@ static void put(struct making *making, const char *format, ...)
     va_end(arguments);
 }
 
-/* Directives, which are written and not there any more when carried out. */
+/* Writes a directive. The expanded form omits it. */
 static void direct(struct making *making, const char *format, ...)
 {
     va_list arguments;
@@ -66,7 +66,7 @@ static void direct(struct making *making, const char *format, ...)
     va_end(arguments);
 }
 
-/* A number of a directive. */
+/* Writes the number of a directive; the expanded form computes it without text. */
 static double direct_number(struct making *making, size_t depth)
 {
     double before = making->value;
@@ -84,7 +84,8 @@ static size_t new_variable(struct making *making, double value)
     return making->variables++;
 }
 
-/* What a directive chooses, turns or calls; its variables end with it. */
+/* Generates the body of a directive or a macro call from a seed; its variables end with
+ * it. */
 static void carry_out(struct making *making, enum place place, uint64_t seed,
                       size_t depth)
 {
@@ -99,7 +100,7 @@ static void carry_out(struct making *making, enum place place, uint64_t seed,
     making->variables = variables;
 }
 
-/* .. of which a #break is the end: whether it came to one. */
+/* Generates a body that a #break ends. Returns whether it executed one. */
 static bool carry_out_broken(struct making *making, enum place place, uint64_t seed,
                              size_t depth)
 {
@@ -112,7 +113,7 @@ static bool carry_out_broken(struct making *making, enum place place, uint64_t s
     return broken;
 }
 
-/* .. where a #break belongs to what is around. */
+/* Generates a branch. A #break in it ends the enclosing body. */
 static void carry_out_branch(struct making *making, enum place place, uint64_t seed,
                              size_t depth, bool *broken)
 {
@@ -121,7 +122,7 @@ static void carry_out_branch(struct making *making, enum place place, uint64_t s
     making->broken = false;
 }
 
-/* A list in brackets of its own. */
+/* Generates a list in its own brackets. */
 static void inside(struct making *making, enum place place, size_t depth)
 {
     bool breakable = making->breakable;
@@ -171,7 +172,8 @@ static void put_for(struct making *making, enum place place, size_t depth)
 static void put_while(struct making *making, enum place place, size_t depth)
 {
     size_t turns = turns_of(making, place);
-    size_t first = below(making, 2); /* it counts before the body */
+    size_t first = below(making, 2); /* the #while increments its counter before the
+                                      * body */
     uint64_t seed = new_seed(making);
     size_t variable = new_variable(making, 0);
     direct(making, "#local V%zu = 0; #while (V%zu < %zu)\n", variable, variable, turns);
@@ -190,7 +192,7 @@ static void put_while(struct making *making, enum place place, size_t depth)
 
 static void put_if(struct making *making, enum place place, size_t depth)
 {
-    size_t more = below(making, 2); /* #elseif */
+    size_t more = below(making, 2); /* number of #elseif branches */
     bool otherwise = place == NUMBER || below(making, 2);
     bool chosen = false, broken = false;
     for (size_t i = 0; i <= more; i++) {
@@ -211,7 +213,7 @@ static void put_if(struct making *making, enum place place, size_t depth)
     making->broken = broken;
 }
 
-/* #case or #range: whether it fits. */
+/* Writes #case or #range. Returns whether it matches the value. */
 static bool put_case(struct making *making, double value)
 {
     double low = (double)below(making, 5);
@@ -258,7 +260,7 @@ static void put_macro(struct making *making, enum place place, size_t depth)
         carry_out_broken(making, place, seed, depth);
     direct(making, " #end\n");
     for (size_t i = 0; i < calls; i++) {
-        making->variables--; /* not of the argument */
+        making->variables--; /* the argument of a call cannot use the parameter */
         direct(making, " M%zu(", name);
         double value = direct_number(making, depth / 2);
         direct(making, ") ");
@@ -269,7 +271,7 @@ static void put_macro(struct making *making, enum place place, size_t depth)
     making->variables--;
 }
 
-/* In sight up to the end of the list. */
+/* Declares a local variable, visible up to the end of the list. */
 static void put_local(struct making *making, size_t depth)
 {
     direct(making, "#local V%zu = ", making->variables);
@@ -305,7 +307,7 @@ static void put_directive(struct making *making, enum place place, size_t depth)
 
 /* ---- Numbers ------------------------------------------------------------ */
 
-/* A variable, or a number as it is. */
+/* Writes a variable or a literal number. */
 static double plain_number(struct making *making)
 {
     size_t which = below(making, making->variables + 2);
@@ -401,7 +403,8 @@ static void put_sphere(struct making *making, size_t depth)
 static void put_solid(struct making *making, size_t depth)
 {
     static const char *const words[] = { "union", "merge", "intersection" };
-    size_t around = below(making, 4); /* whether there are spheres about */
+    size_t around = below(making, 4); /* where spheres precede or follow the inner
+                                       * list */
 
     put(making, "%s { ", words[below(making, COUNT(words))]);
     if (around != 1)
@@ -413,7 +416,7 @@ static void put_solid(struct making *making, size_t depth)
     put(making, "}\n");
 }
 
-/* A list of so many numbers with commas behind each. */
+/* Writes `count` numbers, each with a comma after it. */
 static void put_elements(struct making *making, size_t count, size_t depth,
                          double *values)
 {
@@ -512,7 +515,7 @@ static void put_share(struct making *making, size_t depth)
     put(making, ") ");
 }
 
-/* The value becomes that of the sum up to here. */
+/* Adds a term; the value becomes the partial sum. */
 static void put_term(struct making *making, size_t depth)
 {
     double before = making->value;

@@ -1,10 +1,10 @@
-/* random_nest.h - nests of directives of the scene language, at random.
+/* random_nest.h - random nests of directives of the scene language.
  *
- * Each list is made from a seed in one of two ways: as it is written, with #for,
- * #while, #if, #switch, #macro, #local and #break at every place of it, or as it
- * is carried out, without any.  No choice depends on a value, so that both ways
- * choose the same; a loop's body is made once in the one way and once each turn
- * in the other, of one seed.
+ * A seed gives each list in one of two forms. The written form has #for, #while, #if,
+ * #switch, #macro, #local and #break at every place. The expanded form is the result of
+ * executing these directives and has none. No choice depends on a value, so that both
+ * forms make the same choices. The body of a loop is generated once in the written form
+ * and once per iteration in the expanded form, always from the same seed.
  */
 #ifndef RANDOM_NEST_H
 #define RANDOM_NEST_H
@@ -14,7 +14,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A scene's objects, from a seed that is not 0; the caller frees the text. */
+/* Returns the objects of a scene. The seed must not be 0; the caller frees the text. */
 struct text_buffer random_nest(uint64_t seed, bool written);
 
 #endif

@@ -1,4 +1,4 @@
-/* random_solids.c - shapes, their looks and motions, and trees of them. */
+/* random_solids.c - writes random shapes, materials, motions and trees of solids. */
 #include "random_solids.h"
 
 struct solids solids;
@@ -36,7 +36,7 @@ static void add_color(char *text, size_t size)
              filter, filter / 3);
 }
 
-/* Of one to six stops, some of them at one place. */
+/* Writes a gradient with one to six stops; some stops coincide. */
 void add_gradient(char *text, size_t size)
 {
     double at = between(-.1, .4);
@@ -51,8 +51,9 @@ void add_gradient(char *text, size_t size)
     add_text(text, size, "} ");
 }
 
-/* What depends on the angle; of clear things none that are metallic, whose
- * checkers are not POV-Ray's.  Nothing is drawn by it, so that the solids stay. */
+/* Writes a finish that depends on the angle. Clear materials get no metallic one,
+ * because their checkers differ from POV-Ray's. Draws no random number, so that the
+ * solids do not change. */
 static void add_gloss(char *text, size_t size)
 {
     static const char *const glosses[] = {
@@ -143,7 +144,7 @@ static void add_plane(char *text, size_t size)
     add_text(text, size, ", %.4f ", place_between(-.3, .6));
 }
 
-/* Every other one is a ring. */
+/* Every other disc is a ring. */
 static void add_disc(char *text, size_t size)
 {
     add_text(text, size, "disc { ");
@@ -164,7 +165,7 @@ static void add_quadric(char *text, size_t size)
              place_between(-1, 1), place_between(-.5, .5), size_between(.2, .8));
 }
 
-/* Of two sizes: closed or open, with level and upright segments. */
+/* Writes a lathe of two sizes, closed or open, with level and upright segments. */
 static void add_lathe(char *text, size_t size, double large, double small)
 {
     bool open = strlen(text) % 4 == 0;
@@ -175,7 +176,7 @@ static void add_lathe(char *text, size_t size, double large, double small)
              small, small, small, small, large, open ? "" : ", <0, .75>");
 }
 
-/* Or a lathe: what is drawn else does not depend on it. */
+/* Writes a torus or a lathe. Both draw the same random numbers. */
 static void add_torus(char *text, size_t size)
 {
     double major = size_between(.6, 1), minor = size_between(.15, .4);
@@ -199,8 +200,8 @@ static void add_quartic(char *text, size_t size)
              place_between(-.3, .3), size_between(.4, 1));
 }
 
-/* A corner piece, or an arrow; or of these parabolas: what is drawn else does not
- * depend on it. */
+/* Writes a prism: a corner piece, an arrow, or a shape of parabolas. All draw the same
+ * random numbers. */
 static void add_prism(char *text, size_t size)
 {
     double x = size_between(.4, 1.1), z = size_between(.4, 1.1);
@@ -229,7 +230,7 @@ static void add_patch(char *text, size_t size)
         add_text(text, size, "weights 1, 1, 1, %.2f, .5, 1 ", size_between(.5, 2));
 }
 
-/* A roof and one of its gables, which is smooth, or both, and it is a body. */
+/* Writes a mesh: a roof, its smooth gable, or both, which form a closed body. */
 static void add_mesh(char *text, size_t size)
 {
     double x = size_between(.3, 1), y = place_between(-.5, 1);
@@ -247,7 +248,7 @@ static void add_mesh(char *text, size_t size)
                  y, z, y, z, x);
 }
 
-/* One in ten things is clipped, in its place before it moves. */
+/* Clips one object in ten, in its place before it moves. */
 static void add_clip(char *text, size_t size)
 {
     static void (*const add_shape[])(char *, size_t) = {
@@ -263,8 +264,8 @@ static void add_clip(char *text, size_t size)
     add_text(text, size, "%s} } ", below(4) ? "" : "inverse ");
 }
 
-/* Two balls and a rod, now and then instead of another shape: solids that have none
- * are as they were before there were blobs. */
+/* Writes two balls and a rod instead of one shape in some solids. The random state of
+ * other solids is unchanged, so that they are as they were before blobs existed. */
 static bool add_blob(char *text, size_t size)
 {
     uint64_t kept = traced.random;
@@ -309,7 +310,7 @@ static void add_leaf(char *text, size_t size)
 /* --- trees --------------------------------------------------------------- */
 
 
-/* What stands from there on once more. */
+/* Repeats the text that begins at `from`. */
 static void add_again(char *text, size_t size, size_t from)
 {
     FREED char *copy = malloc(size);
@@ -335,7 +336,7 @@ void add_solid(char *text, size_t size, size_t depth)
 {
     static const struct {
         const char *word;
-        bool meets; /* a patch in it is reported */
+        bool meets; /* a patch or a mesh in it causes a report */
     } joined[] = {
         { "difference", true }, { "difference", true }, { "intersection", true },
         { "merge", false },     { "union", false },

@@ -1,39 +1,40 @@
-/* random_solids.h - solids that no one has chosen, in the scene language.
+/* random_solids.h - random solids in the scene language.
  *
- * Trees of all kinds of shapes and of each other, moved, turned and stretched.
- * On a grid all sizes and places are multiples of a quarter and all turns are
- * right angles, so that faces, edges and axes of different shapes coincide;
- * now and then a shape stands twice in one solid.
+ * Solids are trees of all kinds of shapes and of other solids, moved, turned and
+ * stretched. On a grid all sizes and positions are multiples of a quarter and all turns
+ * are right angles, so that faces, edges and axes of different shapes coincide;
+ * sometimes a shape occurs twice in one solid.
  */
 #ifndef TESTS_RANDOM_SOLIDS_H
 #define TESTS_RANDOM_SOLIDS_H
 
 #include "tests/unit/traced_frame.h"
 
-/* What is drawn. */
+/* Options of the random solids. */
 extern struct solids {
-    bool clear; /* some parts are; their solids, too, are mirrors */
+    bool clear; /* some parts are clear; their solids may be mirrors */
     bool gridded;
-    bool patches; /* where they are not reported, unless reports may be */
-    bool meshes;  /* likewise */
+    bool patches; /* draw patches where they cause no report, or anywhere if reports are
+                   * allowed */
+    bool meshes;  /* draw meshes, by the same rule */
 } solids;
 
 size_t below(size_t count);
 
-/* Of a shape: a size, which is above 0, or a place. */
+/* Return a size of a shape, which is above 0, or a coordinate. */
 double size_between(double low, double high);
 double place_between(double low, double high);
 double angle(void);
 
-/* A motion that turns a shape any way, so many times as large. */
+/* Writes a motion that turns a shape in any direction and scales it by `larger`. */
 void add_turn(char *text, size_t size, double larger);
 void add_gradient(char *text, size_t size);
 void add_look(char *text, size_t size);
 void add_solid(char *text, size_t size, size_t depth);
 
-/* Two solids of some parts each, two of three of which are the shape that is begun by
- * these words: one frame of all stages, of both ways to the nearest, and without
- * bounds, the plain tracer's. */
+/* Draws two solids of several parts. Two of three parts are the shape that `add_shape`
+ * begins. Fails unless all stages, both methods of visibility, and a run without bounds
+ * give the same frame, and the plain tracer gives it too. */
 void check_solids_with(void (*add_shape)(char *text, size_t size));
 
 #endif

@@ -1,4 +1,4 @@
-/* random_walk.c - see random_walk.h. */
+/* random_walk.c - draws random programs for a debugger to step through. */
 #include "tests/unit/random_walk.h"
 
 #include "tests/random.h"

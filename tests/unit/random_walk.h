@@ -1,5 +1,6 @@
-/* random_walk.h - random programs for a debugger to walk through: loops with vectors, calls
- * and what is stored and printed among them.
+/* random_walk.h - random programs for a debugger to step through: loops with vector
+ * instructions, calls, stores and prints.
+ *
  */
 #ifndef TESTS_DRAWN_WALK_H
 #define TESTS_DRAWN_WALK_H
@@ -8,7 +9,7 @@
 
 #include "base/sink.h"
 
-/* The text is to be freed. */
+/* The caller frees the text. */
 void draw_walk(uint64_t *state, struct text_buffer *text);
 
 #endif

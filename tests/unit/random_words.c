@@ -26,7 +26,7 @@ static void say_element(const struct random_lesson *drawn, c205_word found,
     say_value(drawn, wanted, sink);
 }
 
-/* What the answer leaves at an element. */
+/* Returns the element that the answer leaves in y. */
 static c205_word found_at(const struct random_lesson *drawn, size_t i)
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];

@@ -1,5 +1,6 @@
-/* random_words.h - what a verdict has to say of an answer drawn at random, worked out from
- * what was done to it.
+/* random_words.h - the verdict that a random answer must get, derived from its known
+ * mistake.
+ *
  */
 #ifndef TESTS_DRAWN_WORDS_H
 #define TESTS_DRAWN_WORDS_H
@@ -7,15 +8,15 @@
 #include "base/sink.h"
 #include "tests/unit/random_lesson.h"
 
-/* Elements of y that are wrong in the test that was made to fail, */
+/* Returns the number of wrong elements of y in the test that must fail. */
 size_t random_count_wrong(const struct random_lesson *drawn);
-/* .. and the sentence about them. */
+/* Writes the sentence about these wrong elements. */
 void random_say_wrong(const struct random_lesson *drawn, size_t wrong,
                       const struct sink *sink);
-/* The sentence about what they look like, or ""; NULL: it is not known, for bits that are
- * flipped at random look like many things. */
+/* Returns the sentence about the likely mistake, or "". Returns NULL if it cannot be
+ * predicted: randomly flipped bits resemble many mistakes. */
 const char *random_likeness(const struct random_lesson *drawn);
-/* The line of the answer in which the fault is, from 1 on. */
+/* Returns the line of the answer that contains the mistake; the first is 1. */
 size_t random_fault_line(const struct random_lesson *drawn);
 
 #endif

@@ -1,4 +1,5 @@
-/* rule_cases.h - cases of the exact rule: operands, result, flags. */
+/* rule_cases.h - macros that compare the result and the flags of an operation with
+ * those of the exact rule. */
 #ifndef TESTS_RULE_CASES_H
 #define TESTS_RULE_CASES_H
 

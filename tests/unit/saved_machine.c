@@ -1,4 +1,4 @@
-/* saved_machine.c - all that a machine is, as bytes. */
+/* saved_machine.c - saves a machine as bytes, restores it and compares machines. */
 #include "saved_machine.h"
 
 bool append(void *context, const void *more, size_t count)

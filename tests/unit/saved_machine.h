@@ -6,7 +6,7 @@
 #include "tests/unit/asm_helper.h"
 
 struct bytes {
-    size_t count, room; /* room 0: it grows */
+    size_t count, room; /* capacity limit; 0: the buffer grows */
     unsigned char *byte;
     size_t reserved;
 };
@@ -15,16 +15,18 @@ bool append(void *context, const void *more, size_t count);
 struct bytes save(const c205 *machine);
 c205 *restore(const struct bytes *bytes, const c205_model *model);
 
-/* All that a machine is, is saved: two with the same bytes are the same. */
+/* Fails unless both machines save the same bytes. A save contains the whole state of a
+ * machine. */
 void assert_same(const c205 *a, const c205 *b);
 
-/* The machine in another one's place. */
+/* Saves a machine, restores it into a new one, compares both and frees the old one.
+ * Returns the new one. */
 c205 *replace(c205 *machine);
 void assert_same_stop(const c205_stop *a, const c205_stop *b);
 c205 *machine_with(const c205_program *program, const c205_model *model);
 c205 *machine_from(const char *path, const c205_model *model);
 
-/* The model of a random program, and a machine with the program. */
+/* Return the model of a random program, and a machine with the program loaded. */
 c205_model *model_of(const struct random_program *program);
 c205 *machine_of(const struct random_program *program, const c205_model *model);
 

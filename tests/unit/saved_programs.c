@@ -1,9 +1,9 @@
-/* saved_programs.c - what tests have assembled of the kernels is kept.
+/* saved_programs.c - caches the assembled kernels of a test program.
  *
  * A program depends on the kernel and the constants alone, and a test of many scenes
- * asks for the same few again and again.  Calls of program_assemble and object_free
- * come here (--wrap in the Makefile).  What nobody uses goes when there is no more
- * room, the oldest first.
+ * assembles the same few programs again and again. The linker redirects calls of
+ * program_assemble and object_free to this file (--wrap in the Makefile). If the cache
+ * is full, the least recently used program without a user is freed.
  */
 #include "rt/layout/program.h"
 
@@ -23,15 +23,15 @@ void __wrap_object_free(struct object *object);
 enum { KEPT = 32, ASKED_ROOM = 2000 };
 
 static struct kept {
-    char asked[ASKED_ROOM]; /* kernel and constants */
-    struct object *object;  /* NULL: the place is free */
+    char asked[ASKED_ROOM]; /* key: the kernel and the constants */
+    struct object *object;  /* NULL: the slot is free */
     size_t users;
-    unsigned long used; /* when it was asked for last */
+    unsigned long used; /* time of the last request */
 } all_kept[KEPT];
 static unsigned long now;
 static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
 
-/* False: there is no room for it. */
+/* Writes the key. Returns false if it is too long. */
 static bool write_asked(const char *kernel, const struct asm_define *defines,
                         char asked[ASKED_ROOM])
 {
@@ -50,7 +50,7 @@ static struct kept *find(const char *asked)
     return NULL;
 }
 
-/* NULL: all are in use. */
+/* Returns a slot to reuse, or NULL if all are in use. */
 static struct kept *make_room(void)
 {
     struct kept *oldest = NULL;

@@ -1,4 +1,5 @@
-/* scene_fixture.c - a stage: a scene, a program with the records, a machine. */
+/* scene_fixture.c - lays out a scene in the memory of a machine, next to a program that
+ * defines the records. */
 #include "scene_fixture.h"
 
 #include "rt/layout/layout.h"
@@ -6,7 +7,7 @@
 #include "rt/shapes/shape.h"
 #include "vm/text.h"
 
-/* For a program that has the records and, as places only, the kernels. */
+/* Symbols of a program that has the records, and each kernel only as a label. */
 enum { MAX_PLACES = 8 * PRIMITIVE_KINDS + 2 };
 struct places {
     const char *names[MAX_PLACES];

@@ -1,4 +1,4 @@
-/* scene_reading.c - texts that must be read, and others that must not. */
+/* scene_reading.c - reads scene texts that must be accepted or rejected. */
 #include "scene_reading.h"
 
 #include "rt/picture/picture.h"

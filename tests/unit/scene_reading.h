@@ -1,4 +1,4 @@
-/* scene_reading.h - scenes from texts, for the tests of the scene language. */
+/* scene_reading.h - reads scenes from texts, for the tests of the scene language. */
 #ifndef TESTS_SCENE_READING_H
 #define TESTS_SCENE_READING_H
 
@@ -8,50 +8,51 @@
 #include <math.h>
 
 #define CLOSE 1e-12
-#define PRINTED 1e-6 /* POV-Ray's six places */
+#define PRINTED 1e-6 /* POV-Ray prints six decimals */
 
 extern const struct scene_options reading_options, strict_options;
-/* .. to read images, too. */
+/* Options that also read images. */
 extern const struct scene_options with_images;
 
-/* A file of these bytes. */
+/* Writes a file of these bytes. */
 void write_bytes(const char *path, const char *bytes, size_t count);
 
 void assert_close(double a, double b, double within);
 void assert_vector(const double a[3], double x, double y, double z);
 
-/* scene_read_text of a text of #version 3.7.  In reports the columns of line 1
- * are those of the text. */
+/* Calls scene_read_text on a text after prefixing #version 3.7. Columns of line 1 in
+ * reports are corrected to those of the text. */
 struct scene *read_versioned(const char *name, const char *text,
                              const struct scene_options *how,
                              struct diagnostics *reports);
 
-/* A scene without errors and with that many reports. */
+/* Reads a scene that must have no error and exactly `expected` reports. */
 struct scene *read_with(const char *text, size_t expected);
 struct scene *read_scene(const char *text);
-/* read_scene of a text that printf would write. */
+/* Calls read_scene on a text that is formatted by printf. */
 struct scene *read_format(const char *format, ...)
     __attribute__((format(printf, 1, 2)));
 
-/* Of a primitive that is a mesh; of a scene that is one. */
+/* Return the triangles of primitive i, which must be a mesh, or of a scene of one
+ * mesh. */
 const struct triangles *triangles_of_part(const struct scene *scene, size_t i);
 const struct triangles *triangles_of(const struct scene *scene);
 
-/* A text is not read, for one error, at that place and with a message of which
- * this is a part. */
+/* Fails unless the text is rejected with exactly one error at this position and
+ * `message` in its text. */
 void assert_error(const char *text, const struct scene_options *how, size_t line,
                   size_t column, const char *message);
 
-/* Texts of one line, each with this one error. */
+/* A text of one line and its only error. */
 struct line_error {
     const char *text;
     size_t column;
-    const char *message; /* a part of it */
+    const char *message; /* part of the error's text */
 };
 void assert_errors(const struct line_error *errors, size_t count);
 
-/* A text is not read; there are so many reports at most, and one of them
- * says so. */
+/* Fails unless the text is rejected with at most `most` reports, one of which contains
+ * `message`. */
 void assert_refused(const char *text, size_t most, const char *message);
 
 #endif

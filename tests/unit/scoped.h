@@ -1,10 +1,10 @@
-/* scoped.h - variables whose values are freed where their block ends.
+/* scoped.h - variables whose values are freed at the end of their block.
  *
  *     SCOPED(scene) *scene = read_scene(text);    by scene_free(scene)
  *     SCOPED_VALUE(frame) frame;                  by frame_free(&frame)
  *     FREED char *text = malloc(count);           by free(text)
  *
- * The block's last variable is freed first.
+ * Variables are freed in the reverse order of their declaration.
  */
 #ifndef TESTS_SCOPED_H
 #define TESTS_SCOPED_H
@@ -20,7 +20,7 @@ static inline void free_at(void *at)
     free(*(void **)at);
 }
 
-/* Lets SCOPED name a struct that a function NAME_free frees. */
+/* Allows SCOPED for a struct that a function NAME_free frees. */
 #define SCOPED_BY_FREE(name) \
     struct name; \
     void name##_free(struct name *value); \

@@ -1,10 +1,10 @@
-/* swept_shapes.c - see swept_shapes.h. */
+/* swept_shapes.c - writes random prisms and lathes. */
 #include "swept_shapes.h"
 
 /* ---- Prisms -------------------------------------------------------------- */
 
-/* A loop round a point, its corners at rising angles: it does not cross
- * itself. */
+/* Adds a loop around a point. Its corners have increasing angles, so that it does not
+ * cross itself. */
 static size_t add_prism_loop(char *text, size_t size, double x, double z, double reach)
 {
     size_t corners = 3 + below(8);
@@ -22,7 +22,7 @@ static size_t add_prism_loop(char *text, size_t size, double x, double z, double
     return corners + 1;
 }
 
-/* Corners anywhere. */
+/* Adds corners at random places. */
 static size_t add_prism_tangle(char *text, size_t size)
 {
     size_t corners = 3 + below(9);
@@ -31,7 +31,8 @@ static size_t add_prism_tangle(char *text, size_t size)
     return corners;
 }
 
-/* As many teeth as no three segments of a ray would do for. */
+/* Adds a comb. A ray can cross many teeth, and has then more than three segments inside
+ * the prism. */
 static size_t add_prism_comb(char *text, size_t size)
 {
     size_t teeth = 2 + below(10);
@@ -67,7 +68,8 @@ void add_prism(char *text, size_t size, bool tangles)
 
 enum { MAX_CORNERS = 9 };
 
-/* The last corner once more before the first, as a smooth loop has it. */
+/* Writes the corners, with the last one repeated before the first as a smooth closed
+ * spline needs. */
 static size_t add_spline_corners(char *text, size_t size,
                                  double corners[MAX_CORNERS][2], size_t count)
 {
@@ -79,8 +81,8 @@ static size_t add_spline_corners(char *text, size_t size,
     return count + 2;
 }
 
-/* Round a point; now and then the last corner stands twice, or one on the way
- * from it to the first. */
+/* Adds a spline loop around a point. In some loops the last corner is doubled or lies
+ * on the way to the first. */
 static size_t add_spline_loop(char *text, size_t size, double x, double z, double reach)
 {
     double corners[MAX_CORNERS][2];
@@ -103,7 +105,7 @@ static size_t add_spline_loop(char *text, size_t size, double x, double z, doubl
     return add_spline_corners(text, size, corners, count);
 }
 
-/* Corners anywhere. */
+/* Adds a spline with corners at random places. */
 static size_t add_spline_tangle(char *text, size_t size)
 {
     double corners[MAX_CORNERS][2];
@@ -132,8 +134,8 @@ void add_quadratic_prism(char *text, size_t size, bool tangles)
 
 /* ---- Lathes -------------------------------------------------------------- */
 
-/* Upwards, level and upright now and then; from the axis to the axis, or open at
- * an end or at both. */
+/* Adds a profile that rises, with some level and some upright segments. Each end is on
+ * the axis or open. */
 static size_t add_lathe_profile(char *text, size_t size)
 {
     size_t corners = 2 + below(9), count = corners;
@@ -156,7 +158,7 @@ static size_t add_lathe_profile(char *text, size_t size)
     return count;
 }
 
-/* A loop, which may come to the axis and may be closed. */
+/* Adds a loop that may touch the axis and may be closed. */
 static size_t add_lathe_loop(char *text, size_t size)
 {
     size_t corners = 3 + below(6);
@@ -175,7 +177,7 @@ static size_t add_lathe_loop(char *text, size_t size)
     return corners + closed;
 }
 
-/* Corners anywhere. */
+/* Adds corners at random places. */
 static size_t add_lathe_tangle(char *text, size_t size)
 {
     size_t corners = 2 + below(9);

@@ -1,7 +1,7 @@
 /* swept_shapes.h - random shapes that sweep a path, in the scene language.
  *
- * Each text lacks the closing brace.  A path that is a tangle has corners anywhere;
- * others do not cross themselves.
+ * Each text lacks the closing brace. If `tangles` is set, paths may have corners at
+ * random places; otherwise they do not cross themselves.
  */
 #ifndef TESTS_SWEPT_SHAPES_H
 #define TESTS_SWEPT_SHAPES_H
@@ -9,7 +9,7 @@
 #include "tests/unit/random_solids.h"
 
 void add_prism(char *text, size_t size, bool tangles);
-/* A prism of a quadratic spline. */
+/* Writes a prism with a quadratic spline. */
 void add_quadratic_prism(char *text, size_t size, bool tangles);
 void add_lathe(char *text, size_t size, bool tangles);
 

@@ -1,7 +1,7 @@
 /* traced_frame.h - frames of both forms of the tracer, for its tests.
  *
- * Every frame is traced by the scalar form and by the vector form with queues
- * of several lengths, and all must be equal, bit for bit.
+ * Every frame is traced by the scalar form, and by the vector form with queues of
+ * several lengths. All frames must be equal, bit for bit.
  */
 #ifndef TESTS_TRACED_FRAME_H
 #define TESTS_TRACED_FRAME_H
@@ -15,8 +15,8 @@
 
 #include <math.h>
 
-/* Where a frame is dear a test may define SMALL_FRAMES, or MIDDLING_FRAMES.
- * STRAIGHT_AHEAD has a unit for each pixel. */
+/* A test whose frames are expensive defines SMALL_FRAMES or MIDDLING_FRAMES.
+ * STRAIGHT_AHEAD makes each pixel one unit wide. */
 #ifdef SMALL_FRAMES
 enum { WIDTH = 17, HEIGHT = 13 };
 #define STRAIGHT_AHEAD "direction 32*z right 17*x up 13*y"
@@ -39,7 +39,7 @@ enum { WIDTH = 41, HEIGHT = 31 };
 
 enum { PIXELS = WIDTH * HEIGHT, MAX_PIXELS = 41 * 31, MAX_QUEUES = 4 };
 
-/* Beyond the last pixel they are zero. */
+/* A frame; words after the last pixel are zero. */
 struct words {
     c205_word channel[FRAME_CHANNELS][MAX_PIXELS];
 };
@@ -47,18 +47,18 @@ struct words {
 /* How frames are traced. */
 struct traced {
     size_t width, height, pixels;
-    size_t queues[MAX_QUEUES];        /* as long as those of QUEUES; then 0 */
-    uint64_t random;                  /* of the scenes */
+    size_t queues[MAX_QUEUES];        /* queue lengths, terminated by 0 if fewer */
+    uint64_t random;                  /* random state of the scenes */
     bool historical, no_bounds, flat; /* as in trace_options */
     const char *variant;              /* likewise */
     enum visible visible;             /* likewise */
     enum trace_order order;           /* likewise */
     size_t samples;                   /* likewise */
-    bool reported;                    /* there may be reports about the scene */
+    bool reported;                    /* the scene may cause reports */
 };
 extern struct traced traced;
 
-/* For a group of tests: the model, and the size of its frames. */
+/* Group fixture: sets the model and the size of the frames. */
 static inline int set_up_frames(void **state)
 {
     const size_t queues[MAX_QUEUES] = QUEUES;
@@ -71,21 +71,22 @@ static inline int set_up_frames(void **state)
 }
 
 struct scene *read_text(const char *text);
-/* To the end. */
+/* Traces a scene to its end. */
 struct trace *run_trace(const struct scene *scene, const struct trace_options *options);
 struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                           size_t queue);
 
-/* The scalar frame, after comparing it with those of several queues. */
+/* Returns the scalar frame after comparing it with the vector frames of all queue
+ * lengths. */
 struct words *same_frame_of(const struct scene *scene, const char *text);
 struct words *same_frame(const char *text);
 
-/* The same, and it is the plain tracer's, but for a few pixels in a thousand,
- * at outlines and creases, where one rounding decides. */
+/* Also compares the frame with the plain tracer's. A few pixels in a thousand may
+ * differ, at outlines and creases, where one rounding decides. */
 struct words *plain_frame(const char *text);
 
 void check_paper_stage(const char *text, const struct words *expected);
-/* Pixels that show something. */
+/* Returns the number of pixels that show an object. */
 size_t hits(const struct words *words);
 
 #define HEAD \
@@ -94,20 +95,20 @@ size_t hits(const struct words *words);
     "light_source { <-9, 2, -5>, rgb <.2, .3, .5> shadowless }\n"
 
 double between(double low, double high);
-/* Both included. */
+/* Returns a random number from least to most, both included. */
 size_t among(size_t least, size_t most);
 void add_text(char *text, size_t size, const char *format, ...);
 void add_point(char *text, size_t size, double reach);
-/* Without its closing brace; every other one has weights. */
+/* Writes a patch without its closing brace; every other patch has weights. */
 void add_steiner_patch(char *text, size_t size, double reach);
 
-/* Scenes of six shapes each; at least a quarter of the rays must hit. */
+/* Checks random scenes of six shapes each. At least a quarter of the rays must hit. */
 void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes);
 
-/* The middle column and row of the picture look straight ahead. */
+/* The rays of the middle column and row lie in the planes of the axes. */
 #define AHEAD HEAD "camera { location <0, 0, -5> direction z right x up y }\n"
 
-/* Numbers chosen so that nothing is cut off: the middle ray is 0, 0, 1. */
+/* The camera's numbers need no rounding: the middle ray is exactly 0, 0, 1. */
 #define STRAIGHT HEAD "camera { location <0, 0, -5> " STRAIGHT_AHEAD " }\n"
 
 void check_middle_within(const char *text, int64_t id, double depth, double tolerance);

@@ -1,8 +1,8 @@
-/* unit.h - the tests of one program.
+/* unit.h - defines and runs the tests of one program.
  *
- * TEST(name) begins the body of a test, in which `test_state` may be used.  The build
- * (main.awk) lists the tests of a file in the order of their definitions and
- * writes the main that runs them; no test can be left out.
+ * TEST(name) begins the body of a test; the body may use `test_state`. The build
+ * (main.awk) lists the tests of a file in the order of their definitions and writes the
+ * main that runs them, so that no test can be left out.
  */
 #ifndef TESTS_UNIT_H
 #define TESTS_UNIT_H
@@ -20,7 +20,7 @@
 
 #include "tests/unit/scoped.h"
 
-/* A function of asm/expect.h has this name; the macro of cmocka is not used. */
+/* Undefines the macro of cmocka: a function of asm/expect.h has the same name. */
 #undef expect_check
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -29,34 +29,34 @@
 
 #define TEST(name) static void test_##name(STATE)
 
-/* Unless the value is true the test fails with the message of `error`. */
+/* Fails the test with the message of `error` unless the value is true. */
 #define REQUIRE(value) \
     do { \
         if (!(value)) \
             fail_msg("%s", error.message); \
     } while (0)
 
-/* A test of one statement. */
+/* Defines a test of one statement. */
 #define TEST_CALL(name, statement) \
     static void test_##name(STATE) \
     { \
         statement; \
     }
 
-/* A test with functions that run before and after it; each may be NULL. */
+/* Defines a test with functions that run before and after it; each may be NULL. */
 #define TEST_WITH(name, before, after) \
     static const CMFixtureFunction before_##name = before, after_##name = after; \
     static void test_##name(STATE)
 
-/* Such a function returns 0 if it succeeds. */
+/* Begins such a function; it returns 0 if it succeeds. */
 #define FIXTURE(name) static int name(STATE)
 
-/* At the end of a file: the functions that run before and after all its tests. */
+/* Sets the functions that run before and after all tests of a file, at its end. */
 #define GROUP(before, after) \
     static const CMFixtureFunction before_all = before, after_all = after
 
-/* Is the test to try all that it can, as in make check-long?  Else it leaves out what
- * takes long, or draws a third of its random cases. */
+/* Returns whether to test everything, as make check-long does. Otherwise slow tests are
+ * skipped and a third of the random cases is drawn. */
 static inline bool thorough(void)
 {
     return getenv("THOROUGH") != NULL;
@@ -70,13 +70,13 @@ static inline size_t share_of(size_t all)
 /* Begins a function that reads the arguments of the program. */
 #define ARGUMENTS(count, words) static void read_arguments(int count, char **words)
 
-/* The number that is the argument at a place; without one, the default. */
+/* Returns the numeric argument at an index, or the default if it is missing. */
 static inline uint64_t argument(int count, char **words, int place, uint64_t otherwise)
 {
     return count > place ? strtoull(words[place], NULL, 0) : otherwise;
 }
 
-/* The first argument replaces a number of cases, the second one changes a seed. */
+/* The first argument sets the number of cases, the second one changes the seed. */
 #define COUNT_AND_SEED(cases, seed) \
     ARGUMENTS(argc, argv) \
     { \

@@ -1,9 +1,10 @@
-/* vector_case.c - an instruction drawn: G, places, lengths and contents. */
+/* vector_case.c - draws operands for a vector instruction: G, places, lengths and
+ * contents. */
 #include "vector_case.h"
 
 #include <ctype.h>
 
-/* ---- What the row says -------------------------------------------------- */
+/* ---- Properties of the row ----------------------------------------------- */
 
 
 bool is_row_of(const c205_insn *row, const char *names)
@@ -95,7 +96,8 @@ bool is_half(const struct vector_case *one, enum role role)
     return is_half_register(one->row, one->fields.g, role);
 }
 
-/* A sum is in two half registers, the left one first. */
+/* A sum occupies two half registers; its name is that of the left one, which is
+ * even. */
 uint8_t register_name(const struct vector_case *one, enum role role)
 {
     if (!is_half(one, role))
@@ -117,8 +119,8 @@ void define_half(struct vector_case *one, unsigned number, c205_word word)
            (c205_word)UINT32_MAX << shift);
 }
 
-/* The length of a table, of a result that the machine sets, and of a control
- * vector does not matter. */
+/* The length fields of a table, of a result whose length the machine sets, and of a
+ * control vector are ignored. */
 static bool length_matters(const struct vector_case *one, enum role role)
 {
     char letter = sized_letter(one->row, one->fields.g, role);
@@ -146,8 +148,8 @@ size_t draw_size(uint64_t *random)
     return kind == 0 ? 0 : draw(random, 1, kind == 1 ? LENGTH : 150);
 }
 
-/* The descriptor of a vector that begins offset elements before its extent
- * and is as much longer. */
+/* Defines the descriptor of a vector that begins `offset` elements before its extent
+ * and is longer by as many. */
 static void place_vector(struct vector_case *one, enum role role, uint64_t *random,
                          size_t length, size_t offset)
 {
@@ -187,7 +189,7 @@ static void place_scalar(struct vector_case *one, enum role role, uint64_t *rand
 {
     char letter = letter_of(one->row, role);
 
-    if (letter == 'i') /* the groups of a repeated mask */
+    if (letter == 'i') /* groups of a repeated mask */
         define(one, role_register[role], (c205_word)draw(random, 1, 20), ADDRESS_BITS);
     else if (letter && strchr("wpk", letter)) /* results */
         return;
@@ -207,7 +209,7 @@ static size_t draw_offset(struct vector_case *one, uint64_t *random, uint8_t *fi
     return offset;
 }
 
-/* One in four has one, if it may. */
+/* Draws the offset of a source; one in four has an offset if the syntax allows one. */
 static size_t source_offset(struct vector_case *one, uint64_t *random, enum role role)
 {
     const char *syntax = c205_format_syntax(one->row->format);
@@ -228,7 +230,7 @@ size_t source_length(uint64_t *random, size_t n)
 /* ---- G ------------------------------------------------------------------ */
 
 
-/* Reductions and moves of one number only are no instructions. */
+/* Rejects reductions and moves of a single number, which are not instructions. */
 static bool makes_sense(const c205_insn *row, unsigned g)
 {
     bool a = g & C205_G_BROADCAST_A, b = g & C205_G_BROADCAST_B;
@@ -270,7 +272,7 @@ static void put_word(struct vector_case *one, uint64_t address, c205_word word)
     one->memory[(address - DATA) / WORD] = word;
 }
 
-/* Indices of elements of the zone of a table. */
+/* Fills a vector with indices into the zone of a table. */
 static void fill_indices(struct vector_case *one, uint64_t *random)
 {
     for (size_t i = 0; i < LENGTH; i++)
@@ -310,8 +312,7 @@ uint64_t indexed(const struct vector_case *one, size_t i)
     return table->address + index * table->width;
 }
 
-/* All n elements of the table in its zone, from its beginning on or from its
- * end. */
+/* Places all n elements of the table in its zone, starting at either end. */
 static void place_period(struct vector_case *one, uint64_t *random)
 {
     enum role role = table_of(one->row);
@@ -343,7 +344,7 @@ static void fill_memory(struct vector_case *one, uint64_t *random)
         }
     if (has_list(one->row))
         fill_indices(one, random);
-    for (size_t i = 0; i < ZONE_WORDS; i++) /* bits, not numbers */
+    for (size_t i = 0; i < ZONE_WORDS; i++) /* control vectors have bits, not numbers */
         for (int role = ROLE_X; role < ROLES; role++)
             one->memory[(size_t)role * ZONE_WORDS + i] = random_bits(random);
 }

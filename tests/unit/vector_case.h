@@ -1,9 +1,9 @@
-/* vector_case.h - random operands for any vector instruction, from its
- * row of the instruction table: for tests of what holds for all of them.
+/* vector_case.h - random operands for any vector instruction, drawn from its row of the
+ * instruction table, for tests of properties that all instructions share.
  *
- * Each operand lies in a zone of its own, so that none overlaps another; a
- * case knows which bits of memory and registers the instruction may look at
- * (defined) and which it may change (written).
+ * Each operand lies in its own zone, so that no two overlap. A case records which bits
+ * of memory and registers the instruction may read (defined) and which it may change
+ * (written).
  */
 #ifndef VECTOR_CASE_H
 #define VECTOR_CASE_H
@@ -18,20 +18,20 @@ enum {
     WORD = 64,
     HALF = 32,
     ZONE_WORDS = 1024,
-    MEMORY_WORDS = (ROLES + 1) * ZONE_WORDS, /* one zone is nobody's */
+    MEMORY_WORDS = (ROLES + 1) * ZONE_WORDS, /* the last zone belongs to no operand */
     LEAD = 40,                               /* words of a zone before its operand */
-    LENGTH = 700,                            /* the longest operand */
+    LENGTH = 700,                            /* elements of the longest operand */
     MAX_OFFSET = 9
 };
 
-/* A vector without its offset: where its first element is and how many. */
+/* A vector without its offset: the address of the first element and the length. */
 struct extent_of {
     uint64_t address;
     size_t length;
     unsigned width;
 };
 
-/* Bits that count, of memory and of registers. */
+/* A mask of the bits of memory and of registers. */
 struct bits_of {
     c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
 };
@@ -40,8 +40,8 @@ struct vector_case {
     const c205_insn *row;
     c205_fields fields;
     struct extent_of vector[ROLES];
-    bool scalar[ROLES]; /* no vector but a register */
-    size_t n;           /* elements of the result, or of the operand scanned */
+    bool scalar[ROLES]; /* the operand is a register, not a vector */
+    size_t n;           /* elements of the result, or of the scanned operand */
     int64_t period;     /* of a periodic gather or scatter */
     c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
     struct bits_of defined, written;
@@ -53,10 +53,11 @@ struct vector_case {
 
 bool is_row_of(const c205_insn *row, const char *names);
 
-/* Rows of which Z says where A and B go, and holds nothing back. */
+/* True for rows whose Z operand selects where the elements of A and B go and suppresses
+ * no result. */
 bool z_selects(const c205_insn *row);
 bool has_control(const struct vector_case *one);
-/* The order vector of a sparse result is an operand. */
+/* True if the order vector of a sparse result is an operand. */
 bool is_given(const struct vector_case *one);
 
 /* ---- Bits --------------------------------------------------------------- */
@@ -65,20 +66,21 @@ void mark(struct bits_of *bits, uint64_t address, uint64_t count);
 void mark_element(struct bits_of *bits, const struct extent_of *vector, size_t i);
 bool bit_of(const struct vector_case *one, enum role role, size_t i);
 
-/* The control vector has a one, or a zero where those count. */
+/* True if the control vector selects element i by a one, or by a zero if zeros
+ * select. */
 bool is_chosen(const struct vector_case *one, size_t i);
 bool is_permitted(const struct vector_case *one, size_t i);
 size_t count_chosen(const struct vector_case *one, bool chosen);
 
 /* ---- Registers ---------------------------------------------------------- */
 
-/* Which register has which role; offsets are in those after A .. C.  A half
- * register is the right or the left one of its own. */
+/* The register of each role; registers that follow A .. C have their offsets. A half
+ * register is the left or the right half of a register of its own. */
 extern const uint8_t role_register[ROLES], role_half[ROLES];
 
 bool is_half(const struct vector_case *one, enum role role);
 
-/* What the field of the instruction says. */
+/* Returns the register field of the instruction. */
 uint8_t register_name(const struct vector_case *one, enum role role);
 
 void define(struct vector_case *one, unsigned number, c205_word word, c205_word bits);
@@ -90,21 +92,21 @@ size_t draw(uint64_t *random, size_t low, size_t high);
 size_t draw_size(uint64_t *random);
 c205_word draw_word(uint64_t *random);
 
-/* Right-justified. */
+/* Draws a half word, right-justified. */
 c205_word draw_half(uint64_t *random);
 size_t source_length(uint64_t *random, size_t n);
 
 /* ---- Contents ----------------------------------------------------------- */
 
-/* Elements of a table, by a list of indices or by a period: where the table
- * is, and its element that is the i-th used. */
+/* Elements of a table, addressed by a list of indices or by a period. table_of returns
+ * the role of the table; indexed returns the address of element i. */
 bool has_indices(const c205_insn *row);
 enum role table_of(const c205_insn *row);
 uint64_t indexed(const struct vector_case *one, size_t i);
 
-/* ---- The whole ---------------------------------------------------------- */
+/* ---- The complete case ----------------------------------------------------- */
 
-/* Operands for a row; what of them is defined and written: mark_case. */
+/* Draws the operands for a row; mark_case marks their defined and written bits. */
 void draw_case(struct vector_case *one, const c205_insn *row, uint64_t *random,
                size_t n);
 
