@@ -2,7 +2,7 @@
 
 #include <unistd.h>
 
-/* ---- A program -------------------------------------------------------------------- */
+/* ---- A program ------------------------------------------------------------------- */
 
 const char client_program[] = "        .include \"vectors.s\"\n"
                               "        .include \"print.s\"\n"
@@ -77,7 +77,7 @@ void client_leave(struct dap_client *client)
     unlink(client_path);
 }
 
-/* ---- Where it stands ---------------------------------------------------------------- */
+/* ---- Where it stands ------------------------------------------------------------- */
 
 const struct json_value *client_frames(struct dap_client *client)
 {
@@ -138,7 +138,7 @@ const char *client_print(struct dap_client *client, const char *expression)
                     "result");
 }
 
-/* ---- What it does ---------------------------------------------------------------------- */
+/* ---- What it does ---------------------------------------------------------------- */
 
 void client_stop_at(struct dap_client *client, const char *stop)
 {

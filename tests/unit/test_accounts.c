@@ -1,5 +1,6 @@
-/* test_accounts.c - where the clocks of runs went, for the reader: a matrix
- * that adds up, has nothing empty, and stays within the width of a page. */
+/* test_accounts.c - the tables and CSV of random accounts are compared with the
+ * accounts themselves. A matrix whose sums differ, that has an empty row or column, or
+ * that is wider than a page fails here. */
 #include <math.h>
 
 #include "base/accounts_show.h"
@@ -17,8 +18,8 @@ static unsigned any(unsigned below)
     return (seed >> 16) % below;
 }
 
-/* Regions "r0".. with clocks for some causes, some of them with none at all;
- * all clocks below a length that is any, too. */
+/* Returns accounts of regions "r0".., each with clocks for some causes or none. All
+ * clocks are below a random power of two. */
 static struct accounts random_accounts(void)
 {
     struct accounts accounts = { .model = prior_model };
@@ -42,7 +43,7 @@ static struct accounts random_accounts(void)
     return accounts;
 }
 
-/* As it is told: empty is nothing. */
+/* Returns the value of a cell; an empty cell is 0. */
 static double cell(const struct table *table, size_t row, size_t column)
 {
     double value = table_value(table, row, column);
@@ -70,8 +71,8 @@ static size_t used_causes(const c205_account *sum)
     return count;
 }
 
-/* The figures of a region or of all, cause by cause; which of the matrix's two
- * numbers is the row, the caller knows. */
+/* A matrix whose rows are causes or regions. The functions below take the cause and the
+ * region in the order of this view. */
 struct view {
     const struct table *table;
     bool causes_down;
@@ -114,8 +115,7 @@ static void check_place(struct view view, const struct accounts *accounts,
     }
 }
 
-/* Both matrices say what the accounts say, and have no row or column for what
- * took no time. */
+/* Both matrices must have the values of the accounts, and no row or column of zeros. */
 static void check_matrix(const struct accounts *accounts, enum accounts_rows rows)
 {
     c205_account sum = accounts_together(accounts);
@@ -152,7 +152,7 @@ TEST(matrices_add_up)
     }
 }
 
-/* The caller frees the text. */
+/* Writes the accounts in a format. The caller frees the text. */
 static void show(const struct accounts *accounts, enum output_format format,
                  char **text)
 {
@@ -174,8 +174,8 @@ static size_t times_in(const char *text, const char *word)
     return count;
 }
 
-/* Whichever way it lies: each region that took time is told of once, no other
- * is, and no line is longer than a page is wide. */
+/* In either layout, each region with clocks occurs once, no other region occurs, and no
+ * line is longer than a page is wide. */
 TEST(matrices_are_narrow)
 {
     for (int i = 0; i < TRIES; i++) {
@@ -198,8 +198,8 @@ TEST(matrices_are_narrow)
     }
 }
 
-/* A row has this behind the clocks of a region: seconds, and the per cent of
- * all. */
+/* Fails unless the row continues with the seconds of the clocks and their percentage of
+ * the total. */
 static void check_share(const struct accounts *accounts, const char *text,
                         const char *row, uint64_t clocks)
 {
@@ -214,7 +214,7 @@ static void check_share(const struct accounts *accounts, const char *text,
     assert_int_equal(*end, '\n');
 }
 
-/* CSV has the clocks themselves. */
+/* The CSV has the exact clocks. */
 TEST(csv_is_exact)
 {
     for (int i = 0; i < TRIES; i++) {
@@ -249,7 +249,7 @@ static void assert_twice(const c205_account *twice, const c205_account *once)
     assert_int_equal(twice->entries, 2 * once->entries);
 }
 
-/* Two runs alike are each region twice. */
+/* Adding a run to itself doubles each region and adds none. */
 TEST(runs_add_up)
 {
     for (int i = 0; i < TRIES; i++) {
@@ -272,7 +272,7 @@ static void assert_time(uint64_t clocks, const char *expected)
     assert_string_equal(text, expected);
 }
 
-/* Clocks of 20 ns. */
+/* A clock is 20 ns. */
 TEST(times_are_short)
 {
     assert_time(0, "0.00 us");

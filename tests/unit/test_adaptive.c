@@ -1,6 +1,6 @@
 /* test_adaptive.c - adaptive sampling: the pixels that get more rays are compared with
  * those that a plain rule chooses, over random scenes, thresholds, forms, orders and
- * bands.  A neighbour that is not compared, a sum of another weight or a seam between
+ * bands. A missing comparison of a neighbour, a wrong weight in a sum or a seam between
  * bands fails here. */
 #define SMALL_FRAMES
 #include "tests/oracle/plain_adaptive.h"
@@ -15,7 +15,7 @@
     "light_source { <4, 9, -7>, rgb 1.5 }\n" \
     "background { rgb <.1, .2, .3> }\n"
 
-/* Darker than black and brighter than white, too. */
+/* Adds an object. Some colours are darker than black or brighter than white. */
 static void add_thing(char *text, size_t size)
 {
     static const char *const looks[] = {
@@ -59,14 +59,14 @@ static struct frame traced_frame(const struct scene *scene, size_t width, size_t
     return frame;
 }
 
-/* a + s b */
+/* Computes a += s b. */
 static void add_scaled(double a[3], double s, const double b[3])
 {
     for (int i = 0; i < 3; i++)
         a[i] += s * b[i];
 }
 
-/* See one column more to the left, and one row more above. */
+/* Extends the camera by one column on the left and one row at the top. */
 static void look_beyond(struct camera *camera, double width, double height)
 {
     double *middle = camera->orthographic ? camera->location : camera->direction;
@@ -76,7 +76,8 @@ static void look_beyond(struct camera *camera, double width, double height)
     add_scaled(camera->up, 1 / height, camera->up);
 }
 
-/* The colours that are averaged and compared are the scene's own. */
+/* Refines the picture by the plain rule. Colours are averaged and compared before
+ * gamma. */
 static struct plain_refined
 expect(struct scene *scene, const struct trace_options *options, struct frame *picture)
 {
@@ -99,7 +100,7 @@ static double linear(double colour, double gamma)
     return colour > 0 ? pow(colour, gamma) : gamma == 1 ? colour : 0;
 }
 
-/* Pixels whose colour is another one. */
+/* Returns the number of pixels whose colours differ. */
 static size_t count_others(const struct frame *expected, const struct frame *found,
                            double gamma)
 {
@@ -114,8 +115,8 @@ static size_t count_others(const struct frame *expected, const struct frame *fou
     return count;
 }
 
-/* Rays of the camera that bands of whole blocks need: the pixels', and of each
- * band a column and a row more. */
+/* Returns the rays of the first pass of bands of whole blocks: one for each pixel, and
+ * one more column and row for each band. */
 static uint64_t first_rays(const struct trace *trace,
                            const struct trace_options *options)
 {
@@ -134,7 +135,7 @@ static void check_rays(const struct trace *trace, const struct trace_options *op
     assert_true(sampled / each <= refined + refined / 5 + 8);
 }
 
-/* Those of trace, with rounding on edges. */
+/* Compares a trace with the plain rule; roundings at edges may differ. */
 static void check_plain(struct scene *scene, const struct trace *trace,
                         const struct trace_options *options, const char *text)
 {
@@ -202,8 +203,8 @@ TEST(random)
     }
 }
 
-/* Stripes as wide as pixels, all of whose first rays are white: what is refined is
- * darker, so the next one is refined as well, up to the end of its block. */
+/* Stripes as wide as pixels, so that all first rays are white. A refined pixel is
+ * darker, so that the next one is refined as well, up to the end of its block. */
 TEST(chains)
 {
     for (int i = 0; i < 6; i++) {
@@ -253,8 +254,8 @@ static void check_nearly(double found, double expected)
         fail_msg("%.12f, not %.12f", found, expected);
 }
 
-/* Where all pixels differ by more than the threshold they have all samples, and the
- * first ray counts once more; where none does they have that ray. */
+/* If all pixels differ by more than the threshold, all are refined, and the first ray
+ * counts once more. If none does, each has its first ray only. */
 TEST(ends)
 {
     SCOPED(scene) *scene = read_text(shades);
@@ -272,8 +273,8 @@ TEST(ends)
     assert_true(trace_accounts(first)->clocks < trace_accounts(all)->clocks);
 }
 
-/* Depth, normal and number are those of the ray through the middle, which all
- * samples have, too. */
+/* Depth, normal and id are those of the ray through the middle, which every sampling
+ * includes. */
 TEST(middles)
 {
     char text[3000] = "";
@@ -348,7 +349,7 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
     return trace;
 }
 
-/* Bands are kept whole; of one that is stopped nothing is known. */
+/* Saved bands are complete; nothing of an interrupted band is saved. */
 TEST(kept)
 {
     char path[] = "/tmp/test_adaptive.XXXXXX";

@@ -1,8 +1,10 @@
-/* When the host's memory runs out: each allocation of a task fails in turn,
- * alone or with all that follow.  Then the task says so or has found another
- * way to the same output; it neither leaks nor crashes.
+/* test_allocation.c - tasks whose allocations fail are compared with the same tasks
+ * with enough memory. Each allocation fails in turn, alone or with all that follow. A
+ * crash, a leak, or a result that is neither the same output nor an error fails here.
  *
- * Linked with --wrap, so that the libraries' allocations come through here. */
+ * The program is linked with --wrap, so that allocations of the libraries are counted
+ * too.
+ */
 #include "tests/unit/asm_helper.h"
 
 #include <errno.h>
@@ -33,10 +35,10 @@ void __wrap_free(void *old);
 /* ---- The host ------------------------------------------------------------ */
 
 static struct {
-    size_t calls;  /* allocations asked for since .. */
-    size_t fails;  /* .. this one of them fails; 0: none does */
-    bool for_good; /* and so do all after it */
-    long living;   /* given and not taken back */
+    size_t calls;  /* allocations since the start of the task */
+    size_t fails;  /* index of the allocation that fails; 0: none */
+    bool for_good; /* all later ones fail too */
+    long living;   /* allocated and not yet freed */
 } host;
 
 static bool refuses(void)
@@ -83,7 +85,7 @@ void __wrap_free(void *old)
 
 /* ---- A task under a host that fails -------------------------------------- */
 
-/* False with a message, or true after putting all of its output. */
+/* Writes all of its output and returns true, or sets a message and returns false. */
 typedef bool task(FILE *out, c205_error *error);
 
 struct outcome {
@@ -110,7 +112,7 @@ static struct outcome attempt(task *work, size_t fails, bool for_good)
     return outcome;
 }
 
-/* What libc gave, without our count. */
+/* Frees the output, which libc allocated without counting it. */
 static void drop(struct outcome *outcome)
 {
     __real_free(outcome->output);
@@ -128,7 +130,8 @@ static void judge(const struct outcome *outcome, const struct outcome *wanted,
     }
 }
 
-/* Once: with all that follow only. */
+/* Runs a task with each allocation failing in turn. If `once` is set, all later
+ * allocations fail too; otherwise both cases are run. */
 static void exhaust(task *work, bool once)
 {
     struct outcome wanted = attempt(work, 0, false);
@@ -197,7 +200,7 @@ static const char program_text[] =
     "; expect: [b] = 2.0, 4.0, 2.0\n"
     "; expect-print: 16\n";
 
-/* An error that found no memory for itself stays untold. */
+/* Copies the first error. An error that could not be allocated is not in the list. */
 static void tell_first(const struct diagnostics *errors, c205_error *error)
 {
     snprintf(error->message, sizeof error->message, "%.200s",
@@ -226,8 +229,8 @@ static bool assemble_one(FILE *out, c205_error *error)
     return true;
 }
 
-/* A label as long as that moves all that comes after it in its block of
- * memory, so that another one of them needs the next block. */
+/* A label of this length shifts all that follows in its memory block, so that a
+ * different allocation needs the next block. */
 enum { MAX_LABEL = 65000, LABEL_STEP = 47 };
 static const char more_text[] =
     "        .regs   r40, one, two, three\n"
@@ -285,7 +288,7 @@ static bool assemble_long(FILE *out, c205_error *error)
     return true;
 }
 
-/* A text with errors is refused, whatever else happens. */
+/* A text with errors is rejected whether or not memory runs out. */
 static bool assemble_wrong(FILE *out, c205_error *error)
 {
     struct object *made = assembled("        NOPE\n        ADDN r1, nowhere, r3\n"
@@ -364,7 +367,7 @@ static bool run_object(FILE *out, c205_error *error)
     return done;
 }
 
-/* Gathers and scatters: the machine, too, asks for memory as it runs. */
+/* Gathers and scatters: the machine allocates memory while it runs. */
 static bool run_example(FILE *out, c205_error *error)
 {
     struct diagnostics errors = { 0 };
@@ -427,7 +430,7 @@ static bool check_object(FILE *out, c205_error *error)
     return done || no_memory(error);
 }
 
-/* A fine answer that does not pass was not graded for want of memory. */
+/* A correct answer that does not pass was not graded because memory ran out. */
 static bool grade_answer(FILE *out, c205_error *error)
 {
     static const char test[] = "; test: one\n; goals: gold 1, silver 2, "
@@ -461,8 +464,8 @@ static bool grade_answer(FILE *out, c205_error *error)
     return done;
 }
 
-/* What is printed is kept as far as there is room, and of breakpoints each by itself may be
- * none. */
+/* Succeeds only if the reply is complete: printed text is cut, or breakpoints are
+ * missing, if memory runs out. */
 static bool reply_to(struct engine *engine, const char *request, FILE *out,
                      c205_error *error)
 {
@@ -569,8 +572,8 @@ TEST_CALL(write_json, exhaust(write_json, false))
 TEST_CALL(report_speedups, exhaust(report_speedups, false))
 TEST_CALL(report_pipes, exhaust(report_pipes, false))
 
-/* A page that was to take room when it is touched: the trap says why it is not
- * there, and it is when there is memory. */
+/* A page that is allocated on its first access causes a trap that names the reason if
+ * the allocation fails. It is mapped when memory is available. */
 TEST(untouched_page)
 {
     static const char text[] = "        .entry first\n"
@@ -606,8 +609,8 @@ TEST(untouched_page)
     object_free(program);
 }
 
-/* Instructions of an endless loop, with a history that gets no memory once it has begun: how
- * many allocations it asked for. */
+/* Runs a loop with a history whose allocations fail after step 16. Returns the number
+ * of attempted allocations. */
 static size_t calls_without_memory(const char *loop, size_t steps)
 {
     c205_error error = { "" };
@@ -633,8 +636,8 @@ static size_t calls_without_memory(const char *loop, size_t steps)
     return calls;
 }
 
-/* Scalar instructions are many, vector instructions long: a snapshot that fails is tried again
- * after twice as many instructions or clocks, so 16 times as many add four attempts, of two
+/* A failed snapshot is retried after twice as many instructions (scalar loops) or
+ * clocks (vector loops). Sixteen times as many steps therefore add four attempts of two
  * allocations each. */
 TEST(snapshots)
 {

@@ -1,6 +1,8 @@
-/* test_arith.c - the edges of each rule of docs/arithmetic.md: words and half words are
- * compared with results worked out by hand, as are conversions between the two sizes.  A
- * result that is rounded, normalised or flagged otherwise in one size fails here.
+/* test_arith.c - the edges of each rule of docs/arithmetic.md: operations on words and
+ * half words, and conversions between the two sizes, are compared with results computed
+ * by hand. A result with a different rounding, normalisation or flag in one size fails
+ * here.
+ *
  */
 #include "tests/random.h"
 #include "tests/unit/rule_cases.h"
@@ -9,14 +11,14 @@ enum { ROUNDS = 20000, HALF_TOP = 111, HALF_BOTTOM = -112 };
 
 static const struct size {
     word_format format;
-    int32_t top, bottom; /* exponents of numbers */
+    int32_t top, bottom; /* largest and smallest exponents of numbers */
     c205_word one;
 } sizes[] = {
     { { 16, 47 }, WORD_EXPONENT_MAX, WORD_EXPONENT_MIN, C205_ONE },
     { { 8, 23 }, HALF_TOP, HALF_BOTTOM, C205_HALF_ONE },
 };
 
-/* The size under test.  Results are written in terms of its B digits. */
+/* The size under test. Results are written in terms of B, its number of digits. */
 static const struct size *size;
 #define B size->format.digits
 #define TOP size->top
@@ -26,7 +28,7 @@ static const struct size *size;
 #define MAX (2 * HALF - 1)
 #define MIN (-2 * HALF)
 #define N(exponent, coefficient) format_make(size->format, exponent, coefficient)
-/* A negative coefficient, in words that are special for their exponents. */
+/* A negative coefficient, for words that are special because of their exponents. */
 #define ANY N(0, MIN + 0x123456)
 
 #define SIZED(op) (size == sizes ? arith_##op : half_##op)
@@ -63,12 +65,12 @@ static void sums(void)
     BINARY(add_upper, N(4, 3), N(0, -1), N(4, 2), 0);
     BINARY(add_lower, N(4, 3), N(0, -1), N(4 - B, INT64_C(15) << (B - 4)), 0);
     BINARY(add_upper, N(0, 0x25), N(4, -3), N(4, -1), 0);
-    /* A zero coefficient counts with its exponent. */
+    /* A zero coefficient takes part with its exponent. */
     BINARY(add_upper, N(B - 3, 0), N(0, MAX), N(B - 3, 7), 0);
     BINARY(add_normalised, N(2 * B, 0), N(0, MAX), MZ, ZERO_FLAG);
     BINARY(add_normalised, N(2 * B - 1, 0), N(0, MAX), N(0, HALF), 0);
-    /* What leaves the register of 2 B + 1 bits is floored; a subtrahend before its sign
-     * changes. */
+    /* Bits shifted out of the register of 2 B + 1 bits are floored, those of a
+     * subtrahend before it is negated. */
     BINARY(add_upper, N(0, HALF), N(-2 * B - 1, 1), N(0, HALF), 0);
     BINARY(add_upper, N(0, HALF), N(-2 * B - 1, -1), N(0, HALF - 1), 0);
     BINARY(add_lower, N(0, HALF), N(-2 * B - 1, -1), N(-B, MAX), 0);
@@ -134,7 +136,7 @@ static void products(void)
     BINARY(multiply_significant, N(0, 6), N(0, 7), N(3, 5), 0);
     BINARY(multiply_significant, N(0, -6), N(0, 7), N(3, -6), 0);
     BINARY(multiply_significant, N(0, 1), N(0, MAX), N(B - 1, 1), 0);
-    /* -1 has no significant bits: one is the least. */
+    /* -1 has no significant bits; the minimum is one. */
     BINARY(multiply_significant, N(0, -1), N(0, -1), N(0, 1), 0);
     BINARY(multiply_significant, N(0, -1), N(0, 1), N(-1, -2), 0);
     BINARY(multiply_significant, N(0, -1), N(0, MIN), N(B, 1), 0);
@@ -171,7 +173,7 @@ static void quotients(void)
     BINARY(divide_significant, MZ, N(0, 3), MZ, ZERO_FLAG);
     BINARY(divide_significant, ONE, ONE, ONE, 0);
     BINARY(divide_significant, ONE, N(2 - B, HALF / 2 * 3), N(-B - 1, 4 * HALF / 3), 0);
-    /* The quotient is cut to zero, then shifted by floor. */
+    /* The quotient is truncated toward zero, then shifted by floor. */
     BINARY(divide_significant, N(0, -HALF - 1), N(0, MAX), N(-B, -HALF - 1), 0);
     BINARY(divide_significant, N(0, HALF), N(0, MIN), N(-B - 1, MIN), 0);
     BINARY(divide_significant, N(0, MIN), N(0, HALF), N(1 - B, MIN), 0);
@@ -278,7 +280,7 @@ static void adjust(void)
 
 /* ---- Compare, shift ----------------------------------------------------- */
 
-/* Rising values; the up to four of one row are equal. */
+/* Increasing values; up to four words of a row are equal. */
 static void compare(void)
 {
     const c205_word ladder[][4] = {
@@ -315,7 +317,8 @@ static void compare(void)
     }
 }
 
-/* By the coefficient of any word; of a half word, the left halves of the results. */
+/* Shifts by the coefficient of a word. For half words the expected result is the left
+ * half. */
 static void shift(void)
 {
     int32_t width = format_width(size->format);
@@ -347,8 +350,8 @@ static c205_word any(uint64_t *seed)
                               : xorshift_unnormalised_of(size->format, seed, -60, 60);
 }
 
-/* Sums and products commute.  Upper and lower results hold all of the register: their
- * sum is the normalised result. */
+/* Sums and products commute. Upper and lower results hold the whole register, so that
+ * their sum is the normalised result. */
 static void sums_and_products(void)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
@@ -369,7 +372,7 @@ static void sums_and_products(void)
     }
 }
 
-/* r = root of c: r^2 <= c <= (r + 1)^2, by products of the machine. */
+/* r = root of c satisfies r^2 <= c <= (r + 1)^2, with products of the machine. */
 static void roots_and_squares(void)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
@@ -470,8 +473,8 @@ TEST(extended_come_back)
     }
 }
 
-/* All results are floors: of normalised operands, the half result is the
- * longer one cut. */
+/* All results are floored, so that the half result of normalised operands is the
+ * truncated full result. */
 TEST(half_results_are_cut)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;

@@ -1,5 +1,6 @@
-/* test_asm_docs.c - the examples of the manual: every block marked c205 must
- * assemble, and those that expect something must run as they say. */
+/* test_asm_docs.c - the examples of the pages: every block marked c205 must assemble,
+ * and the results of blocks with expectations are compared with them. An example that
+ * no longer works fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include <dirent.h>
@@ -62,7 +63,8 @@ static void check_block(const char *name, const char *text, size_t length)
     free(copy);
 }
 
-/* Named after the file and the line that the block begins in. */
+/* Checks the blocks of a file; each is named after the file and the line of its
+ * start. */
 static size_t check_file(const char *path)
 {
     c205_error error;

@@ -1,7 +1,6 @@
 /* test_asm_errors.c - wrong statements of every kind: each text has one error, and its
- * line, column and message are compared with those of a table.  An error that is
- * missing, reported twice or at another place fails here.
- */
+ * line, column and message are compared with those of a table. An error that is
+ * missing, repeated or at another place fails here. */
 #include "tests/unit/asm_helper.h"
 
 TEST(expressions)
@@ -137,7 +136,7 @@ TEST(expectations)
 
 /* ---- Bounds ------------------------------------------------------------ */
 
-/* begin, so many times the part, end */
+/* Returns `begin`, `times` copies of `part`, and `end`. */
 static char *repeated(const char *begin, const char *part, size_t times,
                       const char *end)
 {
@@ -177,7 +176,7 @@ TEST(bounds)
                "'long/long");
 }
 
-/* Carriage returns before the ends of lines do not matter. */
+/* Carriage returns before line ends are ignored. */
 TEST(line_ends)
 {
     struct object *object = good(" .data\r\n .word 5 \r\n .word 6\r\n");
@@ -187,7 +186,7 @@ TEST(line_ends)
     object_free(object);
 }
 
-/* ---- Names from outside ------------------------------------------------ */
+/* ---- Names from the command line ---------------------------------------- */
 
 TEST(names_of_the_command)
 {
@@ -220,7 +219,8 @@ TEST(search_folders)
     assert_int_equal(errors.count, 0);
 }
 
-/* Every error of a line is told, each at its place, and what was meant. */
+/* Compares all errors of a text, with their places and messages, with those of a
+ * list. */
 static void check_all(const char *text, const struct asm_error *wanted, size_t count)
 {
     struct diagnostics errors = { 0 };

@@ -1,11 +1,13 @@
-/* test_asm_expression.c - values of expressions are compared with integers and words worked
- * out by hand: all operators and their order, constants, the ends of the range, brackets
- * as deep as is allowed; and messages of wrong ones.  The columns of errors are those of
- * test_asm_errors.  An operator that binds otherwise, or is rounded otherwise, fails here.
+/* test_asm_expression.c - values of expressions are compared with integers and words
+ * computed by hand: all operators and their order, constants, the ends of the range and
+ * the deepest nesting; and messages of wrong expressions with expected ones. Columns of
+ * errors are checked in test_asm_errors. An operator with another precedence or
+ * rounding fails here.
+ *
  */
 #include "tests/unit/asm_helper.h"
 
-/* What .word makes of it. */
+/* Returns the word that .word makes of the expression. */
 static c205_word value(const char *expression)
 {
     char text[1200];
@@ -106,7 +108,7 @@ TEST(words)
     assert_int_equal(value("word(3 << 48 | here)"), 0x0003000000800000);
 }
 
-/* The first and the last that are taken. */
+/* The first and the last accepted value of each range. */
 TEST(edges)
 {
     assert_int_equal(value("(1 << 48) - 1"), 0xFFFFFFFFFFFF);
@@ -170,8 +172,8 @@ static char *times(char *text, const char *part, int count)
     return text;
 }
 
-/* MAX_EXPRESSION_DEPTH levels of brackets, the one within them among them,
- * and as many of operators. */
+/* MAX_EXPRESSION_DEPTH limits the nested levels of brackets, including the operand, and
+ * of operators. */
 TEST(depth)
 {
     enum { DEEPEST = 200 };

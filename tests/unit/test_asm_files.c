@@ -1,4 +1,7 @@
-/* test_asm_files.c - programs as files: there and back, and broken ones. */
+/* test_asm_files.c - programs that are disassembled, or saved and loaded, are compared
+ * with the originals, over all sources of the tree, random words and damaged object
+ * files. A word or label that changes, or a damaged file that is accepted, fails
+ * here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/disassemble.h"
@@ -138,7 +141,7 @@ static bool is_disassembled_as(const struct object *object, const char *section)
     return found;
 }
 
-/* Data disassembled as if they were code, from any bits. */
+/* Disassembles random data as code. */
 TEST(any_bits)
 {
     enum { WORDS = 4000 };
@@ -154,7 +157,7 @@ TEST(any_bits)
     memset(&object, 0, sizeof object);
     for (i = 0; i < WORDS; i++) {
         words[i] = xorshift(&seed);
-        if (i % 3) /* opcodes that are defined */
+        if (i % 3) /* defined opcodes */
             words[i] = words[i] << 8 >> 8
                        | (c205_word)c205_insns[xorshift(&seed) % c205_insn_count].opcode
                              << 56;
@@ -181,8 +184,7 @@ TEST(any_bits)
     check_disassembly(&object);
 }
 
-/* No piece of an object file, and none with a byte changed, does harm. */
-/* Labels keep their names, if these can be in a text: once, on a line. */
+/* Labels keep their names if these are valid in a text: each once, on its line. */
 TEST(names)
 {
     static const char file[] =
@@ -214,6 +216,7 @@ TEST(names)
     object_free(object);
 }
 
+/* No prefix of an object file, and no file with one byte changed, causes a crash. */
 TEST(broken_files)
 {
     struct object *object = good(sample);

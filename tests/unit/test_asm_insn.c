@@ -1,4 +1,7 @@
-/* test_asm_insn.c - instructions as written and as encoded. */
+/* test_asm_insn.c - instructions are compared with their encodings, from text to word
+ * and back, for tables of examples, random words and every row of the instruction
+ * table. A field at another place, or a word whose text does not restore it, fails
+ * here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/disassemble.h"
@@ -200,7 +203,8 @@ TEST(errors)
     }
 }
 
-/* Any word comes back from its text: as the instruction or as .half. */
+/* Disassembles a word and assembles the text, an instruction or .half; the word must be
+ * the same. */
 static void check_round_trip(c205_word word)
 {
     char one[DISASSEMBLE_TEXT_SIZE], text[DISASSEMBLE_TEXT_SIZE + 40];
@@ -234,7 +238,7 @@ TEST(round_trip)
             word = word << 8 >> 8 | (c205_word)insn->opcode << 56;
             word &= ~((c205_word)insn->subop_mask << 48);
             word |= (c205_word)insn->subop << 48;
-            if (j % 2) /* fewer bits, so that more can be written */
+            if (j % 2) /* fewer one bits, so that more words are valid instructions */
                 word &= 0xFFFF00FF00FFFFFF;
             check_round_trip(word);
         }
@@ -243,7 +247,8 @@ TEST(round_trip)
         check_round_trip(xorshift(&seed));
 }
 
-/* Every row is written, not as data, in each size that it has. */
+/* Fails unless a row disassembles to its mnemonic, not to data, in a size that it
+ * has. */
 static void check_written(const c205_insn *insn, uint8_t g)
 {
     c205_fields fields = { insn->opcode, 0, 0, 7, 0, 8, 9, 10, 7, 8, 10, 3 };
@@ -270,7 +275,7 @@ TEST(sizes)
     }
 }
 
-/* What no machine executes is no text. */
+/* Words that no machine executes do not disassemble to instructions. */
 TEST(refused)
 {
     static const c205_word words[] = {

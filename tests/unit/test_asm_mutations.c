@@ -1,6 +1,6 @@
-/* test_asm_mutations.c - programs with random mistakes: whatever the text,
- * there is an object or an error, and every error and warning has a place
- * within its line. */
+/* test_asm_mutations.c - programs with random mistakes: every text must give an object
+ * or an error, and the place of every report is compared with the length of its line. A
+ * crash, a silent failure or a place outside of the line fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "base/file.h"
@@ -16,7 +16,7 @@ static const char *const programs[] = {
     "tests/programs/half_reduce.s"
 };
 
-/* What a careless hand writes. */
+/* Typical mistakes. */
 static const char *const pieces[] = {
     "[",         "]",     ",",      "(",     ")",          "?",
     "?!",        "|",     "-",      ";",     ":",          "\"",
@@ -48,7 +48,7 @@ static void put(char *text, size_t at, const char *piece)
     memcpy(text + at, piece, length);
 }
 
-/* The text has room for a piece more. */
+/* Makes a random mistake. The buffer has space for one more piece. */
 static void make_mistake(char *text, uint64_t *seed)
 {
     size_t at = below(seed, strlen(text) + 1);

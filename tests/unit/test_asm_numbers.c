@@ -1,6 +1,7 @@
-/* test_asm_numbers.c - floating-point expressions: what the assembler computes is what the machine's
- * rules make of them, operation by operation, and what its routines make of functions.
- */
+/* test_asm_numbers.c - floating-point expressions: the words that the assembler
+ * computes for random expressions are compared with those of the machine's rules,
+ * operation by operation, and values of functions with those of the machine's routines.
+ * A different rounding fails here. */
 #include <inttypes.h>
 
 #include "tests/oracle/arithmetic_oracle.h"
@@ -14,13 +15,13 @@ static uint64_t state = RANDOM_SEED;
 
 /* ---- Trees of operations ------------------------------------------------- */
 
-/* A value that is being drawn: its text, and what must come of it. */
+/* A random expression: its text and its expected value. */
 struct drawn {
     char text[TEXT];
     bool is_integer;
     int64_t integer;
     c205_word word;
-    bool good; /* it has a value */
+    bool good; /* the expression has a value */
 };
 
 static c205_word number_of(const struct drawn *drawn)
@@ -64,7 +65,7 @@ static void draw_sum(struct drawn *drawn, int depth)
 
     draw_value(&sides[0], depth);
     draw_value(&sides[1], depth);
-    /* Of two integers the operators are those of integers. */
+    /* Operators on two integers are integer operators, so one operand is converted. */
     if (sides[0].is_integer && sides[1].is_integer) {
         sides[0].word = number_of(&sides[0]);
         sides[0].is_integer = false;
@@ -196,7 +197,7 @@ TEST(operations)
 
 /* ---- Functions ----------------------------------------------------------- */
 
-/* What the assembler computes, what the program does. */
+/* The assembler's value must equal that of the running program. */
 static void check_function(const char *name, bool two)
 {
     double x = of_any_size(&state, 1e-3, 100);
@@ -228,7 +229,8 @@ static void check_function(const char *name, bool two)
     object_free(object);
 }
 
-/* Indefinite is what a word may be; it is neither less nor not less than anything. */
+/* A word may be indefinite. Of the comparisons with an indefinite operand, only != is
+ * true. */
 TEST(indefinite)
 {
     static const char *const operators[] = { "<", ">=", ">", "<=", "==", "!=" };

@@ -1,6 +1,7 @@
-/* test_asm_records.c - the places that .record gives its fields are compared with those
- * worked out by hand, and wrong records with a table of their errors.  A field at
+/* test_asm_records.c - the offsets that .record assigns to fields are compared with
+ * those computed by hand, and wrong records with a table of their errors. A field at
  * another word, or a record that is accepted without its end, fails here.
+ *
  */
 #include "tests/unit/asm_helper.h"
 
@@ -50,7 +51,7 @@ TEST(places)
     object_free(object);
 }
 
-/* A record with the text that makes it. */
+/* A random record: its text, and the expected offsets of its fields. */
 enum { MAX_FIELDS = 30 };
 struct random_record {
     size_t count;
@@ -65,7 +66,8 @@ static void say(struct random_record *record, const char *format, int64_t a, int
     snprintf(record->text + used, sizeof record->text - used, format, (long)a, (long)b);
 }
 
-/* Fields of all sizes, back to those before, and on. */
+/* Adds fields of random sizes. Some .at directives return to an earlier field or skip
+ * words. */
 static void make_record(struct random_record *record, uint64_t *seed)
 {
     int64_t next = 0;

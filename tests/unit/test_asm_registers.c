@@ -1,7 +1,7 @@
-/* test_asm_registers.c - names of registers: declarations, by hand and random, are
- * compared with a rule that says which of them share a register without .share.  A
- * warning that is missing, too much, or at another name fails here.
- */
+/* test_asm_registers.c - names of registers: warnings about declarations, written by
+ * hand and random, are compared with a rule that decides which of them share a register
+ * without .share. A warning that is missing, superfluous or at another name fails
+ * here. */
 #include "tests/unit/asm_helper.h"
 
 #include "tests/random.h"
@@ -17,9 +17,9 @@ TEST(warnings)
         { " .reg a, r5\n .reg h, h11\n", 2, 7, "h11 is 'a' already" },
         { " .reg h, h10\n .reg a, r5\n", 2, 7, "r5 is 'h' already" },
         { " .reg h, h10\n .reg i, h10\n", 2, 7, "h10 is 'h' already" },
-        /* r0 is nobody's. */
+        /* Names of r0 never conflict. */
         { " .reg a, r0\n .reg b, r0\n .reg h, h1\n", 0, 0, "" },
-        /* The same thing. */
+        /* A repeated declaration, and aliases. */
         { " .reg a, r5\n .reg a, r5\n", 0, 0, "" },
         { " .reg a, r5\n .reg b, a\n .reg a, a\n .reg c, b\n", 0, 0, "" },
         { " .regs r5, a, b\n .regs a, c, d\n", 0, 0, "" },
@@ -27,7 +27,7 @@ TEST(warnings)
           "r6 is 'b' already, of test.s:1" },
         { " .reg a, r5\n .reg b, a\n .reg a, r6\n .reg c, r5\n", 4, 7,
           "r5 is 'b' already, of test.s:2" },
-        /* A name moves on. */
+        /* A name may be given to another register. */
         { " .reg a, r5\n .reg a, r6\n .reg b, r5\n", 0, 0, "" },
         { " .reg a, r5\n .reg a, r6\n .reg b, r6\n", 3, 7, "'a' already" },
         /* .share */
@@ -53,11 +53,11 @@ TEST(warnings)
         { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
           " .endshare\n",
           0, 0, "" },
-        /* What is named by a name is where that stands. */
+        /* An alias belongs to the block in which it is declared. */
         { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
           " .share x\n .reg c, r5\n .endshare\n",
           0, 0, "" },
-        /* The one before the last is an owner, too. */
+        /* Every earlier name of a register is an owner, not only the last one. */
         { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n .reg c, r5\n", 5, 7,
           "'a' already, of test.s:1" },
     };
@@ -79,7 +79,7 @@ TEST(errors)
     struct diagnostics found = { 0 }, first;
 
     assert_asm_errors(errors, COUNT(errors));
-    /* The first of several errors. */
+    /* Only the first of several errors is compared. */
     assert_null(assemble_text("test.s", nested, NULL, &found));
     first = found;
     first.count = 1;
@@ -87,7 +87,7 @@ TEST(errors)
     diagnostics_free(&found);
 }
 
-/* What the object tells of names and of where they stand. */
+/* The object records register names and the places where they are used. */
 TEST(mentions)
 {
     struct object *object = good(" .regs r5, a, b\n"
@@ -125,8 +125,8 @@ TEST(mentions)
 
 enum { LINES = 40, NAMES = 6, REGISTERS = 4, WORDS = 3, DEPTH = 4 };
 
-/* A name as it was given, with the blocks around it: each has a number, and a
- * word, 0 for none. */
+/* A declaration with the blocks around it. Each block has a number and a word; 0: no
+ * word. */
 struct given {
     size_t line, name, depth;
     unsigned number, blocks[DEPTH], words[DEPTH];
@@ -172,9 +172,9 @@ struct declarations {
     char text[4096];
     struct given given[LINES];
     size_t count, line;
-    struct given around; /* the blocks that are open */
+    struct given around; /* the open blocks */
     unsigned blocks;
-    bool told[LINES + 2 * DEPTH]; /* the lines with a warning, from 1 */
+    bool told[LINES + 2 * DEPTH]; /* lines with an expected warning; the first is 1 */
 };
 
 static void say(struct declarations *declarations, const char *text)
@@ -200,7 +200,7 @@ static void close_block(struct declarations *declarations)
     declarations->around.depth--;
 }
 
-/* By number, or by a name that holds (and not its own). */
+/* Declares a name by a register number or by another name that is valid. */
 static void name_one(struct declarations *declarations, uint64_t *seed)
 {
     struct given *given = declarations->given, *new = &given[declarations->count];

@@ -1,6 +1,7 @@
-/* test_asm_text.c - directives, macros and conditions: the words that short programs put
- * into memory are compared with those worked out by hand, and wrong texts with a table
- * of their errors.  A directive that moves or drops a word fails here.
+/* test_asm_text.c - directives, macros and conditions: the words that short programs
+ * put into memory are compared with those computed by hand, and wrong texts with a
+ * table of their errors. A directive that moves or drops a word fails here.
+ *
  */
 #include "tests/unit/asm_helper.h"
 
@@ -119,7 +120,7 @@ TEST(regions)
     object_free(object);
 }
 
-/* Texts, and the word that they put at an address. */
+/* Texts and the word that each puts at an address. */
 TEST(words)
 {
     static const struct {
@@ -127,7 +128,7 @@ TEST(words)
         uint64_t address;
         c205_word word;
     } cases[] = {
-        /* A macro. */
+        /* Macros. */
         { " .macro put a, b=7\n .word \\a + \\b\n .endm\n .data\n put 5\n", DATA, 12 },
         { " .macro put a, b=7\n .word \\a + \\b\n .endm\n .data\n put 5, 1\n", DATA,
           6 },
@@ -143,7 +144,7 @@ TEST(words)
         /* Parameters. */
         { " .macro put a=7, b\n .word \\a + \\b\n .endm\n .data\n put , 1\n", DATA, 8 },
         { " .macro put ab, a\n .word \\a\n .endm\n .data\n put 5, 6\n", DATA, 6 },
-        /* The number of each expansion is its own. */
+        /* Each expansion has its own number. */
         { " .macro out\n .macro in\n l\\@: .word l\\@\n .endm\n .endm\n .data\n"
           " out\n in\n in\n",
           DATA + 64, DATA + 64 },
@@ -163,7 +164,7 @@ TEST(words)
           " .endr\n",
           DATA + 7 * 64, 11 },
         { " .data\n .rept 0\n .word 1\n .endr\n .word 2\n", DATA, 2 },
-        /* Registers are named again. */
+        /* Registers that are renamed. */
         { " .reg x, r1\n .reg x, r2\n RTOR x, r3\n", CODE, 0x7802000300000000 },
         { " .reg x, r1\n .regs h8, y, x\n RTORH y, x\n", CODE, 0x5808000900000000 },
         { " .reg x, h1\n .reg x, r9\n RTOR x, r3\n", CODE, 0x7809000300000000 },
@@ -188,7 +189,7 @@ TEST(lines_of_dos)
     object_free(object);
 }
 
-/* All that lies in the long one is told. */
+/* Every overlap with a long block is reported. */
 TEST(overlaps)
 {
     struct diagnostics errors = { 0 };

@@ -1,4 +1,6 @@
-/* test_banks.c - conflicts of long lists against the rule, access by access. */
+/* test_banks.c - bank conflicts of long index lists are compared with the rule, access
+ * by access, over random lists, tables, steps and numbers of banks. A shortcut for
+ * repeated lists that gives other clocks fails here. */
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 #include "vm/time/banks.h"
@@ -7,7 +9,8 @@
 
 enum { LISTS = 2000, MAX_LENGTH = 1500, MAX_BANKS = 70, AGAIN = 4 };
 
-/* An access begins one access after the one before, or when its bank is free. */
+/* An access begins one access time after the previous one, or when its bank is free if
+ * that is later. */
 static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned step,
                             const c205_word *indices, size_t count)
 {
@@ -23,7 +26,8 @@ static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned 
     return next - count * banks->access;
 }
 
-/* Ascending with gaps, in one bank, or anywhere. */
+/* Fills a list with ascending indices with gaps, indices of one bank, or random
+ * ones. */
 static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
 {
     uint64_t kind = xorshift(seed) % 4, at = xorshift(seed) >> 16;
@@ -37,7 +41,8 @@ static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
     }
 }
 
-/* Of a gather that comes next: mostly the same list, at another place. */
+/* Changes a list to that of a later gather, which usually has the same indices at
+ * another place. */
 static void change(c205_word *indices, size_t count, uint64_t *table, unsigned *step,
                    uint64_t *seed)
 {
@@ -84,7 +89,7 @@ TEST(lists_by_chance)
         check_list(&seed);
 }
 
-/* However whoever calls rounds doubles. */
+/* The result does not depend on the caller's rounding mode. */
 TEST(roundings)
 {
     static const int ways[] = { FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO };

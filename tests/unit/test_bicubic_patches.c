@@ -1,8 +1,9 @@
-/* test_bicubic_patches.c - the triangles that a bicubic_patch becomes are compared with
- * pieces that its blossom cuts, over random patches, steps and flatness.  A wrong
+/* test_bicubic_patches.c - the triangles of a bicubic_patch are compared with pieces
+ * computed by its blossom, over random patches, steps and flatness. A wrong
  * subdivision, a corner or normal of another piece, or a missing triangle fails here.
  *
  *     test_bicubic_patches [PATCHES [SEED]]
+ *
  */
 #include "rt/shapes/primitive.h"
 #include "tests/unit/draw.h"
@@ -28,7 +29,8 @@ struct cell {
     int depth;
 };
 
-/* The blossom of a cubic: linear in each of three parameters. */
+/* The blossom of a cubic: a symmetric function that is linear in each of three
+ * parameters. */
 static double blossom(const double p[4], const double t[3])
 {
     double sum = 0;
@@ -45,7 +47,8 @@ static double blossom(const double p[4], const double t[3])
     return sum;
 }
 
-/* Point i of four of a piece: so often its end, and its start else. */
+/* Sets the blossom arguments of control point i of a piece: i times its end, and its
+ * start for the rest. */
 static void arguments(double from, double to, int i, double t[3])
 {
     for (int k = 0; k < 3; k++)
@@ -94,8 +97,8 @@ static void product(const double a[3], const double b[3], double c[3])
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The derivative of a cubic is three times the difference of its blossom at
- * 1 and at 0, the other two parameters being the point's. */
+/* The derivative of a cubic is three times the difference of its blossom at 1 and at 0;
+ * the other two arguments are the parameter of the point. */
 static void oracle_normal(const struct patch *patch, double u, double v,
                           double normal[3])
 {
@@ -275,7 +278,7 @@ static size_t count_of(const char *text)
 
 TEST(words)
 {
-    /* flat, but no steps without a flatness above 0 */
+    /* A flat patch is not divided, unless its flatness is 0. */
     assert_int_equal(count_of("bicubic_patch { type 0 " SQUARE " }"), 2);
     assert_int_equal(count_of("bicubic_patch { v_steps 1.9 type 1 u_steps 2, " SQUARE
                               " scale 2 }"),
@@ -293,7 +296,7 @@ TEST(words)
                      2);
 }
 
-/* It is its place in the world that counts, and that of each copy. */
+/* Flatness is measured in the world, for each copy. */
 TEST(copies)
 {
     SCOPED(scene) *scene = read_scene(

@@ -1,9 +1,10 @@
 /* test_blobs.c - blobs of random spheres and cylinders: both forms of the tracer are
  * compared with each other and with the plain tracer, alone and in solids, on and off a
- * grid on which their faces coincide.  A piece of the field that is missed at a seam, a
- * hump that is left out, or a normal that leads inside fails here.
+ * grid on which their faces coincide. A piece of the field that is missed at a seam, a
+ * missing hump, or a normal that points inside fails here.
  *
  *     test_blobs [SCENES [SEED]]
+ *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/random_solids.h"
@@ -11,18 +12,19 @@
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
 
-static size_t scene_count = 4; /* of each sort */
+static size_t scene_count = 4; /* of each kind */
 
 /* ---- Components ---------------------------------------------------------- */
 
-/* On a grid ends, planes and axes of several coincide, some with rays. */
+/* Adds a point. On a grid, ends, planes and axes of several components coincide, and
+ * some lie on rays. */
 static void add_place(char *text, size_t size, double reach)
 {
     add_text(text, size, "<%.4f, %.4f, %.4f>", place_between(-reach, reach),
              place_between(-reach, reach), place_between(-reach, reach));
 }
 
-/* Every fifth takes away. */
+/* Adds a strength; every fifth is negative. */
 static void add_strength(char *text, size_t size)
 {
     add_text(text, size, ", %s%s%.4f ", below(2) ? "strength " : "",
@@ -71,7 +73,7 @@ static void add_component(char *text, size_t size)
     add_text(text, size, "} ");
 }
 
-/* The first is there for certain. */
+/* Adds a blob with one to six components. */
 static void add_any_blob(char *text, size_t size)
 {
     add_text(text, size, "blob { threshold %.4f sphere { ", between(.2, .8));
@@ -114,9 +116,9 @@ TEST(solids)
 
 /* ---- What geometry says -------------------------------------------------- */
 
-/* Three humps of two balls: the most that a line can meet.  With the distance a
- * between them and the middle, the field falls from there to s^2 = 1 - 3 a^2, and
- * has a hump at a. */
+/* Two balls with three humps along a line, the maximum for two components. If a is the
+ * distance between each centre and the middle, the field falls from there to s^2 = 1 -
+ * 3 a^2, and has a hump at a. */
 #define HUMPS \
     "blob { threshold .997 sphere { -.52*z, 1, 1 } sphere { .52*z, 1, 1 }" \
     " scale 2 "

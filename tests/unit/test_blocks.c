@@ -1,7 +1,9 @@
 /* test_blocks.c - blocks of scalar instructions: a run from block to block is compared
- * with one step by step, in state, clock and accounts: loops with calls, branches, loads,
- * SWAP, vectors and code that changes, also stopped and listened to.  A schedule that is
- * kept for another state of the clock, or code that is old, fails here.
+ * with one step by step, in state, clock and accounts. The programs have loops with
+ * calls, branches, loads, SWAP, vectors and code that changes; runs are also stopped
+ * and listened to. A schedule that is used for another state of the clock, or stale
+ * code, fails here.
+ *
  */
 #include "tests/unit/saved_machine.h"
 #include "tests/unit/prior_model.h"
@@ -9,7 +11,7 @@
 #include "vm/machine.h"
 #include "vm/time/clock_parts.h"
 
-static const char arithmetic[] = /* of 40 quadratics, by calls */
+static const char arithmetic[] = /* solves 40 quadratics, with calls */
     "        .regs   r10, x, y, one, four, turns, list, to, link, i\n"
     "        .data\n"
     "values: .word   1.0, -3.0, 0.25, 7.5, 2.0, 2.0, -1.0, 3.0\n"
@@ -60,7 +62,8 @@ static c205_stop step_to_end(c205 *machine)
     return stop;
 }
 
-/* Both to the end; their machines stay. */
+/* Runs a program to its end both ways and compares the machines, which the caller
+ * frees. */
 static c205_stop compare(const char *text, c205 **whole, c205 **stepped)
 {
     *whole = load(text);
@@ -105,7 +108,7 @@ static void step_to_limit(c205 *machine, uint64_t limit)
         continue;
 }
 
-/* Wherever the limit comes, the run stops where steps would. */
+/* At every clock limit, the run stops where single steps would. */
 static void check_limits(const char *text)
 {
     c205 *whole = load(text);
@@ -142,7 +145,7 @@ struct heard {
     uint64_t events, clock, operations;
 };
 
-/* Event by event, the clock continues where it was. */
+/* Each event must begin at the clock at which the previous one ended. */
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct heard *heard = context;
@@ -162,7 +165,7 @@ static uint64_t instructions(const c205 *machine)
     return sum;
 }
 
-/* Who begins to listen in the middle of a run hears of all the rest. */
+/* A listener that is added during a run is notified of all later events. */
 TEST(listener)
 {
     c205 *whole = load(arithmetic);
@@ -183,8 +186,8 @@ TEST(listener)
 
 /* ---- Code that changes --------------------------------------------------- */
 
-/* A store over what is behind it, and before it, in its own block: the
- * new instruction is executed from then on. */
+/* A store into the code of its own block, after or before the store: the new
+ * instruction is executed from then on. */
 TEST(changes)
 {
     static const char text[] =
@@ -218,8 +221,8 @@ TEST(changes)
 
 /* ---- Faults -------------------------------------------------------------- */
 
-/* Loads walk off the mapped memory, in the middle of a block; when the page
- * is there, the run continues. */
+/* Loads leave the mapped memory in the middle of a block. When the page is mapped, the
+ * run continues. */
 TEST(fault)
 {
     static const char text[] = "        .regs   r10, at, x, sum, turns, to\n"
@@ -250,8 +253,8 @@ TEST(fault)
 
 /* ---- Regions ------------------------------------------------------------- */
 
-/* Control comes into the middle of a block of another region, and vectors
- * stream beside it; the clock is read on the way. */
+/* Control enters the middle of a block of another region while vectors stream; the
+ * program also reads the clock. */
 TEST(regions)
 {
     static const char text[] = "        .regs   r10, turns, to, a, b, time, v, x\n"
@@ -286,11 +289,11 @@ TEST(regions)
 
 /* ---- Other programs, other models ---------------------------------------- */
 
-/* Constants of another model than the prior one, and a program. */
+/* Constants that differ from the prior model's, and a program. */
 static const struct {
     const char *constants, *text;
 } programs[] = {
-    /* Vectors stream beside blocks that load and compute. */
+    /* Vectors stream while blocks load and compute. */
     { "", "        .regs   r10, turns, to, v, at, x, y\n"
           "        .data\n"
           "        .vector numbers, 300, 1.0, 2.0, 3.0\n"
@@ -308,7 +311,8 @@ static const struct {
           "        EX      to, again\n"
           "        DBNZ    turns, [to]\n"
           "        EXIT\n" },
-    /* What asks for the time gets that at which it begins, wherever it stands. */
+    /* An instruction that reads the time gets the clock at which it begins, at any
+     * place in a block. */
     { "", "        .regs   r10, turns, to, x, y, wait, left, flags, sum, run_out\n"
           "        ES      turns, 30\n"
           "        ES      wait, 50\n"
@@ -331,7 +335,7 @@ static const struct {
           "        BADF    run_out, [to], 0\n"
           "        DBNZ    turns, [to]\n"
           "        EXIT\n" },
-    /* Loads wait for the oldest of three, over the ends of blocks. */
+    /* Loads wait for the oldest of three, across the ends of blocks. */
     { "latency.load 70 clk R\n"
       "memory.loads_in_flight 3 loads R\n",
       "        .regs   r10, turns, to, at, a, b, c, n, three\n"
@@ -352,8 +356,8 @@ static const struct {
       "        ADDX    n, a, n\n"
       "        DBNZ    turns, [to]\n"
       "        EXIT\n" },
-    /* More registers take longer, and end on another page: the third of three of
- * which two are known. */
+    /* A SWAP of more registers takes longer and ends on another page. Three pages are
+     * used, and two translations are kept. */
     { "page.words 512 words R\n"
       "translation.registers 2 registers R\n",
       "        .regs   r10, turns, to, place, from, n, mask, five\n"
@@ -378,7 +382,7 @@ static const struct {
       "over:   EX      to, again\n"
       "        DBNZ    turns, [to]\n"
       "        EXIT\n" },
-    /* As many loads as a block has room for, and a SWAP behind them. */
+    /* The maximum number of loads in a block, then a SWAP. */
     { "page.words 512 words R\n"
       "translation.registers 2 registers R\n",
       "        .regs   r10, turns, to, at, load, save, n, seven\n"
@@ -407,8 +411,8 @@ static const struct {
       "        ADDX    far, r0, save\n"
       "near:   DBNZ    turns, [to]\n"
       "        EXIT\n" },
-    /* What goes to register 0 nobody waits for but SWAP and the end: by one way a
- * product, by the other one a sum. */
+    /* Only SWAP and the end of the program wait for a result in register 0. On one path
+     * it is a product, on the other a sum. */
     { "latency.multiply 40 clk R\nlatency.add 30 clk R\n",
       "        .regs   r10, turns, to, bit, one, x, place\n"
       "        .data\n"
@@ -450,8 +454,8 @@ TEST(programs)
     prior_model = usual;
 }
 
-/* Numbers behind a branch that is always taken are no code: who stores there
- * changes code once. */
+/* Data after a branch that is always taken is not code. A store into it counts as a
+ * change of code once. */
 TEST(data_behind_branch)
 {
     c205 *whole, *stepped;
@@ -479,7 +483,7 @@ TEST(data_behind_branch)
 
 /* ---- No room ------------------------------------------------------------- */
 
-/* More than there is room for: all is forgotten, and begins again. */
+/* More blocks than the cache holds: the cache is cleared and filled again. */
 TEST(many_blocks)
 {
     static const char text[] = "        .regs   r10, turns, to, sum\n"
@@ -499,8 +503,9 @@ TEST(many_blocks)
     c205_free(machine);
 }
 
-/* Each of many branches goes at random, so that there are ever new flights:
- * what was remembered is forgotten, and the blocks know it. */
+/* Each of many branches goes either way at random, so that new states of in-flight
+ * results arise. When their cache is cleared, the blocks must not use its old
+ * entries. */
 TEST(many_flights)
 {
     static const char text[] =

@@ -1,6 +1,6 @@
 /* test_bounds.c - the bounding spheres and boxes of random solids are compared with
- * points of the solids.  A bound that leaves a point outside, or is much greater than
- * need be, fails here. */
+ * points of the solids. A bound that excludes a point, or is much larger than
+ * necessary, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "rt/layout/bounds.h"
@@ -16,13 +16,13 @@ static struct bound first_bound(const char *text)
     return bounds[0];
 }
 
-/* Each with its centre and least radius, or none. */
+/* Shapes with the centre and radius of their smallest sphere, or without a bound. */
 TEST(known)
 {
     static const struct {
         const char *text;
         double center[3], radius;
-        double slack; /* the share that the radius may be greater */
+        double slack; /* allowed relative excess of the radius */
     } rows[] = {
         { "sphere { <1, 2, 3>, 2 }", { 1, 2, 3 }, 2, .002 },
         { "sphere { x, 1 scale <1, 3, 1> }", { 1, 0, 0 }, 3, .002 },
@@ -136,8 +136,8 @@ TEST(known_boxes)
     }
 }
 
-/* Lines through a shape in its own space, and where in the world the points are at
- * which they cross it. */
+/* Crosses a shape with a random line in the shape's space, and compares the crossings
+ * in world space with its bound. Returns their number. */
 static size_t count_crossings(const struct primitive *primitive,
                               const struct bound *bound)
 {
@@ -209,8 +209,8 @@ TEST(crossings)
     }
 }
 
-/* What is enclosed lies within, and no sphere about it is much smaller: that
- * about any two of the parts is no greater. */
+/* The enclosing sphere contains all parts. Its radius is at most slightly larger than
+ * the lower bound from each pair of parts. */
 TEST(enclose)
 {
     enum { PARTS = 20, TRIES = 1000 };

@@ -1,5 +1,6 @@
-/* test_breakpoints.c - random places for break, until and the protocol of editors: accepted where
- * an instruction of the program begins, and nowhere else. */
+/* test_breakpoints.c - random addresses and lines for break, until and the protocol of
+ * editors are compared with the starts of a program's instructions. An address is
+ * accepted exactly if an instruction begins there; any other verdict fails here. */
 #include "tests/unit/draw.h"
 #include "tests/unit/dap_session.h"
 #include "tests/unit/debugger_session.h"
@@ -13,7 +14,8 @@ static const char *const programs[] = { "asm/examples/dot.s", "asm/examples/horn
                                         "asm/examples/sieve.s" };
 enum { PROGRAMS = COUNT(programs) };
 
-/* In, near and far from the code and the data, most at half words. */
+/* Draws an address in, near or far from the code and the data; most are multiples of a
+ * half word. */
 static uint64_t draw_address(const struct object *object)
 {
     const c205_program *program = &object->program;
@@ -50,7 +52,7 @@ static void check_line(struct debug_session *session, const char *line, bool goo
 
 /* ---- Addresses ------------------------------------------------------------ */
 
-/* stripped: the debugger has the words alone, as those of an object file. */
+/* If `stripped` is set, the debugger has the words alone, as from an object file. */
 static void check_addresses(const char *path, bool stripped)
 {
     struct object *whole = good_file(path), *object = good_file(path);
@@ -81,7 +83,7 @@ TEST(addresses)
     }
 }
 
-/* Wherever a program comes. */
+/* Every address that a run reaches is accepted. */
 TEST(visited)
 {
     for (size_t i = 0; i < PROGRAMS; i++) {
@@ -102,7 +104,8 @@ TEST(visited)
 
 /* ---- Lines ---------------------------------------------------------------- */
 
-/* The first line from there on that has code or calls a macro that has; 0: none. */
+/* Returns the first line from `number` that has code or calls a macro with code; 0:
+ * none. */
 static size_t next_line(const struct object *object, const char *file, size_t number)
 {
     size_t found = SIZE_MAX;
@@ -122,7 +125,7 @@ static size_t next_line(const struct object *object, const char *file, size_t nu
     return number == 0 || found == SIZE_MAX ? 0 : found;
 }
 
-/* Programs without LINKV, whose lines stay where they are. */
+/* Programs without LINKV, so that breakpoints stay at their lines. */
 TEST(lines)
 {
     static const char *const paths[] = { "asm/examples/dot.s",
@@ -151,7 +154,7 @@ TEST(lines)
     }
 }
 
-/* What moves is shown where it stops, and in the list. */
+/* A breakpoint that moves is shown at its new line, and listed there. */
 TEST(moved)
 {
     static const char text[] = "        ES   r10, 5\n"

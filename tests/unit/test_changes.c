@@ -1,7 +1,8 @@
-/* test_changes.c - what an event reports that its instruction changed, and stops, are
- * compared with the machine before and after each step of random programs, with and without
- * a listener, forward and back.  A store that is not reported, or a stop that is passed,
- * fails here.
+/* test_changes.c - the changes that an event reports, and stops, are compared with the
+ * machine before and after each step of random programs, with and without a listener,
+ * forward and backward. A store that is not reported, or a stop that is missed, fails
+ * here.
+ *
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
@@ -10,7 +11,7 @@ enum { PROGRAMS = 120, MAX_STEPS = 300, STOPPED = 60, PLACES = 3 };
 
 /* ---- Changes ------------------------------------------------------------- */
 
-/* All that a program may change. */
+/* All state that a program can change. */
 struct contents {
     c205_word registers[C205_REGISTERS];
     c205_word *words[16];
@@ -61,7 +62,8 @@ static void compare(const struct contents *before, const struct contents *after,
                          (unsigned long long)(random_areas[i].address + 64 * k));
 }
 
-/* Of what stores elements one behind another the range has as many. */
+/* True for instructions that store consecutive elements; their range has exactly the
+ * changed words. */
 static bool is_dense(const c205_event *event)
 {
     return c205_unit_is_vector(event->insn->unit) && strchr(event->insn->operands, 'd');
@@ -133,7 +135,7 @@ static uint64_t constant(const c205 *machine, const char *name)
     return (uint64_t)c205_model_lookup(c205_machine_model(machine), name)->value;
 }
 
-/* The clocks of a cause in the time of an instruction itself. */
+/* Returns the clocks of a cause in the time of an instruction itself. */
 static uint64_t clocks_for(const c205_times *record, c205_cause cause)
 {
     uint64_t clocks = 0;
@@ -161,7 +163,7 @@ static void check_pages(void *context, const c205 *machine, const c205_event *ev
     *faults += record->faults;
 }
 
-/* As many as time was charged for. */
+/* The reported number of page faults matches the clocks charged for them. */
 TEST(pages)
 {
     uint64_t faults = 0;
@@ -183,7 +185,8 @@ TEST(pages)
 
 /* ---- Stops --------------------------------------------------------------- */
 
-/* Where stops are set, by the hit without any. */
+/* Breakpoints and a watched range. The breakpoints are places that a run without stops
+ * visits. */
 struct places {
     uint64_t at[PLACES];
     uint64_t watched;
@@ -218,7 +221,7 @@ static bool is_place(const struct places *places, uint64_t pc)
     return false;
 }
 
-/* The next stop by looking behind each instruction. */
+/* Finds the next stop by comparing memory after each instruction. */
 static c205_trap step_to_stop(c205 *machine, const struct places *places, uint64_t most,
                               c205_stop *stop)
 {
@@ -254,7 +257,7 @@ static void pause_now(void *context, const c205 *machine, const c205_event *even
         c205_pause((c205 *)(uintptr_t)machine);
 }
 
-/* So many instructions at most, counted by the machine or by a listener. */
+/* Runs at most `most` instructions, counted by the machine or by a listener. */
 static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
 {
     c205_stop stop;
@@ -262,7 +265,7 @@ static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
     if (!left)
         return c205_run_steps(machine, most, C205_NO_LIMIT);
     *left = most;
-    do { /* in slices, which interrupt vector instructions */
+    do { /* slices, which interrupt vector instructions */
         uint64_t limit = below(3) ? c205_clock(machine) + 1 + below(300)
                                   : C205_NO_LIMIT;
 
@@ -315,7 +318,8 @@ TEST(stops)
     }
 }
 
-/* A way there and back with stops: the steps are those of a machine without. */
+/* Moves forward and backward with stops; the steps must be those of a machine without a
+ * history. */
 static void check_history(const struct random_program *program)
 {
     enum { STEPS = 60 };

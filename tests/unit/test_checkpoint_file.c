@@ -1,6 +1,6 @@
-/* test_checkpoint_file.c - units that are kept in files are compared with those that were
- * written, after cuts, flipped bits and merges.  A harmed unit that is taken, or a good
- * one that is lost, fails here. */
+/* test_checkpoint_file.c - units that are read back from files are compared with those
+ * that were written, after truncation, flipped bits and merges. A damaged unit that is
+ * accepted, or an intact one that is lost, fails here. */
 #include "rt/jobs/checkpoint_file.h"
 #include "tests/unit/unit.h"
 
@@ -33,7 +33,7 @@ FIXTURE(tear_down)
 
 /* ---- Units --------------------------------------------------------------- */
 
-/* Of each number another one; some have no words. */
+/* Returns words that depend on the number; some units have none. */
 static struct serialized_result words_of(uint64_t number)
 {
     struct serialized_result words = { .items = NULL };
@@ -71,7 +71,7 @@ static struct checkpoint_file *open_file(size_t i)
     return file;
 }
 
-/* Those of the list, and no others. */
+/* Fails unless the file has exactly the units of the list. */
 static void assert_units(struct checkpoint_file *file, const bool *there)
 {
     size_t count = 0;
@@ -114,7 +114,7 @@ static void turn_bit(const char *path, long at, int bit)
     assert_int_equal(fclose(file), 0);
 }
 
-/* Units in an random order; where each ends. */
+/* Units in random order, and the offset at which each ends. */
 struct written {
     size_t count;
     uint64_t number[UNITS];
@@ -132,7 +132,7 @@ static void write_some(size_t i, struct written *written)
             continue;
         there[number] = true;
         add(file, number);
-        add(file, number); /* it is not added again */
+        add(file, number); /* a second add has no effect */
         written->number[k] = number;
         written->end[k++] = size_of(paths[i]);
     }
@@ -140,7 +140,7 @@ static void write_some(size_t i, struct written *written)
     checkpoint_close(file, false);
 }
 
-/* Those that end before that byte. */
+/* Marks the units that end before a byte offset. */
 static void whole_before(const struct written *written, long at, bool *there)
 {
     memset(there, 0, UNITS * sizeof *there);
@@ -148,7 +148,7 @@ static void whole_before(const struct written *written, long at, bool *there)
         there[written->number[k]] = true;
 }
 
-/* What is lost is done again, at the end of what is left. */
+/* Checks the intact units, then adds the lost ones, which are appended. */
 static void expect_and_mend(const struct written *written, long at)
 {
     bool there[UNITS];
@@ -180,7 +180,7 @@ TEST_WITH(cut_off, set_up, tear_down)
     }
 }
 
-/* From the unit on in which a bit is wrong nothing is taken. */
+/* Every unit from the one with the wrong bit on is discarded. */
 TEST_WITH(harmed, set_up, tear_down)
 {
     struct written written;
@@ -270,7 +270,8 @@ TEST_WITH(of_something_else, set_up, tear_down)
     expect(0, (bool[UNITS]){ false });
 }
 
-/* Another process that has the file open, and says so, until it is killed. */
+/* Starts a process that keeps the file open until it is killed; it reports when it is
+ * ready. */
 static pid_t open_elsewhere(void)
 {
     int ready[2];
@@ -308,5 +309,3 @@ TEST_WITH(in_use, set_up, tear_down)
     assert_int_not_equal(access(paths[0], F_OK), 0);
     checkpoint_close(file, true);
 }
-
-/* Names for which there are no files yet. */

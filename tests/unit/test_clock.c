@@ -1,13 +1,15 @@
-/* test_clock.c - what instructions cost of which check-random draws none: linked pairs of
- * units with other start-ups than those of the built-in models, loops as long as the
- * instruction stack, and gathers of 60,000 random elements.  Expected clocks follow from
- * the formulas of docs/timing.md; those of all other instructions are compared with a
- * second clock by check-random, and with the closed formula by test_timing.
+/* test_clock.c - clocks of instructions that check-random does not draw are compared
+ * with the formulas of docs/timing.md: linked pairs of units whose start-ups differ
+ * from those of the built-in models, loops as long as the instruction stack, and
+ * gathers of 60,000 random elements. A pair, loop or gather with other clocks fails
+ * here. All other instructions are compared with a second clock by check-random, and
+ * with the closed formula by test_timing.
+ *
  */
 #include "tests/random.h"
 #include "tests/unit/clock_driver.h"
 
-/* A prefix and two without registers. */
+/* Charges a prefix and two instructions without registers. */
 static void charge_pair(struct clock *clock, const char *first_name,
                         const char *second_name, uint8_t g)
 {
@@ -24,8 +26,8 @@ static void charge_pair(struct clock *clock, const char *first_name,
     clock_drain(clock);
 }
 
-/* Of the slowest of the pair, whichever it is; what starts up later than an
- * addition adds that. */
+/* A pair streams at the rate of its slower unit, whichever is first. A unit with a
+ * longer start-up than an addition adds the difference. */
 TEST(linked_rates)
 {
     static const struct {
@@ -71,7 +73,7 @@ static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
 
 enum { LIST = 60000 };
 
-/* The published mean: 40 million elements a second, 1.25 clocks each. */
+/* The published mean is 40 million elements a second, or 1.25 clocks each. */
 TEST(random_gather)
 {
     struct clock *clock = two_pipes();
@@ -87,7 +89,7 @@ TEST(random_gather)
     clock_free(clock);
 }
 
-/* A loop of exactly 64 words stays in the stack; one word more does not. */
+/* A loop of exactly 64 words stays in the stack; a loop of 65 words does not. */
 TEST(stack_size)
 {
     struct clock *clock = two_pipes();
@@ -99,7 +101,7 @@ TEST(stack_size)
         assert_int_equal(clocks_for(clock, C205_BRANCH), words <= 64 ? 8 : 16);
         clock_reset(clock);
     }
-    for (unsigned back = 63; back <= 64; back++) { /* of longer code, too */
+    for (unsigned back = 63; back <= 64; back++) { /* longer code, same result */
         driven_pc = 0x40000;
         for (unsigned half = 0; half < 199; half++)
             scalar(clock, "ES", 0, 0, 9);

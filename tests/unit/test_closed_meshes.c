@@ -1,16 +1,19 @@
-/* test_closed_meshes.c - closed meshes, seen from inside: no ray slips out, be it
- * aimed at points, at edges or anywhere, in either form.  As solids they have an
- * inside, which a ray crosses an even number of times.  A ray between two triangles,
- * or a crossing that is counted twice, fails here.
+/* test_closed_meshes.c - pixels of closed meshes seen from inside are compared with the
+ * background: no ray may slip out, whether aimed at points, at edges or at random, in
+ * either form. As solids the meshes have an inside, whose boundary a ray crosses an
+ * even number of times. A ray that passes between two triangles, or a crossing that is
+ * counted twice, fails here.
  *
  *     test_closed_meshes [SCENES [SEED]]
+ *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/random_solids.h"
 
-static size_t scene_count = 4; /* of each sort */
-/* What the eye sees of a mesh: its inside; of the ball nothing. */
+static size_t scene_count = 4; /* of each kind */
+/* The scene around the eye: the inside of a shell, or a solid of the mesh with a ball,
+ * of which nothing is visible. */
 static enum { SHELL, BALL_WITHIN, BALL_APART } sight;
 static struct net net;
 static char text[1 << 18];
@@ -22,7 +25,7 @@ static void set_size(size_t width, size_t height)
     traced.pixels = width * height;
 }
 
-/* No pixel shows the background, or all do, in whatever way it is traced. */
+/* No pixel shows the background, or all do, in every method of tracing. */
 static void check_closed(void)
 {
     FREED struct words *words = same_frame(text);
@@ -50,7 +53,7 @@ static void begin_scene(const double location[3], const double ahead[3],
     add_text(text, sizeof text, "}\n");
 }
 
-/* Of a mesh of some size, about the ball or apart from it. */
+/* Begins a mesh of a given scale, which contains the ball or is apart from it. */
 static void begin_mesh(const double location[3], double scale)
 {
     if (sight == SHELL)
@@ -72,7 +75,7 @@ static void end_mesh(void)
     add_text(text, sizeof text, sight == SHELL ? "}\n" : "} }\n");
 }
 
-/* At any place, of any size. */
+/* Writes a closed mesh at a random place and scale. */
 static void write_closed(void)
 {
     double scale = pow(10, between(-2, 3)), location[3], by[3], ahead[3];
@@ -114,8 +117,9 @@ static void cross(const double a[3], const double b[3], double result[3])
     }
 }
 
-/* From a body's middle to an axis, an edge's middle or a corner: one of the 26
- * neighbours of a cube among cubes, 13 being itself. */
+/* The camera looks from the middle of a body along an axis, at the middle of an edge,
+ * or at a corner: toward one of the 26 neighbours of a cube in a grid of cubes; index
+ * 13 is the cube itself. */
 static void write_symmetric(size_t neighbour, const double middle[3])
 {
     double ahead[3] = { (double)(neighbour % 3) - 1, (double)(neighbour / 3 % 3) - 1,
@@ -152,8 +156,8 @@ TEST(symmetric)
     set_size(WIDTH, HEIGHT);
 }
 
-/* Out of a cube's middle to one of its sides, a ray to each point of it whose
- * numbers are whole; each point of the net may lie farther away or nearer. */
+/* The camera looks from the middle of a cube at one of its sides, with a ray to each
+ * integer point of the side. Each point of the mesh may be farther away or nearer. */
 static void write_whole(size_t side, const double middle[3])
 {
     double ahead[3] = { 0, 0, 0 }, right[3] = { 0, 0, 0 }, up[3] = { 0, 0, 0 };
@@ -184,9 +188,8 @@ TEST(rays_to_points)
     set_size(WIDTH, HEIGHT);
 }
 
-/* The rays of the first row go to points of one edge of a face, its ends and
- * its middle among them, those of the first column and of a diagonal to the
- * others'. */
+/* The rays of the first row hit points of one edge of a face, including its ends and
+ * its middle. Those of the first column and of a diagonal hit the other two edges. */
 static void write_aimed(const size_t face[3], const double location[3], double scale)
 {
     double stretch = (double)traced.width / (double)(traced.width - 1);
@@ -236,7 +239,7 @@ FIXTURE(look_at_shell)
     return 0;
 }
 
-/* Through a body from one side to the other. */
+/* Rays pass through a body from one side to the other. */
 TEST_WITH(rays_from_outside, NULL, look_at_shell)
 {
     sight = BALL_APART;

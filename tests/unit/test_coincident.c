@@ -1,12 +1,12 @@
-/* test_coincident.c - the yields that the reader gives to the regions of a scene are
- * compared with expected ones, for pairs of all kinds of faces: in one place, resting
- * on each other, and apart.  A pair that is missed leaves its faces to rounding; one
- * too many costs clocks. */
+/* test_coincident.c - the yields that the reader assigns to the regions of a scene are
+ * compared with expected ones, for pairs of all kinds of faces: coincident, resting on
+ * each other, and apart. A missed pair leaves its faces to rounding; a superfluous one
+ * costs clocks. */
 #include "rt/scene/scene.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/unit/unit.h"
 
-/* Yields of the regions, a digit for each, in tenths. */
+/* Fails unless the regions have these yields, one digit each, in tenths. */
 static void expect(const char *yields, const char *objects)
 {
     char text[2000], found[20] = "";
@@ -42,7 +42,7 @@ TEST(coincident_faces_give_earlier_regions_a_yield)
                  "box { <0, -1, 0>, <1, 0, 1> }");
 }
 
-/* The camera is within the room in the last scene. */
+/* In the last scene the camera is inside the room. */
 TEST(faces_that_rest_on_each_other_need_none)
 {
     expect("00", "plane { y, 0 } box { 0, 1 }");

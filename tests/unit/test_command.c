@@ -1,8 +1,7 @@
-/* test_command.c - random command lines: every value arrives where its row of the table
- * says, in any order and form; wrong words are rejected with the message that is written
- * here; and the nearest name to a misspelt one is found.  A value that goes to another
- * row, or a wrong one that is accepted, fails here.
- */
+/* test_command.c - the values that commands receive from random command lines, in any
+ * order and form, are compared with the drawn ones; messages about wrong words with
+ * expected ones; and suggestions for misspelt names with the original names. A value
+ * that goes to another row, or a wrong one that is accepted, fails here. */
 #include <unistd.h>
 
 #include "base/command.h"
@@ -21,10 +20,10 @@ struct arguments {
     uint64_t clocks;
     double number;
     enum colour colour;
-    size_t length; /* of the text that take was given */
+    size_t length; /* of the text that `take` received */
     struct command_texts words, files;
     const char *first;
-    struct arguments *result; /* NULL: nobody wants to know */
+    struct arguments *result; /* where to record the values; NULL: nowhere */
 };
 
 static const char *colour_choice(size_t number)
@@ -85,7 +84,7 @@ static const struct command_option operands[] = {
 };
 /* clang-format on */
 
-/* What the command was given, in words that can be compared. */
+/* The values that the command received, as text that can be compared. */
 static char seen[4096];
 
 static void describe(const struct arguments *a, char text[4096])
@@ -141,7 +140,7 @@ static int run(int argc, char **argv)
 
 enum { MAX_WORDS = 64, WORD_SIZE = 40 };
 
-/* A command line as it grows, and what should come of it. */
+/* A command line under construction, and the expected values. */
 struct line {
     uint64_t random;
     char words[MAX_WORDS][WORD_SIZE];
@@ -174,7 +173,7 @@ static void make_word(struct line *line, char text[WORD_SIZE])
     text[length] = '\0';
 }
 
-/* The value of a row as text; what it should be goes to what is expected. */
+/* Draws the value of a row as text and records it in the expected values. */
 static const char *make_value(struct line *line, const struct command_option *option,
                               char text[WORD_SIZE])
 {
@@ -216,8 +215,8 @@ static void expect_text(struct line *line, const struct command_option *option,
         memcpy((char *)expected + option->offset, &text, sizeof text);
 }
 
-/* "--name value", "--name=value", "-l value" or "-lvalue"; a name may be cut
- * where it is still the only one. */
+/* Adds "--name value", "--name=value", "-l value" or "-lvalue". A name may be
+ * abbreviated if it stays unique. */
 static void add_option(struct line *line, const struct command_option *option)
 {
     char value[WORD_SIZE];
@@ -290,7 +289,7 @@ TEST(right_lines)
 
 /* ---- Wrong ones ---------------------------------------------------------- */
 
-/* What is printed on stderr meanwhile is caught. */
+/* Captures the text that is printed on stderr. */
 struct caught {
     int before;
     FILE *file;
@@ -319,7 +318,7 @@ static void release(struct caught *caught)
     fclose(caught->file);
 }
 
-/* A line that is right but for these words is refused, and told why. */
+/* A correct line with these additional words is rejected with the message `why`. */
 static void refused(const char *word, const char *value, const char *why)
 {
     for (uint64_t seed = 1; seed <= 20; seed++) {
@@ -377,7 +376,7 @@ TEST(wrong_lines)
     refused("--output=a", "--kept=./a", "--output and --kept name one file");
 }
 
-/* The words of a line, up to NULL: its exit code. */
+/* Runs a line of words, which end with NULL. Returns its exit code. */
 static int run_words(const char *first, ...)
 {
     struct line line = { .argc = 0 };
@@ -391,7 +390,7 @@ static int run_words(const char *first, ...)
     return run(line.argc, line.argv);
 }
 
-/* The least and the most of a count are right. */
+/* The minimum and the maximum of a count are accepted. */
 TEST(bounds)
 {
     assert_int_equal(run_words("look", "--count=3", "first", NULL), CMD_DONE);
@@ -418,8 +417,8 @@ TEST(missing_and_too_many)
 
 /* ---- Names, times -------------------------------------------------------- */
 
-/* A letter dropped, doubled, replaced or swapped with the next is near; a name
- * that shares nothing is not. */
+/* A name with a letter dropped, doubled, replaced or swapped with the next is found. A
+ * name that shares nothing is not. */
 TEST(nearest)
 {
     static const char *const names[] = { "render", "profile", "speedup", "sweep",

@@ -1,5 +1,7 @@
-/* test_contents.c - what the assembler says lies at a label: texts drawn at random, of which that
- * is known.
+/* test_contents.c - the types and sizes of data that the assembler records for labels
+ * are compared with those of random texts. A label with another type, or a count that
+ * includes the next label's data, fails here.
+ *
  */
 #include <inttypes.h>
 
@@ -32,7 +34,7 @@ static void put(struct random_text *drawn, const char *format, ...)
     assert_true(drawn->length < TEXT);
 }
 
-/* A line that puts so much, counted as its kind is. */
+/* Adds a line of data. Returns the number of elements, in units of their type. */
 static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
 {
     uint64_t n = below(&state, 4) + 1;
@@ -47,7 +49,7 @@ static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
                                      : "        .descriptor 1, 0\n"
                                        "        .word   .\n");
         return 2;
-    case ASM_HALF_WORDS: /* whole words: what comes next is aligned */
+    case ASM_HALF_WORDS: /* full words, so that the next data is aligned */
         put(drawn, "        .halfword 1, 2\n        .half   3, 4\n");
         return 4;
     case ASM_BYTES: put(drawn, "        .text   \"eight of\"\n"); return 8;
@@ -58,7 +60,7 @@ static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
     }
 }
 
-/* Vectors have a label of their own. */
+/* Adds a vector, which defines its own label. */
 static void put_vector(struct random_text *drawn, size_t i)
 {
     static const struct {
@@ -89,7 +91,7 @@ static void put_labelled(struct random_text *drawn, size_t i)
     put(drawn, "l%zu:\n", i);
     for (size_t k = below(&state, 3) + 1; k > 0; k--)
         drawn->label[i].count += put_data(drawn, contents);
-    /* Something else ends it, with a label or without. */
+    /* Other data, with a label or without, ends the counted data. */
     if (contents == ASM_WORDS && one_in(&state, 2))
         put(drawn, "        .text   \"abc\"\n");
 }
@@ -134,7 +136,8 @@ TEST(labels)
     }
 }
 
-/* The last line's code continues after the last label of code; nothing lies at the end. */
+/* The code at the last label ends with the last instruction. A label at the end of the
+ * data has no data. */
 TEST(ends)
 {
     struct object *object = good("        .data\nx:      .word 1\nend:\n"

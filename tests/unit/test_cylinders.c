@@ -1,14 +1,14 @@
 /* test_cylinders.c - cylinders in every formulation of the kernels: depths and normals
  * are compared with those of geometry and of the plain tracer, over hits from outside,
- * from inside and along the axis.  A wrong root, a missing end or a normal that leads
+ * from inside and along the axis. A wrong root, a missing end or a normal that points
  * inside fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
 #include "rt/study/speedup.h"
 
-/* Of the middle ray: how far it is to the cylinder, and the normal there,
- * turned against it. */
+/* Compares the depth and the normal of the middle ray's hit. The normal faces the
+ * ray. */
 static void check_hit(const char *text, double depth, double x, double y, double z)
 {
     FREED struct words *words = same_frame(text);
@@ -23,7 +23,7 @@ static void check_hit(const char *text, double depth, double x, double y, double
     check_paper_stage(text, words);
 }
 
-/* The ends of an axis; a third of them point at the eye. */
+/* Adds the ends of an axis; a third of the axes point at the eye. */
 static void add_axis(char *text, size_t size)
 {
     static const char *const axes[] = { "<.4, .2, -1>, <.4, .2, 1.5>",
@@ -57,7 +57,7 @@ static void check_scenes(void)
     free(plain_frame(text));
 }
 
-/* Side and ends from outside, along the axis and aslant, and from inside. */
+/* Side and ends hit from outside, along the axis and obliquely, and from inside. */
 #define SOLID "cylinder { <0, 0, -1>, <0, 0, 2>, .5 "
 #define SLOPE "cylinder { <-.6, 0, -.8>, <.6, 0, .8>, .5 "
 
@@ -89,7 +89,7 @@ static void check_misses(void)
     check_middle(STRAIGHT SLOPE "translate <1.4, 0, 1.2> }", 0, 0);
 }
 
-/* Without the ends: seen through one, the side from within. */
+/* Cylinders without ends: through an open end the ray hits the side from inside. */
 static void check_tubes(void)
 {
     check_middle(STRAIGHT SOLID "open }", 0, 0);
@@ -121,7 +121,7 @@ TEST(formulations)
     traced.variant = NULL;
 }
 
-/* In a tree and where it is clear it is that of today. */
+/* The historical formulation does not change cylinders in trees and clear ones. */
 TEST(trees)
 {
     static const char text[] = AHEAD "difference { " SOLID

@@ -1,6 +1,8 @@
-/* test_dap.c - c205 debug --dap, by a client over pipes: the sessions of dap.txt, each
- * request of which has the response that is written there; and messages that are none.
- * A capability without a session, or a session with another answer, fails here.
+/* test_dap.c - responses of c205 debug --dap to a client over pipes are compared with
+ * those that the sessions of dap.txt expect, and its reaction to malformed messages
+ * with the protocol's rules. A capability without a session, or another response, fails
+ * here.
+ *
  */
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"
@@ -10,11 +12,11 @@
 enum { LINE = 400, TEXT = 4000 };
 
 struct session {
-    char name[LINE]; /* "": none has begun */
-    unsigned line;   /* of the script */
+    char name[LINE]; /* "": no session */
+    unsigned line;   /* line of the script */
     char program[TEXT];
     struct dap_client client;
-    bool begun, refused; /* the last response is no success */
+    bool begun, refused; /* the last response reports failure */
     int reference;
 };
 
@@ -24,7 +26,7 @@ static void wrong(const struct session *session, const char *text)
              session->client.text ? session->client.text : "nothing");
 }
 
-/* Copies a text with the values of $F, $N, $D, $T and $R. */
+/* Copies a text and replaces $F, $N, $D, $T and $R by their values. */
 static void replace(const struct session *session, const char *from, char to[TEXT])
 {
     for (size_t used = 0; (to[used] = *from) != '\0'; from++) {
@@ -47,7 +49,7 @@ static void replace(const struct session *session, const char *from, char to[TEX
     }
 }
 
-/* The first word of a text is cut off; what follows it. */
+/* Ends the first word of a text. Returns a pointer to the rest. */
 static char *next_word(char *text)
 {
     char *end = text + strcspn(text, " ");
@@ -137,7 +139,7 @@ static void check_text(struct session *session, char *text)
         wrong(session, text);
 }
 
-/* The response to the request before the last one. */
+/* Checks the response to the request before the last one. */
 static void check_late(struct session *session, char *text)
 {
     session->client.sent -= 3;
@@ -197,7 +199,9 @@ static void check_value(struct session *session, char *value)
     check_text(session, text + strlen(" = "));
 }
 
-/* A text that ends with \n is all that was printed. */
+/* A text that ends with \
+ * must be the whole output.
+ */
 static void check_output(struct session *session, char *text)
 {
     const char *printed = session->client.output.text;
@@ -317,8 +321,8 @@ TEST(sessions)
     client_leave(&client);
 }
 
-/* What is no JSON is reported and ignored.  Without a frame nobody knows where the next
- * one begins. */
+/* A message that is not JSON is reported and ignored. After a malformed header the next
+ * message cannot be found, so the session ends. */
 TEST(broken)
 {
     static const char *const broken[] = {

@@ -1,5 +1,6 @@
-/* test_dap_arguments.c - each argument of each request of the protocol with values of every wrong
- * type: the request is refused, the message names the argument, and nothing has changed. */
+/* test_dap_arguments.c - requests whose arguments have values of every wrong type are
+ * compared with the protocol's types: each request is rejected, the message names the
+ * argument, and the state is unchanged. A wrong type that is accepted fails here. */
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"
 
@@ -82,7 +83,7 @@ static const struct {
 };
 enum { ARGUMENTS = COUNT(arguments) };
 
-/* Of a source, in requests that take one. */
+/* Members of a source, in requests that take one. */
 static const struct {
     const char *key;
     enum type type;
@@ -90,7 +91,7 @@ static const struct {
                        { "name", TEXT },
                        { "sourceReference", WHOLE } };
 
-/* Of a breakpoint, and in which request. */
+/* Members of a breakpoint, and the request that has it. */
 static const struct {
     const char *request, *key;
     enum type type;
@@ -108,7 +109,7 @@ static const struct {
     { "setDataBreakpoints", "accessType", TEXT },
 };
 
-/* Values, and the types that have them. */
+/* Values, and the types that they match. */
 static const struct {
     const char *text;
     bool right[TYPES];
@@ -140,7 +141,7 @@ static void check_argument(struct dap_client *client, size_t i)
                            "{\"%s\": %s}", arguments[i].key, values[k].text);
 }
 
-/* All that are not objects. */
+/* Requests whose arguments are not an object. */
 static void check_no_object(struct dap_client *client, const char *request)
 {
     static const char *const wrong[] = { "5", "\"x\"", "true", "[]", "[{}]" };

@@ -1,5 +1,7 @@
-/* test_dap_motions.c - random motions in random programs, from an editor: where
- * they lead is what a plain run says.
+/* test_dap_motions.c - the states that an editor reaches with random execution requests
+ * in random programs are compared with a plain run of the same program. A stop at
+ * another step, or for another reason, fails here.
+ *
  */
 #include <unistd.h>
 
@@ -9,7 +11,8 @@
 #include "tests/unit/random_walk.h"
 #include "tests/unit/plain_run.h"
 
-/* ---- Random motions --------------------------------------------------------------------- */
+/* ---- Random requests
+ * -------------------------------------------------------------------- */
 
 struct walk {
     struct dap_client client;
@@ -57,7 +60,8 @@ static void choose_stops(struct walk *walk)
                (unsigned long long)walk->plain.watched);
 }
 
-/* Why a motion ends where it does; of two stops the one that was set first is told. */
+/* Returns the expected reason of a stop. If two breakpoints match, the one that was set
+ * first is reported. */
 static const char *reason_for(const struct walk *walk, const char *request, size_t from)
 {
     bool steps_back = strcmp(request, "stepBack") == 0;
@@ -85,7 +89,7 @@ static void move_to(struct walk *walk, const char *request, size_t step)
     check_moment(walk, request);
 }
 
-/* Behind its end there is no way on. */
+/* A program that has ended can only move backward. */
 static void move(struct walk *walk)
 {
     size_t step = walk->step, end = walk->plain.end;
@@ -104,7 +108,7 @@ static void move(struct walk *walk)
     }
 }
 
-/* The instructions before a place are those that come to it from the beginning. */
+/* The instructions before an address are found by disassembling from the beginning. */
 static void check_disassembly(struct walk *walk)
 {
     enum { MAX = 60 };
@@ -152,7 +156,7 @@ TEST(motions)
     }
 }
 
-/* Of an object the lines are not known: its instructions are read from the beginning. */
+/* An object has no line table; its instructions are disassembled from the beginning. */
 TEST(objects)
 {
     enum { ROUNDS = 6 };

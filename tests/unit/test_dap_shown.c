@@ -1,14 +1,16 @@
-/* test_dap_shown.c - what c205 debug --dap shows is compared with the machine: elements
- * with their control bits in every range, the accounts after every step; and the members
- * of a launch that the editor's extension proposes are accepted.  A value of another
- * element, or a cause without its clocks, fails here.
+/* test_dap_shown.c - the values that c205 debug --dap shows are compared with the
+ * machine: elements with their control bits in every range, and the accounts after
+ * every step. The launch members that the editor's extension proposes must be accepted.
+ * A value of another element, or a cause without its clocks, fails here.
+ *
  */
 #include "base/file.h"
 #include "base/json.h"
 #include "tests/unit/dap_session.h"
 #include "tests/unit/plain_run.h"
 
-/* ---- What is shown ------------------------------------------------------------------------ */
+/* ---- Displayed values
+ * --------------------------------------------------------------------- */
 
 static const char masked_text[] = "        .include \"vectors.s\"\n"
                                   "        .regs   r16, a, b, mask\n"
@@ -53,11 +55,11 @@ TEST(elements)
     assert_string_equal(value_of(list, "ADDNV [mask]"), "bits from 800200 on");
     item = element_with(client_variables(&client, "Registers"), "name", "mask");
     item = client_inside(&client, (int)the_whole(item, "variablesReference"), "");
-    assert_int_equal(length_of(item), 2 + 4); /* it could be words, too */
+    assert_int_equal(length_of(item), 2 + 4); /* the same bits can be shown as words */
     client_leave(&client);
 }
 
-/* The time is the machine's own accounts, after every step. */
+/* The time that is shown must equal the machine's accounts after every step. */
 static void check_accounts(struct dap_client *client, const c205 *machine)
 {
     const struct json_value *time = client_variables(client, "Time");
@@ -107,7 +109,7 @@ TEST(time)
     object_free(object);
 }
 
-/* ---- The extension ----------------------------------------------------------------------------------- */
+/* ---- The extension --------------------------------------------------------------- */
 
 static const struct json_value *read_file(struct arena *arena, const char *name)
 {
@@ -128,7 +130,8 @@ static const struct json_value *read_file(struct arena *arena, const char *name)
     return tree;
 }
 
-/* Members with their defaults, as the editor proposes them, but for the program. */
+/* Writes the members with the defaults that the editor proposes; `program` is the
+ * test's. */
 static void put_defaults(struct json *json, const struct json_value *properties)
 {
     for (const struct json_value *item = properties->first; item; item = item->next) {
@@ -148,7 +151,8 @@ static void put_defaults(struct json *json, const struct json_value *properties)
     }
 }
 
-/* What its entry starts is the adapter, which takes what the entry proposes. */
+/* The entry of the package starts the adapter, which accepts the members that the entry
+ * proposes. */
 TEST(extension)
 {
     struct dap_client client;

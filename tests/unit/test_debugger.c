@@ -1,5 +1,6 @@
-/* test_debugger.c - random lines for the debugger: it is where a plain run from the
- * beginning says that it must. */
+/* test_debugger.c - the position of a debugger after random command lines is compared
+ * with the one that a plain run of the program gives. A stop that is missed, or a step
+ * too many, fails here. */
 #include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/plain_run.h"
@@ -38,7 +39,7 @@ static size_t to_place(const struct plain *plain, const struct plain_stops *told
 struct session {
     const struct plain *plain;
     struct debug_session debug;
-    struct plain_stops told; /* to the debugger */
+    struct plain_stops told; /* the breakpoints of the debugger */
     size_t step;
 };
 
@@ -86,7 +87,7 @@ static void choose_watch(struct session *session)
     obey(session, line);
 }
 
-/* A line, and where the program must be behind it. */
+/* Draws a command line. Returns the step that the program must reach. */
 static size_t draw_line(struct session *session, char line[80])
 {
     const struct plain *plain = session->plain;
@@ -182,7 +183,7 @@ TEST(movements)
     }
 }
 
-/* One stop, and from each step behind it the way back. */
+/* Sets one stop and returns to it from each later step. */
 TEST(far_back)
 {
     enum { STOP = 150, FAR = 400 };

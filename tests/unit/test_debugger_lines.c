@@ -1,7 +1,7 @@
-/* test_debugger_lines.c - what the debugger says to lines is compared with what is written
- * beside them: values, lines that it cannot obey, what a program prints, calls, links,
- * macros and ends.  A value of another register, or an output that is printed twice,
- * fails here.
+/* test_debugger_lines.c - the debugger's output for command lines is compared with a
+ * table: values, invalid lines, output of the program, calls, links, macros and ends. A
+ * value of another register, or an output that is printed twice, fails here.
+ *
  */
 #include "tests/unit/debugger_session.h"
 
@@ -86,7 +86,7 @@ TEST(values)
     check_session(text, lines, COUNT(lines), 3);
 }
 
-/* What it cannot do it says, and is where it stood. */
+/* An invalid line is reported and does not change the position. */
 TEST(faults)
 {
     static const struct line_said lines[] = {
@@ -153,7 +153,8 @@ static const struct {
     struct line_said lines[MAX_LINES];
     size_t faults;
 } sessions[] = {
-    /* What a program prints is printed once, however often it is gone through. */
+    /* Output of the program is printed once, however often its instruction is
+     * executed. */
     { "        ES  r10, 5\n"
       "        EXIT r10, r0, 2\n"
       "        EXIT r0, r0, 5\n"
@@ -164,12 +165,13 @@ static const struct {
         { "step 4", "!5\n" },
         { "", "ended with status 0" } },
       0 },
-    /* An open line of the program's output is ended before the debugger reports, once. */
+    /* Before the debugger prints a report, it ends an open line of the program's
+     * output, once. */
     { ONE_NUMBER, { { "step 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },
     { ONE_NUMBER, { { "continue", "5\nstep " }, { "account", "!\n\n" } }, 0 },
     { ONE_NUMBER, { { "goto 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },
-    /* A call is one for next; a break at an instruction of a linked pair is one at its
-     * LINKV. */
+    /* `next` treats a call as one instruction. A break at an instruction of a linked
+     * pair moves to its LINKV. */
     { "        .include \"vectors.s\"\n"
       "        .regs r16, a, link\n"
       "        .code\n"
@@ -196,7 +198,7 @@ static const struct {
         { "print pc == linked", "1" },
         { "step", "EXIT" } },
       0 },
-    /* A loop is no call: next goes round it with the program. */
+    /* A loop is not a call: `next` follows it. */
     { "        .regs r16, turns, to, count\n"
       "        ES   turns, 3\n"
       "        EX   to, again\n"
@@ -209,7 +211,7 @@ static const struct {
         { "delete", "" },
         { "break again if turns ==", "expected a value" } },
       1 },
-    /* Behind its end a program does not continue, whatever is asked. */
+    /* After its end a program does not continue, whatever the command. */
     { "        ES  r10, 5\n"
       "        ES  r11, 6\n"
       "        DIVS r10, r11, r12\n"
@@ -225,12 +227,13 @@ static const struct {
         { "why", "and until all in flight was done" },
         { "why", "operand wait" } },
       1 },
-    /* What a run prints that somebody has changed is printed. */
+    /* A run whose state was changed prints its own output. */
     { ONE_NUMBER,
       { { "run", "5\n" }, { "goto 1", "" }, { "set r10 = 77", "" }, { "c", "77\n" } },
       0 },
-    /* Stops at lines: of a macro's call at its first instruction, of a line in a macro at each of
-     * its calls, of data behind them; several at one step are all told. */
+    /* Breaks at lines: of a macro call, at its first instruction; of a line in a macro,
+     * at each of its calls; of data, at the code after it. All breaks at one step are
+     * reported. */
     { "        .data\n"
       "datum:  .word 1.0\n"
       "        .macro twice r\n"
@@ -264,7 +267,7 @@ static const struct {
         { "c 2", "ended" },
         { "info breaks", "there are none" } },
       0 },
-    /* An endless program ends no script. */
+    /* An endless program does not block a script. */
     { "        .include \"vectors.s\"\n"
       "        .data\n"
       "v:      .space 65000\n"

@@ -1,9 +1,11 @@
-/* test_debugger_scripts.c - random scripts for the debugger, 40 lines of all verbs over
- * five programs: they say the same whenever they are played, to the byte; and so do movements that
- * begin again.
+/* test_debugger_scripts.c - the output of random debugger scripts, 40 lines of all
+ * commands over five programs, is compared with that of a second run, byte for byte,
+ * and execution after a restart with its repetition. An output that depends on earlier
+ * commands fails here.
  *
- * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for who would
- * play it in another way (tests/check_replay.sh).
+ * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for a
+ * check that runs it in another way (tests/check_replay.sh).
+ *
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
@@ -28,7 +30,7 @@ static struct object *open_drawn(void)
     return good(text);
 }
 
-/* Of five, two or so are drawn. */
+/* Draws a program; two in five are random texts. */
 static struct object *open_program(const char **name)
 {
     *name = below(5) < 2 ? drawn : examples[below(COUNT(examples))];
@@ -44,7 +46,7 @@ static const char *pick(const char *const *texts, size_t count)
     return texts[below(count)];
 }
 
-/* An address that has code, or data. */
+/* Draws an address of code, or of data. */
 static uint64_t draw_address(const struct object *object, bool code)
 {
     size_t count = object->line_count;
@@ -96,7 +98,7 @@ static void draw_value(const struct object *object, script_line value)
         snprintf(value, LINE, "%s", pick(values, COUNT(values)));
 }
 
-/* Where it goes next. */
+/* Draws a line that moves the program. */
 static void draw_motion(const struct object *object, script_line line)
 {
     static const char *const plain[] = {
@@ -119,7 +121,7 @@ static void draw_motion(const struct object *object, script_line line)
     }
 }
 
-/* What is looked at. */
+/* Draws a line that prints state. */
 static void draw_view(const struct object *object, script_line line)
 {
     static const char *const plain[] = {
@@ -147,7 +149,7 @@ static void draw_view(const struct object *object, script_line line)
     }
 }
 
-/* Where it is to stop. */
+/* Draws a line that sets a stop. */
 static void draw_stop(const struct object *object, script_line line)
 {
     script_line place, value;
@@ -163,7 +165,7 @@ static void draw_stop(const struct object *object, script_line line)
         snprintf(line, LINE, "break %.60s", place);
 }
 
-/* What changes the rest of the session. */
+/* Draws a line that changes the rest of the session. */
 static void draw_change(const struct object *object, script_line line)
 {
     script_line place;
@@ -228,7 +230,7 @@ static void obey(struct debugger *debugger, struct text_buffer *said, const char
     assert_true(debugger_obey(debugger, line));
 }
 
-/* All that was said; the caller frees it. */
+/* Runs a script. Returns its whole output, which the caller frees. */
 static struct text_buffer play(const struct object *object, const char *name,
                                script_line *lines, size_t count)
 {
@@ -250,7 +252,8 @@ static void check_same(const struct text_buffer *one, const struct text_buffer *
         fail_msg("%s:\n%s\nand again:\n%s", name, one->text, other->text);
 }
 
-/* Two in turn, line by line, know nothing of each other. */
+/* Two debuggers that run the script alternately, line by line, must not affect each
+ * other. */
 static void check_in_turn(const struct object *object, const char *name,
                           script_line *lines, const struct text_buffer *expected)
 {
@@ -269,7 +272,7 @@ static void check_in_turn(const struct object *object, const char *name,
     }
 }
 
-/* Most lines can be done. */
+/* At most a third of the lines is invalid. */
 TEST(scripts)
 {
     size_t all = 0, faults = 0;
@@ -295,7 +298,8 @@ TEST(scripts)
     assert_true(faults > 0 && faults * 3 < all);
 }
 
-/* Stops, and what the program prints is printed; then movements and views from the beginning, twice. */
+/* Runs the program so that its output is printed, and sets stops. Then two runs of the
+ * same moves and views from the beginning must give the same output. */
 static void check_anew(const struct object *object, const char *name)
 {
     enum { STOPS = 3 };
@@ -315,7 +319,7 @@ static void check_anew(const struct object *object, const char *name)
         else
             draw_motion(object, lines[i]);
     strcpy(lines[0], below(2) ? "goto 0" : "run");
-    strcpy(lines[1], "step"); /* what an empty line does again */
+    strcpy(lines[1], "step"); /* the command that an empty line repeats */
     for (int k = 0; k < 2; k++) {
         debugger->out = sink[k];
         for (size_t i = 0; i < LINES; i++)

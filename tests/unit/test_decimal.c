@@ -1,4 +1,6 @@
-/* test_decimal.c - words to so many decimal digits, against MPFR. */
+/* test_decimal.c - conversions of words to decimal text are compared with those of
+ * MPFR, over random words, all notations and numbers of digits. A wrong rounding or
+ * exponent fails here. */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
 #include "tests/unit/machine_fixture.h"
@@ -8,7 +10,7 @@ enum { TRIES = 40000, DIGITS = 128, LONGEST = 20000 };
 
 static uint64_t state = RANDOM_SEED;
 
-/* Words whose decimals end soon, so that ties are met. */
+/* Draws a word with a short decimal expansion, so that ties occur. */
 static c205_word draw_short(void)
 {
     double number = (double)xorshift_between(&state, -100000, 100000);
@@ -16,7 +18,7 @@ static c205_word draw_short(void)
     return c205_from_double(number / (double)(1 << xorshift_between(&state, 0, 12)));
 }
 
-/* 9.99 .., of any size. */
+/* Draws 9.99 .. times a power of ten. */
 static c205_word draw_below_power(void)
 {
     static const char nines[] = "9.999999999999999999";
@@ -36,7 +38,7 @@ static c205_word draw(void)
     case 2: return xorshift_normalised(&state, -28672, 28671);
     case 3: return draw_short();
     case 5: return draw_below_power();
-    case 4: { /* beside a power of ten */
+    case 4: { /* near a power of ten */
         double ten = 1;
         for (int64_t i = xorshift_between(&state, 0, 13); i > 0; i--)
             ten *= 10;
@@ -46,7 +48,8 @@ static c205_word draw(void)
     }
 }
 
-/* MPFR's exponent has a sign and two digits at least. */
+/* Reduces MPFR's exponent, which has a sign and at least two digits, to its shortest
+ * form. */
 static void plain_exponent(char *text)
 {
     char *e = strchr(text, 'e');
@@ -75,7 +78,7 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
 
         mpfr_snprintf(exact, sizeof exact, "%.*RNe", (int)behind, value);
         plain_exponent(exact);
-        /* Fixed only where it fits. */
+        /* Scientific notation is used only if the fixed one does not fit. */
         if (notation == C205_FIXED)
             assert_true(mpfr_get_exp(value)
                         > 3.3219 * ((double)C205_DIGITS - asked) - 0.001);
@@ -88,7 +91,7 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
         mpfr_snprintf(exact, sizeof exact, "%.*RNf", (int)asked, value);
     }
     mpfr_clear(value);
-    /* The machine has one zero. */
+    /* The machine has only one zero, so the sign of -0 is removed. */
     if (*exact == '-' && !strpbrk(exact, "123456789"))
         memmove(exact, exact + 1, strlen(exact));
     if (strcmp(text, exact) != 0)
@@ -112,7 +115,7 @@ TEST(ends)
         UINT64_C(0x6FFF7FFFFFFFFFFF),
         UINT64_C(0x6FFF800000000000),
         UINT64_C(0x9000000000000001),
-        UINT64_C(0x9000FFFFFFFFFFFF) /* -1 of the least units */
+        UINT64_C(0x9000FFFFFFFFFFFF) /* -1 in units of the last place */
     };
 
     for (size_t i = 0; i < COUNT(words); i++)

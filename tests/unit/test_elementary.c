@@ -1,5 +1,5 @@
 /* test_elementary.c - the elementary functions of scenes are compared with those of
- * MPFR, to the last bit, at random points of all sizes and where they are exact.  A
+ * MPFR, to the last bit, at random arguments of all sizes and where they are exact. A
  * result that is rounded twice fails here. */
 #include "rt/scene/elementary.h"
 #include "tests/random.h"
@@ -16,7 +16,7 @@ static const struct {
     const char *name;
     double (*ours)(double x);
     of_one *exact;
-    double least, most; /* of the magnitudes of x, as powers of 2 */
+    double least, most; /* range of the magnitude of x, as powers of 2 */
 } functions[] = {
     { "exp", elementary_exp, mpfr_exp, -60, 9.4 },
     { "log", elementary_log, mpfr_log, -1000, 1000 },
@@ -39,7 +39,7 @@ enum { EXACT = 300 }; /* bits */
 
 static uint64_t state = 205;
 
-/* Of a magnitude between two powers of 2, most of them near 1. */
+/* Draws a number with a magnitude between two powers of 2; most are near 1. */
 static double draw(double least, double most)
 {
     double share = xorshift_real(&state, 0, 1);
@@ -53,7 +53,8 @@ static double draw(double least, double most)
     return xorshift(&state) % 2 == 0 ? x : -x;
 }
 
-/* What is nearly halfway between two doubles counts as that: elementary.h. */
+/* A value nearly halfway between two doubles is rounded as a tie, as elementary.h
+ * specifies. */
 static double to_double(mpfr_t value)
 {
     mpfr_prec_round(value, 53 + 40, MPFR_RNDN);
@@ -100,7 +101,7 @@ TEST(of_one)
         }
 }
 
-/* Logarithms there are small, and what is off from 1 is all there is of x. */
+/* Logarithms near 1 are small, and depend on the difference from 1 alone. */
 TEST(near_one)
 {
     for (int i = 0; i < 4000; i++) {
@@ -113,7 +114,7 @@ TEST(near_one)
     }
 }
 
-/* Degrees, as scenes have them, and what is near multiples of pi / 2. */
+/* Whole degrees, as scenes use them, and with them values near multiples of pi / 2. */
 TEST(angles)
 {
     for (int degrees = -720; degrees <= 720; degrees++) {
@@ -137,7 +138,7 @@ TEST(of_two)
     }
 }
 
-/* Squares of 27 bits lie halfway between two doubles. */
+/* The square of an integer of 27 bits may lie halfway between two doubles. */
 TEST(halfway)
 {
     for (int i = 0; i < 4000; i++) {
@@ -151,7 +152,7 @@ TEST(halfway)
     }
 }
 
-/* Where there is no value, or no finite one, C says what it is. */
+/* Where a function has no value, or no finite one, the result is that of C. */
 TEST(ends)
 {
     static const double ends[] = { 0,        -0.,       1,      -1,     2,

@@ -1,9 +1,10 @@
 /* test_emission.c - points of surfaces, normals, weights and directions that the
  * machine draws are compared with the surface, its area and the cosine law, over random
- * shapes that emit.  A point off the surface, a normal that leads inside or a biased
+ * shapes that emit. A point off the surface, a normal that points inside or a biased
  * distribution fails here.
  *
  *     test_emission [TRIES [SEED]]
+ *
  */
 #include "base/accounts.h"
 #include "rt/heat/alias.h"
@@ -41,7 +42,7 @@ static struct emission *begin(const struct primitive *primitive,
     return emission;
 }
 
-/* A point of the planes. */
+/* A point as the machine writes it to its planes. */
 struct emitted_point {
     c205_word spot[3], face[3], weight, ray[3];
 };
@@ -90,8 +91,9 @@ static void read_vector(const c205_word words[3], double vector[3])
 
 /* ---- On the surface ------------------------------------------------------- */
 
-/* From a place above a point straight down: the crossing at the point, in the
- * shape's own space.  An edge may be beside it. */
+/* Returns whether a ray from above a point, straight down, hits the surface at the
+ * point. The crossing is computed in the shape's own space. Near an edge another
+ * crossing may be first. */
 static bool meets(const struct primitive *primitive, const double spot[3],
                   const double face[3])
 {
@@ -130,7 +132,8 @@ static bool encloses(const struct primitive *primitive, const double spot[3],
     return in[primitive->kind](primitive, point);
 }
 
-/* How many points are not found on the surface, or have the wrong side up. */
+/* Returns the number of points that are not on the surface or have the wrong side
+ * up. */
 static size_t count_astray(const struct primitive *primitive,
                            const struct emitted_point *points, size_t count)
 {
@@ -152,7 +155,8 @@ static size_t count_astray(const struct primitive *primitive,
     return astray;
 }
 
-/* At an edge another surface may be nearer than a ten-millionth. */
+/* A thousandth of the points may fail: near an edge another surface may be nearer than
+ * a ten-millionth. */
 static void check_surface(enum primitive_kind kind)
 {
     struct primitive primitive = draw_emitting(kind, &state);
@@ -181,7 +185,8 @@ static void add_to(struct mean *mean, double value)
     mean->squares += value * value;
 }
 
-/* Within so many standard errors, and what else may be off. */
+/* Fails unless the mean is within `sigmas` standard errors and `more` of the expected
+ * value. */
 static void assert_mean(const struct mean *mean, double expected, double sigmas,
                         double more)
 {
@@ -190,7 +195,8 @@ static void assert_mean(const struct mean *mean, double expected, double sigmas,
     assert_near(found, expected, sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
 }
 
-/* Weights: the area; points by their weights: the middle of the surface. */
+/* The mean weight must be the area. The mean of the points, weighted, must be the
+ * centroid of the surface. */
 static void check_area(enum primitive_kind kind)
 {
     struct primitive primitive = draw_emitting(kind, &state);
@@ -217,7 +223,7 @@ TEST(areas)
         check_area(emitting_kinds[i % EMITTING_KINDS]);
 }
 
-/* Where all parts of a surface are alike each weight is its area. */
+/* If all parts of a surface are alike, each weight is its area. */
 static void assert_every_weight(const struct primitive *primitive, double area)
 {
     struct emission_options options = { TRACE_VECTOR, 100, 100, false, NULL };
@@ -245,7 +251,7 @@ TEST(exact_areas)
     assert_every_weight(&box, 7);
 }
 
-/* The torus of massprops.csv, whose weights are not the same. */
+/* The torus of massprops.csv, whose weights differ. */
 TEST(torus_area)
 {
     struct primitive torus = { .kind = PRIMITIVE_TORUS, .shape.torus = { 1, .25 } };
@@ -261,7 +267,8 @@ TEST(torus_area)
 
 /* ---- The circle, and the cosine law ---------------------------------------- */
 
-/* A sphere's points and directions against their formulas in long doubles. */
+/* Points and directions of a sphere are compared with their formulas in long
+ * doubles. */
 TEST(accuracy)
 {
     struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
@@ -285,7 +292,7 @@ TEST(accuracy)
     assert_true(most < 3e-13);
 }
 
-/* D . n = sqrt (1 - u) of the third number, exactly that of the law. */
+/* D . n must be sqrt (1 - u), with u the third number, as the cosine law requires. */
 static void check_cosines(const struct emission_choice *choice,
                           const struct emitted_point *points, size_t count)
 {
@@ -335,7 +342,8 @@ TEST(cosine_law)
 
 /* ---- Both forms ------------------------------------------------------------ */
 
-/* The scalar form at once, the vector form in two pieces and other queues. */
+/* The scalar form in one call is compared with the vector form in two calls and other
+ * queues. */
 static void compare_forms(enum primitive_kind kind)
 {
     struct primitive primitive = draw_emitting(kind, &state);
@@ -363,8 +371,8 @@ TEST(forms)
 
 /* ---- Factors --------------------------------------------------------------- */
 
-/* From a disc about y, at y = 0, to a place at the height h: the share of the rays
- * that come through what lies within. */
+/* Returns the fraction of rays from a disc in the plane y = 0 that cross the plane y =
+ * height at a point for which `within` is true. */
 static double share_through(const struct primitive *primitive, double height,
                             bool (*within)(const double point[3]))
 {
@@ -514,7 +522,7 @@ static double clocks_a_point(const struct accounts *accounts, const char *region
     return (double)(accounts_clocks(&account) - waits) / MAX_EMISSION;
 }
 
-/* Of a run of the longest, without what pages cost. */
+/* Prints the clocks of a run of maximum length, without those of page faults. */
 static double print_clocks(const struct primitive *primitive, enum trace_mode mode,
                            size_t queue, c205_model *model)
 {

@@ -1,13 +1,14 @@
-/* test_engine.c - what a page is told of lessons, programs, instructions and traps; and
- * requests of all kinds, bad ones and mutated ones among them.
- */
+/* test_engine.c - replies of the engine to a page are compared with expected ones, for
+ * lessons, programs, instructions and traps, and for invalid and mutated requests. A
+ * wrong member, or a request that crashes the engine, fails here. */
 #include "asm/lesson/lesson.h"
 #include "base/json.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/engine_client.h"
 
-/* ---- What there is -------------------------------------------------------------------------- */
+/* ---- Static information
+ * --------------------------------------------------------------------- */
 
 TEST(about)
 {
@@ -65,7 +66,7 @@ TEST(load)
     talk_end(&talk);
 }
 
-/* The last instruction, and what the next is about to work on. */
+/* The last instruction, and the operands of the next. */
 TEST(instructions)
 {
     struct talk talk;
@@ -115,7 +116,7 @@ TEST(trap)
     talk_end(&talk);
 }
 
-/* ---- Bad requests --------------------------------------------------------------------------- */
+/* ---- Bad requests ---------------------------------------------------------------- */
 
 TEST(bad)
 {
@@ -209,7 +210,7 @@ TEST(bad)
     talk_end(&talk);
 }
 
-/* ---- Random requests ---------------------------------------------------------------------- */
+/* ---- Random requests ------------------------------------------------------------- */
 
 static const char *const seeds[] = {
     "{'do': 'about'}",
@@ -244,7 +245,7 @@ static const char *const values[] = {
 };
 enum { VALUES = COUNT(values) };
 
-/* What is behind a colon is another value. */
+/* Replaces the value after a random colon by another. */
 static void change_value(char *text, size_t size)
 {
     char *colon = text, copy[4096], *end;

@@ -1,12 +1,14 @@
-/* test_engine_slices.c - work in slices ends as the same work in one go, and what does not
- * end ends at its limit.
+/* test_engine_slices.c - requests that are done in slices are compared with the same
+ * requests in one piece, and endless programs with their limit. A slice that repeats or
+ * skips a step, or a program that never stops, fails here.
+ *
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/random_walk.h"
 #include "tests/unit/engine_client.h"
 
-/* Some 200,000 steps, calls among them. */
+/* About 200,000 steps, with calls. */
 static const char long_program[] = "        .include \"core.s\"\n"
                                    "        .regs r16, turns, to, link, place\n"
                                    "        .regs r24, inner, back, n\n"
@@ -76,7 +78,7 @@ TEST(slices)
     talk_end(&sliced);
 }
 
-/* A sweep and a comparison in slices tell the same. */
+/* A sweep and a comparison in slices give the same replies. */
 TEST(other_work)
 {
     static const char *const requests[] = {
@@ -104,7 +106,7 @@ TEST(other_work)
     talk_end(&sliced);
 }
 
-/* What does not end is stopped by the limit, and can be gone on with. */
+/* The limit stops an endless program, which can then be continued. */
 TEST(limit)
 {
     struct talk talk;

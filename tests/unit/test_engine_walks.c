@@ -1,5 +1,7 @@
-/* test_engine_walks.c - what a page is told after random walks, forward and back, beside
- * machines that were run for themselves; profiles, timelines and what was printed.
+/* test_engine_walks.c - replies of the engine after random moves, forward and backward,
+ * are compared with machines that run to the same step; so are profiles, timelines and
+ * output. State that an earlier move leaves over fails here.
+ *
  */
 #include "asm/line_profile.h"
 #include "asm/print.h"
@@ -9,12 +11,12 @@
 #include "tests/unit/plain_run.h"
 #include "tests/unit/engine_client.h"
 
-/* ---- A machine of its own ------------------------------------------------------- */
+/* ---- A separate machine -------------------------------------------------------- */
 
 struct fresh {
     c205 *machine;
     bool has_last;
-    c205_event last; /* without its record */
+    c205_event last; /* the `record` pointer is not kept */
     struct text_buffer printed;
     struct printer printer;
 };
@@ -30,7 +32,7 @@ static void keep_last(void *context, const c205 *machine, const c205_event *even
     fresh->last = *event;
 }
 
-/* So many steps from the beginning. */
+/* Runs a new machine for `steps` steps from the beginning. */
 static void fresh_run(struct fresh *fresh, const struct object *object, uint64_t steps)
 {
     c205_error error;
@@ -163,7 +165,7 @@ static void check_vectors(const struct json_value *view, const struct object *ob
     }
 }
 
-/* ---- Walks ------------------------------------------------------------------------ */
+/* ---- Walks ----------------------------------------------------------------------- */
 
 struct walk {
     struct talk talk;
@@ -203,7 +205,8 @@ static const char *why_at(const struct walk *walk, uint64_t step)
                                                               : "moved";
 }
 
-/* A line, and where it stands: at the first line from there on that has code. */
+/* Sets a break at a random line; it moves to the first line from there that has
+ * code. */
 static void choose_stop(struct walk *walk)
 {
     const struct object *object = walk->plain.object;
@@ -247,7 +250,7 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
     check_place(walk, how);
 }
 
-/* Forward to a stop behind one step, at most so many. */
+/* Moves forward to a stop after at least one step, by at most n steps. */
 static void go_on(struct walk *walk, const char *how, uint64_t n)
 {
     uint64_t step = plain_on(&walk->plain, &walk->stops, walk->step, n);
@@ -255,7 +258,7 @@ static void go_on(struct walk *walk, const char *how, uint64_t n)
     go(walk, how, n, step, why_at(walk, step));
 }
 
-/* Over a call, and all that it does. */
+/* Steps over a call, to the instruction after it. */
 static void go_next(struct walk *walk)
 {
     const struct plain *plain = &walk->plain;
@@ -312,7 +315,7 @@ static void move(struct walk *walk)
     }
 }
 
-/* Whoever is at the end already stays there, and is told so. */
+/* Makes random moves. A program that has ended moves backward first. */
 static void walk_by_chance(struct walk *walk, size_t moves)
 {
     for (size_t i = 0; i < moves; i++) {
@@ -360,9 +363,9 @@ TEST(walks)
     }
 }
 
-/* ---- Profiles and timelines ---------------------------------------------------------- */
+/* ---- Profiles and timelines ------------------------------------------------------ */
 
-/* The keys of causes in tables are their names with underscores. */
+/* Keys of causes in tables are their names with underscores. */
 static uint64_t column_sum(const struct json_value *rows, int cause)
 {
     char key[40];
@@ -374,7 +377,7 @@ static uint64_t column_sum(const struct json_value *rows, int cause)
     return sum;
 }
 
-/* Of the last reply. */
+/* Returns a copy of the last reply, which the caller frees. */
 static char *copy_of_reply(const struct talk *talk)
 {
     char *copy = malloc(strlen(talk->text) + 1);
@@ -403,7 +406,8 @@ static void check_profile(struct walk *walk)
     fresh_end(&fresh);
 }
 
-/* What the clock was charged to lies side by side, up to the last step that is known. */
+/* The charged pieces of the timeline must adjoin each other up to the last known
+ * step. */
 static void check_timeline(struct walk *walk)
 {
     const struct json_value *reply = talk_ask(&walk->talk,
@@ -432,7 +436,8 @@ static void check_timeline(struct walk *walk)
     assert_non_null(strstr(text_of(reply, "file"), "<svg"));
 }
 
-/* They leave the program where it stood, whether they are done or not. */
+/* Profiles and timelines, complete or not, must not change the position of the
+ * program. */
 TEST(replays)
 {
     enum { ROUNDS = 10, MOVES = 6 };
@@ -459,7 +464,7 @@ TEST(replays)
     }
 }
 
-/* Somebody has changed a register on the way: what is profiled is that run. */
+/* After a change of a register, the profile is that of the changed run. */
 TEST(changed)
 {
     struct talk talk;
@@ -483,8 +488,8 @@ TEST(changed)
     talk_end(&talk);
 }
 
-/* The output of the program is a text of its own here: an open line in it puts no
- * newline before the words of the debugger. */
+/* The page shows the program's output as a text of its own. An open line in it
+ * therefore causes no newline before the debugger's output. */
 TEST(open_line)
 {
     static const char text[] = "        ES r10, 9\n"
@@ -504,7 +509,7 @@ TEST(open_line)
     talk_end(&talk);
 }
 
-/* What is printed then is what that run prints. */
+/* After a change of a register, the output is that of the changed run. */
 TEST(changed_prints)
 {
     static const char text[] = "        ES r10, 9\n        EX r11, on\n"
@@ -530,7 +535,7 @@ TEST(changed_prints)
     talk_end(&talk);
 }
 
-/* A million characters are kept, of each run. */
+/* The engine keeps a million characters of output of each run. */
 TEST(cut)
 {
     static const char text[] =

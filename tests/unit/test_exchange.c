@@ -1,6 +1,6 @@
-/* test_exchange.c - what grey surfaces exchange is compared with known cases and with
- * elimination in long doubles, over random enclosures, in both forms.  A wrong
- * coefficient of the equations or a form of its own rounding fails here. */
+/* test_exchange.c - radiative exchange of grey surfaces is compared with known cases
+ * and with elimination in long doubles, over random enclosures, in both forms. A wrong
+ * coefficient of the equations or a different rounding in one form fails here. */
 #include <math.h>
 
 #include "rt/heat/exchange.h"
@@ -11,7 +11,7 @@
 #define SIGMA 5.670374419e-8
 enum { MAX = 70 };
 
-/* Surfaces, and the factors between them. */
+/* Surfaces and the factors between them. */
 struct enclosure {
     size_t count;
     double area[MAX], emissivity[MAX], temperature[MAX];
@@ -29,7 +29,7 @@ static struct exchange_given given_of(const struct enclosure *enclosure,
                                            .outside = enclosure->outside);
 }
 
-/* The same in both forms, to the bit. */
+/* Solves in both forms; the radiosities must have the same bits. */
 static void solve(const struct enclosure *enclosure, struct exchange *vector)
 {
     struct exchange_given given = given_of(enclosure, TRACE_VECTOR);
@@ -91,7 +91,8 @@ TEST(cube)
     assert_near(exchange.sum, 0, 36940);
 }
 
-/* Of the tube, a fin and the other one, and what comes out of the opening. */
+/* The three surfaces are the tube and two fins. Compares the emission through the
+ * opening. */
 static void check_bay(double emissivity, double expected)
 {
     double pi = acos(-1), r1 = 1, r2 = 1.8, length = .7;
@@ -125,7 +126,8 @@ TEST(finned_bay)
 
 /* ---- Random cases -------------------------------------------------------------- */
 
-/* Of exchange areas that are alike both ways; of areas, what closes the rows. */
+/* Draws symmetric exchange areas. Each surface's area is the sum of its row, so that
+ * its factors sum to 1. */
 static void draw(struct enclosure *enclosure, uint64_t *random)
 {
     size_t n = enclosure->count = (size_t)xorshift_between(random, 1, MAX);
@@ -151,7 +153,7 @@ static void draw(struct enclosure *enclosure, uint64_t *random)
     }
 }
 
-/* Radiosities by elimination with pivots, row by row. */
+/* Computes radiosities by elimination with pivoting. */
 static void eliminate(const struct enclosure *enclosure, long double radiosity[MAX])
 {
     static long double rows[MAX][MAX + 1];

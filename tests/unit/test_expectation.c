@@ -1,5 +1,6 @@
-/* test_expectation.c - what a program expects of itself: what is so passes, and
- * what is beside it fails. */
+/* test_expectation.c - expectations of a program are compared with its results: every
+ * kind of expectation, correct and slightly wrong. A wrong expectation that passes, or
+ * a correct one that fails, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/expect.h"
@@ -15,7 +16,7 @@ static const char program[] = " .include \"print.s\"\n"
                               " print_integer r10\n"
                               " EXIT\n";
 
-/* Whether the program does what one line expects. */
+/* Runs the program with one expectation. Returns whether it holds. */
 static bool holds(const char *expectation)
 {
     char text[600];
@@ -68,7 +69,7 @@ TEST(expectations)
     }
 }
 
-/* Beyond a page, where there is no memory. */
+/* An expectation of an unmapped address fails. */
 TEST(unmapped)
 {
     assert_false(holds("expect: [0x7000000000] = 0"));

@@ -1,14 +1,14 @@
 /* test_faces.c - faces that coincide, or nearly, and rays in a face: the frames of all
- * stages are compared with each other and with the rules of docs/solids.md.  A face
- * that another stage shows, or an event that the vector form leaves out, fails here. */
+ * stages are compared with each other and with the rules of docs/solids.md. A face that
+ * differs between stages, or an event that the vector form misses, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-/* The middle ray is the z axis from -5 on; a lamp is on it. */
+/* The middle ray is the z axis, starting at z = -5; a light is on it. */
 #define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
 
-/* What the middle ray meets: a primitive, from 1 (0: none), and how far away
- * it is. */
+/* The hit of the middle ray: the id of the primitive, from 1 (0: none), and the
+ * distance. */
 struct sight {
     const char *text;
     int64_t id;
@@ -63,7 +63,8 @@ static void check_sights(const struct sight *sights, size_t count)
 
 /* --- faces that coincide -------------------------------------------------- */
 
-/* Faces 5e-8 apart are one, at 2e-7 they are two: k_delta lies between. */
+/* k_delta is between 5e-8 and 2e-7: faces 5e-8 apart coincide, faces 2e-7 apart do
+ * not. */
 TEST(coincident)
 {
     static const struct sight sights[] = {
@@ -106,16 +107,16 @@ TEST(alone)
         { "cylinder { -y, 0, 1 }", 1, 4 },
         { "cylinder { <0, 1, -1>, <0, 1, 1>, 1 }", 1, 4 },
         { "cone { -y, 1, 0, .5 }", 1, 4.5 },
-        /* rays along a line of its side */
+        /* rays along a line of the cone's side */
         { "cone { <1, .5, -4>, 0, <1, .625, -4>, 1 }", 0, 0 },
-        { "plane { y, 0 }", 0, 0 }, /* entered nowhere */
+        { "plane { y, 0 }", 0, 0 }, /* never entered */
         { "plane { -y, 0 }", 0, 0 },
     };
 
     check_sights(sights, COUNT(sights));
 }
 
-/* The face belongs to both that share it. */
+/* The last of the parts that share the face gives it. */
 TEST(intersection)
 {
     static const struct sight sights[] = {
@@ -132,7 +133,7 @@ TEST(intersection)
     check_sights(sights, COUNT(sights));
 }
 
-/* What is taken away takes its faces with it. */
+/* A subtracted part removes the faces that coincide with its own. */
 TEST(difference)
 {
     static const struct sight sights[] = {
@@ -161,7 +162,8 @@ TEST(merge)
 {
     static const struct sight sights[] = {
         { "merge { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2, 3 },
-        { "merge { " ABOVE "plane { y, 0 } }", 0, 0 }, /* all is inside */
+        { "merge { " ABOVE "plane { y, 0 } }", 0, 0 }, /* the ray is inside all the
+                                                        * way */
         { "difference { box { -2, 2 } merge { " ABOVE
           "box { <-1, -1, -3>, <1, 0, -.5> } } }",
           2, 6 },
@@ -172,13 +174,13 @@ TEST(merge)
 
 /* --- nearly parallel ------------------------------------------------------ */
 
-/* A box on a floor that falls, or rises, by so much along z: the ray is above
- * it from z = 0 on, or up to there, if it crosses it at all. */
+/* A box with a floor of the given slope along z. If the ray crosses the floor, it is
+ * above it from z = 0 on, or up to z = 0. */
 #define SLANTED(slope) \
     "box { <-1, 0, -2>, 2 matrix <1, 0, 0, 0, 1, 0, 0, " slope ", 1, " \
     "0, 0, 0> } "
 
-/* Within k_tiny a ray is parallel, and where it starts decides. */
+/* A ray whose slope is below k_tiny counts as parallel; its origin decides. */
 TEST(nearly_parallel)
 {
     static const struct sight sights[] = {

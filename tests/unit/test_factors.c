@@ -1,8 +1,9 @@
-/* test_factors.c - visible areas of solids, and shape factors between surfaces, by rays
- * that the machine emits, are compared with closed forms.  A biased ray, a repeat that
- * is cut in the wrong place or a row that does not close fails here.
+/* test_factors.c - visible areas of solids and shape factors between surfaces,
+ * estimated with rays that the machine emits, are compared with closed forms. A biased
+ * ray, a repeat that is cut in the wrong place or a row that does not close fails here.
  *
  *     test_factors [SEED]
+ *
  */
 #include "rt/heat/factors.h"
 #include "rt/heat/packet.h"
@@ -40,7 +41,8 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
     return row;
 }
 
-/* Errors come of 16 repeats: 4.6 of them are as rare as 4 of a normal law's. */
+/* The error is estimated from 16 repeats: 4.6 errors are as rare as 4 of a normal
+ * distribution. */
 static void assert_estimate(const char *what, struct estimate found, double expected)
 {
     if (!(fabs(found.value - expected) <= 4.6 * found.error + 1e-9 * fabs(expected)))
@@ -49,7 +51,7 @@ static void assert_estimate(const char *what, struct estimate found, double expe
 
 /* ---- Areas ------------------------------------------------------------------ */
 
-/* Of massprops.csv. */
+/* Areas of massprops.csv. */
 static const struct {
     const char *solid;
     double area;
@@ -67,7 +69,7 @@ static const struct {
       " box { <-1/6,-1/6,-1>, <1/6,1/6,1> } }",
       8 },
     { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
-    /* By lines, for they have no emission. */
+    /* These have no emission and use lines. */
     { "prism { -1, 1, 4, <-1,-1>, <1,-1>, <1,1>, <-1,1> scale <1,2,.5> }", 28 },
     { "intersection { sphere { 0, 1 } plane { x, .5 } }", 11.7809724509617 },
     { "lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> }", 16.8204074037407 },
@@ -95,7 +97,7 @@ TEST(areas)
         check_area(solids[i].solid, solids[i].area);
 }
 
-/* A body of triangles radiates outward, in whatever order their corners are. */
+/* A body of triangles radiates outward, whatever the order of their corners. */
 TEST(meshes)
 {
     static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>", "<-1, 1, -1>",
@@ -116,7 +118,7 @@ TEST(meshes)
         SCOPED_VALUE(factor_row) row = find(factors, 0);
         assert_estimate(text, row.area, 8 * sqrt(3));
         assert_int_equal(row.sent, row.tried);
-        assert_int_equal(row.count[1], row.sent); /* it sees nothing of itself */
+        assert_int_equal(row.count[1], row.sent); /* the body does not see itself */
     }
 }
 
@@ -144,7 +146,8 @@ static size_t first_with(const struct grid_box *boxes, const int cell[3])
     return i;
 }
 
-/* Faces of cells that look into the open: each is of the first box that ends there. */
+/* Counts the exposed faces of cells. A cell belongs to the first box that contains
+ * it. */
 static void count_faces(const struct grid_box *boxes, double faces[BOXES])
 {
     for (int i = 0; i < SIDE * SIDE * SIDE; i++)
@@ -205,8 +208,8 @@ TEST(crowds)
 
 /* ---- Factors ------------------------------------------------------------------ */
 
-/* Of viewfactors.csv, by the places of emitter and receiver in the scene; behind
- * the last primitive is the environment. */
+/* Factors of viewfactors.csv, by the indices of emitter and receiver in the scene. The
+ * index after the last primitive is the environment. */
 struct known_factor {
     size_t from, to;
     double factor;
@@ -223,8 +226,8 @@ static void check_factors(const char *text, const struct known_factor *known,
     }
 }
 
-/* Squares and discs that see each other; a bay of a finned tube; the inside of a
- * shell around a ball. */
+/* Squares and discs that see each other, a bay of a finned tube, and a shell around a
+ * ball. */
 TEST(known_factors)
 {
     static const struct known_factor parallel[] = { { 0, 1, 0.1998248956984 },
@@ -255,11 +258,12 @@ TEST(known_factors)
                   shell, COUNT(shell));
 }
 
-/* ---- No bias ---------------------------------------------------------------------- */
+/* ---- No bias --------------------------------------------------------------------- */
 
 enum { SEEDS = 64 };
 
-/* Under many seeds the mean is the factor, within what their spread says of it. */
+/* The mean over many seeds must be the factor, within the standard error of the
+ * mean. */
 static void check_bias(const struct scene *scene, bool lattice)
 {
     struct factors_options options = usual;
@@ -303,7 +307,7 @@ static void compare_rows(const struct scene *scene, struct factors_options optio
     assert_memory_equal(&row.area, &expected->area, sizeof row.area);
 }
 
-/* Of the second primitive. */
+/* Compares the forms and queues for the second primitive. */
 static void check_forms(const char *text)
 {
     static const size_t queues[] = { 1, 77, 300, 300, 65535 };
@@ -326,7 +330,7 @@ static void check_forms(const char *text)
     }
 }
 
-/* By its emission, and by lines through it. */
+/* A solid with an emission, and one that needs lines. */
 TEST(forms)
 {
     check_forms(
@@ -339,7 +343,7 @@ TEST(forms)
 
 /* ---- What is refused ------------------------------------------------------------- */
 
-/* The rays of a repeat's points, from half to half. */
+/* Counts the rays of a repeat in two halves. */
 static void count_halves(const struct packet_programs *programs,
                          struct packet_choice choice, uint64_t *counts)
 {
@@ -365,7 +369,8 @@ static void count_halves(const struct packet_programs *programs,
     source_free(source);
 }
 
-/* More points than a vector holds: wherever a repeat is cut, its rays are the same. */
+/* A repeat of more points than a vector holds: its rays do not depend on where it is
+ * cut. */
 TEST(pieces)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");

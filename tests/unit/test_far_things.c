@@ -1,6 +1,6 @@
 /* test_far_things.c - lights, cameras, objects and textures at distances and of sizes
  * up to 10^30: the frames of every form, with and without bounds, are compared with
- * each other.  A sum that overflows in one form alone fails here. */
+ * each other. A sum that overflows in one form alone fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -8,7 +8,7 @@ enum { SCENES = 30 };
 
 static char text[1 << 14];
 
-/* Mostly ordinary. */
+/* Two of three sizes are ordinary. */
 static double any_size(void)
 {
     return among(0, 2) > 0 ? between(.5, 3) : pow(10, between(-12, 30));
@@ -125,7 +125,7 @@ static void make_scene(void)
         add_object();
 }
 
-/* NULL: one form reports an error, and so do all. */
+/* Returns NULL if the form reports an error; then every form must. */
 static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
                               size_t queue, bool no_bounds, bool flat)
 {

@@ -1,6 +1,6 @@
 /* test_fit.c - the observations, free constants and runs of the fit are compared with
- * values that are worked out by hand and with runs of more rays.  A wrong unit, a
- * region that is not counted or a report at another place fails here. */
+ * values computed by hand and with runs of more rays. A wrong unit, a region that is
+ * not counted or a report at another place fails here. */
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
 #include "rt/study/fit/unidentifiable.h"
@@ -32,7 +32,7 @@ static struct run_options small(void)
     return how;
 }
 
-/* A file of that text; the caller removes it. */
+/* Writes a file of that text, which the caller removes. */
 static const char *file_of(const char *text)
 {
     static const char path[] = "test_fit.csv";
@@ -58,8 +58,8 @@ static double clocks_of_rows(const struct fit_run *run)
     return sum;
 }
 
-/* The scalar clocks of 640 rays, scaled, are within 1 percent of those of
- * 25,000; the same frame of rt205 speedup shows the same clocks. */
+/* The scaled scalar clocks of 640 rays are within 1 percent of those of 25,000 rays.
+ * The same frame of rt205 speedup has the same clocks. */
 TEST(fewer_rays)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -90,7 +90,7 @@ TEST(fewer_rays)
 
 #define HEAD "name,program,machine,value,unit,uncertainty,shared,source,use\n"
 
-/* What the machine shows of the only observation in a file. */
+/* Returns the prediction for the only observation of a file. */
 static double predicted(const char *row)
 {
     SCOPED_VALUE(observations) all = { 0 };
@@ -114,7 +114,7 @@ static double predicted(const char *row)
     return value;
 }
 
-/* An addition alone takes 51 + n / 2 clocks of 20 ns on two pipes. */
+/* A single addition takes 51 + n / 2 clocks of 20 ns on two pipes. */
 TEST(units)
 {
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
@@ -140,7 +140,7 @@ TEST(units)
                 100);
 }
 
-/* As file:line:column: message. */
+/* Compares the only report, as file:line:column: message. */
 static void check_found(struct diagnostics *found, const char *message)
 {
     char text[200];
@@ -192,8 +192,8 @@ TEST(refused)
 
 /* ---- Photons ------------------------------------------------------------ */
 
-/* The numbers that the photons of photons.s draw, counted with the host's
- * doubles and its own logarithm. */
+/* Returns the count of random numbers that the photons of photons.s draw, computed with
+ * doubles and the logarithm of the host. */
 static double photon_draws(void)
 {
     double draws = 0;
@@ -227,7 +227,7 @@ static double region_clocks(const struct fit_run *run, const char *region,
     return 0;
 }
 
-/* How much longer a form takes when a SWAP does by a clock. */
+/* Returns the increase of a form's clocks if SWAP takes one clock more. */
 static double slower_swaps(const struct fit_run *run, const char *form)
 {
     static const c205_setting swaps[] = { { "latency.swap", 15 },
@@ -244,8 +244,8 @@ static struct fit_run *photons(const char *program)
     return run;
 }
 
-/* With a function of its own the scalar form swaps registers twice for each
- * number; nothing else does.  Rounding and the short logarithm move hardly a
+/* With its own random function, the scalar form swaps registers twice for each number;
+ * no other code swaps. Rounding and the short logarithm change the path of hardly any
  * photon. */
 TEST(photons)
 {
@@ -359,7 +359,7 @@ static bool is_among(const struct untouched_list *untouched, const char *name,
     return false;
 }
 
-/* Of a fit to additions alone; a gather is only compared. */
+/* A fit to additions alone; a gather is only compared. */
 TEST(untouched)
 {
     static struct constants constants;

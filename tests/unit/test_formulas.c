@@ -1,10 +1,10 @@
 /* test_formulas.c - random functions that a scene declares are compared with their
- * bodies as expressions of the scene, bit for bit.  A wrong operator, rank or
- * parameter, or a later declaration that counts, fails here. */
+ * bodies as expressions of the scene, bit for bit. A wrong operator, precedence or
+ * parameter, or the effect of a later declaration, fails here. */
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-/* An expression of floats that exists everywhere. */
+/* Writes an expression of floats that is defined for all values. */
 static void put_formula(FILE *text, uint64_t *random, int depth)
 {
     static const char *const forms[] = { "#",
@@ -53,8 +53,8 @@ static char *formula_by_chance(uint64_t *random)
     return formula;
 }
 
-/* The value of a function is that of its body where its parameters are names,
- * bit for bit; what is declared later does not change it. */
+/* The value of a function must be that of its body with the parameters declared as
+ * names, bit for bit. Later declarations do not change it. */
 TEST(by_chance)
 {
     enum { FORMULAS = 500 };
@@ -78,7 +78,7 @@ TEST(by_chance)
     }
 }
 
-/* Formulas of formulas take as long as they are reckoned. */
+/* Nested functions can need exponential time, so the reader limits their evaluation. */
 TEST(long_ones)
 {
     static char text[20000];

@@ -1,7 +1,7 @@
-/* test_frame_pixel.c - the queue of a pixel: its depth and the causes of its clocks
- * are compared with the frame and its accounts, its rays in all vectors with each
- * other and the picture, and the band under a debugger with one that runs alone.  A
- * ray in another lane, or a queue of other clocks, fails here. */
+/* test_frame_pixel.c - the queue of a pixel: its depth and the causes of its clocks are
+ * compared with the frame and its accounts, its rays in all vectors with each other and
+ * the picture, and the band under a debugger with one that runs alone. A ray in another
+ * lane, or a queue with other clocks, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -27,7 +27,7 @@ static struct trace_options some_options(enum trace_mode mode)
                                           .order = (enum trace_order)some(0, 2));
 }
 
-/* One after another. */
+/* Returns the scenes in turn. */
 static struct scene *some_scene(void)
 {
     static size_t next;
@@ -62,7 +62,7 @@ static struct scene *some_scene(void)
 
 /* ---- What the machine has when ------------------------------------------- */
 
-/* Between two instructions. */
+/* Returns the band's machine at an instruction boundary near the clock. */
 static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
 {
     c205_error error;
@@ -91,7 +91,7 @@ static c205_word sample(const struct frame_pixel *pixel, const c205 *machine,
     return word;
 }
 
-/* The depth comes where the ray is shaded, not before and not later. */
+/* The depth is stored while the ray is shaded, not before or after. */
 static void check_depth(const struct frame_pixel *pixel,
                         const struct clock_stretch *stretch)
 {
@@ -137,8 +137,8 @@ static void check_sums(const struct frame_pixel *pixel,
         assert_int_equal(clocks[cause], 0);
 }
 
-/* A stretch of a region is within the queue's; control is there in its clocks, and not before
- * in the queue. */
+/* The clocks of a region must lie within those of the queue. Control is in the region
+ * during them, and not earlier in the queue. */
 static void check_region(const struct frame_pixel *pixel,
                          const struct clock_stretch *queue)
 {
@@ -189,16 +189,16 @@ TEST(queues)
 
 enum { MAX_POINTS = 400 };
 
-/* What is known of a pixel while its band is traced. */
+/* The known values of a pixel while its band is traced. */
 struct following {
     const struct frame_pixel *pixel;
-    struct pixel_element ray[32]; /* of the queue, of the ray that is told */
+    struct pixel_element ray[32]; /* elements of the queue that hold the current ray */
     size_t ray_count;
-    bool shaded; /* the hits have their points, directions and colours */
-    size_t lists[3], near, hits; /* so much has been told of */
+    bool shaded;                 /* the hits have points, directions and colours */
+    size_t lists[3], near, hits; /* counts of elements reported so far */
     c205_word points[MAX_POINTS][3], colour[3];
     size_t point_count;
-    bool crossed; /* a kernel has found a crossing where the picture has the hit */
+    bool crossed; /* a kernel found a crossing at the picture's hit */
 };
 
 static c205_word ray_word(const struct following *following, const char *vector)
@@ -216,7 +216,7 @@ static c205_word channel_of(const struct frame_pixel *pixel, enum frame_channel 
                          channel)[pixel->y * trace_how(pixel->trace)->width + pixel->x];
 }
 
-/* A vector of other rays, and the queue's that has the same of them. */
+/* Compares an element with the queue's vector of the same quantity. */
 static void check_same(struct following *following, const struct pixel_element *element)
 {
     static const char *const same[][2] = {
@@ -254,7 +254,7 @@ static void keep_point(struct following *following, const struct pixel_element *
     }
 }
 
-/* What is reflected begins where something was hit. */
+/* A reflected or refracted ray begins at an earlier hit. */
 static void check_origin(const struct following *following)
 {
     const c205_word origin[] = { ray_word(following, "aox"), ray_word(following, "aoy"),
@@ -293,7 +293,7 @@ static uint64_t label(const struct frame_pixel *pixel, const char *name)
     return symbol ? (uint64_t)symbol->value : 0;
 }
 
-/* Where a queue is to be shaded: what its ray has met is what the picture has. */
+/* Before a queue is shaded, the hit of its ray must be that of the picture. */
 static void check_met(const struct following *following)
 {
     const struct frame_pixel *pixel = following->pixel;
@@ -304,7 +304,8 @@ static void check_met(const struct following *following)
                          channel_of(pixel, CHANNEL_DEPTH));
 }
 
-/* Where a region is left or entered, where a queue is shaded, and now and then. */
+/* Checks the rays where a region is left or entered, where a queue is shaded, and at
+ * other steps. */
 static void check_rays(struct following *following)
 {
     const struct frame_pixel *pixel = following->pixel;
@@ -333,7 +334,8 @@ static void check_rays(struct following *following)
     } while (c205_step(machine, &stop));
 }
 
-/* A sphere and a plane are met by kernels, whose crossings are the rays'. */
+/* In scenes of a sphere and a plane, kernels find every hit; the crossing must be that
+ * of the ray. */
 static void check_crossings(const struct following *following,
                             const struct scene *scene)
 {
@@ -343,7 +345,7 @@ static void check_crossings(const struct following *following,
         assert_true(following->crossed);
 }
 
-/* Without mirrors and glass the colour of the hit is the pixel's. */
+/* Without mirrors and glass the colour of the hit is that of the pixel. */
 static void check_colour(const struct following *following)
 {
     const struct frame_pixel *pixel = following->pixel;
@@ -405,7 +407,7 @@ static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
         assert_int_equal(c205_clock(machine), trace_accounts(pixel->trace)->clocks);
 }
 
-/* Forth and back to the queue of a pixel, and to the end. */
+/* A debugger session moves forward and back to the queue of a pixel, and to the end. */
 static void check_session(enum trace_mode mode)
 {
     struct scene *scene = some_scene();

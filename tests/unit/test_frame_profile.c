@@ -1,6 +1,6 @@
 /* test_frame_profile.c - the profile of a frame, line by line of its kernels, is
  * compared with the frame's accounts, region by region and cause by cause, for any
- * number of bands at a time.  A clock of another line, or one that is lost, fails
+ * number of concurrent bands. A clock of another line, or one that is lost, fails
  * here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
@@ -17,7 +17,7 @@ static uint64_t random_state = RANDOM_SEED;
 enum { MAX_MODELS = 16 };
 static struct {
     size_t count;
-    c205_model *list[MAX_MODELS]; /* on which programs run */
+    c205_model *list[MAX_MODELS]; /* models of the programs */
 } models;
 
 FIXTURE(find_models)
@@ -87,7 +87,7 @@ static void check_region(const struct line_profile *profile,
     assert_int_equal(sum.elements, account->elements);
 }
 
-/* No line is in a region that the accounts lack, for both have the same sum. */
+/* Equal sums imply that no line is in a region that the accounts lack. */
 static void check_sums(const struct line_profile *profile,
                        const struct accounts *accounts, const char *what)
 {
@@ -113,7 +113,8 @@ static char *table_text_of(const struct line_profile *profile, struct profile_vi
     return text;
 }
 
-/* The listing, which the caller frees. */
+/* Compares the profile with the accounts. Returns the listing, which the caller
+ * frees. */
 static char *check_frame(const struct scene *scene, struct trace_options options,
                          const char *what)
 {
@@ -166,7 +167,7 @@ TEST(scenes)
     assert_true(count > 60);
 }
 
-/* In all stages, whatever the number of bands at a time. */
+/* All stages, for every number of concurrent bands. */
 TEST(jobs)
 {
     static const char *const paths[] = { "scenes/first.pov", "scenes/rings.pov",
@@ -184,7 +185,7 @@ TEST(jobs)
     }
 }
 
-/* Regions from the hottest on, lines of each likewise. */
+/* Regions, and lines of a region, are sorted by descending clocks. */
 TEST(order)
 {
     SCOPED(scene) *scene = read_file("scenes/first.pov");

@@ -1,7 +1,9 @@
-/* test_functions.c - the routines of asm/lib: equal bits of both forms, in strips and in place,
- * and as near to the exact values as docs/functions.md says.
+/* test_functions.c - results of the routines of asm/lib are compared between both
+ * forms, bit for bit, in strips and in place, and with exact values, within the errors
+ * of docs/functions.md. A form with another rounding, or a larger error, fails here.
  *
  *     test_functions [TRIES [SEED]]
+ *
  */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/oracle/chance.h"
@@ -22,9 +24,9 @@ static const struct function {
     const char *name;
     int arguments;
     exact_function *exact;
-    double units;   /* of the last place, that a result is off at most; of a power for
-                     each of 1 + |y| / 32 */
-    double near[3]; /* about multiples of these it is delicate */
+    double units;   /* largest error in units of the last place; for powers, per 1 + |y|
+                     * / 32 */
+    double near[3]; /* multiples of these numbers are critical arguments */
 } functions[] = {
     { "exp", 1, exact_exp, 2, { 0.34657359027997264, 19873.7, 1 } },
     { "log", 1, exact_log, 3, { 0.70710678118654757, 1, 2 } },
@@ -56,7 +58,7 @@ static c205_word special(void)
     return words[below(&state, COUNT(words))];
 }
 
-/* A few units of the last place from a multiple. */
+/* Returns a word within two units of the last place of a multiple of `near`. */
 static c205_word beside(double near)
 {
     double number = near * (double)xorshift_between(&state, -40, 40);
@@ -83,7 +85,8 @@ static c205_word draw(const struct function *function)
     }
 }
 
-/* Pairs of a kind: of one size, or each other's negative, or one of them zero. */
+/* Draws the second argument: equal or close to the first, its negative, zero, or
+ * others. */
 static c205_word draw_second(const struct function *function, c205_word first)
 {
     uint64_t flags = 0;
@@ -133,7 +136,8 @@ static const char text[] = "        .equ    F_STRIP, %d\n"
                            "        call    v%s, f_link, f_target\n"
                            "        EXIT\n";
 
-/* Computes count results of each form: of numbers, and of vectors, which go to a label. */
+/* Arguments and results of the scalar form and of the vector form; the vector's results
+ * go to a label. */
 struct both {
     size_t count;
     c205_word x[MAX], y[MAX];
@@ -171,7 +175,7 @@ static void compute(const char *name, const char *file, const char *result)
     copy_words(machine, object, "rests", both.rest, false);
     copy_words(machine, object, result, both.vector, false);
     copy_words(machine, object, "others", both.other, false);
-    /* What the vectors were described by is as it was. */
+    /* The registers with the vectors' descriptors are unchanged. */
     assert_int_equal(c205_register(machine, 212) >> 48, n);
     assert_int_equal(c205_register(machine, 212) << 16 >> 16,
                      object_symbol(object, result)->value);
@@ -195,10 +199,10 @@ static void check_forms(const char *name)
 
 struct errors {
     double least, most; /* in units of the last place */
-    size_t count;       /* of results that are numbers */
+    size_t count;       /* of numeric results */
 };
 
-/* Whether a result must be indefinite, whatever its exact value. */
+/* Returns whether the result must be indefinite. */
 static bool has_none(const struct function *function, const mpfr_t x, const mpfr_t y)
 {
     if (mpfr_nan_p(x) || (function->arguments == 2 && mpfr_nan_p(y)))
@@ -214,13 +218,13 @@ static bool has_none(const struct function *function, const mpfr_t x, const mpfr
     return false;
 }
 
-/* What the errors of a power grow with. */
+/* Returns the factor by which the error of a power grows. */
 static double factor_of(const struct function *function, const mpfr_t y)
 {
     return function->exact == exact_power ? 1 + fabs(mpfr_get_d(y, MPFR_RNDN)) / 32 : 1;
 }
 
-/* As a word has it; of zero less than all. */
+/* Returns the exponent that a word of this value has; that of zero is below all. */
 static long exponent_of(const mpfr_t exact)
 {
     return mpfr_zero_p(exact) ? LONG_MIN / 2 : (long)mpfr_get_exp(exact) - 47;
@@ -249,7 +253,7 @@ static void check_value(const struct function *function, size_t i, const mpfr_t 
     errors->count++;
 }
 
-/* What is too small to be normalised counts as 0. */
+/* Sets the value of a word; one that is too small to be normalised is 0. */
 static void value_of(mpfr_t value, c205_word word)
 {
     uint64_t flags = 0;
@@ -258,7 +262,7 @@ static void value_of(mpfr_t value, c205_word word)
                  oracle_add_normalised(&oracle_full, word, C205_MACHINE_ZERO, &flags));
 }
 
-/* What atan2 adds and subtracts, and power multiplies, may be out of range. */
+/* Sums in atan2 and products in power may be out of range for these arguments. */
 static bool overflows(const struct function *function, const mpfr_t x, const mpfr_t y)
 {
     long least = EXPONENTS - AT_END;
@@ -291,7 +295,7 @@ static void check_result(const struct function *function, size_t i,
         else if (exponent_of(exact) < -EXPONENTS - AT_END)
             good = word == C205_MACHINE_ZERO;
         else if (labs(exponent_of(exact)) > EXPONENTS - AT_END)
-            good = true; /* either side */
+            good = true; /* either result is allowed near the limit */
         else
             check_value(function, i, exact, factor_of(function, y), errors);
     }
@@ -327,7 +331,7 @@ TEST(errors)
     }
 }
 
-/* Vectors of all lengths about those of strips. */
+/* Vectors of all lengths near multiples of a strip. */
 TEST(lengths)
 {
     for (size_t count = 0; count < 3 * STRIP; count += count % 7 + 1) {
@@ -370,7 +374,7 @@ static int64_t draw_integer(void)
     return one_in(&state, 6) ? most : xorshift_between(&state, -most, most);
 }
 
-/* What a word is, cut to an integer; false: it has none of less than 2^47. */
+/* Truncates a word to an integer. Returns false if its magnitude is not below 2^47. */
 static bool is_integer(c205_word word, int64_t *integer)
 {
     uint64_t flags = 0;
@@ -405,7 +409,7 @@ TEST(quotients)
     both.count = tries;
     for (size_t i = 0; i < tries; i++) {
         int64_t y = draw_integer();
-        /* Where a quotient cut wrongly would show: beside a multiple. */
+        /* Near a multiple of y a wrongly truncated quotient shows. */
         int64_t times = y ? draw_integer() / y : 0;
         int64_t x = one_in(&state, 2) ? times * y : draw_integer();
 
@@ -430,7 +434,8 @@ TEST(quotients)
 
 /* ---- Constants ----------------------------------------------------------- */
 
-/* The word not above a value: as the assembler has it of a decimal. */
+/* Returns the largest word that is not above a value, as the assembler converts a
+ * decimal. */
 static c205_word word_below(const mpfr_t value)
 {
     mpfr_t cut;
@@ -469,8 +474,8 @@ TEST(polynomials)
     object_free(object);
 }
 
-/* The factors of power.s, and what their logarithms are: the first 30 digits behind the point,
- * and the others. */
+/* The factors of power.s, and their logarithms in two parts: the first 30 binary digits
+ * after the point, and the rest. */
 TEST(factors)
 {
     enum { FACTORS = 33 };

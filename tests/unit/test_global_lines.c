@@ -1,8 +1,9 @@
 /* test_global_lines.c - areas and factors from lines through a whole scene are compared
- * with closed forms, with what holds exactly, and between both forms bit for bit.  A
- * crossing that is counted twice or for another pair of surfaces fails here.
+ * with closed forms, with identities that hold exactly, and between both forms bit for
+ * bit. A crossing that is counted twice or for another pair of surfaces fails here.
  *
  *     test_global_lines [SEED]
+ *
  */
 #include "rt/heat/global_lines.h"
 
@@ -31,7 +32,8 @@ static struct global_lines find(const char *text, struct global_lines_options op
     return found;
 }
 
-/* Errors come of 16 repeats: 4.6 of them are as rare as 4 of a normal law's. */
+/* The error is estimated from 16 repeats: 4.6 errors are as rare as 4 of a normal
+ * distribution. */
 static void assert_estimate(const char *what, struct estimate found, double expected)
 {
     if (!(fabs(found.value - expected) <= 4.6 * found.error + 1e-9 * fabs(expected)))
@@ -53,7 +55,8 @@ static void assert_exact(const struct global_lines *found)
 
 /* ---- Closed forms ------------------------------------------------------------ */
 
-/* A ball in a shell sees that alone; the shell sees the ball by its share of the area. */
+/* A ball in a shell sees the shell alone. The shell sees the ball in the ratio of their
+ * areas. */
 TEST(shell)
 {
     SCOPED_VALUE(global_lines) found =
@@ -69,7 +72,8 @@ TEST(shell)
     assert_estimate("outside", global_lines_factor(&found, 1, 3), 1);
 }
 
-/* Two sides of each disc: half of what is known for those that face each other. */
+/* Each disc has two sides, so the factor is half of the known one between facing
+ * sides. */
 TEST(discs)
 {
     SCOPED_VALUE(global_lines) found = find("disc { 0, z, 1 } disc { z, z, 1 }", usual);
@@ -80,7 +84,7 @@ TEST(discs)
     assert_estimate("none", global_lines_factor(&found, 0, 0), 0);
 }
 
-/* Areas of massprops.csv, of surfaces that cut each other. */
+/* Areas of massprops.csv, of surfaces that intersect. */
 TEST(areas)
 {
     static const struct {
@@ -92,7 +96,7 @@ TEST(areas)
           7.37699111843078 },
         { "merge { sphere { -.5*x, 1 } sphere { .5*x, 1 } }", 18.8495559215388 },
         { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
-        { "box { 0, 1 } box { x, <2,1,1> }", 10 }, /* they touch */
+        { "box { 0, 1 } box { x, <2,1,1> }", 10 }, /* touching faces */
     };
 
     for (size_t s = 0; s < COUNT(solids); s++) {

@@ -1,6 +1,6 @@
-/* test_heat.c - the rounds of heat are compared with the error that is asked for, and
- * runs with each other.  A run that stops too early, or two different ones that count
- * as the same, fail here. */
+/* test_heat.c - the rounds of a heat computation are compared with the requested error,
+ * and runs with each other. A run that stops too early, or different runs that are
+ * considered the same, fail here. */
 #include "rt/heat/heat.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
@@ -31,7 +31,8 @@ static size_t random_of(const char *text, const struct heat_request *request,
     return heat.drawn;
 }
 
-/* Four times as many until the limit, which is drawn itself; lines in powers of two. */
+/* Each round has four times as many points, up to the limit, which has a round of its
+ * own. Lines are drawn in powers of two. */
 TEST(rounds)
 {
     struct heat_request request = usual();
@@ -50,8 +51,8 @@ TEST(rounds)
     assert_int_equal(random_of(balls, &request, true), 16);
 }
 
-/* All rays of a ball by itself go to the environment, in all repeats; that does not make few
- * of them good enough. */
+/* All rays of an isolated ball go to the environment in every repeat. A spread of zero
+ * must not end the rounds early. */
 TEST(no_spread)
 {
     struct heat_request request = usual();
@@ -60,7 +61,7 @@ TEST(no_spread)
     assert_int_equal(random_of("sphere { 0, 1 }", &request, true), 64);
 }
 
-/* A number that is a little off is another one. */
+/* A number that differs in its last bit makes another run. */
 static void check_number(const struct heat *one, const struct heat *other,
                          double *number)
 {

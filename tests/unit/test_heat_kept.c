@@ -1,8 +1,9 @@
-/* test_heat_kept.c - packets of heat, by rays and by lines, that are kept in files:
- * stopped runs and shares are compared with a run in one piece, bit for bit.  A packet
- * that is lost, drawn twice or taken from another run fails here.
+/* test_heat_kept.c - packets of heat, by rays and by lines, that are saved in files:
+ * interrupted runs and shares are compared with a run in one piece, bit for bit. A
+ * packet that is lost, drawn twice or taken from another run fails here.
  *
  *     test_heat_kept [SEED]
+ *
  */
 #include <unistd.h>
 
@@ -22,14 +23,14 @@ static const char *const paths[SHARES] = { path[0], path[1], path[2] };
 static const char text[] = "sphere { 0, 1 } sphere { <2.2, 0, 0>, .8 }"
                            "disc { <0, -2, 0>, y, 3 }";
 
-/* What is asked, and what it comes to. */
+/* The request and its result. */
 struct run {
     bool lines;
     size_t jobs, seed;
     struct job_set *job_set;
-    size_t stop;     /* after so many packets; 0: never */
-    size_t told;     /* the most that were told to be done */
-    uint64_t clocks; /* of all that was done */
+    size_t stop;     /* stops after this many packets; 0: never */
+    size_t told;     /* highest number of packets reported as done */
+    uint64_t clocks; /* of all packets */
     uint64_t words[WORDS];
     size_t count;
     c205_error error;
@@ -161,7 +162,7 @@ TEST(stopped)
     }
 }
 
-/* ---- Shares ------------------------------------------------------------------------ */
+/* ---- Shares ---------------------------------------------------------------------- */
 
 TEST(shares)
 {
@@ -185,7 +186,7 @@ TEST(shares)
     }
 }
 
-/* ---- Another run's ---------------------------------------------------------------- */
+/* ---- Another run's --------------------------------------------------------------- */
 
 TEST(others)
 {

@@ -1,6 +1,6 @@
 /* test_heat_picture.c - the pixels of pictures of flows and factors are compared with
- * the values of the surfaces that are seen there.  A value of another surface, or a
- * scale of another unit, fails here. */
+ * the values of the surfaces seen there. A value of another surface, or a scale with
+ * another unit, fails here. */
 #include <math.h>
 #include <unistd.h>
 
@@ -66,8 +66,8 @@ static void check_color(const struct frame *frame, size_t row, size_t column,
                     < .05);
 }
 
-/* Below the frame is the scale, which is no part of the scene.  Its ends have the
- * colours of the extremes, and it has numbers. */
+/* The scale is below the frame and shows no object. Its ends have the colours of the
+ * extremes, and it has numbers. */
 static void check_scale(const struct frame *frame, enum heat_shown shown,
                         const struct heat_drawn *drawn)
 {
@@ -139,7 +139,7 @@ static void grey(const void *context, double share, double color[3])
     color[0] = color[1] = color[2] = .5;
 }
 
-/* Pixels of text that a title adds to a scale. */
+/* Returns the number of text pixels that a title adds to a scale. */
 static size_t random_by(const char *title, double least, double most, size_t width)
 {
     const struct color_scale scale = {
@@ -156,7 +156,7 @@ static size_t random_by(const char *title, double least, double most, size_t wid
     return count;
 }
 
-/* Every letter that a scale has is drawn, in pictures of every width. */
+/* Every character that a scale uses is drawn, in pictures of every width. */
 TEST(scale)
 {
     static const char used[] = "0123456789-+.,/^Wacefhilmnoprstuw";

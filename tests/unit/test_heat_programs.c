@@ -1,6 +1,6 @@
-/* test_heat_programs.c - the programs that choose points, sum what receivers get and
+/* test_heat_programs.c - the programs that choose points, sum the flow to receivers and
  * count gaps are compared with plain loops, over random lists, and both forms bit for
- * bit.  A lane that is lost where a queue ends fails here. */
+ * bit. A lane that is lost at the end of a queue fails here. */
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
 #include "tests/random.h"
@@ -16,7 +16,7 @@ static size_t below(size_t most)
     return (size_t)xorshift_between(&random_state, 0, (int64_t)most - 1);
 }
 
-/* Lengths where queues, words and pairs end. */
+/* Draws a length near the ends of queues, words and pairs. */
 static size_t some_length(size_t most)
 {
     static const size_t ends[] = { 1, 2, 3, 63, 64, 65, 4095, 4096, 4097 };
@@ -144,7 +144,8 @@ static void stay(const struct object *program, const struct staying *given,
     end(&run, made, words, count + 1);
 }
 
-/* Near the origin and of another primitive, of its own and far off, both, neither. */
+/* Draws crossings near the origin or far from it, of the point's own primitive or
+ * another one. */
 static void draw_crossings(const struct staying *given)
 {
     static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
@@ -170,7 +171,8 @@ static int64_t primitive_of(const struct staying *given, size_t i)
     return c205_to_integer(given->list[given->crossings + i]);
 }
 
-/* The last of its own crossings with the point, 0: there is none. */
+/* Returns the direction of the last crossing of the point's own primitive, or 0 if
+ * there is none. */
 static int64_t sense_of(const struct staying *given, size_t point)
 {
     int64_t sense = 0;
@@ -233,10 +235,10 @@ TEST(staying)
 
 /* ---- Gaps ------------------------------------------------------------------ */
 
-/* Random ends: distances on a grid, whose step is the least gap. */
+/* Random ends: distances are multiples of the smallest gap. */
 struct gap_ends {
     size_t gaps, surfaces;
-    c205_word *planes; /* distances, surfaces, within */
+    c205_word *planes; /* distances, surfaces, containing solids */
 };
 
 static void make_ends(struct gap_ends *given)

@@ -1,6 +1,6 @@
-/* test_job_set.c - units of work in threads, in shares and in processes that are killed, over
- * random counts, errors and kills: each unit is run and taken once. A unit that is lost,
- * or is done twice, fails. */
+/* test_job_set.c - results of jobs in threads, in shares and in processes that are killed
+ * are compared with the jobs' numbers, over random counts, errors and kills: each unit
+ * runs and is taken once. A unit that is lost or done twice fails here. */
 #include "rt/jobs/job_set.h"
 
 #include <signal.h>
@@ -21,10 +21,10 @@ static const char *const paths[SHARES] = { path[0], path[1], path[2], path[3],
 
 struct bench {
     size_t count;
-    size_t bad;  /* the lowest that fails; count: none */
-    size_t last; /* the unit in which the process kills itself; count: none */
+    size_t bad;  /* index of the first unit that fails; count: none */
+    size_t last; /* index of the unit in which the process kills itself; count: none */
     int run[MAX], taken[MAX];
-    uint64_t sum; /* of what units come to, by number */
+    uint64_t sum; /* of the units' results, weighted by their numbers */
 };
 
 static size_t between(size_t low, size_t high)
@@ -105,7 +105,8 @@ TEST(threads)
     }
 }
 
-/* However many there are: the error is of the lowest, and all before it are taken. */
+/* For any number of threads the error is that of the lowest failing unit, and all units
+ * before it are taken. */
 TEST(bad)
 {
     for (int i = 0; i < TRIES; i++) {
@@ -123,7 +124,7 @@ TEST(bad)
     }
 }
 
-/* Shares in any order: none does what another does, and together they are all. */
+/* Shares in any order: no unit is in two shares, and together they are all units. */
 TEST(shares)
 {
     for (int i = 0; i < TRIES; i++) {
@@ -152,7 +153,7 @@ TEST(shares)
     }
 }
 
-/* A process ends in a random unit while its other thread works. */
+/* A process ends in a random unit while its other thread is working. */
 static void kill_one(void)
 {
     struct bench bench = new_bench(MAX);

@@ -274,7 +274,7 @@ TEST(nohup)
     assert_int_equal(system(command), 0);
 }
 
-/* ---- Scripts ------------------------------------------------------------------------ */
+/* ---- Scripts --------------------------------------------------------------------- */
 
 static const char *const debug_words[] = { "c205", "debug", "%endless.s", NULL };
 static const char *const script_words[] = { "c205",   "debug",      "-x",

@@ -180,7 +180,7 @@ static double known(const struct factor_case *which, double *off)
     return NAN;
 }
 
-/* ---- What is found ---------------------------------------------------------------- */
+/* ---- What is found --------------------------------------------------------------- */
 
 struct study {
     struct scene *scene;
