@@ -1,9 +1,10 @@
-/* test_height_fields.c - the triangles that a height_field becomes are compared with
- * the surface that POV-Ray's documentation describes, point by point, over random
- * fields.  A wrong diagonal, normal or water level fails here.  Kinds of files:
+/* test_height_fields.c - the triangles of a height_field are compared with the surface
+ * that POV-Ray's documentation describes, point by point, over random fields. A wrong
+ * diagonal, normal or water level fails here. Kinds of files are tested by
  * test_height_files.c.
  *
  *     test_height_fields [FIELDS [SEED]]
+ *
  */
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_shapes.h"
@@ -30,7 +31,7 @@ static struct grid random_grid(void)
     return grid;
 }
 
-/* As text: the highest z first. */
+/* Writes the field as a text image. The rows of an image are in descending z. */
 static void keep_grid(const struct grid *grid)
 {
     char text[2000];
@@ -46,7 +47,7 @@ static double height_of(const struct grid *grid, int x, int z)
     return grid->heights[z][x] / 65536.;
 }
 
-/* Where a line along y meets the field; 0 .. 1. */
+/* Returns the height of the field at a point; 0 .. 1. */
 static double surface(const struct grid *grid, double x, double z)
 {
     double u = x * (grid->columns - 1), v = z * (grid->rows - 1);
@@ -84,7 +85,7 @@ TEST(surface)
         keep_grid(&grid);
         snprintf(words, sizeof words, "water_level %.9f", water);
         if (water > surface(&grid, .5, .5))
-            continue; /* perhaps nothing is left */
+            continue; /* the water may cover everything */
         SCOPED(scene) *scene = field_expect(i % 2 ? "pgm" : "",
                                             water == 0 ? "" : words);
         check_surface(&grid, triangles_of(scene), water);
@@ -98,8 +99,9 @@ static double slope(const struct grid *grid, int x, int z, int to_x, int to_z)
     return grid->heights[to_z][to_x] - grid->heights[z][x];
 }
 
-/* The sum of those of the triangles towards each two neighbours, a cell as wide
- * as a height is high; in whole parts of 32767. */
+/* Computes the normal as the sum of the normals of the triangles toward each pair of
+ * neighbours. A cell is as wide as the largest height. Components are rounded to
+ * multiples of 1/32767. */
 static void normal_at(const struct grid *grid, int x, int z, double normal[3])
 {
     double sum[3] = { 0, 0, 0 }, length;
@@ -141,11 +143,12 @@ static void check_corner(const struct grid *grid, const double corner[3],
     expected[1] /= high;
     make_unit(expected);
     for (int i = 0; i < 3; i++)
-        assert_close(normal[i], expected[i], 1e-4); /* borders of steps */
+        assert_close(normal[i], expected[i], 1e-4); /* rounding steps may differ at
+                                                     * their borders */
     assert_close(corner[1], high * height_of(grid, x, z), 1e-9);
 }
 
-/* In the world they have the length one. */
+/* Normals in world space have length one. */
 TEST(normals)
 {
     for (size_t i = 0; i < field_count; i++) {
@@ -166,7 +169,7 @@ TEST(normals)
     }
 }
 
-/* What POV-Ray's trace() told: of a field of 16 bits, one corner each. */
+/* Normals that POV-Ray's trace() reported for a field of 16 bits, one corner each. */
 TEST(known_normals)
 {
     static const char field[] = "P2\n4 3\n255\n0 50 100 150\n10 80 200 30\n"
@@ -204,7 +207,7 @@ static void expect_height(const char *text, double x, double z, double height)
     assert_close(met, height / 65536, 1e-8);
 }
 
-/* As POV-Ray has them; y goes down as z goes up. */
+/* Heights that POV-Ray computes; the y of the function decreases as z increases. */
 TEST(functions)
 {
     static const char slanted[] = "height_field { function 5, 3 { x*.5 + y*.25 } }";
@@ -235,7 +238,7 @@ static int compare_ends(const void *a, const void *b)
     return 0;
 }
 
-/* Each edge belongs to an even number of triangles. */
+/* Fails unless each edge belongs to an even number of triangles. */
 static void assert_is_closed(const struct triangles *triangles)
 {
     size_t count = 3 * triangles->count, same;
@@ -260,7 +263,7 @@ static void assert_is_closed(const struct triangles *triangles)
     free(edges);
 }
 
-/* In its square, below a slope or the water, however deep. */
+/* As a solid, a field is its square below the slope or the water, to any depth. */
 TEST(bodies)
 {
     SCOPED(scene) *scene = read_scene(

@@ -9,12 +9,12 @@ struct known_file {
     const char *word;
     const char *bytes;
     size_t count;
-    int heights[6]; /* of an image of 3 x 2: the upper row, the lower one */
+    int heights[6]; /* of an image of 3 x 2: the upper row, then the lower one */
 };
 #define FILE_OF(word, bytes) word, bytes, sizeof bytes - 1
 
-/* In all of them the grey ones have 0, 50, 100, 150, 200, 250; the coloured
- * ones the six colours of COLORS. */
+/* The grey images have the values 0, 50, 100, 150, 200, 250; the coloured ones the six
+ * colours of COLORS. */
 #define GREYS "\x00\x32\x64\x96\xc8\xfa"
 #define COLORS \
     "\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff"
@@ -124,7 +124,7 @@ TEST(kinds)
         check_file(&known_files[i]);
 }
 
-/* Each colour of the table is in it twice; the second table is the image's. */
+/* The palette contains each colour twice; the second palette is the image's own. */
 TEST(tables)
 {
     static const struct known_file own_table = {
@@ -138,8 +138,8 @@ TEST(tables)
     check_file(&own_table);
 }
 
-/* A file without its end.  Of a broken PNG file the library forgets to free what it
- * has read so far, which a leak checker would take for ours. */
+/* A truncated file causes one error or is accepted. PNG is skipped: for a broken file
+ * the library leaks what it has read, which a leak checker would report. */
 TEST(broken)
 {
     for (size_t i = 0; i < COUNT(known_files); i++)
@@ -190,7 +190,7 @@ TEST(large_file)
     field_expect_fault("pgm", "", 20, "more than 4000000 triangles");
 }
 
-/* Without an adapter PGM is read, and nothing else. */
+/* Without the library adapter only PGM can be read. */
 TEST(no_adapter)
 {
     struct diagnostics reports = { 0 };

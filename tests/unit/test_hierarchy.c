@@ -8,7 +8,7 @@
 
 enum { MAX = 3000 };
 
-/* --- rows of bounds ------------------------------------------------------- */
+/* ---- Rows of bounds ------------------------------------------------------ */
 
 static struct bound ball(double x, double y, double z, double radius)
 {
@@ -36,7 +36,7 @@ static struct bound on_whole_numbers(size_t i)
     return ball((double)below(3), (double)below(3), (double)below(3), .5);
 }
 
-/* Each a thousandth of the one before: bins tell few apart. */
+/* Sizes decrease by a constant factor, so that bins separate few of them. */
 static struct bound smaller_and_smaller(size_t i)
 {
     double size = 1e9;
@@ -80,7 +80,8 @@ static void check_order(const struct hierarchy *hierarchy, size_t count)
     }
 }
 
-/* Loose are those without a bound, or all, those first; in the scene's order. */
+/* Loose regions are those without a bound, or all regions. They come first, in the
+ * scene's order. */
 static void check_loose(const struct hierarchy *hierarchy, const struct bound *bounds)
 {
     bool all = hierarchy->loose == hierarchy->count;
@@ -105,8 +106,8 @@ static void check_encloses(const struct bound *whole, const struct bound *part)
         assert_true(whole->low[k] <= part->low[k] && part->high[k] <= whole->high[k]);
 }
 
-/* The node and all below it, from the region at a place of the order on;
- * returns the place behind its last. */
+/* Checks a node and its descendants, whose regions begin at `place` of the order.
+ * Returns the place after the last. */
 static size_t check_node(const struct hierarchy *hierarchy, const struct bound *bounds,
                          size_t i, size_t place, size_t depth)
 {
@@ -160,13 +161,13 @@ TEST(random)
     }
 }
 
-/* What lies apart is told apart; what does not is left together. */
+/* Separate bounds are divided into nodes; coincident ones stay together. */
 TEST(nodes)
 {
     struct bound bounds[64];
     for (size_t i = 0; i < 64; i++)
         bounds[i] = ball(10. * (double)i, 0, 0, 1);
-    assert_int_equal(check(bounds, 64), 63); /* leaves of two */
+    assert_int_equal(check(bounds, 64), 63); /* leaves of two regions */
     assert_int_equal(check(bounds, 1), 0);
     assert_int_equal(check(bounds, 0), 0);
     for (size_t i = 0; i < 64; i++)
@@ -174,11 +175,11 @@ TEST(nodes)
     assert_int_equal(check(bounds, 64), 0);
 }
 
-/* Each so much nearer to 0 that bins tell it from no other but the largest: one
- * after another would make a node of each but the last two. */
+/* Sizes decrease so fast that bins separate only the largest bound from the rest.
+ * Without a limit, a node would be created for each bound but the last two. */
 TEST(depth)
 {
-    /* So deep rows are cut in halves: above stand two nodes a level. */
+    /* Rows this deep are divided into halves; above them each level has two nodes. */
     enum { COUNT = 120, HALVED_FROM = 64 };
     struct bound bounds[COUNT];
     double size = 1e11;

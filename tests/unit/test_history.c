@@ -1,6 +1,7 @@
-/* test_history.c - a machine with its past: at any step, from wherever it comes there, its
- * state, clock and accounts are those of a run from the beginning; and the record of
- * each instruction's time is that of its clocks. */
+/* test_history.c - a machine with a history: after random jumps, its state, clock and
+ * accounts are compared with those of a run from the beginning, and the record of each
+ * instruction's time with the clock. A snapshot that lacks state, or a change that is
+ * lost, fails here. */
 #include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
 
@@ -8,7 +9,7 @@
 
 enum { PROGRAMS = 50, TARGETS = 40, MAX_STEPS = 2500, CHANGES = 2 };
 static size_t jumps = 100;
-/* What somebody does to the machine at a step. */
+/* A change of a register at a step, made from outside. */
 struct change {
     uint64_t step;
     unsigned number;
@@ -19,9 +20,9 @@ struct story {
     struct random_program program;
     c205_model *model;
     size_t change_count;
-    struct change change[CHANGES]; /* by step */
-    uint64_t steps_before, steps;  /* the program has so many, or more, without
-                                      changes and with them */
+    struct change change[CHANGES]; /* sorted by step */
+    uint64_t steps_before, steps;  /* lower bounds for the steps of the program, without
+                                    * and with the changes */
     uint64_t target[TARGETS], hash[TARGETS];
 };
 
@@ -56,7 +57,8 @@ static bool change_at(const struct story *story, c205 *machine, uint64_t step)
     return changed;
 }
 
-/* How far it goes; with the target steps drawn, what it is at each. */
+/* Runs the story from the beginning. Returns its number of steps; if `hashes` is set,
+ * also records the state at each target step. */
 static uint64_t run_plainly(struct story *story, bool hashes)
 {
     c205 *machine = begin(story);
@@ -75,7 +77,7 @@ static uint64_t run_plainly(struct story *story, bool hashes)
     return step;
 }
 
-/* Every second one is a loop. */
+/* Every second program has a loop. */
 static struct random_program draw_program(size_t number)
 {
     uint64_t seed = RANDOM_SEED + (number << 16);
@@ -110,7 +112,7 @@ static void go_on_to(c205_history *history, uint64_t step)
         assert_true(c205_history_forward(history, &stop));
 }
 
-/* As far as it goes with no change, short of a trap, and back. */
+/* Moves to the end of the unchanged run, before a trap, and back. */
 static void go_before(const struct story *story, c205_history *history)
 {
     c205_error error;
@@ -118,7 +120,8 @@ static void go_before(const struct story *story, c205_history *history)
     assert_true(c205_history_back(history, 0, &error));
 }
 
-/* With all changes on the way, of a run that went another way before or did not. */
+/* Applies all changes. In half of the stories the history has already run without
+ * them. */
 static void go_through(const struct story *story, c205_history *history)
 {
     c205_error error;
@@ -166,7 +169,7 @@ TEST(jumps)
 
 /* ---- The end -------------------------------------------------------------- */
 
-/* A program that has ended does not continue, and goes back all the same. */
+/* A program that has ended does not continue, but can move backward. */
 TEST(end)
 {
     c205_error error;
@@ -209,7 +212,7 @@ static uint64_t sum_of(const c205_times *times)
     return sum;
 }
 
-/* Phases without a gap, from where it issued to where its results are. */
+/* Phases must adjoin each other, from the issue to the result. */
 static void check_phases(const c205_times *times)
 {
     uint64_t at = times->issued;
@@ -232,7 +235,7 @@ static uint64_t constant_of(const c205 *machine, const char *kind,
     return (uint64_t)constant->value;
 }
 
-/* Of a scalar instruction; one that moves registers takes longer. */
+/* Checks the times of a scalar instruction; SWAP takes longer than its constant. */
 static void check_constants(const c205 *machine, const c205_event *event)
 {
     const c205_times *times = event->record;
@@ -268,7 +271,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     heard->events++;
 }
 
-/* All pieces of a run, by cause and region, are its accounts. */
+/* The sum of all pieces of a run, by cause and region, must equal its accounts. */
 struct summed {
     uint64_t clocks[64][C205_CAUSES];
 };
@@ -283,7 +286,7 @@ static void add_up(void *context, const c205 *machine, const c205_event *event)
     }
 }
 
-/* As far as it goes; what is in flight at its end is no instruction's. */
+/* Runs a machine to its end. Results in flight at the end belong to no instruction. */
 static uint64_t check_times(c205 *machine)
 {
     struct heard heard = { 0 };

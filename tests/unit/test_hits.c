@@ -1,6 +1,8 @@
-/* test_hits.c - which rays strike cylinders: random rays and cylinders in both forms are
- * compared with plain C, and a scene with all first hits of the same rays.  A hit that
- * one form misses, or a part that is no solid cylinder and is accepted, fails here.
+/* test_hits.c - the rays that hit cylinders: random rays and cylinders in both forms
+ * are compared with plain C, and a scene with all first hits of the same rays. A hit
+ * that one form misses, or a part that is not a solid cylinder and is accepted, fails
+ * here.
+ *
  */
 #include <math.h>
 
@@ -63,8 +65,8 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Where it is within the side, cut by the slab of the discs: 1 it strikes, 0 not, -1 it
- * nearly does. */
+/* Intersects the side with the slab between the discs. Returns 1 for a hit, 0 for a
+ * miss, and -1 if rounding decides. */
 static int strikes(const double o[3], const double d[3], const double words[WORDS])
 {
     const double *axis = words + 3;
@@ -167,7 +169,7 @@ static void find(const struct scene *scene, const char *from, enum trace_mode mo
     REQUIRE(hits_find(scene, &parts, &options, hits, &error));
 }
 
-/* As many as the first crossings tell of the same rays. */
+/* The number of hits must equal that of the first crossings of the same rays. */
 TEST(scene)
 {
     SCOPED(scene) *scene = read_scene(tubes);

@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#define SEEN 6e-5 /* four places of POV-Ray's pictures */
+#define SEEN 6e-5 /* POV-Ray's pictures have four decimals */
 
 /* ---- Files --------------------------------------------------------------- */
 
@@ -19,7 +19,7 @@ static void keep(const char *bytes, size_t count)
     write_bytes(path, bytes, count);
 }
 
-/* Of a sphere in the image that words say; before: what is before it. */
+/* Reads a sphere with the image map of `words`; the text `before` precedes it. */
 static struct scene *read_image(const char *before, const char *words,
                                 struct diagnostics *reports)
 {
@@ -30,7 +30,8 @@ static struct scene *read_image(const char *before, const char *words,
     return read_versioned("test.pov", text, &with_images, reports);
 }
 
-/* With so many reports, of which one says so. */
+/* Reads an image map that must cause `count` reports, the first of which contains
+ * `message`. */
 static struct scene *expect_reports(const char *before, const char *words, size_t count,
                                     const char *message)
 {
@@ -65,8 +66,8 @@ static const struct image_map *map_of(const struct scene *scene)
 
 /* ---- Samples ------------------------------------------------------------- */
 
-/* Images of one row: 0, 10, 11, 64, 128, 200, 250, 255 of 255, or as many of
- * 65535. */
+/* Images of one row with 0, 10, 11, 64, 128, 200, 250, 255 of 255, or the same
+ * fractions of 65535. */
 enum { SHADES = 8 };
 #define GREYS "\x00\x0a\x0b@\x80\xc8\xfa\xff"
 #define GREYS16 "\0\0\x0a\x0a\x0b\x0b@@\x80\x80\xc8\xc8\xfa\xfa\xff\xff"
@@ -75,7 +76,7 @@ enum { SHADES = 8 };
     "\xff\xff\xff"
 #define FILE_OF(bytes) bytes, sizeof bytes - 1
 
-/* What POV-Ray shows them as. */
+/* The values with which POV-Ray shows them. */
 static const double as_they_are[SHADES] = { 0,     .0392, .0431, .2510,
                                             .5020, .7843, .9804, 1 };
 static const double as_srgb[SHADES] = {
@@ -205,7 +206,7 @@ TEST(kinds)
     }
 }
 
-/* What is said takes the place of what the file says, or its kind. */
+/* A gamma in the scene overrides that of the file or of its format. */
 TEST(gammas)
 {
     static const double working[SHADES] = { 0,     .0717, .0750, .2592,
@@ -253,7 +254,7 @@ TEST(words)
                IMAGE_NEAREST, false, false);
 }
 
-/* One table of a file and a gamma. */
+/* One table is kept per file and gamma. */
 TEST(tables)
 {
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
@@ -289,7 +290,7 @@ TEST(reports)
     expect_report("<1, 0, -1> \"%s\"", "the way of an image");
 }
 
-/* Drawn black. */
+/* Unsupported kinds of images are black. */
 TEST(kinds_left_out)
 {
     static const char *const words[] = { "hdr \"a.hdr\" once", "exr \"a.exr\" gamma 2",
@@ -305,7 +306,7 @@ TEST(kinds_left_out)
     }
 }
 
-/* A sky continues for ever. */
+/* An image in a sky repeats, although it is used once. */
 TEST(sky)
 {
     char text[200];
@@ -350,7 +351,7 @@ TEST(faults)
     expect_fault("\"%s\"", 1, "more than 8388608 pixels");
 }
 
-/* Each of two images is within it. */
+/* Each of two images is within the limit on pixels. */
 TEST(limit)
 {
     enum { SIDE = 2100, PIXELS = SIDE * SIDE };
@@ -373,7 +374,7 @@ TEST(limit)
                            "the images of the scene have more than 8388608"));
 }
 
-/* A loop reads another one with each turn. */
+/* A loop reads the image with another gamma in each iteration. */
 TEST(many)
 {
     char text[300];

@@ -1,5 +1,8 @@
-/* test_incfile.c - numbers of files among the data: random tables, written in all ways that are
- * allowed, and what is wrong with others.
+/* test_incfile.c - words of number files that are included as data are compared with
+ * those of random tables, in all permitted notations, and reports about faulty files
+ * with expected ones. A number that is skipped, or a fault that is accepted, fails
+ * here.
+ *
  */
 #include <inttypes.h>
 

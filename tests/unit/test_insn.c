@@ -1,14 +1,15 @@
-/* test_insn.c - the instruction table: the fields of every instruction, each another
- * value, are encoded and decoded, and known words are compared.  A field at another
- * place, two instructions with one code, or a letter of an operand without a field fails
- * here.
+/* test_insn.c - the instruction table: the fields of every instruction, each with a
+ * different value, are encoded, decoded and compared, and so are known words. A field
+ * at another place, two instructions with one code, or a letter of an operand without a
+ * field fails here.
+ *
  */
 #include "tests/unit/unit.h"
 #include "vm/c205.h"
 
 #include <ctype.h>
 
-/* A different value in every field, and the sign set in the immediate. */
+/* Returns a different value for every field, with the sign bit set in the immediate. */
 static c205_fields distinct_fields(const c205_insn *insn)
 {
     c205_fields fields = { 0,    0x81, 0x12, 0x23, 0x34, 0x45,
@@ -80,7 +81,7 @@ TEST(immediates)
     assert_int_equal(decoded("SHIFTI", word).immediate, -128);
 }
 
-/* A branch with a distance carries it in Y and B. */
+/* A relative branch carries its distance in Y and B. */
 TEST(relative)
 {
     c205_fields f;
@@ -128,8 +129,8 @@ TEST(no_overlap)
     assert_null(c205_insn_coded(0xFF, 0));
 }
 
-/* The letters that an operand may have where the syntax shows what stands
- * before *syntax; moves past it. */
+/* Returns the letters that an operand may have at this place of the syntax, and moves
+ * past it. */
 static const char *allowed_letters(const char **syntax, bool *bracket)
 {
     for (;; ++*syntax) {
@@ -191,8 +192,8 @@ TEST(columns)
     assert_string_equal(c205_format_name(C205_FORMAT_SIEVE), "SIEVE");
 }
 
-/* Numbers come into what has an operation, and into nothing else; its rule of
- * special values is told. */
+/* Instructions with numeric operands have an operation; others have none, or copy. The
+ * operation names the rule for special values. */
 TEST(operations)
 {
     const char *of_bits = c205_operation_specials(C205_OPERATION_none);

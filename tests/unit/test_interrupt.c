@@ -1,6 +1,7 @@
-/* Vector instructions that are interrupted: by the clock limit between any two
- * elements, or by a page that is not there.  A run that continues ends like one
- * that was never stopped: same state, same clock, same accounts. */
+/* test_interrupt.c - vector instructions that are interrupted, by the clock limit
+ * between any two elements or by a missing page, are compared with uninterrupted runs:
+ * the same state, clock and accounts. An element that is lost or done twice, or a clock
+ * that is charged twice, fails here. */
 #include "tests/unit/machine_fixture.h"
 #include "tests/unit/saved_machine.h"
 
@@ -8,13 +9,13 @@
 
 #define F(...) ((c205_fields){ __VA_ARGS__ })
 
-static c205_model *model; /* of two pipes */
-static c205_model *slow;  /* one element or bit a clock, faults cost little */
+static c205_model *model; /* two pipes */
+static c205_model *slow;  /* one element or bit per clock, cheap faults */
 
-/* By row: was interrupted after some of its elements. */
+/* per row of the instruction table: interrupted between elements */
 static bool *divided;
 
-/* ---- Stop by stop -------------------------------------------------------- */
+/* ---- Slices -------------------------------------------------------------- */
 
 static void check_stop(const c205 *machine, const c205_stop *stop, uint64_t limit)
 {
@@ -29,7 +30,8 @@ static void check_stop(const c205 *machine, const c205_stop *stop, uint64_t limi
     divided[stop->insn - c205_insns] |= machine->resume.first > 0;
 }
 
-/* To the end, so many clocks at a time. */
+/* Runs a machine to its end in slices of `clocks`. If `saving` is set, it is saved and
+ * restored after each. */
 static c205_stop run_broken(c205 **machine, uint64_t clocks, bool saving)
 {
     c205_stop stop;
@@ -44,11 +46,11 @@ static c205_stop run_broken(c205 **machine, uint64_t clocks, bool saving)
     }
 }
 
-/* So many clocks at a time, or SAVED: in a few pieces, each on the machine
- * that was restored after the one before. */
+/* The length of a slice; SAVED: a run of a few slices, each on a machine restored after
+ * the previous one. */
 enum { SAVED = 0, SAVED_PIECES = 40 };
 
-/* Two machines that are the same, which they still are at the end. */
+/* Runs two equal machines to their ends, one of them in slices, and compares them. */
 static void compare_ends(c205 *whole, c205 *broken, uint64_t clocks)
 {
     c205_stop one = c205_run(whole, C205_NO_LIMIT);
@@ -130,7 +132,7 @@ static const char preamble[] =
     "        MRKO    two, three, [bits]\n"
     "        MRKZ    two, seven, [more]\n";
 
-/* Recurrences, results upon their operands, and the like. */
+/* Recurrences, results that overlap operands, and other vector instructions. */
 static const char *const long_programs[] = {
     "        ADDNV   [a], one, [next]\n",
     "        ADDNV   [a, seven], [b], [a] ? [bits]\n",
@@ -204,7 +206,7 @@ TEST(long_vectors)
     }
 }
 
-/* The instruction lies in its own result, which makes two EXITs of it. */
+/* The instruction lies in its own result, which overwrites it with two EXITs. */
 TEST(overwritten_instruction)
 {
     static const char program[] =
@@ -227,7 +229,7 @@ TEST(overwritten_instruction)
     assert_int_equal(c205_register(whole, 8), 0);
     assert_same_stop(&one, &other);
     assert_same(whole, broken);
-    c205_set_pc(broken, one.pc - 64); /* now it is the new one */
+    c205_set_pc(broken, one.pc - 64); /* executes the new instruction */
     assert_int_equal(c205_run(broken, C205_NO_LIMIT).pc, one.pc - 64);
     c205_free(whole);
     c205_free(broken);
@@ -236,7 +238,7 @@ TEST(overwritten_instruction)
 
 /* ---- What is seen in the middle ------------------------------------------ */
 
-/* c = a + a of 100 elements; then the sum. */
+/* Computes c = a + a for 100 elements, then their sum. */
 static void load_sum(struct small_machine *fixture)
 {
     begin(fixture);
@@ -275,21 +277,21 @@ TEST(in_the_middle)
     assert_int_equal(charged(&fixture, C205_VECTOR_STREAM), 20);
     assert_int_equal(c205_account_at(fixture.machine, 0)->instructions, 0);
     assert_doubled(&fixture, 40);
-    /* at a clock that has come already nothing happens */
+    /* a limit that has passed has no effect */
     stop = c205_run(fixture.machine, 60);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
     assert_int_equal(c205_clock(fixture.machine), 71);
     assert_doubled(&fixture, 40);
     stop = c205_run(fixture.machine, 51 + 30);
     assert_doubled(&fixture, 60);
-    /* one step does what is left of it */
+    /* one step completes the instruction */
     assert_true(c205_step(fixture.machine, &stop));
     assert_doubled(&fixture, 100);
     assert_int_equal(c205_pc(fixture.machine), CODE + 64);
     free_small_machine(&fixture);
 }
 
-/* A sum that is not complete is in no register. */
+/* A sum is written to its register only when it is complete. */
 TEST(result_at_the_end)
 {
     struct small_machine fixture = make_small_machine();
@@ -307,8 +309,8 @@ TEST(result_at_the_end)
     free_small_machine(&fixture);
 }
 
-/* Quotients of one by two, and one, as a linked pair: by the clock 113 + k that
- * many elements at 1.625. */
+/* A linked pair computes the quotients by two, plus one. At clock 113 + k, elements up
+ * to k / 1.625 are done. */
 TEST(in_the_middle_of_a_pair)
 {
     struct small_machine fixture = make_small_machine();
@@ -335,7 +337,7 @@ TEST(in_the_middle_of_a_pair)
     free_small_machine(&fixture);
 }
 
-/* What waits for one before does not count until it is done. */
+/* An element that waits for an earlier one is not counted until it is done. */
 TEST(in_the_middle_of_a_recurrence)
 {
     struct small_machine fixture = make_small_machine();
@@ -366,7 +368,7 @@ static uint64_t whole_time(struct small_machine *fixture)
     return c205_clock(fixture->machine);
 }
 
-/* Setting the program counter gives the instruction up, but not its time. */
+/* Setting the program counter abandons the instruction; its time remains. */
 TEST(given_up)
 {
     struct small_machine fixture = make_small_machine();
@@ -381,7 +383,7 @@ TEST(given_up)
     free_small_machine(&fixture);
 }
 
-/* Resetting the clock does not. */
+/* Resetting the clock does not abandon the instruction. */
 TEST(reset_clock)
 {
     struct small_machine fixture = make_small_machine();
@@ -389,15 +391,15 @@ TEST(reset_clock)
     load_sum(&fixture);
     c205_run(fixture.machine, 71);
     c205_reset_clock(fixture.machine);
-    put_at(&fixture, DATA, C205_MACHINE_ZERO); /* has been read */
+    put_at(&fixture, DATA, C205_MACHINE_ZERO); /* already read */
     assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
     assert_doubled(&fixture, 100);
     assert_int_equal(c205_clock(fixture.machine), whole);
     free_small_machine(&fixture);
 }
 
-/* What is left on the job interval timer stays then, as it is shown in the
- * middle; also on a machine that was restored there. */
+/* After a reset in the middle of an instruction, the job interval timer keeps its
+ * remaining time. The same holds for a machine that is restored there. */
 TEST(reset_timer)
 {
     struct small_machine fixture = make_small_machine();
@@ -419,7 +421,7 @@ TEST(reset_timer)
     free_small_machine(&fixture);
 }
 
-/* The limit comes before what is no instruction, too. */
+/* The clock limit is checked before the instruction is decoded. */
 TEST(limit_before_undefined)
 {
     struct small_machine fixture = make_small_machine();
@@ -445,7 +447,7 @@ static void map_next_page(c205 *machine)
     assert_true(c205_write(machine, NEXT_PAGE, words, 60));
 }
 
-/* A vector on both sides of the end of a page, with more in flight. */
+/* A vector across the end of a page, with other results in flight. */
 static void load_crossing(struct small_machine *fixture)
 {
     begin(fixture);
@@ -463,7 +465,8 @@ static void load_crossing(struct small_machine *fixture)
     set(fixture, 8, NEXT_PAGE);
 }
 
-/* The page is missing, comes, and the end is as if it had been there. */
+/* After the missing page is mapped, the run ends as if the page had always been
+ * there. */
 TEST(missing_page)
 {
     struct small_machine with = make_small_machine(), without = make_small_machine();
@@ -475,7 +478,7 @@ TEST(missing_page)
     assert_int_equal(stop.address, NEXT_PAGE);
     assert_int_equal(word_at(&without, DATA), 0);
     assert_sum(without.machine);
-    assert_true(charged(&without, C205_OPERAND_WAIT) > 30); /* in flight */
+    assert_true(charged(&without, C205_OPERAND_WAIT) > 30); /* results in flight */
     without.machine = replace(without.machine);
     map_next_page(without.machine);
     assert_int_equal(run(&without).trap, C205_TRAP_NONE);
@@ -508,7 +511,7 @@ static void set_access(struct small_machine *fixture, c205_access access)
     assert_true(c205_map(fixture->machine, DATA, 300, access, &error));
 }
 
-/* What traps when it is to continue stays where it was. */
+/* An instruction that traps when it continues stays at the same element. */
 TEST(trap_in_the_middle)
 {
     struct small_machine broken = make_small_machine(), whole = make_small_machine();
@@ -529,7 +532,7 @@ TEST(trap_in_the_middle)
     free_small_machine(&whole);
 }
 
-/* A table whose indices are overwritten traps before anything is done. */
+/* A list of indices that its result overwrites traps before anything is done. */
 TEST(bad_index_behind_the_limit)
 {
     struct small_machine fixture = make_small_machine();

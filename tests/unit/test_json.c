@@ -1,5 +1,6 @@
-/* test_json.c - random values, written and read again: the same come back; of what is
- * written, cut off or with a byte changed, a tree or an error. */
+/* test_json.c - random values that are written as JSON and read back are compared with
+ * the originals, and truncated or altered texts must give a tree or an error. A value
+ * that changes, or a read after the end, fails here. */
 #include <math.h>
 
 #include "base/json.h"
@@ -19,7 +20,7 @@ static const struct json_value *read_in(struct arena *arena, const char *text,
 
 /* ---- Written and read ------------------------------------------------------- */
 
-/* What a value is to be, drawn a second time while it is read. */
+/* Draws a text. The same sequence is drawn again while reading. */
 static void draw_text(char text[40])
 {
     static const char *const pieces[] = {
@@ -140,7 +141,7 @@ TEST(written_and_read)
 
 /* ---- Damaged ------------------------------------------------------------------ */
 
-/* In memory of its own length, so that the sanitizers see what is read beyond. */
+/* Reads a copy of exact size, so that the sanitizers detect reads after its end. */
 static bool is_read(const char *text, size_t length)
 {
     struct arena arena = { 0 };
@@ -266,7 +267,7 @@ TEST(members)
     arena_free(&arena);
 }
 
-/* Whatever bytes there are, what is written is UTF-8 and can be read. */
+/* Output is valid UTF-8 and readable for any bytes. */
 TEST(bytes)
 {
     for (size_t i = 0; i < ROUNDS; i++) {
@@ -286,7 +287,7 @@ TEST(bytes)
     }
 }
 
-/* Every code that there is, and what lies beside it. */
+/* Every code point and the values next to the range. */
 TEST(utf8)
 {
     char text[MAX_UTF8];

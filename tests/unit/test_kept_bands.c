@@ -1,6 +1,6 @@
 /* test_kept_bands.c - frames that are stopped and continued, and bands from files, are
- * compared with whole frames.  A row that is half done, or a band of another frame or
- * place that is taken, fails here. */
+ * compared with whole frames. An incomplete row, or a band of another frame or place
+ * that is accepted, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -22,7 +22,7 @@ static char path[] = "/tmp/test_kept_bands.XXXXXX";
 
 static enum trace_order order;
 
-/* Says stop when it has been asked so often. */
+/* Stops after this number of calls. */
 struct patience {
     size_t left;
 };
@@ -82,7 +82,8 @@ static bool is_zero(const struct trace *trace, size_t row)
     return true;
 }
 
-/* Every row is that of the whole frame, or nothing; how many are done. */
+/* Every row must equal that of the whole frame or be empty. Returns the number of
+ * complete rows. */
 static size_t check_stopped(const struct scene *scene, const struct trace *whole,
                             enum trace_mode mode, size_t jobs, size_t patience)
 {
@@ -119,7 +120,7 @@ static void check_stops(const char *text, bool rows)
         assert_int_equal(trace_rows_done(whole), TALL);
         assert_int_equal(trace_bands_done(whole), trace_bands(whole));
         for (size_t patience = 1; patience < 6; patience += 2) {
-            /* how far two come hangs on when they run */
+            /* the progress of two threads depends on their timing */
             check_stopped(scene, whole, (enum trace_mode)mode, 2, patience);
             done += check_stopped(scene, whole, (enum trace_mode)mode, 1, patience);
         }
@@ -135,13 +136,13 @@ TEST(stopped)
     order = ORDER_DEFAULT;
 }
 
-/* What is reflected waits in queues for others. */
+/* Reflected rays wait in queues. */
 TEST_CALL(stopped_with_mirrors, check_stops(mirrors, false))
 
-/* ---- Kept ---------------------------------------------------------------- */
+/* ---- Saved --------------------------------------------------------------- */
 
-/* A unit as a run would have kept it, but with samples that are nowhere in the
- * frame, and of other rows perhaps. */
+/* Writes a unit as a run would save it, with samples that no frame has. Its number of
+ * rows may be wrong. */
 static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
                   size_t rows)
 {
@@ -159,7 +160,7 @@ static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
     result_free(&words);
 }
 
-/* A file with such a unit alone: it is taken, or the frame becomes the same as
+/* Adds such a unit to a file. It must be accepted, or the frame must be the same as
  * without it. */
 static void check_planted(const struct scene *scene, const struct trace *whole,
                           uint64_t unit, size_t rows, bool taken)
@@ -191,7 +192,7 @@ TEST(planted)
     check_planted(scene, whole, UINT64_MAX, ROWS, false);
 }
 
-/* Whether the kept bands of one scene are another's. */
+/* Returns whether the saved bands of one scene are accepted for another. */
 static bool are_kept_for(const char *one, const char *other, enum trace_mode mode)
 {
     const char *const paths[] = { path };
@@ -241,7 +242,7 @@ TEST(other_scene)
                              i == 0);
 }
 
-/* A name for which there is no file yet. */
+/* Makes a file name that does not exist yet. */
 FIXTURE(new_name)
 {
     int file = mkstemp(path);

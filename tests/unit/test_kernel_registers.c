@@ -1,8 +1,10 @@
-/* test_kernel_registers.c - kernels that share registers must declare it: all programs
- * are assembled, and traced with a check on each register.  A kernel that reads as its
- * own what another one has put there, or saves what it does not change, fails here.
+/* test_kernel_registers.c - registers that kernels share are compared with their
+ * declarations: all programs are assembled, and traced with a check on each register. A
+ * kernel that reads a register which another kernel has changed, or saves one that it
+ * does not change, fails here.
  *
  *     test_kernel_registers [SCENES [SEED]]
+ *
  */
 #define SMALL_FRAMES
 #include "tests/unit/random_solids.h"
@@ -25,7 +27,7 @@ static size_t scene_count = 8;
 
 /* ---- What the assembler tells ------------------------------------------- */
 
-/* Some begin as the programs of points do. */
+/* Some programs have their entry in a file of points/. */
 static bool is_program(const struct text *kernel)
 {
     for (const char *const *line = kernel->lines; *line; line++)
@@ -48,7 +50,8 @@ static void check_assembled(const char *kernel, const struct asm_define *defines
     assert_non_null(program);
 }
 
-/* All programs among the kernels, with whatever they can be told. */
+/* Assembles all programs among the kernels, with each of the constants that select
+ * variants. */
 TEST(assembled)
 {
     static const struct asm_define switches[] = {
@@ -78,11 +81,11 @@ TEST(assembled)
             check_assembled(kernel->name, defines);
         }
     }
-    /* None is overlooked: more are welcome. */
+    /* fewer would mean that programs are missing */
     assert_true(programs >= 29);
 }
 
-/* The cylinder as it is studied. */
+/* The formulations of the cylinder that the study compares. */
 TEST(formulations)
 {
     for (size_t i = 0; i < speedup_formulation_count; i++) {
@@ -99,7 +102,7 @@ TEST(formulations)
     }
 }
 
-/* The measured programs of the fit, which call as the kernels do. */
+/* The programs that the fit measures, which call routines as the kernels do. */
 TEST(fit_programs)
 {
     static const char folder[] = "rt/study/fit/programs";
@@ -155,7 +158,7 @@ static void trace_watched(const struct scene *scene,
     run_watched(trace_program(trace), machine, what);
 }
 
-/* All that is seen along lines, too, in all forms. */
+/* Traces all crossings along lines in all forms. */
 static void follow_lines(const struct scene *scene, size_t queue, const char *what)
 {
     enum { LINES = 20 };
@@ -177,7 +180,7 @@ static void follow_lines(const struct scene *scene, size_t queue, const char *wh
     }
 }
 
-/* In all modes; no_bounds, historical, variant and visible as they are. */
+/* Traces in all modes with the current no_bounds, historical, variant and visible. */
 static void trace_modes(const struct scene *scene, size_t queue, const char *what)
 {
     struct trace_options options = ON_PRIOR(.width = COLUMNS, .height = ROWS,
@@ -209,7 +212,7 @@ TEST(cylinders)
     traced.variant = NULL;
 }
 
-/* Two passes of almost all that is assembled for some scenes alone. */
+/* Two passes, with nearly all code that is assembled for some scenes only. */
 TEST(adaptive)
 {
     static const char path[] = "tests/scenes/together.pov";
@@ -256,17 +259,17 @@ TEST(scenes)
 
 enum { MAX_AREAS = 16 };
 
-/* Where a kernel saves registers as it loads its constants. */
+/* The area in which a kernel saves registers while it loads its constants. */
 struct area {
     uint64_t address;
     unsigned first, count;
-    bool changed[C205_REGISTERS]; /* before they came back, ever */
+    bool changed[C205_REGISTERS]; /* changed before a restore, at any time */
 };
 
 static struct saves {
     struct area areas[MAX_AREAS];
     size_t count;
-    c205_word before[C205_REGISTERS]; /* the instruction */
+    c205_word before[C205_REGISTERS]; /* before the instruction */
 } saves;
 
 static uint64_t address_of(c205_word descriptor)
@@ -319,8 +322,8 @@ static void listen_to_saves(void *context, const c205 *machine, const c205_event
         saves.before[k] = c205_register(machine, k);
 }
 
-/* What a call costs is the largest part of a short kernel: the scalar form
- * would be handicapped by each register that is saved and not used. */
+/* A short kernel's cost is mostly that of its call. A register that is saved without
+ * need would slow the scalar form. */
 TEST(nothing_is_saved_in_vain)
 {
     static const char text[] = HEAD
@@ -461,7 +464,7 @@ static void emit_watched(const struct primitive *primitive)
     }
 }
 
-/* A shape of each kernel. */
+/* A shape for each kernel. */
 TEST(emission)
 {
     SCOPED(scene) *scene = read_text(

@@ -1,7 +1,8 @@
 /* test_lanes.c - spans of words and half words are compared with the rule for one word:
- * every operation, at every length and place, on operands of every kind, also with the
- * result upon an operand.  A lane with other bits, a flag that is lost, or a word that
- * changes behind the end fails here.
+ * every operation, at every length and alignment, on operands of every kind, also with
+ * a result that overlaps an operand. A lane with other bits, a flag that is lost, or a
+ * word that changes after the end fails here.
+ *
  */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
@@ -11,8 +12,8 @@
 
 enum {
     LENGTH_MAX = 257,
-    SLACK = 3,  /* words behind a span, which must stay as they are */
-    PLACES = 8, /* words of the longest vectors of hosts */
+    SLACK = 3,  /* words after a span, which must not change */
+    PLACES = 8, /* words of the longest host vector */
     SPAN = LENGTH_MAX + SLACK + PLACES,
     BITS = (LENGTH_MAX + 63) / 64 + SLACK,
     LONG_LENGTH = 4096,
@@ -21,7 +22,7 @@ enum {
 
 /* ---- The operations ----------------------------------------------------- */
 
-/* What arith.h has no functions for, by the rule of the oracle. */
+/* Operations that arith.h lacks, by the rule of the oracle. */
 #define BITWISE_OF(size, name, format) \
     static c205_word size##_##name(c205_word a, c205_word b, uint64_t *flags) \
     { \
@@ -76,7 +77,7 @@ static const binary binaries_of_halves[] = {
 #include "vm/arith.def"
 };
 
-/* The conversions stand with the size that they take. */
+/* A conversion is listed with the size of its operand. */
 static const unary unaries_of_words[] = {
 #define UNARY(name, ...) WORDS(name, name),
 #define COPY(name, ...) WORDS(name, name),
@@ -146,7 +147,7 @@ static const operations sizes[] = {
 
 /* ---- Spans against words ------------------------------------------------ */
 
-/* Flags that no operation sets stay. */
+/* Flags that no operation sets must be unchanged. */
 static const uint64_t other_flags = 5;
 
 static void check_rest(const char *name, const c205_word *c, size_t n, uint64_t flags,
@@ -230,7 +231,7 @@ static void check_unaries(const operations *size, const c205_word *a, size_t n,
         check_unary(&size->unaries[i], a, n, place);
 }
 
-/* Every length, with the lane_supplies of the two operands taking turns. */
+/* Every length; the two operands take all pairs of lane_supplies in turn. */
 static void check_lengths_at(const operations *size, size_t place, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];
@@ -255,8 +256,8 @@ struct upon {
     size_t n, below;
 };
 
-/* The result begins so many words below a copy of the operand: it is the same
- * as one apart, and what is left of the operand stays. */
+/* The result begins `below` words before a copy of the operand. It must equal a
+ * separate result, and the rest of the operand must be unchanged. */
 static void check_made_upon(const char *name, const struct upon *upon,
                             const c205_word *operand, const c205_word *expected,
                             const c205_word *room, bool same_flags)
@@ -324,7 +325,7 @@ TEST(upon_an_operand)
 
 /* ---- Operands of all kinds ---------------------------------------------- */
 
-/* Alone in a span, so that no other word sends the block to the exact rule. */
+/* One word per span, so that no other word sends the block to the exact rule. */
 static void check_specials(const operations *size, uint64_t seed)
 {
     (void)seed;
@@ -351,7 +352,7 @@ static void check_supplies(const operations *size, uint64_t seed)
     }
 }
 
-/* Close operands: cancellation, quotients lane_near 1, sums lane_near 0. */
+/* Close operands cause cancellation, quotients near 1 and sums near 0. */
 static c205_word close_to(word_format f, c205_word a, uint64_t *seed)
 {
     uint64_t shift = xorshift(seed) % 7;
@@ -374,7 +375,7 @@ static void check_close_operands(const operations *size, uint64_t seed)
     }
 }
 
-/* Counts, exponents and significances are small integers. */
+/* Shift counts, exponents and significances are small integers. */
 static void check_by_integers(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
@@ -418,8 +419,8 @@ TEST(operands)
             checks[k](&sizes[i], RANDOM_SEED + k);
 }
 
-/* The roots come from doubles, which err: every coefficient is tried, with
- * both parities of the exponent. */
+/* Roots are computed from inexact doubles, so every coefficient is tried, with both
+ * parities of the exponent. */
 TEST(every_root_of_a_half_word)
 {
     static c205_word a[LONG_LENGTH];

@@ -1,6 +1,6 @@
 /* test_lens.c - a camera with a lens: frames of all forms are compared with each other
- * and the plain tracer, and what is in focus with a pinhole's.  A sample in another
- * place of the lens, or a focal plane at another distance, fails here. */
+ * and the plain tracer, and objects in focus with those of a pinhole. A sample at
+ * another place of the lens, or a focal plane at another distance, fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -83,7 +83,7 @@ static struct frame seen(const char *camera, double distance, size_t samples)
     return frame;
 }
 
-/* The greatest difference of a colour. */
+/* Returns the largest difference of a colour component. */
 static double difference(const char *a, const char *b, double distance, size_t samples)
 {
     SCOPED_VALUE(frame) one = seen(a, distance, samples);
@@ -95,8 +95,8 @@ static double difference(const char *a, const char *b, double distance, size_t s
     return greatest;
 }
 
-/* What is in focus looks as through a pinhole, how far off the axis it may be and
- * wherever the focal point is; what is not, does not. */
+/* An object in focus looks as through a pinhole, at any distance from the axis and for
+ * any focal point. An object out of focus does not. */
 TEST(focus)
 {
     for (size_t samples = 2; samples <= 6; samples++)
@@ -120,7 +120,7 @@ TEST(focus)
 
 #define FOCUS "aperture -4 focal_point 7*z blur_samples 10 "
 
-/* POV-Ray's, measured by its pictures of a small, distant sphere. */
+/* POV-Ray's values, measured in its pictures of a small, distant sphere. */
 TEST(words)
 {
     static const struct {
@@ -146,7 +146,7 @@ TEST(words)
     }
 }
 
-/* Rays of a pixel, across, with --samples that many. */
+/* Returns the rays across a pixel for an option --samples. */
 static size_t across(const char *camera, size_t samples)
 {
     SCOPED(scene) *scene = read_text(camera);

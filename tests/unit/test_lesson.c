@@ -1,5 +1,6 @@
-/* test_lesson.c - of answers drawn at random a verdict says what was done to them, and nothing
- * else; their clocks are those of plain runs. */
+/* test_lesson.c - the verdicts on random answers are compared with the known mistakes
+ * of the answers, and their clocks with those of plain runs. A mistake that is not
+ * reported, or a sentence about something else, fails here. */
 #include <inttypes.h>
 #include <math.h>
 
@@ -14,7 +15,7 @@ static size_t tries = 150;
 
 /* ---- Plain runs ------------------------------------------------------------ */
 
-/* An answer in a test, without the grader. */
+/* A run of an answer in a test, without the grader. */
 struct plain_trial {
     struct object *object;
     c205_model *model;
@@ -72,7 +73,7 @@ static void plain_free(struct plain_trial *plain)
 
 /* ---- Goals ----------------------------------------------------------------- */
 
-/* So that so many clocks get this medal, often at the last clock. */
+/* Sets the goals so that these clocks get this medal, often with no clock to spare. */
 static void draw_goals(struct random_test *test, uint64_t clocks, enum medal medal)
 {
     uint64_t below_it = clocks - 1, above_it = clocks;
@@ -188,7 +189,8 @@ static void check_cause(const struct random_lesson *drawn,
     accounts_free(&accounts);
 }
 
-/* Behind so many sentences: that it is scalar, if that is why. */
+/* After `sentences` sentences, the verdict says that the loop is scalar, if that is the
+ * reason. */
 static void check_loop_told(const struct lesson_trial *trial,
                             const struct plain_trial *plain, size_t sentences)
 {
@@ -204,7 +206,8 @@ static void check_loop_told(const struct lesson_trial *trial,
     assert_int_equal(trial->report.count, sentences + (instructions >= 1000));
 }
 
-/* The hottest ones in turn, of equals the first; three, while they take a tenth or more. */
+/* The hottest lines, in order; ties in the order of the source. At most three are
+ * listed, each with a tenth of the clocks or more. */
 static void check_lines(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain)
@@ -428,7 +431,7 @@ TEST(drawn)
         assert_true(seen[i] > tries / 100);
 }
 
-/* Answers that do the work in other ways, against goals. */
+/* Correct answers with other methods, compared with goals. */
 TEST(ways)
 {
     for (size_t i = 0; i < tries; i++) {
@@ -443,7 +446,7 @@ TEST(ways)
 
 /* ---- What all tests would say ---------------------------------------------- */
 
-/* The n at which a text stands first is replaced. */
+/* Returns a copy with the first occurrence of a text replaced. */
 static char *with(const char *answer, const char *old, const char *new)
 {
     const char *at = strstr(answer, old);

@@ -1,5 +1,6 @@
-/* test_lesson_texts.c - what is expected of a run; what results look like; lessons that are none,
- * and their names; any texts. */
+/* test_lesson_texts.c - texts of lessons are compared with the expectations, notes,
+ * names and errors that they must give, and random texts must be rejected or graded. An
+ * error without a reason, or a wrong explanation of results, fails here. */
 #include "asm/lesson/lesson_internal.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
@@ -7,7 +8,7 @@
 
 static size_t tries = 5000;
 
-/* A lesson with one test; false: it is refused. */
+/* Opens a lesson with one test. Returns false if it is rejected. */
 static bool open_with(struct lesson *lesson, const char *test, c205_error *error)
 {
     static const char title[] = "# A\n";
@@ -188,7 +189,7 @@ static void mutate(char *text, uint64_t *random_state)
             bytes[xorshift(random_state) % (sizeof bytes - 1)];
 }
 
-/* It is refused with a reason, or graded with one. */
+/* The text must be rejected or graded; both have a message. */
 static void grade_any(const char *test, const char *answer)
 {
     struct lesson lesson = { 0 };
@@ -246,7 +247,7 @@ TEST(any)
 
 enum { ELEMENTS = 16 };
 
-/* "1.0 2 i": a number, an integer, indefinite; of bits "0 1". */
+/* Reads elements: "1.0" is a number, "2" an integer, "i" indefinite; bits are "0 1". */
 static size_t take_elements(const char *text, enum asm_contents contents,
                             c205_word elements[ELEMENTS])
 {

@@ -1,5 +1,6 @@
-/* test_line_profile.c - what a profile has of a run, line by line, is what the accounts have,
- * cause by cause. */
+/* test_line_profile.c - the sums of a profile of a run, over all lines, are compared
+ * with the machine's accounts, cause by cause, over all examples and test programs. A
+ * clock that is lost or belongs to another line fails here. */
 #include "asm/line_profile.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/prior_model.h"
@@ -31,7 +32,7 @@ static void check_sums(const struct line_profile *profile, const c205 *machine,
     assert_int_equal(elements, streamed);
 }
 
-/* In slices, between which it is stopped, perhaps within an instruction. */
+/* Runs a program in slices, which may end inside an instruction. */
 static void check_run(const char *path, uint64_t limit, uint64_t slice)
 {
     struct object *object = good_file(path);
@@ -53,7 +54,7 @@ static void check_run(const char *path, uint64_t limit, uint64_t slice)
     object_free(object);
 }
 
-/* To the end, or a trap; and stopped on the way, perhaps within an instruction. */
+/* Runs a program to its end or a trap, then with stops, some inside instructions. */
 static void check_program(const char *path)
 {
     static uint64_t more;
@@ -86,7 +87,7 @@ static const struct profile_row *row_of(const struct line_profile *profile,
     return NULL;
 }
 
-/* Each cause has its column, by its name. */
+/* Each cause has a column of its own name. */
 static void check_columns(const struct line_profile *profile)
 {
     enum { BEFORE = 5 };
@@ -120,8 +121,8 @@ static void check_columns(const struct line_profile *profile)
     table_free(table);
 }
 
-/* A macro is summed where it is called, a repetition where it stands; a vector instruction
- * has the clocks that others wait for it, warm pages cost nothing. */
+/* A macro is summed at its call, a repetition at its own lines. A vector instruction
+ * has the clocks of the instructions that wait for it. Warm pages cost nothing. */
 TEST(lines)
 {
     struct object *object = good("        .include \"vectors.s\"\n"

@@ -1,9 +1,10 @@
 /* test_lines.c - all crossings along lines through random solids of all shapes are
  * compared between the forms, queues and bounds, with the plain tracer, and the nearest
- * one with a frame.  A crossing that is lost, out of order or of another body fails
+ * one with a frame. A crossing that is lost, out of order or of another body fails
  * here.
  *
  *     test_lines [SCENES [SEED]]
+ *
  */
 #include "tests/unit/random_solids.h"
 
@@ -11,9 +12,9 @@
 
 enum { LINES = 60 };
 
-static size_t scene_count = 6; /* of each sort */
+static size_t scene_count = 6; /* of each kind */
 
-/* --- random solids -------------------------------------------------------- */
+/* ---- Random solids ------------------------------------------------------- */
 
 static void write_scene(char *text, size_t size, const char *camera)
 {
@@ -46,8 +47,8 @@ static void check_queues(const struct scene *scene, const char *text,
     }
 }
 
-/* From a camera on either side of the solids, or within them with what lies
- * behind. */
+/* The camera is on either side of the solids, or inside them with crossings behind
+ * it. */
 static void check_solids(double z, double behind)
 {
     static char text[1 << 18];
@@ -80,7 +81,7 @@ TEST(random_solids)
 
 enum { SIDE = 32 };
 
-/* Rays that a camera sends whose numbers are exact. */
+/* A camera whose rays have exact coordinates. */
 #define EXACT "orthographic location -8*z direction z right 4*x up 4*y"
 
 static void put_pixels(struct scene_ray list[SIDE * SIDE])
@@ -93,15 +94,16 @@ static void put_pixels(struct scene_ray list[SIDE * SIDE])
         };
 }
 
-/* Of a mesh alone the frame's kernel leaves the signs of products as they are, where
- * that of all crossings takes their sizes: cut numbers differ in the last bits. */
+/* For a mesh alone, the frame's kernel keeps the signs of products, and the kernel for
+ * all crossings takes magnitudes. Truncation makes their last bits differ. */
 static bool is_word(c205_word found, c205_word expected, bool mesh)
 {
     return found == expected
            || (mesh && fabs(c205_to_double(found) - c205_to_double(expected)) < 1e-12);
 }
 
-/* A frame has the distance, the normal and the number of what is seen first. */
+/* Returns whether a frame has the distance, the normal and the id of the first
+ * crossing. */
 static bool is_nearest(const struct scene *scene, const struct words *words,
                        size_t pixel, const struct ray_hit *seen)
 {
@@ -163,14 +165,14 @@ TEST(nearest)
 
 /* --- by hand -------------------------------------------------------------- */
 
-/* A crossing as it is expected. */
+/* An expected crossing. */
 struct expected {
     double distance;
     size_t primitive, object;
     int crossing, object_depth, scene_depth;
 };
 
-/* So many lines, all the same: what is found of them fills pages. */
+/* Copies of a line, enough to fill pages with crossings. */
 enum { COPIES = 64 };
 
 static void check_crossing(const struct ray_hit *seen, const struct expected *expected)
@@ -218,8 +220,8 @@ static void check_line(const char *objects, double behind, size_t count,
         __VA_ARGS__ \
     }
 
-/* Two that touch; of a union that stands by itself each part is a body; of a merge
- * what lies within is not seen. */
+/* Two solids touch. Each part of a separate union is a body; surfaces inside a merge
+ * are not reported. */
 TEST(faces)
 {
     check_line("box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
@@ -240,7 +242,7 @@ TEST(faces)
                        { 4.5, 1, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
 }
 
-/* As many as there are, in whatever order they are found. */
+/* All crossings are found, whatever their order. */
 TEST(many)
 {
     enum { SPHERES = 300 };
@@ -260,7 +262,7 @@ TEST(many)
         check_form(text, (enum trace_mode)mode, 0, 2 * SPHERES, expected);
 }
 
-/* What is open is seen, but of no body. */
+/* Open surfaces are crossed, but belong to no body. */
 TEST(open)
 {
     check_line("cylinder { -y, y, 1 open } disc { 0, z, 1 }", 0,
@@ -270,7 +272,7 @@ TEST(open)
                COUNTED({ 3, 0, 0, 0, 0, 0 }, { 6, 2, 1, -1, -1, -1 }));
 }
 
-/* Distances are told from the origin, also of what lies behind it. */
+/* Distances are measured from the origin; those behind it are negative. */
 TEST(behind)
 {
     check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 inverse }", 8,

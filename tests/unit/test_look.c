@@ -1,6 +1,6 @@
-/* test_look.c - a frame that is read while it is traced: the bands that are shown are
- * compared with the frame and its accounts.  A band that is shown twice or too early,
- * or clocks that fall, fail here. */
+/* test_look.c - a frame that is read while it is traced: the displayed bands are
+ * compared with the frame and its accounts. A band that is displayed twice or too
+ * early, or a clock that decreases, fails here. */
 #define MIDDLING_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -11,15 +11,15 @@
     "plane { y, -1 pigment { checker rgb .2, rgb .9 } finish { reflection " \
     ".3 } }\n"
 
-/* What a trace has shown. */
+/* Bands that a trace has displayed. */
 struct shown {
-    size_t done, under_way; /* views */
-    size_t last_row;        /* of the band before */
-    uint64_t clocks;        /* of that band, as it stood last */
-    struct frame frame;     /* of bands that were done */
-    bool rows[MAX_PIXELS];  /* that are in it */
-    uint64_t all;           /* clocks, of the last band that was done */
-    size_t some;            /* views with pixels, not all of them */
+    size_t done, under_way; /* number of views */
+    size_t last_row;        /* of the previous band */
+    uint64_t clocks;        /* last reported clocks of that band */
+    struct frame frame;     /* complete bands */
+    bool rows[MAX_PIXELS];  /* rows in the frame */
+    uint64_t all;           /* clocks of the last complete band */
+    size_t some;            /* views with a part of their pixels */
 };
 
 static bool go_on(void *context, size_t done, size_t pixels)
@@ -120,8 +120,8 @@ TEST(bands)
     }
 }
 
-/* A frame in one band, long enough to be asked about: part of it is there before
- * all is. */
+/* A frame in one band, long enough to be read while it is traced: a part of it is
+ * visible before the rest. */
 TEST(under_way)
 {
     struct shown shown = { .done = 0 };

@@ -1,8 +1,9 @@
-/* test_machine.c - what a machine does besides the results of instructions, and SWAP:
- * traps, their addresses and messages, limits, regions, events and copies of memory are
- * compared with what is written here.  What instructions do, check-programs and
- * check-random compare with results by hand and with a second interpreter.  A trap that is
- * missing, or named with another address, fails here.
+/* test_machine.c - the behaviour of a machine besides the results of instructions, and
+ * SWAP: traps with their addresses and messages, limits, regions, events and copies of
+ * memory are compared with expected values. Results of instructions are compared by
+ * check-programs with results by hand, and by check-random with a second interpreter. A
+ * trap that is missing, or reported with another address, fails here.
+ *
  */
 #include "machine_fixture.h"
 
@@ -15,7 +16,7 @@ static void expect_end(c205_stop stop)
     assert_string_equal(c205_trap_name(stop.trap), "none");
 }
 
-/* Registers are saved before others are loaded, and register 0 keeps its value. */
+/* SWAP saves registers before it loads others. Register 0 keeps its value. */
 TEST(swap)
 {
     struct small_machine fixture = make_small_machine();
@@ -28,14 +29,15 @@ TEST(swap)
         put_at(&fixture, DATA + i * 64, 200 + i);
     }
     set(&fixture, 1, descriptor(DATA, 3));
-    set(&fixture, 2, descriptor(DATA + 2 * 64, 4)); /* overlaps: saved first */
+    set(&fixture, 2,
+        descriptor(DATA + 2 * 64, 4)); /* overlaps: saved before the load */
     expect_end(run(&fixture));
     assert_int_equal(get(&fixture, 10), 200);
     assert_int_equal(get(&fixture, 11), 201);
     assert_int_equal(get(&fixture, 12), 100);
     assert_int_equal(get(&fixture, 13), 103);
     assert_int_equal(word_at(&fixture, DATA + 5 * 64), 103);
-    /* the second loads registers 0, 1, 2; 0 keeps its value */
+    /* the second SWAP loads registers 0, 1, 2; register 0 keeps its value */
     assert_int_equal(get(&fixture, 0), 0);
     assert_int_equal(get(&fixture, 1), 201);
     assert_int_equal(get(&fixture, 2), 100);
@@ -48,7 +50,7 @@ static c205_stop run_one(struct small_machine *fixture, const char *mnemonic,
                          c205_fields fields)
 {
     begin(fixture);
-    add(fixture, "RTOR", F(.r = 0, .t = 0)); /* off the word boundary */
+    add(fixture, "RTOR", F(.r = 0, .t = 0)); /* not aligned to a word */
     add(fixture, mnemonic, fields);
     add(fixture, "EXIT", F(.r = 0));
     load(fixture, 100);
@@ -110,8 +112,8 @@ TEST(undefined)
     free_small_machine(&fixture);
 }
 
-/* As programs that ran had it: ADDNV with G = 05 adds magnitudes.  -2 and 2, to
- * each -3. */
+/* ADDNV with G = 05 adds magnitudes, as programs of the period used it. The operands
+ * are -2 and 2, each with -3. */
 TEST(sign_bits)
 {
     static const double sums[][2] = { { -5, -1 }, { 1, 5 }, { -1, -5 }, { 5, 1 },
@@ -175,7 +177,7 @@ TEST(operand_traps)
     free_small_machine(&l);
 }
 
-/* Address 0 is told like any other. */
+/* Address 0 is reported like every other address. */
 TEST(address_0_is_told)
 {
     struct small_machine fixture = make_small_machine();
@@ -218,7 +220,7 @@ TEST(fetch)
     c205_stop stop = run(&fixture);
     assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(stop.address, 0x800000);
-    /* the second half lies beyond the last page */
+    /* the second half is after the last page */
     put_at(&fixture, 0x800000 - 64, 0xBE000000);
     c205_set_pc(fixture.machine, 0x800000 - 32);
     stop = run(&fixture);
@@ -240,8 +242,8 @@ TEST(clock_limit)
     free_small_machine(&fixture);
 }
 
-/* Room for all that might be kept is asked for first; that there was none is
- * no fault of a later instruction. */
+/* Space for the longest possible result is checked first. If it is missing but not
+ * needed, no later instruction may report a fault. */
 TEST(compress_leaves_no_fault)
 {
     struct small_machine fixture = make_small_machine();
@@ -250,7 +252,7 @@ TEST(compress_leaves_no_fault)
     add(&fixture, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
     load(&fixture, 100);
     set(&fixture, 1, descriptor(DATA, 2));
-    set(&fixture, 2, descriptor(DATA, 2)); /* zeros: none is kept */
+    set(&fixture, 2, descriptor(DATA, 2)); /* zeros: no element is selected */
     set(&fixture, 3, end - 64);
     c205_stop stop = run(&fixture);
     assert_int_equal(stop.trap, C205_TRAP_BAD_DESCRIPTOR);

@@ -1,9 +1,11 @@
 /* test_mass.c - volumes, areas, centroids and inertia of solids, from columns, are
- * compared with the formulas of massprops.csv.  A chord that is lost, or a moment about
+ * compared with the formulas of massprops.csv. A chord that is lost, or a moment about
  * another axis, fails here.
  *
- * MASS_RAYS, a power of two: rays of a view in all; with 2^18 errors are at most 1e-4
- * of a figure. */
+ * MASS_RAYS, a power of two, is the total number of rays of a view; with 2^18 the
+ * errors are at most 1e-4 of a figure.
+ *
+ */
 #include "base/file.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/oracle/measured.h"
@@ -12,7 +14,7 @@
 
 #include <math.h>
 
-#define STUDENT 2.1314 /* with 15 degrees of freedom */
+#define STUDENT 2.1314 /* for 15 degrees of freedom */
 
 static struct columns_options usual(void)
 {
@@ -62,7 +64,8 @@ static double named(const struct csv_table *table, size_t row, const char *name)
     return 0;
 }
 
-/* Within four standard errors, and a share of the scale. */
+/* Fails unless the difference is within four standard errors and a fraction of the
+ * scale. */
 static void check_figure(const char *solid, const struct mass_figures *found,
                          size_t figure, double expected, double scale, double share)
 {
@@ -112,8 +115,8 @@ TEST(formulas)
 
 /* ---- The same in every way ----------------------------------------------- */
 
-/* Bodies that overlap, a union that stands by itself, a tree, an object that is in
- * one place twice. */
+/* Bodies that overlap, a separate union, a tree, and an object that occurs twice at one
+ * place. */
 static const char crowd[] = "union { sphere { 0, 1 } box { -.6, <1.5, .6, .7> } }\n"
                             "difference { torus { 1.2, .4 } plane { x, .2 } }\n"
                             "cylinder { <-1, 0, .3>, <1, 1, .3>, .5 }\n"
@@ -139,7 +142,7 @@ TEST(same_bits)
     }
 }
 
-/* More rays than go into a packet, more crossings than there are lanes. */
+/* More rays than a packet holds, and more crossings than lanes. */
 TEST(same_packets)
 {
     struct columns_options options = usual();
@@ -160,7 +163,7 @@ TEST(same_packets)
 
 /* ---- Points -------------------------------------------------------------- */
 
-/* A solid that no axis suits, of the volume 1.2^3 20/27. */
+/* A solid that is not aligned to any axis, with volume 1.2^3 20/27. */
 static const char tilted[] =
     "difference { box { -.5, .5 } box { <-1,-1/6,-1/6>, <1,1/6,1/6> }\n"
     "box { <-1/6,-1,-1/6>, <1/6,1,1/6> } box { <-1/6,-1/6,-1>, <1/6,1/6,1> }\n"
@@ -189,7 +192,8 @@ static struct tried try_seeds(enum columns_points points, size_t seeds)
     return tried;
 }
 
-/* No bias; intervals hold what they say; a lattice is better than chance. */
+/* Estimates have no bias, intervals have their stated probability, and a lattice has a
+ * smaller error than random points. */
 TEST(points)
 {
     enum { SEEDS = 16 };
@@ -210,7 +214,7 @@ TEST(points)
 
 /* ---- Parts --------------------------------------------------------------- */
 
-/* Two balls of radius 1, one unit apart, have a lens in common. */
+/* Two balls of radius 1, one unit apart, share a lens. */
 TEST(overlap)
 {
     struct columns_options options = usual();
@@ -226,7 +230,8 @@ TEST(overlap)
                 < 1e-12);
 }
 
-/* What is far away has the centroid there, and the inertia of the parallel axes. */
+/* A distant solid has its centroid there, and moments of inertia by the parallel axis
+ * theorem. */
 TEST(about)
 {
     struct columns_options options = usual();
@@ -242,7 +247,7 @@ TEST(about)
     assert_true(fabs(value[FIGURE_CENTRAL] - 16. / 3) < 2e-3);
 }
 
-/* .. where the centroid is not the middle of the box. */
+/* The parallel axis theorem also holds if the centroid is not the centre of the box. */
 TEST(parallel_axes)
 {
     struct measured bored;
@@ -263,7 +268,7 @@ TEST(parallel_axes)
         < 1e-9);
 }
 
-/* The axes of a box that is turned, its moments rising. */
+/* The principal axes of a rotated box, in order of increasing moments. */
 TEST(axes)
 {
     struct columns_options options = usual();

@@ -1,7 +1,8 @@
-/* test_memory.c - the memory of a machine: access rights, pages that are touched late or
- * unmapped, words across pages, strings of bits at every alignment (compared with one bit
- * at a time) and the marks of code.  A span that ends at another bit, or a page that keeps
- * an old word or right, fails here.
+/* test_memory.c - the memory of a machine is compared with its rules, and strings of
+ * bits at every alignment with a loop over bits: access rights, pages that are
+ * allocated on access or unmapped, words across pages and marks of code. A span that
+ * ends at another bit, or a page that keeps an old word or right, fails here.
+ *
  */
 #include "tests/unit/unit.h"
 #include "vm/memory.h"
@@ -46,7 +47,7 @@ TEST(check)
     let_go(memory);
 }
 
-/* A page takes room when it is touched, not before. */
+/* A page is allocated on its first access. */
 TEST(untouched)
 {
     size_t pages = 200000; /* 105 GB */
@@ -79,7 +80,7 @@ TEST(untouched)
     let_go(memory);
 }
 
-/* Pages that were unmapped come back without words, code or protection. */
+/* Pages that are unmapped and mapped again have no words, code marks or protection. */
 TEST(clear)
 {
     struct memory *memory = memory_of(PAGE_BITS, 1);
@@ -132,7 +133,7 @@ TEST(words_across_pages)
     let_go(memory);
 }
 
-/* Against one bit at a time, at every alignment. */
+/* Compared with one bit at a time, at every alignment. */
 TEST(bits)
 {
     struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
@@ -178,10 +179,10 @@ TEST(code_marks)
     let_go(memory);
 }
 
-/* What was found lately is what would be found now. */
+/* A lookup through the cache gives the same page as a full lookup. */
 TEST(near_pages)
 {
-    uint64_t alike = NEAR_PAGES * PAGE_BITS; /* found in the place of page 0 */
+    uint64_t alike = NEAR_PAGES * PAGE_BITS; /* has the same cache slot as page 0 */
     struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
     c205_error error;
     assert_null(memory_near(memory, alike));

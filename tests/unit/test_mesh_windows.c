@@ -1,9 +1,10 @@
-/* test_mesh_windows.c - the walk of a mesh by windows is compared with the triangles
- * that rays through an eye go to, and frames by windows with frames by boxes, over
- * random meshes, eyes and lights.  A window that is too small, or used for rays that
- * miss the eye, fails here.
+/* test_mesh_windows.c - the traversal of a mesh by windows is compared with the
+ * triangles at which rays through a viewpoint are aimed, and frames by windows with
+ * frames by boxes, over random meshes, viewpoints and lights. A window that is too
+ * small, or used for rays that miss the viewpoint, fails here.
  *
  *     test_mesh_windows [SCENES [SEED]]
+ *
  */
 #define SMALL_FRAMES
 #include "rt/layout/find_viewpoints.h"
@@ -18,7 +19,7 @@ static char text[1 << 20];
 
 /* ---- What a table says ---------------------------------------------------- */
 
-/* Of records.s. */
+/* Offsets of records.s. */
 enum {
     TABLE_EYES = 22,
     TABLE_EYE_COUNT,
@@ -34,7 +35,7 @@ enum {
 };
 #define MET 0x1p40
 
-/* A ray through an eye, as far as z. */
+/* A ray through a viewpoint: its slopes, and its extent along the axis. */
 struct look {
     double u, v, z;
 };
@@ -52,7 +53,8 @@ static bool is_within(const struct look *look, const double *window)
            && look->v <= window[3] && window[WINDOW_NEAR] < look->z;
 }
 
-/* Whether the walk comes to the triangle that is there; *asked counts windows. */
+/* Returns whether the traversal reaches the triangle. Adds the tested windows to
+ * *asked. */
 static bool comes_to(const double *table, const double *eye, const struct look *look,
                      double triangle, double row, size_t *asked)
 {
@@ -87,7 +89,8 @@ static void random_net(void)
         net_shuffle(&net, &traced.random);
 }
 
-/* Beside it or within, near or far, its numbers whole or not. */
+/* Draws a point outside or inside the mesh, near or far, with or without integer
+ * coordinates. */
 static void random_place(double place[3])
 {
     double reach = below(4) ? between(1.2, 6) : pow(10, between(-2, 2));
@@ -98,7 +101,7 @@ static void random_place(double place[3])
     }
 }
 
-/* Corners, points of edges and within. */
+/* Draws a corner, a point of an edge or an interior point. */
 static void random_point(const double *corners, double point[3])
 {
     double a = between(0, 1), b = between(0, 1 - a);
@@ -112,7 +115,7 @@ static void random_point(const double *corners, double point[3])
                    + b * (corners[6 + k] - corners[k]);
 }
 
-/* To all of its triangles.  Returns windows that were asked for each. */
+/* Aims a ray at every triangle. Returns the mean number of tested windows. */
 static double check_eye(const struct primitive *mesh, const double *table,
                         const double *eye, double row)
 {
@@ -149,7 +152,7 @@ static bool is_inside(const double place[3], const double *table, double row,
     return true;
 }
 
-/* As it stands. */
+/* Makes a primitive of the mesh without a transformation. */
 static void take_primitive(struct primitive *mesh)
 {
     static const struct transform nowhere = {
@@ -160,7 +163,7 @@ static void take_primitive(struct primitive *mesh)
     mesh->to_world = mesh->to_local = nowhere;
 }
 
-/* Three eyes of a net, at any scale and place. */
+/* Checks three viewpoints of a mesh, at a random scale and place. */
 static void check_net(size_t *seeing, size_t *within)
 {
     struct viewpoints viewpoints = { .count = 3 };
@@ -197,7 +200,7 @@ static void check_net(size_t *seeing, size_t *within)
     free(mesh.shape.mesh.triangles.list);
 }
 
-/* Many eyes beside a mesh have windows. */
+/* Most viewpoints outside of a mesh have windows. */
 TEST(ways)
 {
     size_t seeing = 0, within = 0, nets = 40 * scene_count;
@@ -207,7 +210,7 @@ TEST(ways)
     assert_true(seeing > (3 * nets - within) * 3 / 4);
 }
 
-/* Of a ball of many triangles a ray is asked at few windows. */
+/* A ray at a ball of many triangles tests few windows. */
 TEST(few_are_asked)
 {
     struct viewpoints viewpoints = { 1, { { 1, 2, -9 } } };
@@ -233,7 +236,7 @@ static void add_vector(const char *name, const double vector[3])
              vector[2]);
 }
 
-/* Of all sorts, two of them now and then in one place. */
+/* Adds lights of all kinds. Some are at the same place. */
 static void add_lights(void)
 {
     static const char *const sorts[] = {
@@ -274,8 +277,8 @@ static void add_mesh(void)
     put_mesh();
 }
 
-/* Meshes, objects far behind them, a mirror: rays come from everywhere.  The camera has
- * these words besides. */
+/* Writes meshes, distant objects behind them and a mirror, so that rays come from all
+ * directions. `camera` has further words of the camera. */
 static void write_scene(const char *camera)
 {
     double place[3];
@@ -299,7 +302,8 @@ static void write_scene(const char *camera)
                  place_between(-2, 2), place_between(-2, 2), place_between(-2, 2));
 }
 
-/* How many pixels show something. */
+/* Compares the frames of all forms, by windows and by boxes. Returns the number of
+ * pixels that show an object. */
 static size_t check_frame(void)
 {
     FREED struct words *words = same_frame(text);
@@ -324,9 +328,9 @@ TEST(frames)
     assert_true(seen > scene_count * traced.pixels / 4);
 }
 
-/* Meshes before the camera.  There are lights where it is and where its direction
- * leads from the origin, which is what the kernels keep in place of the location of an
- * orthographic camera. */
+/* Writes meshes in front of the camera. One light is at the camera. Another is at the
+ * end of the camera's direction from the origin, a vector which the kernels store in
+ * place of the location of an orthographic camera. */
 static void write_before_camera(const char *camera)
 {
     const double by[3] = { 0, 0, 6 };
@@ -348,7 +352,8 @@ static void write_before_camera(const char *camera)
              place_between(-2, 2), place_between(-2, 2));
 }
 
-/* Rays of the camera do not go through its place, but those to a light there do. */
+/* Rays of these cameras do not pass through the camera's location, but rays to a light
+ * there do. */
 TEST(other_cameras)
 {
     static const char *const cameras[] = {
@@ -366,7 +371,7 @@ TEST(other_cameras)
     traced.samples = 1;
 }
 
-/* An eye that is of no use takes room in memory for its windows. */
+/* Windows of a viewpoint that cannot be used are not stored. */
 TEST(places)
 {
     static const struct {
@@ -396,8 +401,8 @@ TEST(places)
 
 /* ---- Edge-on ---------------------------------------------------------------- */
 
-/* Whether a ray in its plane meets a triangle is up to rounding; whoever traces it says
- * the same. */
+/* Rounding decides whether a ray in the plane of a triangle hits it. All stages must
+ * decide alike. */
 static void check_stages(void)
 {
     FREED struct words *words = same_frame(text);
@@ -409,7 +414,8 @@ static void check_stages(void)
         fail_msg("without bounds there is another frame of\n%s", text);
 }
 
-/* On a slope through the eye; numbers of which few are whole. */
+/* Adds a triangle whose plane contains the viewpoint; most coordinates are not
+ * integers. */
 static void add_edge_on(const double eye[3])
 {
     double corners[3][3];
@@ -426,7 +432,8 @@ static void add_edge_on(const double eye[3])
     add_text(text, sizeof text, "}\n");
 }
 
-/* Two lights in one place, one with an area; what they shine on is near and very far. */
+/* Writes two lights at one place, one of them an area light, with near and very distant
+ * objects. */
 static void write_edge_on(void)
 {
     double eye[3], light[3];
@@ -459,8 +466,8 @@ TEST(edge_on)
     }
 }
 
-/* One that was wrong: the point in the middle of the area is where the other light is;
- * rays from the lower plane come from far away. */
+/* A scene that once failed: the middle of the area light is at the other light, and
+ * rays from the lower plane start far away. */
 TEST(known)
 {
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -496,7 +503,7 @@ static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
     return trace_accounts(trace)->clocks;
 }
 
-/* From the camera, from a light. */
+/* Rays from the camera, and rays to a light. */
 TEST(clocks)
 {
     static const char *const lights[] = { " shadowless", "" };
@@ -524,7 +531,7 @@ TEST(clocks)
     }
 }
 
-/* Slender blades that stand askew fill little of their windows. */
+/* Slender oblique blades fill a small part of their windows. */
 TEST(where_they_do_not_pay)
 {
     struct viewpoints viewpoints = { 1, { { -6, 8, -6 } } };
@@ -546,8 +553,8 @@ TEST(where_they_do_not_pay)
     assert_int_equal((int)table[TABLE_EYE_COUNT], 0);
 }
 
-/* Of two lights in one place the rays of one are parallel; a third one is within, before
- * what is behind it. */
+/* Two lights are at one place, and one of them has parallel rays. A third light is
+ * inside the mesh, in front of its far side. */
 TEST(lights)
 {
     for (int i = 0; i < 3; i++) {

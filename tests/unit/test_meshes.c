@@ -1,21 +1,22 @@
 /* test_meshes.c - meshes: the frames of both forms are compared with each other and the
- * plain tracer, over random meshes; a triangle for each pixel must be found, and of
- * equals the first.  A triangle that is lost or a wrong normal fails here.
+ * plain tracer, over random meshes. A triangle for each pixel must be found, and of
+ * equal ones the first. A triangle that is lost or a wrong normal fails here.
  *
  *     test_meshes [SCENES [SEED]]
+ *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/random_solids.h"
 
-static size_t scene_count = 4; /* of each sort */
+static size_t scene_count = 4; /* of each kind */
 static struct net net;
 static char text[1 << 18];
 
 /* ---- Random scenes ------------------------------------------------------- */
 
-/* A few faces. */
+/* Makes a mesh with few faces. */
 static void random_net(void)
 {
     switch (below(4)) {
@@ -52,7 +53,7 @@ static void add_motion(char *to, size_t size)
     add_point(to, size, .8);
 }
 
-/* Of a sphere, not of a mesh, some let light pass. */
+/* Adds a sphere or a mesh; only spheres may be transparent. */
 static void add_thing(char *to, size_t size)
 {
     bool ball = below(5) == 0, clear = solids.clear;
@@ -71,7 +72,7 @@ static void add_thing(char *to, size_t size)
     add_text(to, size, "}\n");
 }
 
-/* Things through and within each other over a floor. */
+/* Writes objects that intersect and contain each other, over a floor. */
 static void write_world(void)
 {
     text[0] = '\0';
@@ -93,7 +94,7 @@ static void write_world(void)
     add_text(text, sizeof text, "}\n");
 }
 
-/* Of one way of going about it the same frame. */
+/* Traces by another method; the frame must be the same. */
 static void check_other_way(const struct words *words)
 {
     FREED struct words *others = same_frame(text);
@@ -134,7 +135,7 @@ static void pixel_ray(size_t pixel, double ray[3])
     ray[2] = 48;
 }
 
-/* Round the point that a ray gets to at a factor of its length. */
+/* Adds a triangle around the point of a ray at a multiple of its length. */
 static void add_small(const double ray[3], double factor)
 {
     static const double around[3][3] = { { -.3, -.25, 0 },
@@ -150,7 +151,7 @@ static void add_small(const double ray[3], double factor)
     net_face(&net, corners[0], corners[1], corners[2]);
 }
 
-/* A triangle for each pixel, and how deep it is there. */
+/* Writes a triangle for each pixel and records its depth there. */
 static void write_pixels(double depths[PIXELS])
 {
     net_soup(&net, 0, false, &traced.random);
@@ -178,7 +179,7 @@ TEST(every_triangle)
     check_paper_stage(text, words);
 }
 
-/* Hundreds. */
+/* Meshes of hundreds of triangles. */
 TEST(big)
 {
     for (size_t i = 0; i < scene_count; i++) {
@@ -205,8 +206,7 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
     return trace_checksum(trace);
 }
 
-/* A triangle as far away as a shadow ends stops no light; the one before it
- * does. */
+/* A triangle at the distance of the light casts no shadow; the one before it does. */
 TEST(shadow_limit)
 {
     free(plain_frame(
@@ -218,7 +218,7 @@ TEST(shadow_limit)
         "pigment { rgb <1, .2, .1> } }\n"));
 }
 
-/* As many rays in a queue as a vector has elements, nearly. */
+/* Queues of nearly as many rays as a vector has elements. */
 TEST(long_queues)
 {
     static const size_t queues[] = { 40000, MAX_TRACE_QUEUE - 4, MAX_TRACE_QUEUE };
@@ -245,7 +245,7 @@ static struct words *frame_of(const char *how)
     return same_frame(text);
 }
 
-/* In another order the nearest hits are where they were. */
+/* The order of the triangles does not change the nearest hits. */
 static void check_depths(const struct words *a, const struct words *b)
 {
     for (size_t k = 0; k < PIXELS; k++) {
@@ -277,7 +277,7 @@ TEST(other_words)
     "<-1, 2, 0>, -2*z }"
 #define FLAT "triangle { " CORNERS " }"
 
-/* By themselves, without a mesh. */
+/* Triangles that are not in a mesh. */
 TEST(triangles_alone)
 {
     static const char *const triangles[] = { FLAT, LEANING };
@@ -315,7 +315,7 @@ TEST(ties)
                  3, 5);
 }
 
-/* Every face once more behind all others, with other normals. */
+/* Adds a copy of every face after all others, with other normals. */
 static void add_doubles(void)
 {
     size_t count = net.face_count;
@@ -330,7 +330,7 @@ static void add_doubles(void)
     }
 }
 
-/* The whole mesh once more is seen in place of the first. */
+/* The first of two equal triangles is visible. */
 TEST(doubles)
 {
     net_take(&net, ICOSAHEDRON);
@@ -375,8 +375,8 @@ TEST(no_area)
     check_middle(STRAIGHT "mesh { " FLAT NO_AREA " }", 1, 5);
 }
 
-/* From far away, small: what is lost there would show here.  Not along the
- * axes, on which rays meet edges, and either side of one is right. */
+/* Small meshes, seen from far away, where lost precision would be visible. The view is
+ * not along an axis, since rays that hit an edge may hit either side. */
 TEST(distant)
 {
     for (int i = 0; i < 3; i++) {

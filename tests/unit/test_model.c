@@ -1,7 +1,8 @@
 /* test_model.c - machine models: the built-in ones are compared with a list of names,
- * changed ones with what was changed, and wrong texts with the place and message of their
- * error.  A model that is missing, a change that changes more, or an error at another
- * column fails here.
+ * changed ones with their changes, and wrong texts with the place and message of their
+ * error. A model that is missing, a change that affects other constants, or an error at
+ * another column fails here.
+ *
  */
 #include "tests/unit/unit.h"
 #include "vm/time/model.h"
@@ -60,7 +61,7 @@ TEST(built_in)
     assert_null(names[NAMES]);
 }
 
-/* What each is like, and the one constant in which it differs. */
+/* Variants: the model that each resembles, and the constant in which it differs. */
 TEST(variants)
 {
     static const struct {
@@ -87,7 +88,7 @@ TEST(variants)
     }
 }
 
-/* Every constant has all its columns, and is found under its name. */
+/* Every constant has all its columns and is found by its name. */
 TEST(constants)
 {
     c205_error error;
@@ -124,7 +125,7 @@ TEST(exact_values)
     c205_model_free(model);
 }
 
-/* A model says what it takes over and what it changes. */
+/* A model names the model that it extends, and its changes. */
 TEST(like)
 {
     c205_model *model = parsed("# a remark\n\n  title  A slower one  # remark\n"
@@ -178,7 +179,8 @@ TEST(change)
     c205_model_free(model);
 }
 
-/* A changed model may be changed; of nothing it is a copy; a projection too. */
+/* A changed model can be changed again. Without changes the result is a copy, also for
+ * a projection. */
 TEST(change_again)
 {
     static const c205_setting first = { "machine.pipes", 4 };
@@ -375,7 +377,7 @@ static void assert_place(const char *text, unsigned line, unsigned column,
     assert_int_equal(place.column, column);
 }
 
-/* A column is that of the word at fault. */
+/* The column is that of the wrong word. */
 TEST(places)
 {
     assert_place("title t\n  speed 3 clk R\n", 2, 3, "there is no constant 'speed'");

@@ -1,12 +1,12 @@
-/* test_nesting.c - trees with many parts are compared with the nested ones that replace
- * them: the same solid of the same primitives, over random trees.  A part in the wrong
- * group fails here. */
+/* test_nesting.c - trees with many parts are compared with the nested trees that
+ * replace them: both must be the same solid of the same primitives, over random trees.
+ * A part in the wrong group fails here. */
 #include "rt/layout/nesting.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 #include "tests/unit/tree_value.h"
 
-/* --- random trees ------------------------------------------------------ */
+/* ---- Random trees ----------------------------------------------------- */
 
 enum { NODES = 2000 };
 
@@ -25,7 +25,7 @@ static size_t add_node(struct forest *forest, enum tree_operation operation)
     return node;
 }
 
-/* A sphere somewhere, or what has no bound. */
+/* Adds a sphere at a random place, or a plane, which has no bound. */
 static void add_leaf(struct forest *forest)
 {
     size_t node = add_node(forest, TREE_LEAF);
@@ -82,8 +82,8 @@ static void grow(struct forest *forest)
 
 /* --- what is asked of the nested tree ------------------------------------- */
 
-/* From the first node to the last: those below a node are behind it, each
- * behind all of the one before, and a complement has one. */
+/* Checks the nodes from `node` to `end`. The descendants of a node follow it, child by
+ * child; a complement has one child. */
 static void check_shape(const struct scene *scene, size_t node, size_t end)
 {
     const struct tree_node *tree = &scene->nodes[node];
@@ -99,7 +99,7 @@ static void check_shape(const struct scene *scene, size_t node, size_t end)
                                               : children > 0);
 }
 
-/* All that is no union below unions, within the bound of the first. */
+/* Every part that is not a union must be within the bound of the outermost union. */
 static void check_within(const struct nested_scene *nested, size_t node,
                          const struct bound *whole)
 {
@@ -121,7 +121,7 @@ static void check_bounds(const struct nested_scene *nested)
             check_within(nested, i, &nested->bounds[i]);
 }
 
-/* Each is there once. */
+/* Each leaf occurs once. */
 static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
     FREED bool *there = calloc(scene->primitive_count, sizeof *there);
@@ -190,7 +190,7 @@ static size_t depth_of(const struct scene *scene, size_t node)
     return 1 + most;
 }
 
-/* So many spheres, each by a word about its number i. */
+/* Reads a merge of `count` spheres, each a text in the number I. */
 static struct scene *row_of(size_t count, const char *sphere)
 {
     char text[400];
@@ -199,7 +199,7 @@ static struct scene *row_of(size_t count, const char *sphere)
     return read_scene(text);
 }
 
-/* Rows, one point, each farther from the others than these from each other. */
+/* Spheres in a row, at one point, or at growing distances. */
 TEST(depth)
 {
     static const struct {
@@ -223,7 +223,7 @@ TEST(depth)
     }
 }
 
-/* Few parts, and unions that are several regions, stay as they are. */
+/* Trees with few parts, and unions that are several regions, do not change. */
 TEST(few_parts)
 {
     static const char *const texts[] = {

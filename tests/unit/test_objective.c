@@ -1,12 +1,12 @@
-/* test_objective.c - fits that are made up are compared with the limits of the goal, at the
- * limits themselves.  A limit that is compared by another sign, or left out, fails
- * here. */
+/* test_objective.c - fits with made-up values are compared with the limits of the
+ * objective, on both sides of each limit. A limit with the wrong sign, or one that is
+ * not checked, fails here. */
 #include "rt/study/fit/objective.h"
 #include "tests/unit/unit.h"
 
 enum { ROWS = 12 };
 
-/* They are asked for twice. */
+/* Each is requested twice. */
 static const double speedups[] = { 1.0999, 1.1001, .9001, .8999,
                                    1.0499, 1.0501, .9501, .9499 };
 static size_t speedups_asked;

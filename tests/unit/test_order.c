@@ -1,11 +1,10 @@
 /* test_order.c - the frames of both orders of pixels are compared, over random sizes,
- * queues, bands and jobs, and tiles with their definition.  A pixel that is lost or put
- * in another place fails here. */
+ * queues, bands and jobs, and tiles with their definition. A pixel that is lost or at
+ * another place fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-/* Something behind everything, and nothing behind some of it; rays of three
- * levels. */
+/* An object behind some pixels only, and rays of three levels. */
 static const char things[] = HEAD
     "background { rgb <.1, .2, .3> }\n"
     "global_settings { max_trace_level 3 }\n"
@@ -56,7 +55,7 @@ TEST(same_frame)
     }
 }
 
-/* Planes longer than a vector. */
+/* A band with more pixels than a vector has elements. */
 TEST(one_large_band)
 {
     SCOPED(scene) *scene = read_text(AHEAD "background { rgb <.5, .25, 1> }\n"
@@ -72,8 +71,8 @@ TEST(one_large_band)
     check_same(scene, &options, expected);
 }
 
-/* Instructions of vectors, of a grid of small spheres: a queue that is a tile
- * meets few of them, and a queue of rows those of a whole row of the grid. */
+/* Returns the clocks of a grid of small spheres. A queue that is a tile tests few of
+ * them; a queue of rows tests those of a whole row of the grid. */
 static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
                         enum trace_order order)
 {

@@ -1,6 +1,8 @@
-/* test_other_case.c - files that are found by a name of another case: random spellings of
- * a path are looked up in folders whose names differ in case alone.  A file that is
- * missed, or only one of several that match, fails here.
+/* test_other_case.c - files that are found by a name of another case: random spellings
+ * of a path are looked up in folders whose names differ in case alone, and the results
+ * compared with the files. A file that is missed, or only one of several that match,
+ * fails here.
+ *
  */
 #include "base/other_case.h"
 #include "tests/unit/draw.h"
@@ -24,8 +26,7 @@ static void make_file(const char *path)
     fclose(file);
 }
 
-/* Files of two folders that differ in case are found under any spelling, each of
- * them. */
+/* Two folders differ in case. All their files that match a spelling are found. */
 TEST(other_case)
 {
     static const char *const files[] = { "maps/part.inc", "maps/Part.inc",

@@ -1,6 +1,6 @@
-/* test_overlaps.c - the volumes that two parts share are compared with the cells
- * between random boxes, whose faces are on whole numbers.  A pair that is left out or
- * counted twice fails here. */
+/* test_overlaps.c - the volumes that two parts share are compared with counts of cells,
+ * over random boxes with integer coordinates. A pair that is missing or counted twice
+ * fails here. */
 #include <math.h>
 
 #include "rt/mass/figures.h"
@@ -9,7 +9,7 @@
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 
-#define STUDENT 2.3646 /* with 7 degrees of freedom */
+#define STUDENT 2.3646 /* for 7 degrees of freedom */
 enum { SIDE = 9, MAX_PARTS = 50, MAX_BOXES = 160, SCENES = 8 };
 
 /* ---- Random boxes ----------------------------------------------------- */
@@ -25,7 +25,7 @@ struct crowd {
     char *text;
 };
 
-/* The n-th of a part is an object of its own, all of them of one name. */
+/* Each box of a part is a separate object; all have the part's name. */
 static void write_text(struct crowd *crowd)
 {
     size_t length;
@@ -52,7 +52,8 @@ static void draw_box(struct box *box, uint64_t *random)
     }
 }
 
-/* Few parts of many boxes, or many of few: more than a word has bits. */
+/* Draws few parts of many boxes, or many parts of few; many parts exceed the bits of a
+ * word. */
 static void draw(struct crowd *crowd, uint64_t *random)
 {
     bool many = xorshift_between(random, 0, 3) == 0;
@@ -79,8 +80,8 @@ static bool covers(const struct box *box, const int cell[3])
     return inside;
 }
 
-/* Of each pair of parts the cells that both claim; of a part with itself, that several of
- * its boxes do. */
+/* Counts the cells that both parts of a pair contain. The entry of a part with itself
+ * counts cells that several of its boxes contain. */
 static void count_cells(const struct crowd *crowd, double cells[MAX_PARTS][MAX_PARTS])
 {
     memset(cells, 0, sizeof(double[MAX_PARTS][MAX_PARTS]));
@@ -111,7 +112,7 @@ static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
         .mode = mode,
         .queue = queue,
         .points = POINTS_LATTICE,
-        /* More than a strip of crossings, where parts are many. */
+        /* more than a strip of crossings if there are many parts */
         .rays_log = crowd->part_count > 9 ? 6 : 5,
         .repeats = 8,
         .seed = 1,
@@ -137,7 +138,7 @@ static void forget(struct found *found)
     named_parts_free(&found->parts);
 }
 
-/* Every pair that claims something is there, and what is told is that. */
+/* Every overlapping pair must be reported, with its volume. */
 static void check(const struct crowd *crowd, const struct found *found)
 {
     static double cells[MAX_PARTS][MAX_PARTS];
@@ -179,7 +180,7 @@ TEST(boxes)
     }
 }
 
-/* Bodies that meet at a face claim nothing both; those that are apart are not asked. */
+/* Parts that touch at a face share no volume; separate parts are not tested. */
 TEST(touching)
 {
     struct crowd crowd = {

@@ -1,8 +1,9 @@
-/* test_pages.c - which pages are known, which miss and which fault: pages of any size in
- * memories of any size are compared with the list of docs/timing.md, walked from its
- * front, for ranges and lists of indices; their clocks, 30 for a miss and 1,000 more for a
- * fault, with cases by hand.  A page that leaves too early, or a damaged list that is
- * restored, fails here.
+/* test_pages.c - known pages, translation misses and page faults: pages of any size in
+ * memories of any size are compared with the list of docs/timing.md, searched from its
+ * front, for ranges and lists of indices; their clocks, 30 for a miss and 1,000 more
+ * for a fault, with cases by hand. A page that leaves too early, or a damaged list that
+ * is restored, fails here.
+ *
  */
 #include "tests/unit/clock_driver.h"
 
@@ -23,7 +24,7 @@ static struct clock *pages_of(unsigned words, unsigned real_words, unsigned regi
     return clock_of(text);
 }
 
-/* What has been met since the last reset. */
+/* Compares the misses and faults since the last reset. */
 static void assert_met(struct clock *clock, uint64_t misses, uint64_t faults)
 {
     clock_drain(clock);
@@ -41,7 +42,8 @@ TEST(depths)
         [] = {
             { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 },
             { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
-            { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1, used least recently, leaves */
+            { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1, the least recently used,
+                                                    * leaves */
             { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
         };
     struct clock *clock = pages_of(65536, 4 * 65536, 2);
@@ -57,7 +59,7 @@ TEST(depths)
 
 /* ---- The list itself ----------------------------------------------------- */
 
-/* The list as docs/timing.md has it, walked from its front. */
+/* The list of docs/timing.md, searched from its front. */
 struct plain_list {
     size_t registers, capacity, count;
     uint64_t page[4096];
@@ -81,7 +83,7 @@ static void plain_touch(struct plain_list *list, uint64_t page, struct translati
 
 static uint64_t chance = RANDOM_SEED;
 
-/* A range of up to three pages, and a word in each fourth case. */
+/* Touches a range of up to three pages, or, in one case of four, a word. */
 static void touch_range(struct pages *pages, struct plain_list *list, uint64_t page,
                         struct translation *expected, struct translation *met)
 {
@@ -93,7 +95,7 @@ static void touch_range(struct pages *pages, struct plain_list *list, uint64_t p
     pages_touch_all(pages, begin, bits, met);
 }
 
-/* Mostly pages used lately, some from anywhere, some at a stride. */
+/* Draws a recently used page, a random one, or one at a stride. */
 static uint64_t draw_page(uint64_t last, size_t capacity)
 {
     uint64_t random = xorshift(&chance);
@@ -105,7 +107,8 @@ static uint64_t draw_page(uint64_t last, size_t capacity)
     }
 }
 
-/* Some words of records in a few pages, mostly, one word of all after another. */
+/* Touches a list of words, usually records in few pages with the words of each field in
+ * turn. */
 static void touch_list(struct pages *pages, struct plain_list *list,
                        struct index_list *met_list, uint64_t page,
                        struct translation *expected, struct translation *met)
@@ -210,7 +213,7 @@ static void use_pages(struct clock *clock, int count, uint64_t seed)
     clock_drain(clock);
 }
 
-/* A clock put in another one's place meets with the same. */
+/* A clock that is restored from another finds the same pages. */
 TEST(saved)
 {
     static struct bytes bytes, again;
@@ -241,7 +244,7 @@ static void assert_refused(struct clock *clock, const struct bytes *bytes)
                         "the list of pages of the saved machine is wrong");
 }
 
-/* The list ends a clock: its last pages are the last words. */
+/* The list is at the end of a saved clock: its last pages are the last words. */
 TEST(damaged)
 {
     static struct bytes bytes;
@@ -253,12 +256,12 @@ TEST(damaged)
     unsigned char *last = bytes.byte + bytes.count - SERIALIZER_WORD_BYTES;
     unsigned char kept[SERIALIZER_WORD_BYTES];
     memcpy(kept, last, sizeof kept);
-    memcpy(last, last - SERIALIZER_WORD_BYTES, sizeof kept); /* a page twice */
+    memcpy(last, last - SERIALIZER_WORD_BYTES, sizeof kept); /* the same page twice */
     assert_refused(clock, &bytes);
     memcpy(last, last - 20 * SERIALIZER_WORD_BYTES, sizeof kept);
     assert_refused(clock, &bytes);
     memcpy(last, kept, sizeof kept);
-    last[3] = 2; /* a page beyond the end of the address space */
+    last[3] = 2; /* a page after the end of the address space */
     assert_refused(clock, &bytes);
     memcpy(last, kept, sizeof kept);
     assert_true(read_clock(clock, &bytes, &error));

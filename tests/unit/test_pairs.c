@@ -1,5 +1,6 @@
-/* test_pairs.c - two operations in one pass against one after the other, by the
- * rule for one word: the same bits, the same flags. */
+/* test_pairs.c - two operations in one pass are compared with one after the other, by
+ * the rule for one word, over random operands: the same bits and flags. A fast path
+ * with another rounding, or a changed rounding mode, fails here. */
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 #include "vm/number/round_down.h"
@@ -11,7 +12,7 @@ enum { TURNS = 40000, BELOW = 9, SLACK = 3 };
 
 /* ---- Operands ------------------------------------------------------------ */
 
-/* A normalised word, its coefficient at an end now and then, or machine zero. */
+/* Draws a normalised word, some with an extreme coefficient, or machine zero. */
 static c205_word word_within(uint64_t *seed, int32_t low, int32_t high)
 {
     int64_t half = INT64_C(1) << 46;
@@ -24,7 +25,7 @@ static c205_word word_within(uint64_t *seed, int32_t low, int32_t high)
     return kind == SIZE(ends) ? C205_MACHINE_ZERO : xorshift_normalised(seed, e, e);
 }
 
-/* A few are none of those that are done in one pass. */
+/* Draws a word that the fast path rejects. */
 static c205_word stranger(uint64_t *seed)
 {
     static const c205_word strangers[] = {
@@ -37,7 +38,8 @@ static c205_word stranger(uint64_t *seed)
     return strangers[xorshift(seed) % SIZE(strangers)];
 }
 
-/* Exponents of a wide range, or of one in which sums cancel. */
+/* Fills words with exponents of a wide range, or of a narrow one in which sums
+ * cancel. */
 static void fill(c205_word *words, size_t n, uint64_t *seed)
 {
     int32_t high = xorshift(seed) % 2 ? 255 : (int32_t)(xorshift(seed) % 50);
@@ -47,7 +49,7 @@ static void fill(c205_word *words, size_t n, uint64_t *seed)
         words[i] = word_within(seed, low, high);
 }
 
-/* ---- One after the other ------------------------------------------------- */
+/* ---- One operation after the other --------------------------------------- */
 
 typedef struct operation {
     const char *name;
@@ -80,8 +82,8 @@ static c205_word exact_result(const struct pair *pair, size_t i, uint64_t *flags
                          : pair->second->exact(pair->d[i], handed, flags);
 }
 
-/* By the rule and by exponents: is it moderate, and is no positive subtrahend much
- * smaller, so that it is done if ever? */
+/* Returns whether the fast path accepts a word: its exponent is moderate and it is
+ * normalised or zero. */
 static bool is_moderate(c205_word w)
 {
     int32_t e = word_exponent(w);
@@ -118,7 +120,7 @@ static void make_pair(struct pair *pair, uint64_t *seed)
         of[xorshift(seed) % 3][xorshift(seed) % pair->n] = stranger(seed);
 }
 
-/* Apart from all operands, or upon one and so many words below it. */
+/* Places the result apart from all operands, or `below` words before one of them. */
 static c205_word *place_result(struct pair *pair, c205_word *apart, c205_word *read[3],
                                uint64_t *seed)
 {
@@ -139,7 +141,7 @@ static void check_pair(struct pair *pair, uint64_t *seed, size_t *done_count)
     static c205_word before[PAIR_LENGTH];
     lanes_pair *both = lanes_pair_of(pair->first->span, pair->second->span,
                                      pair->hands_a, !pair->hands_a);
-    uint64_t flags = 5, exact_flags = 5; /* others stay */
+    uint64_t flags = 5, exact_flags = 5; /* other flags are unchanged */
     c205_word *read[] = { pair->a, pair->b, pair->d };
     bool done = false, moderate = all_are_moderate(pair);
 
@@ -172,7 +174,7 @@ static void check_pair(struct pair *pair, uint64_t *seed, size_t *done_count)
             assert_int_equal(c[pair->n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
 }
 
-/* How doubles are rounded now, if the host can round them down. */
+/* Reads the current rounding mode. Returns false if the host cannot round down. */
 static bool find_rounding(host_rounding *now)
 {
     bool can = host_vectors() >= HOST_LANES && host_round_down(now);
@@ -199,8 +201,8 @@ TEST(pairs_by_chance)
         assert_true(done > TURNS / 10);
 }
 
-/* Also where whoever calls lets doubles trap: behind the first ones, which alone
- * are looked at before, are words of all exponents. */
+/* The caller may let doubles trap. The first words alone are checked in advance; after
+ * them are words of all exponents. */
 TEST(traps)
 {
     static struct pair pair;
@@ -221,7 +223,7 @@ TEST(traps)
     host_round_as(now);
 }
 
-/* What is rounded down is put back. */
+/* The rounding mode is restored. */
 TEST(rounding_comes_back)
 {
     static struct pair pair;

@@ -1,6 +1,6 @@
 /* test_parts.c - the names, materials and densities of a scene's objects are compared
- * with expected ones.  A part that is merged with another one, or a density of the
- * wrong name, fails here. */
+ * with expected ones. A part that is merged with another, or a density of another name,
+ * fails here. */
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"
 #include "rt/mass/units.h"
@@ -73,7 +73,8 @@ TEST(parts)
     assert_true(parts.list[4].mixed);
 }
 
-/* Names of parts or materials; without any all that have an end. */
+/* Parts are chosen by their own name or that of their material. Without names, all
+ * finite parts are chosen. */
 TEST(choice)
 {
     static const char *const names[] = { "Plate", "Copper", "Brass" };
@@ -113,7 +114,8 @@ TEST(choice)
     named_parts_free(&parts);
 }
 
-/* In the order of what counts first: options, the scene; names, materials, others. */
+/* In decreasing priority: options, then the scene; in each, names, materials, the
+ * default. */
 TEST(densities)
 {
     SCOPED(scene) *scene = read_scene(assembly);

@@ -1,5 +1,5 @@
 /* test_picture.c - pictures of all formats that are written and read back are compared
- * with the frame, within the steps of their samples.  A wrong transfer curve, a lost
+ * with the frame, within the precision of their samples. A wrong transfer curve, a lost
  * note or an old file that a failure destroys fails here. */
 #include "rt/picture/picture.h"
 #include "tests/unit/unit.h"
@@ -27,7 +27,7 @@ FIXTURE(make_folder)
     return mkdtemp(folder) ? 0 : -1;
 }
 
-/* Remove the files of the folder, and tell how many there were. */
+/* Removes the files of the folder. Returns their number. */
 static size_t empty_folder(void)
 {
     size_t count = 0;
@@ -56,7 +56,8 @@ static const char *in_folder(const char *name)
     return path;
 }
 
-/* Smooth colours, some beyond 1, and channels of many sizes. */
+/* Returns a frame with smooth colours, some above 1, and channels of many
+ * magnitudes. */
 static struct frame sample_frame(void)
 {
     struct frame frame;
@@ -85,11 +86,11 @@ struct round_trip {
     const char *name;
     bool half, clip;
     size_t channels;
-    double relative, absolute; /* of colours */
+    double relative, absolute; /* tolerances of colours */
 };
 
-/* An 8-bit sRGB step is at most .0091 in linear light, near white; JPEG may
- * be some steps off.  Half has 11 bits, float 24. */
+/* An 8-bit sRGB step is at most .0091 in linear light, near white; JPEG may differ by
+ * several steps. Half has 11 bits, float 24. */
 static const struct round_trip round_trips[] = {
     { "a.png", false, true, 3, 0, .0046 },
     { "a.jpg", false, true, 3, 0, .05 },
@@ -147,8 +148,8 @@ TEST(half_is_smaller)
     assert_true(half.st_size < whole.st_size);
 }
 
-/* Mid grey in linear light is 188 of 255 in sRGB; the brightest is 255; a
- * thousandth, on the straight part, is 3. */
+/* Mid grey in linear light is 188 of 255 in sRGB, values above 1 are 255, and a
+ * thousandth, on the linear part of the curve, is 3. */
 TEST(bytes_are_srgb)
 {
     struct frame frame, back;
@@ -214,7 +215,7 @@ TEST(notes)
     }
 }
 
-/* A date only if it is asked for; one that is none is as if it were not. */
+/* A date is written only on request. An invalid one is ignored. */
 TEST(date)
 {
     static const struct {
@@ -304,7 +305,7 @@ TEST(bad_paths)
     empty_folder();
 }
 
-/* Root may write anywhere, so this asks nothing of root. */
+/* Root can write to any folder, so the test is skipped for root. */
 TEST(unwritable_folder)
 {
     struct picture_error error;
@@ -324,7 +325,7 @@ static void limit_file_size(rlim_t bytes)
     assert_int_equal(setrlimit(RLIMIT_FSIZE, &limit), 0);
 }
 
-/* A disk that is full after some bytes: the old file stays, nothing else. */
+/* A disk that is full after some bytes: the old file remains, and no other file. */
 TEST(failure_keeps_the_old_file)
 {
     static const char *const names[] = { "o.png", "o.jpg", "o.exr", "o.tif" };
@@ -350,7 +351,7 @@ TEST(failure_keeps_the_old_file)
     }
 }
 
-/* One more plane, of pictures that have more than colours. */
+/* An additional plane, in pictures with more than colours. */
 TEST(layer)
 {
     static const char *const paths[] = { "l.exr", "l.tif", "l.png" };
@@ -378,7 +379,7 @@ TEST(layer)
     }
 }
 
-/* A picture of which rows are missing, or that is given up. */
+/* A picture with missing rows, or one that is abandoned. */
 TEST(rows_missing)
 {
     SCOPED_VALUE(frame) frame = sample_frame();

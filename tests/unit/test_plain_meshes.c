@@ -1,6 +1,6 @@
 /* test_plain_meshes.c - lines that cross meshes: the plain tracer's crossings are
- * compared with drawn points, volumes in closed form and closed bodies.  A line that
- * slips between triangles, or a wrong normal, fails here. */
+ * compared with random points, volumes in closed form and closed bodies. A line that
+ * passes between triangles, or a wrong normal, fails here. */
 #include "tests/unit/random_mesh.h"
 #include "tests/unit/plain_surface.h"
 
@@ -26,9 +26,9 @@ TEST(known)
         { { 1, 3.1, 5 }, { 0, 0, -2 }, 0, { 0 } },
         { { -.1, 1, 5 }, { 0, 0, -2 }, 0, { 0 } },
         { { 1, -.1, 5 }, { 0, 0, -2 }, 0, { 0 } },
-        { { 1, 1, 5 }, { 0, 0, 1 }, 0, { 0 } },        /* behind */
+        { { 1, 1, 5 }, { 0, 0, 1 }, 0, { 0 } },        /* behind the origin */
         { { -1, 1, 0 }, { 1, 0, 0 }, 0, { 0 } },       /* in its plane */
-        { { -1, 1, 1e-9 }, { 1, 0, 0 }, 0, { 0 } },    /* beside it */
+        { { -1, 1, 1e-9 }, { 1, 0, 0 }, 0, { 0 } },    /* just outside its plane */
         { { 0, 0, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } }, /* its corners */
         { { 4, 0, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } },
         { { 0, 4, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } },
@@ -39,7 +39,7 @@ TEST(known)
     ASSERT_HITS(&surface, rows);
 }
 
-/* Normals of any length lean out by 45 degrees at two corners. */
+/* Normals of any length tilt outward by 45 degrees at two corners. */
 TEST(known_smooth)
 {
     static const struct triangle smooth = {
@@ -71,7 +71,7 @@ static void random_triangle(uint64_t *random, struct triangle *triangle)
     }
 }
 
-/* Shares of the corners, all above least or one of them below -least. */
+/* Draws barycentric coordinates, all above `least` or one of them below -least. */
 static void random_shares(uint64_t *random, bool within, double shares[3])
 {
     static const double least = 1e-6;
@@ -96,7 +96,7 @@ static void assert_along(const double a[3], const double b[3], double within)
     assert_near(fabs(dot(a, b)) / sqrt(dot(a, a) * dot(b, b)), 1, within);
 }
 
-/* Of a flat one it stands across two edges. */
+/* The normal of a flat triangle must be perpendicular to two edges. */
 static void assert_normal(const struct triangle *triangle, const double shares[3],
                           const double found[3])
 {
@@ -112,7 +112,7 @@ static void assert_normal(const struct triangle *triangle, const double shares[3
     }
 }
 
-/* A point is drawn, then a ray to it: from 1.5 directions away. */
+/* Draws a point and a ray that reaches it at distance 1.5. */
 static void assert_there_and_back(uint64_t *random, const struct triangle *triangle)
 {
     struct surface surface = mesh_of(triangle, 1);
@@ -144,8 +144,8 @@ TEST(there_and_back)
 
 /* --- closed bodies -------------------------------------------------------- */
 
-/* A line through the inside of a body that is seen as a whole from there: one
- * crossing ahead, one behind. */
+/* The line starts inside a star-shaped body: it has one crossing ahead and one
+ * behind. */
 static void assert_two(const struct primitive *mesh, const double from[3],
                        const double to[3])
 {
@@ -158,7 +158,7 @@ static void assert_two(const struct primitive *mesh, const double from[3],
     assert_true(crossings[1].distance < 0);
 }
 
-/* To its points and to points of its edges, their middles among them. */
+/* Aims lines at the points and at points of the edges, including their middles. */
 static void assert_closed(uint64_t *random, const struct primitive *mesh,
                           const double from[3])
 {
@@ -238,8 +238,8 @@ TEST(box)
 
 /* --- many ----------------------------------------------------------------- */
 
-/* At z = 1, 2, .. in some order; a ray from between them has more than there is
- * room for on both sides. */
+/* Triangles at z = 1, 2, .. in a permuted order. A ray from between them has more
+ * crossings on each side than fit. */
 TEST(no_room)
 {
     enum { COUNT = 151, FROM = 70 };
@@ -262,7 +262,7 @@ TEST(no_room)
         assert_near(crossings[i].distance, i < 19 ? .5 + i : 18.5 - i, 1e-12);
 }
 
-/* Of two in one place the first. */
+/* Of two coincident triangles the first is hit. */
 TEST(ties)
 {
     struct triangle triangles[2] = {

@@ -1,6 +1,6 @@
 /* test_plain_patches.c - lines that cross Steiner patches, the Roman surface and the
- * cross-cap: the plain tracer's crossings are compared with closed forms and with the
- * same surface written in another way.  A lost root fails here. */
+ * cross-cap: the plain tracer's crossings are compared with closed forms and with other
+ * representations of the same surface. A lost root fails here. */
 #include "tests/unit/plain_surface.h"
 
 /* x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z */
@@ -38,7 +38,7 @@ TEST(roman_from_the_triple_point)
         random_direction(&random, ray.direction);
         double l = ray.direction[0], m = ray.direction[1], n = ray.direction[2];
         double t = l * m * n / (l * l * m * m + m * m * n * n + n * n * l * l);
-        if (fabs(t) < 1e-4) /* near to a double line */
+        if (fabs(t) < 1e-4) /* near a double line */
             continue;
         double found = shoot(&roman, &ray).distance;
         if (t > 0)
@@ -56,8 +56,8 @@ TEST(roman_volume)
 
 /* --- surfaces of Steiner patches ------------------------------------------ */
 
-/* Four quadratic forms of s, t, u: x, y, z and w; each by its coefficients of
- * s^2 t^2 u^2 2st 2tu 2su. */
+/* Four quadratic forms of s, t, u: x, y, z and w. The coefficients are those of s^2 t^2
+ * u^2 2st 2tu 2su. */
 typedef double four_forms[4][STEINER_POINTS];
 
 static const four_forms roman_forms = {
@@ -95,7 +95,7 @@ static double polar_value(const double form[STEINER_POINTS], const double a[3],
     return sum;
 }
 
-/* The patch over the triangle of three places. */
+/* Makes the patch over the triangle of three points of the parameter plane. */
 static void put_patch(struct primitive *patch, const four_forms forms,
                       const double corners[3][3])
 {
@@ -111,8 +111,8 @@ static void put_patch(struct primitive *patch, const four_forms forms,
     }
 }
 
-/* All s, t, u: four octants, each in four, so that all weights are above
- * 0. */
+/* All s, t, u: four octants, each divided into four patches, so that all weights are
+ * positive. */
 static struct surface whole(const four_forms forms)
 {
     static const double corner[6][3] = { { 1, 0, 0 },   { 0, 1, 0 },   { 0, 0, 1 },
@@ -178,8 +178,8 @@ static void point_of(const struct primitive *patch, const double p[3], double po
     copy(point, sum);
 }
 
-/* A ray from anywhere to a point of the patch meets it there, and at no
- * other of its crossings does it leave the patch. */
+/* A random ray that is aimed at a point of the patch must cross it there. All other
+ * crossings must lie on the patch too. */
 static void assert_round_trip(uint64_t *random, const struct primitive *patch)
 {
     double s = number_between(random, 0, 1);
@@ -211,7 +211,7 @@ TEST(round_trips)
     }
 }
 
-/* A triangle whose control points are the middles of its edges. */
+/* A triangle whose other control points are the middles of its edges. */
 TEST(flat_patch)
 {
     static const double points[STEINER_POINTS][3] = { { 4, 0, 0 }, { 0, 4, 0 },

@@ -1,11 +1,11 @@
-/* test_plain_rays.c - the plain tracer's mirrors, glass and shadows are compared with
- * colours that are worked out by hand, of things that shine by themselves.  A wrong
+/* test_plain_rays.c - colours of the plain tracer's mirrors, glass and shadows are
+ * compared with values computed by hand, for scenes with luminous objects. A wrong
  * index, level or weight of a ray fails here. */
 #include "tests/oracle/plain_shapes.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/unit/scene_reading.h"
 
-/* One ray through the middle of one pixel. */
+/* Each picture is one ray through the middle of one pixel. */
 #define HEAD \
     "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 } " \
     "#default { finish { ambient 0 diffuse 0 } } "
@@ -43,10 +43,10 @@ static void check(const struct look *look, const char *text, double red, double 
 #define ZAHEAD { { 0, 0, -5 }, { 0, 0, 1 } }
 /* clang-format on */
 
-/* --- mirrors ------------------------------------------------------------- */
+/* ---- Mirrors ------------------------------------------------------------ */
 
-/* A floor shows the lamp at <4, 3, 0> from <-4, 3, 0> at the origin, tinted by
- * the mirror and by nothing else. */
+/* From <-4, 3, 0>, a floor shows the lamp at <4, 3, 0> at the origin, tinted by the
+ * mirror alone. */
 TEST(mirror_image)
 {
     const struct look look = { { -4, 3, 0 }, { 4, -3, 0 } };
@@ -65,8 +65,8 @@ TEST(mirror_image)
           0, 0, 0);
 }
 
-/* The point of a ball where eye and lamp are mirror images of each other:
- * there the normal is between them. */
+/* The ray hits the ball where eye and lamp are mirror images of each other; there the
+ * normal is between them. */
 TEST(mirror_ball)
 {
     const struct look look = { { -3, 4, 0 }, { 3, -3, 0 } };
@@ -76,8 +76,8 @@ TEST(mirror_ball)
           .7, .7, .7);
 }
 
-/* Two mirrors that face each other add up a geometric series, which the
- * level or the limit of what counts ends. */
+/* Two facing mirrors form a geometric series, which ends at the maximum level or at the
+ * threshold of the weight. */
 static void check_series(int level, double bailout, int terms)
 {
     static const struct look look = { { 0, 0, 1 }, { 0, 0, 1 } };
@@ -98,23 +98,23 @@ TEST(levels)
     check_series(1, 0, 1);
     check_series(2, 0, 2);
     check_series(7, 0, 7);
-    check_series(20, .25, 3); /* what weighs as much is followed */
+    check_series(20, .25, 3); /* a weight equal to the threshold is followed */
     check_series(20, .2500001, 2);
     check_series(20, 1. / 255, 8);
 }
 
 /* --- glass --------------------------------------------------------------- */
 
-/* How far a ray of 45 degrees goes aside within a layer of the index n:
- * sin a / n is the sine within. */
+/* Returns the lateral displacement of a ray at 45 degrees in a layer of index n; the
+ * sine inside is sin a / n. */
 static double aside(double n, double depth)
 {
     double s = sqrt(.5) / n;
     return depth * s / sqrt(1 - s * s);
 }
 
-/* A ray that falls at 45 degrees on what begins at z = 0 leaves it so far
- * aside and so deep, and continues as before. */
+/* A ray at 45 degrees that enters objects at z = 0 leaves them at this displacement and
+ * depth, in its original direction. */
 static void check_behind(const char *things, double shift, double depth)
 {
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
@@ -144,8 +144,8 @@ TEST(snell)
     check_slab(.8, 1);
 }
 
-/* A ball of index n brings rays close to its axis together at
- * n / (2 (n - 1)) radii from its centre. */
+/* A ball of index n focuses rays near its axis at n / (2 (n - 1)) radii from its
+ * centre. */
 TEST(ball_lens)
 {
     const struct look look = { { 0, 1e-4, -5 }, { 0, 0, 1 } };
@@ -155,9 +155,9 @@ TEST(ball_lens)
           .6, .6, .6);
 }
 
-/* From within glass, below y = 0, to a blue sky or, from 41.81 degrees on, back
- * to the red ground: in full, and not by the mirror that the surface is as
- * well. */
+/* From inside glass, below y = 0, the ray reaches a blue sky or, from 41.81 degrees on,
+ * returns to the red ground. Total reflection returns all light; the surface's own
+ * reflection has no effect then. */
 static void check_from_below(double degrees, double red, double blue)
 {
     double angle = degrees * 3.14159265358979323846 / 180;
@@ -177,8 +177,7 @@ TEST(total_reflection)
     check_from_below(80, 1, 0);
 }
 
-/* What passes, and what is left of the surface's own colour and its
- * highlights. */
+/* Transmitted light, and the remaining colour and highlights of the surface. */
 TEST(what_passes)
 {
     struct look look = ZAHEAD;
@@ -204,8 +203,8 @@ TEST(what_passes)
           .5, .5, .5);
 }
 
-/* Where less passes than counts, nothing is followed: by weight or by
- * brightness. */
+/* If the transmitted weight, or its brightness, is below the threshold, the ray is not
+ * followed. */
 TEST(too_dark)
 {
     struct look look = ZAHEAD;
@@ -232,9 +231,9 @@ TEST(too_dark)
 #define WATER "pigment { rgbt 1 } interior { ior 1.33 } "
 #define SLAB(low, high) "box { <-9, -9, " #low ">, <9, 9, " #high "> "
 
-/* Of balls about one centre n times the ray's distance from it is the same in
- * all media, and with it the sine of the angle at each surface.  The ray is
- * turned four times, and has passed the centre as far as it did before. */
+/* For concentric balls, n times the ray's distance from the centre is the same in all
+ * media; it determines the sine of the angle at each surface. The ray is refracted four
+ * times, and passes the centre at the same distance as without the balls. */
 TEST(ball_in_water)
 {
     double b = .3;
@@ -248,8 +247,8 @@ TEST(ball_in_water)
     check(&look, text, .6, .6, .6);
 }
 
-/* What is gone into last is what counts until it is left; to come out of the
- * other one before that changes nothing. */
+/* The medium that was entered last counts until it is left. Leaving the other one
+ * before that changes nothing. */
 TEST(overlapping)
 {
     double glass = aside(1.5, .5), water = aside(1.33, .5);
@@ -267,7 +266,7 @@ TEST(overlapping)
                  4 * glass + water, 2.5);
 }
 
-/* Of what is one body each second surface leads out of it. */
+/* In a union with one interior, every second surface is an exit. */
 TEST(shared_interior)
 {
     double glass = aside(1.5, .5);
@@ -277,8 +276,8 @@ TEST(shared_interior)
                  1.5);
 }
 
-/* A ball about the eye, which is off its centre; a mirror in it tells nothing
- * of what the ray is in. */
+/* The eye is inside a ball, off its centre. A mirror in the ball does not change the
+ * medium of the ray. */
 static void check_from_within(double along, const char *things)
 {
     double b = .5, radius = 2;
@@ -299,8 +298,8 @@ TEST(eye_within)
                                          "finish { reflection 1 } } ");
 }
 
-/* In at the front of a block, wholly reflected at a side, where it falls at 62
- * degrees, out at the back. */
+/* The ray enters the front of a block, is totally reflected at a side, which it hits at
+ * 62 degrees, and leaves through the back. */
 TEST(total_keeps)
 {
     const struct look look = { { -1.5, 0, -3 }, { 1, 0, 1 } };
@@ -312,8 +311,8 @@ TEST(total_keeps)
     check(&look, text, .7, .7, .7);
 }
 
-/* A ray that goes straight on is of its parent's level, and of the last level
- * none continues.  It does where the indices are the same. */
+/* A ray that continues straight, because the indices on both sides are equal, keeps the
+ * level of its parent. At the last level no ray is transmitted. */
 static void check_level(int level, const char *things, double seen)
 {
     struct look look = ZAHEAD;
@@ -343,13 +342,14 @@ TEST(straight_levels)
     check_level(4, other, .6);
 }
 
-/* What a mirror by Fresnel's formulas gives back straight on. */
+/* Returns Fresnel reflectance at normal incidence. */
 static double straight_share(double index)
 {
     return (index - 1) * (index - 1) / ((index + 1) * (index + 1));
 }
 
-/* .. and at 45 degrees, where one part is the square of the other. */
+/* Returns Fresnel reflectance at 45 degrees, where the reflectance of one polarisation
+ * is the square of the other's. */
 static double slanted_share(double index)
 {
     double inside = sqrt(index * index - .5), across = sqrt(.5);
@@ -357,9 +357,9 @@ static double slanted_share(double index)
     return (share + share * share) / 2;
 }
 
-/* In water glass mirrors less.  Without anything clear each surface is mirror
- * by the side that the ray comes from: the second one here wholly, as from
- * within glass. */
+/* In water the reflectance of glass is lower. In an opaque body each surface reflects
+ * as seen from the side of the ray; the second one here reflects totally, as from
+ * inside glass. */
 TEST(fresnel)
 {
 #define FRESNEL "finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } "
@@ -381,7 +381,7 @@ TEST(fresnel)
 
 /* --- shadows ------------------------------------------------------------- */
 
-/* The floor below a light, and what hangs between. */
+/* Checks the colour of the floor below a light, with an object in between. */
 static void check_shadow(const char *between, double red, double green)
 {
     const struct look look = { { 1, 1, 0 }, { -1, -1, 0 } };
@@ -413,7 +413,7 @@ TEST(shadows)
     check_shadow("sphere { 5*y, 1 pigment { rgbf <0, 1, 0, 1> } }", 0, 1);
 }
 
-/* One skin where two surfaces are one. */
+/* Coincident surfaces of a merge count once. */
 TEST(shadows_of_solids)
 {
     check_shadow("union { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}", .4096,

@@ -1,12 +1,12 @@
 /* test_plain_shapes.c - lines that cross cones, quadrics and tori: the plain tracer's
- * crossings are compared with rays that are worked out by hand and volumes in closed
- * form.  A lost or doubled root fails here. */
+ * crossings are compared with rays computed by hand and volumes in closed form. A lost
+ * or doubled root fails here. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/unit/plain_surface.h"
 
-/* --- cones --------------------------------------------------------------- */
+/* ---- Cones -------------------------------------------------------------- */
 
-/* From radius 3 at y = 0 to radius 1 at y = 4: 1 in 2. */
+/* Radius 3 at y = 0 and radius 1 at y = 4, a slope of 1 in 2. */
 TEST(frustum)
 {
     double c = 2 / sqrt(5), s = 1 / sqrt(5);
@@ -16,7 +16,7 @@ TEST(frustum)
         { { 0, 7, 2 }, { 0, -1, 0 }, 5, { 0, s, c } },
         { { 9, 5, 0 }, { -1, 0, 0 }, 0, { 0 } },
         { { 9, -1, 0 }, { -1, 0, 0 }, 0, { 0 } },
-        { { 0, .5, 0 }, { -1, 2, 0 }, 1.375, { c, -s, 0 } }, /* as steep */
+        { { 0, .5, 0 }, { -1, 2, 0 }, 1.375, { c, -s, 0 } }, /* parallel to the side */
     };
     const struct expectation closed[] = {
         { { .5, 9, 0 }, { 0, -1, 0 }, 5, { 0, 1, 0 } },
@@ -37,8 +37,8 @@ TEST(frustum)
     ASSERT_HITS(&cone, open);
 }
 
-/* The point at the origin, the base of radius 1 at x = 1: its mirror image
- * behind the point is no part of it. */
+/* The apex is at the origin, the base of radius 1 at x = 1. The mirror image beyond the
+ * apex does not belong to the cone. */
 TEST(pointed_cone)
 {
     double h = sqrt(.5);
@@ -71,7 +71,7 @@ TEST(quadrics)
     static const double plane[] = { 0, 0, 0, 0, 0, 0, 0, 2, 0, -6 };
     double h = sqrt(.5), t = sqrt(1. / 3);
     const struct expectation bowl[] = {
-        { { .5, 9, 0 }, { 0, -1, 0 }, 8.75, { -h, h, 0 } }, /* one crossing */
+        { { .5, 9, 0 }, { 0, -1, 0 }, 8.75, { -h, h, 0 } }, /* a single crossing */
         { { 9, 4, 0 }, { -1, 0, 0 }, 7, { 4 / sqrt(17), -1 / sqrt(17), 0 } },
         { { 9, -1, 0 }, { -1, 0, 0 }, 0, { 0 } },
     };
@@ -120,7 +120,7 @@ TEST(torus)
         { { 0, 9, 0 }, { 0, -1, 0 }, 0, { 0 } },
         { { 9, .501, 0 }, { -1, 0, 0 }, 0, { 0 } },
     };
-    /* Where the tube passes the axis: the outer side and the inner. */
+    /* The tube passes the axis and has an outer and an inner side. */
     const struct expectation lemon[] = {
         { { .1, 9, 0 }, { 0, -1, 0 }, 9 - sqrt(.84), { -.4, sqrt(.84), 0 } },
         { { .1, 0, 0 }, { 0, 1, 0 }, .8, { -.6, -.8, 0 } },
@@ -153,7 +153,7 @@ TEST(volumes)
     assert_near(volume(&flat, 1.4), 2 * PI * PI * .08, 1e-3);
 }
 
-/* (x^2 + y^2 + z^2 + 3/4)^2 = 4 (x^2 + z^2), R = 1, r = 1/2, written out. */
+/* (x^2 + y^2 + z^2 + 3/4)^2 = 4 (x^2 + z^2), R = 1, r = 1/2, expanded. */
 TEST(torus_in_other_ways)
 {
     struct surface quartic = one(PRIMITIVE_QUARTIC);
@@ -184,7 +184,7 @@ TEST(roots)
         { { -1e12L, 0, 1, 0, 0 }, 2, { -1e6, 1e6 } },
         { { 3, -6, 0, 0, 0 }, 1, { .5 } },
         { { 1, 0, 0, 0, 1 }, 0, { 0 } },
-        { { 0, 0, -3e-3L, 1, 0 }, 1, { 3e-3 } }, /* and 0, twice */
+        { { 0, 0, -3e-3L, 1, 0 }, 1, { 3e-3 } }, /* the root 0 is double */
         { { 5, 0, 0, 0, 0 }, 0, { 0 } },
         { { 0, 0, 0, 0, 0 }, 0, { 0 } },
     };

@@ -1,6 +1,6 @@
-/* test_plain_solids.c - the surfaces that the plain tracer finds of solids are compared
- * with volumes in closed form, also where faces coincide.  A part that counts twice, or
- * a wrong complement, fails here. */
+/* test_plain_solids.c - volumes of solids from the plain tracer's crossings are
+ * compared with closed forms, also where faces coincide. A part that counts twice, or a
+ * wrong complement, fails here. */
 #include "tests/oracle/plain_regions.h"
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
@@ -33,8 +33,8 @@ static void solid_free(struct solid *solid)
     scene_free(solid->scene);
 }
 
-/* How often the line enters or leaves, and how long it is inside.  Skins of
- * two surfaces count once. */
+/* The number of crossings of a line with a solid, and its length inside. Coincident
+ * surfaces count once. */
 struct passage {
     int events;
     double length;
@@ -63,7 +63,7 @@ static struct passage pass(const struct solid *solid, const struct ray *ray)
 
 /* --- volumes ------------------------------------------------------------- */
 
-/* By parallel rays from a grid over -size .. size, in a slanted direction. */
+/* Estimates the volume with parallel oblique rays through a grid over -size .. size. */
 static double volume(const struct solid *solid, double size)
 {
     int steps = 200;
@@ -82,7 +82,7 @@ static double volume(const struct solid *solid, double size)
     return sum * 4 * size * size / steps / steps;
 }
 
-/* The grid's share of an error: two in a thousand. */
+/* The error of the grid is at most two in a thousand. */
 static void check_volume(const char *text, double size, double expected)
 {
     SCOPED_VALUE(solid) solid = solid_of(text);
@@ -121,7 +121,7 @@ TEST(round_solids)
                  PI * .25 * 2.5 / 3);
 }
 
-/* A ring of height 1, whatever the ball. */
+/* A ring of height 1 has the same volume for every ball. */
 TEST(napkin_rings)
 {
     check_volume("difference { sphere { 0, 1 } "
@@ -157,7 +157,7 @@ TEST(other_solids)
                  1.8, 8 - PI / 2);
 }
 
-/* De Morgan: what is in neither is out of both. */
+/* De Morgan's rule: a point in neither part is outside of both. */
 TEST(nested_solids)
 {
     double both = lens(1, .8, .9);
@@ -181,7 +181,7 @@ static struct passage along(const char *text, double x, double y)
     return pass(&solid, &ray);
 }
 
-/* A scene of two close planes has the size of its camera's distance. */
+/* The scale of a scene of two close planes is the camera's distance. */
 #define EYE "camera { location -z } "
 
 TEST(coincident_faces)
@@ -224,7 +224,7 @@ TEST(coincident_faces)
     }
 }
 
-/* Two boxes side by side, of which every ray sees the outside only. */
+/* Two adjacent boxes; every ray crosses the outer surface only. */
 TEST(joined_boxes)
 {
     SCOPED_VALUE(solid) pair = solid_of("merge { box { -1, 1 } "
@@ -273,7 +273,7 @@ TEST(open_surfaces)
         const char *text;
         double x;
         int count;
-        size_t reports; /* a patch cannot be cut as a solid can */
+        size_t reports; /* a patch cannot be cut like a solid */
     } rows[] = {
         { PATCH, 0, 1, 0 },
         { "merge { " PATCH BALL " }", 0, 2, 0 }, /* hidden in the ball */
@@ -282,7 +282,7 @@ TEST(open_surfaces)
         { "intersection { " PATCH BALL " }", .7, 0, 1 },
         { "difference { " PATCH BALL " }", 0, 0, 1 },
         { "difference { " PATCH BALL " }", .7, 1, 1 },
-        { "difference { box { -2, 2 } " TUBE " }", 0, 2, 0 }, /* no disks */
+        { "difference { box { -2, 2 } " TUBE " }", 0, 2, 0 }, /* no discs */
         { "difference { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
         { "intersection { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
     };

@@ -1,6 +1,6 @@
 /* test_plain_tracer.c - the plain tracer's colours of scenes of one ray are compared
- * with values that are worked out by hand, and frames with each other.  A term of the
- * light that is left out fails here. */
+ * with values computed by hand, and frames with each other. A missing term of the
+ * lighting fails here. */
 #include "tests/oracle/compare_pictures.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/unit/unit.h"
@@ -13,7 +13,7 @@ static const struct transform identity = {
     { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } }
 };
 
-/* Only diffuse; white. */
+/* A white primitive with diffuse light only. */
 static struct primitive primitive_of(enum primitive_kind kind)
 {
     return (struct primitive){
@@ -47,7 +47,7 @@ static struct primitive cube_to(double corner)
     return box;
 }
 
-/* Of radius 1 about the z axis, from -1 to 1. */
+/* A cylinder of radius 1 about the z axis, from -1 to 1. */
 static struct primitive tube(bool open)
 {
     struct primitive cylinder = primitive_of(PRIMITIVE_CYLINDER);
@@ -58,7 +58,7 @@ static struct primitive tube(bool open)
     return cylinder;
 }
 
-/* y = height. */
+/* The plane y = height. */
 static struct primitive floor_at(double height)
 {
     struct primitive plane = primitive_of(PRIMITIVE_PLANE);
@@ -69,7 +69,7 @@ static struct primitive floor_at(double height)
 
 enum { MAX_PRIMITIVES = 3 };
 
-/* Each primitive a region of its own. */
+/* Makes each primitive a separate region. */
 static void each_alone(struct scene *scene, struct region regions[MAX_PRIMITIVES])
 {
     assert_true(scene->primitive_count <= MAX_PRIMITIVES);
@@ -84,7 +84,7 @@ struct sample {
     double values[FRAME_CHANNELS];
 };
 
-/* The one pixel that looks from a point in a direction. */
+/* Traces a single pixel from a point in a direction. */
 static struct sample look(struct scene *scene, double x, double y, double z, double dx,
                           double dy, double dz)
 {
@@ -170,8 +170,8 @@ TEST(plane)
     assert_miss(look(&scene, 0, 2, 0, 0, 1, 0));
 }
 
-/* x / 2 + z in place of z: a slanted, flattened sphere at height 3.  Its top
- * is at y = 3 + 1 / 2; there the slant does not show. */
+/* x / 2 + z replaces z: a sheared, flattened sphere at height 3. Its top is at y = 3 +
+ * 1 / 2; there the shear has no effect. */
 TEST(transform)
 {
     struct primitive sphere = unit_sphere();
@@ -221,8 +221,8 @@ static double red(struct sample sample)
     return sample.values[CHANNEL_RED];
 }
 
-/* A floor at 0 seen from <-3, 4, 0> at the origin; the light at <3, 4, 0> is
- * just where the eye's ray is mirrored to. */
+/* A floor at 0, seen from <-3, 4, 0> at the origin. The light at <3, 4, 0> is in the
+ * mirror direction of the eye's ray. */
 struct stage {
     struct primitive primitives[2];
     struct light light;
@@ -294,7 +294,7 @@ TEST(shadows)
     stage.primitives[1].no_shadow = true;
     assert_close(seen(&stage), lit);
     stage.primitives[1].no_shadow = false;
-    stage.light.position[0] = .75; /* before the sphere */
+    stage.light.position[0] = .75; /* in front of the sphere */
     stage.light.position[1] = 1;
     assert_close(seen(&stage), lit);
 }
@@ -307,7 +307,7 @@ TEST(checker)
         .light_count = 1, .lights = &light, .primitive_count = 1, .primitives = &plane
     };
     plane.pigment.kind = PIGMENT_CHECKER;
-    plane.pigment.to_local.rows[0][0] = .5; /* squares 2 wide in x */
+    plane.pigment.to_local.rows[0][0] = .5; /* squares with a width of 2 in x */
     for (int x = -3; x < 4; x++)
         for (int z = -3; z < 4; z++) {
             bool odd = (x + z) % 2 != 0;
@@ -328,7 +328,7 @@ TEST(compare)
     FREED bool *inner = inner_pixels(&a);
     b.channel[CHANNEL_RED][3] = 9;    /* on the edge: ignored */
     b.channel[CHANNEL_GREEN][15] = 9; /* counts as 1 */
-    b.channel[CHANNEL_BLUE][0] = .05; /* allowed */
+    b.channel[CHANNEL_BLUE][0] = .05; /* within the tolerance */
     struct picture_difference is = compare_pictures(&all, &a, &b, inner);
     assert_int_equal(is.compared, 30);
     assert_int_equal(is.ignored, 10);

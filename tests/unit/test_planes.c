@@ -1,20 +1,21 @@
-/* test_planes.c - the words of a frame, in memory and in a file: a few, and more than are
- * kept in memory, are written, left and compared.  A word that is lost, that is not zero
- * at first, or pages that stay in memory fail here.
+/* test_planes.c - the words of a frame, in memory and in a file, are written, not
+ * accessed for a while and compared, for numbers below and above the limit for memory.
+ * A word that is lost or not zero initially, or pages that stay in memory, fail here.
+ *
  */
 #include "rt/platform/framebuffer.h"
 #include "tests/unit/unit.h"
 
 #include <unistd.h>
 
-enum { PART = 100003 }; /* words; no page ends with one */
+enum { PART = 100003 }; /* words; no page ends at a multiple of this */
 
 static c205_word word_at(size_t i)
 {
     return (c205_word)i * UINT64_C(0x9E3779B97F4A7C15) + 1;
 }
 
-/* Bytes of memory that the process has. */
+/* Returns the bytes of memory that the process occupies. */
 static size_t resident(void)
 {
     FILE *file = fopen("/proc/self/statm", "r");
@@ -61,7 +62,7 @@ TEST(few)
 
 TEST_CALL(many, check_words(PLANES_IN_MEMORY / sizeof(c205_word) + PART, true))
 
-/* No room for a file. */
+/* No folder for the file exists. */
 TEST(no_folder)
 {
     assert_int_equal(setenv("TMPDIR", "/nowhere/at/all", 1), 0);

@@ -1,7 +1,8 @@
-/* test_plot.c - plots: the data, the script and the picture that a table becomes are
- * compared with the table, with odd names, values that are no numbers, and a gnuplot that
- * is missing or fails.  A file that is left half written, or a row or curve that is lost,
+/* test_plot.c - plots: the data, the script and the picture of a table are compared
+ * with the table, with unusual names, values that are not numbers, and a gnuplot that
+ * is missing or fails. A file that is left incomplete, or a row or curve that is lost,
  * fails here.
+ *
  */
 #include "rt/study/plot/plot.h"
 
@@ -53,10 +54,10 @@ static const struct plot lines = {
 /* --- a folder for a test ----------------------------------------------- */
 
 static struct {
-    char name[64]; /* blanks and quotes in it */
+    char name[64]; /* contains blanks and quotes */
     char above[32];
     struct table *table;
-} folder; /* of a test */
+} folder; /* of the current test */
 
 static void add_row(struct table *table, uint64_t queue, double stream, double startup)
 {
@@ -99,7 +100,7 @@ static void remove_plot(void)
     remove_file("a b'c.gp");
 }
 
-/* A test removes what it made; nothing temporary may be left. */
+/* A test removes the files it made; rmdir fails if a temporary file is left. */
 FIXTURE(tear_down)
 {
     int result = rmdir(folder.name) || rmdir(folder.above);
@@ -172,7 +173,7 @@ static void expect_picture(const char *text)
     assert_null(strstr(text, "nothing"));
 }
 
-/* As a user does: gnuplot NAME.gp in its folder. */
+/* A user runs gnuplot NAME.gp in the folder. */
 TEST_WITH(script_draws_again, set_up, tear_down)
 {
     char command[256];
@@ -193,7 +194,7 @@ TEST_WITH(script_draws_again, set_up, tear_down)
     }
 }
 
-/* Names that gnuplot would take for commands, options or data of its own. */
+/* Names that gnuplot would read as commands, options or its own data. */
 TEST_WITH(names_are_names, set_up, tear_down)
 {
     static const char *const names[] = { "<ls", "|cat", "-x", "~", "+", "`" };
@@ -226,7 +227,7 @@ TEST_WITH(bad_paths, set_up, tear_down)
     assert_true(plot_check_path("plot.svg", &error));
 }
 
-/* Where one file cannot be written, none is. */
+/* If one file cannot be written, none is. */
 TEST_WITH(name_is_taken, set_up, tear_down)
 {
     static const char *const names[] = { "plot.dat", "plot.gp", "plot.svg" };
@@ -280,7 +281,8 @@ static void write_file(const char *name, const char *text)
     assert_int_equal(chmod(path, 0777), 0);
 }
 
-/* With the folder's gnuplot, or none, and an old picture there. */
+/* The path contains the folder's gnuplot only, or none; an old picture exists and must
+ * not change. */
 static void expect_failure(const char *part)
 {
     FREED char *path = strdup(getenv("PATH"));
@@ -309,7 +311,7 @@ TEST_WITH(gnuplot_fails, set_up, tear_down)
 
 /* --- marks and axes ---------------------------------------------------- */
 
-/* How high in the picture a mark's label stands, from 0 to 1. */
+/* Returns the height of a mark's label in the picture, from 0 to 1. */
 static double height_of(const char *script, const char *label)
 {
     const char *at = strstr(script, label);
@@ -334,7 +336,7 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
     remove_plot();
 }
 
-/* The labels of an axis, with a blank behind each. */
+/* Fails unless the labels of an axis, each with a blank after it, are as expected. */
 static void expect_labels(struct axis axis, const char *expected)
 {
     struct axis_tic tics[AXIS_TICS];
@@ -364,7 +366,7 @@ TEST(axes_are_labelled)
                   "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 4e+13 ");
 }
 
-/* Where y is cut off, its levels are still in, and the small print tells. */
+/* If the y axis is cut off, the levels are still drawn, and the caption says so. */
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;

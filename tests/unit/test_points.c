@@ -21,7 +21,7 @@ static size_t between(size_t low, size_t high)
     return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
 }
 
-/* Of all sizes alike, from 1 bit on. */
+/* Draws an integer whose number of bits is uniform, from 1 bit on. */
 static uint64_t some_integer(unsigned bits)
 {
     return xorshift(&state) >> between(64 - bits, 63);
@@ -42,7 +42,7 @@ static void make(const struct point_kind *kind, const struct point_choice *choic
 
 /* ---- Against the definition --------------------------------------------- */
 
-/* Positions one by one, of a generator that is stepped. */
+/* Positions of a generator that is stepped one by one. */
 TEST(positions)
 {
     uint64_t x = 1;
@@ -60,7 +60,7 @@ static int by_size(const void *a, const void *b)
     return (first > second) - (first < second);
 }
 
-/* Of seeds in a row the nearest two are far apart. */
+/* The closest two of consecutive seeds are far apart in the stream. */
 TEST(seeds)
 {
     enum { SEEDS = 100000 };
@@ -140,7 +140,7 @@ static void compare_forms(bool lattice)
 TEST_CALL(stream_words, compare_forms(false))
 TEST_CALL(lattice_words, compare_forms(true))
 
-/* Exactly t 2^-47, normalised, and neither 0 nor 1. */
+/* Numbers are exactly t 2^-47, normalised, and neither 0 nor 1. */
 static void compare_numbers(bool lattice)
 {
     for (size_t i = 0; i < tries / 4; i++) {
@@ -170,7 +170,7 @@ TEST_CALL(lattice_numbers, compare_numbers(true))
 
 /* ---- Cuts ---------------------------------------------------------------- */
 
-/* Points first .. in two pieces, in queues of other lengths, as in one. */
+/* Points in two calls, in queues of other lengths, must equal those of one call. */
 static void compare_cut(bool lattice)
 {
     struct point_kind kind = some_kind(lattice);
@@ -202,7 +202,7 @@ TEST(cuts)
 
 /* ---- What points are for -------------------------------------------------- */
 
-/* Each coordinate of all points meets each of as many cells once. */
+/* In each coordinate, every one of N cells contains exactly one of N points. */
 TEST(cells)
 {
     enum { LOG = 12, CELLS = 1 << LOG };
@@ -228,8 +228,8 @@ TEST(cells)
 
 enum { M = 10, N = 1 << M, SHIFTS = 16, DIMENSIONS = 4 };
 
-/* The product of 1 + (u_j - 1/2) over the first coordinates, whose integral is
- * 1: smooth, and no period fits it. */
+/* Returns the mean of the product of 1 + (u_j - 1/2) over the first coordinates. Its
+ * integral is 1; the function is smooth and not periodic. */
 static double mean_of_function(const c205_word *point)
 {
     double sum = 0;
@@ -243,10 +243,10 @@ static double mean_of_function(const c205_word *point)
 }
 
 struct estimate {
-    double mean, error; /* of the mean: the standard error */
+    double mean, error; /* error: the standard error of the mean */
 };
 
-/* From SHIFTS independent sets of points. */
+/* Estimates the mean from SHIFTS independent sets of points. */
 static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_t seed)
 {
     double value[SHIFTS], sum = 0, squares = 0;
@@ -265,9 +265,8 @@ static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_
     return (struct estimate){ sum / SHIFTS, sqrt(squares / (SHIFTS - 1) / SHIFTS) };
 }
 
-/* Over many seeds: the root mean square of the errors, how often Student's
- * interval for 95 % holds the exact value, and the mean error in standard
- * errors. */
+/* Over many seeds: the root mean square error, the fraction of Student's 95 % intervals
+ * that contain the exact value, and the mean error in standard errors. */
 struct quality {
     double error, covered, bias;
 };

@@ -1,14 +1,15 @@
-/* test_poison.c - vector instructions keep to their operands.
+/* test_poison.c - memory, registers, flags and clocks after vector instructions are
+ * compared between two runs with different contents outside of the operands, for every
+ * row of the instruction table with random operands. An instruction that reads or
+ * writes beyond its operands fails here.
  *
  *   test_poison [CASES]
  *
- * Each row of the instruction table, with random operands, runs twice in a
- * memory full of poison, another one each time: words before, between and
- * behind the operands, elements beyond the lengths and those that the control
- * vector holds back, what is left of the last word of a bit vector, the parts
- * of registers that do not count, the old contents of the result.  All poison
- * outside of the result must survive, and results, data flags and clocks be
- * the same both times.
+ * The contents outside of the operands ("poison") are: words before, between and after
+ * the operands; elements after the lengths, and those that the control vector
+ * suppresses; the rest of the last word of a bit vector; unused parts of registers; and
+ * the old contents of the result. All poison outside of the result must survive, and
+ * results, data flags and clocks must be the same in both runs.
  */
 #include "tests/unit/vector_case.h"
 
@@ -16,16 +17,16 @@ enum { TWICE = 2, USUAL_CASES = 60 };
 
 static size_t cases = USUAL_CASES;
 
-/* What the machine holds, before and after. */
+/* The contents of the machine, before and after. */
 struct image {
     c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
     c205_word flags;
     uint64_t clock;
 };
 
-/* ---- Which elements an instruction looks at ---------------------------- */
+/* ---- Elements that an instruction uses --------------------------------- */
 
-/* Of order vectors: elements before position i. */
+/* Returns the number of elements of an order vector before position i. */
 static size_t present_before(const struct vector_case *one, enum role role, size_t i)
 {
     size_t count = 0;
@@ -35,8 +36,8 @@ static size_t present_before(const struct vector_case *one, enum role role, size
     return count;
 }
 
-/* There is a result where Z has a one, if it is given; else products need
- * both. */
+/* An element of the result is present if its bit of Z is one. Without Z, products need
+ * both operands, and sums one. */
 static bool has_result(const struct vector_case *one, size_t i)
 {
     bool x = bit_of(one, ROLE_X, i), y = bit_of(one, ROLE_Y, i);
@@ -65,7 +66,7 @@ static void mark_sparse(struct vector_case *one)
     }
 }
 
-/* Where Z sends element i of A, or of B. */
+/* Returns whether Z selects element i of A, or of B. */
 static bool is_selected(const struct vector_case *one, enum role role, size_t i)
 {
     bool ones = role == ROLE_A;
@@ -275,8 +276,8 @@ static void run_twice(struct small_machine *fixture, struct vector_case *one,
     }
 }
 
-/* A control vector saves no time: the search is made for the elements that it
- * holds back as well, and takes as long as it takes. */
+/* A control vector saves no time: the search continues over suppressed elements, so its
+ * time depends on them. */
 static bool time_is_known(const struct vector_case *one)
 {
     return !(one->row->format == C205_FORMAT_SCAN && one->fields.z
@@ -337,7 +338,7 @@ static const c205_insn *draw_linked(uint64_t *random)
     return row;
 }
 
-/* Of another unit, and it makes words. */
+/* Draws a row of another unit whose result has words. */
 static const c205_insn *draw_first(uint64_t *random, c205_unit second)
 {
     const c205_insn *row;
@@ -348,7 +349,7 @@ static const c205_insn *draw_first(uint64_t *random, c205_unit second)
     return row;
 }
 
-/* [x], and a number if it takes one. */
+/* Returns the fields of the first instruction: [x], and a number if it takes one. */
 static c205_fields first_fields(const c205_insn *row, unsigned half)
 {
     c205_fields fields = { .g = (uint8_t)(row->subop | half),
@@ -362,7 +363,8 @@ static c205_fields first_fields(const c205_insn *row, unsigned half)
     return fields;
 }
 
-/* What the first makes the second takes as its A: that is stored nowhere. */
+/* The result of the first instruction is the A operand of the second; it is not
+ * stored. */
 static void draw_pair(uint64_t *random)
 {
     unsigned half;

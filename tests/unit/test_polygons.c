@@ -1,8 +1,9 @@
-/* test_polygons.c - the triangles that a polygon becomes are compared with the even-odd
- * rule, point by point, over random stars and grids.  A point inside that no triangle,
- * or more than one, covers fails here.
+/* test_polygons.c - the triangles of a polygon are compared with the even-odd rule,
+ * point by point, over random stars and grids. A point inside that no triangle, or more
+ * than one, covers fails here.
  *
  *     test_polygons [POLYGONS [SEED]]
+ *
  */
 #include "rt/shapes/primitive.h"
 #include "tests/unit/draw.h"
@@ -13,8 +14,8 @@ enum { MAX_POINTS = 64, SAMPLES = 200, LINES = 4000 };
 static size_t polygon_count = 400;
 /* ---- The oracle ---------------------------------------------------------- */
 
-/* In a plane that its origin and two axes span; ends[i]: its part ends there,
- * where its first point has come again. */
+/* An outline in a plane with an origin and two axes. ends[i] is true where a part ends,
+ * at a copy of its first point. */
 struct flat_outline {
     double origin[3], axes[2][3];
     size_t count;
@@ -22,7 +23,7 @@ struct flat_outline {
     bool ends[MAX_POINTS];
 };
 
-/* The side of a line from a to b. */
+/* Returns a positive value if p is left of the line from a to b. */
 static double side(const double a[2], const double b[2], const double p[2])
 {
     return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
@@ -38,7 +39,7 @@ static double distance(const double a[2], const double b[2], const double p[2])
     return hypot(p[0] - a[0] - part * way[0], p[1] - a[1] - part * way[1]);
 }
 
-/* How often the outline is crossed on the way to the right. */
+/* Counts the crossings of the outline to the right of the point, modulo 2. */
 static bool is_inside(const struct flat_outline *outline, const double p[2])
 {
     bool inside = false;
@@ -61,7 +62,7 @@ static bool is_near_edge(const struct flat_outline *outline, const double p[2],
     return false;
 }
 
-/* By lines along the second axis. */
+/* Computes the area with lines along the second axis. */
 static double area_by_lines(const struct flat_outline *outline)
 {
     double sum = 0;
@@ -101,7 +102,8 @@ static void close_part(struct flat_outline *outline, size_t first)
     outline->ends[outline->count - 1] = true;
 }
 
-/* About a point: it crosses nothing, or with steps of two or more itself. */
+/* Adds a star about a point. With a step of 1 it does not cross itself; with other
+ * steps it does. */
 static void add_star(struct flat_outline *outline, size_t count, size_t step)
 {
     double x = between(-1, 1), y = between(-1, 1), turn = between(0, 6);
@@ -114,7 +116,8 @@ static void add_star(struct flat_outline *outline, size_t count, size_t step)
     close_part(outline, first);
 }
 
-/* Points of a grid: they lie on edges and upon each other, and edges do. */
+/* Adds a part with points of a grid. Points lie on edges and on each other, and edges
+ * overlap. */
 static void add_grid_part(struct flat_outline *outline, size_t count)
 {
     size_t first = outline->count;
@@ -146,7 +149,7 @@ static void random_plane(struct flat_outline *outline)
         outline->origin[i] = between(-2, 2);
 }
 
-/* One of the three planes of two axes. */
+/* Selects one of the three planes of two axes. */
 static void straight_plane(struct flat_outline *outline)
 {
     int first = (int)xorshift_between(&random_state, 0, 2);
@@ -331,14 +334,14 @@ TEST(areas)
     check_area("polygon { 4.9 <0, 0> <2, 0> <0, 3> <0, 0> }", 0, 3, 1);
     check_area("polygon { 5, <0, 0>, <2, 0>, <2, 3>, <0, 3>, <0, 0> }", 0, 6, 2);
     check_area("polygon { 5, 0, 2*y, 2*y + 3*z, 3*z, 0 inverse }", 0, 6, 2);
-    /* a hole, and in it another part */
+    /* A hole, and a part inside the hole. */
     check_area("polygon { 15, 0, 8*x, <8, 8>, 8*y, 0, <1, 1>, <1, 7>, <7, 7>,"
                "<7, 1>, <1, 1>, <2, 2>, <4, 2>, <4, 4>, <2, 4>, <2, 2> }",
                0, 64 - 36 + 4, 10);
-    /* twice the same part is none, and next to it is another one */
+    /* Two equal parts cancel each other; another part is next to them. */
     check_area("polygon { 12, 0, x, y, 0, 0, x, y, 0, 2*x, 3*x, <3, 1>, 2*x }", 0, .5,
                1);
-    /* one that crosses itself */
+    /* Outlines that cross themselves. */
     check_area("polygon { 5, <0, 0>, <2, 2>, <2, 0>, <0, 2>, <0, 0> }", 0, 2, 4);
     check_area("polygon { 6, #for (I, 0, 5) "
                "<sin(4*pi*mod(I, 5)/5), cos(4*pi*mod(I, 5)/5)> #end }",
@@ -346,7 +349,7 @@ TEST(areas)
                5 * cos(fifth) / cos(fifth / 2) * sin(fifth / 2)
                    - 2.5 * sin(fifth) * pow(cos(fifth) / cos(fifth / 2), 2),
                7);
-    /* its last point is the first one but for rounding */
+    /* The last point differs from the first by a rounding error. */
     check_area("polygon { 4, 0, x, y, <0, 5e-11> }", 0, .5, 1);
 }
 
@@ -370,7 +373,7 @@ TEST(corners_are_given_points)
     }
 }
 
-/* As in POV-Ray, which closes it and shows nothing of the others. */
+/* POV-Ray closes an open polygon, and shows nothing of degenerate ones. */
 TEST(reports)
 {
     static const char *const left_out[] = {
@@ -409,7 +412,7 @@ TEST(errors)
     };
 
     assert_errors(rows, COUNT(rows));
-    /* all of its lines cross all others */
+    /* all its edges cross each other */
     assert_refused("polygon { 3000, #for (I, 0, 2999) "
                    "<I/3000 + sin(7*I), mod(I, 2)*3 + cos(I)> #end }",
                    2, "takes too long");

@@ -1,6 +1,6 @@
-/* test_profile.c - the profiles of the three stages are compared: the same frames and
- * rays, parts that sum up to all clocks, tables that sum up.  A region without a part,
- * or a row that is left out, fails here. */
+/* test_profile.c - the profiles of the three stages are compared: they must have the
+ * same frames and rays, parts that sum to all clocks, and tables that sum to the parts.
+ * A region without a part, or a missing row, fails here. */
 #include "tests/unit/traced_frame.h"
 
 #include "base/file.h"
@@ -47,7 +47,7 @@ TEST(stages)
 
 /* ---- The tables ---------------------------------------------------------- */
 
-/* As JSON; the caller frees it. */
+/* Returns a table as JSON; the caller frees it. */
 static char *table_text_of(enum profile_table kind)
 {
     char path[] = "/tmp/test_profile.XXXXXX";
@@ -67,7 +67,7 @@ static char *table_text_of(enum profile_table kind)
     return text;
 }
 
-/* Of the row that begins there. */
+/* Returns the number of a key in the row that begins here. */
 static double number_of(const char *row, const char *key)
 {
     const char *at = strstr(row, key);
@@ -75,7 +75,7 @@ static double number_of(const char *row, const char *key)
     return strtod(strchr(at, ':') + 1, NULL);
 }
 
-/* Clocks of the stages. */
+/* Clocks by stage. */
 struct clocks {
     double of[TRACE_MODES];
 };
@@ -95,7 +95,7 @@ static void assert_same_clocks(const struct clocks *a, const struct clocks *b)
         assert_true(a->of[i] == b->of[i]);
 }
 
-/* All parts are the frame, all kernels the part that they belong to. */
+/* The sum of all parts is the frame; the sum of all kernels is their part. */
 TEST(sums)
 {
     static const char row[] = "\"part\": \"";
@@ -121,11 +121,10 @@ TEST(sums)
     assert_same_clocks(&kernels, &intersect);
 }
 
-/* The groups for the reader: columns of clocks, of shares. */
+/* Columns of clocks in the table of groups; shares are next to them. */
 static const size_t millions[TRACE_MODES] = { 1, 3, 6 };
 
-/* The sum of rows of the kind that a reader sees: groups, or their members,
- * which stand indented below them. */
+/* Sums the displayed rows: groups, or their members, which are indented below them. */
 static double sum_of_rows(const struct table *table, const char *text, size_t column,
                           bool members)
 {
@@ -141,7 +140,7 @@ static double sum_of_rows(const struct table *table, const char *text, size_t co
     return sum;
 }
 
-/* Groups, and members of groups, are all of the frame, as are their shares. */
+/* Groups, and members of groups, sum to the frame, and so do their shares. */
 TEST(groups)
 {
     static char text[8192];
@@ -166,7 +165,7 @@ TEST(groups)
         assert_non_null(strstr(text, *name));
 }
 
-/* With all parts in vector form Amdahl's law says what is measured. */
+/* With all parts in vector form, Amdahl's law gives the measured speedup. */
 TEST(amdahl)
 {
     FREED char *text = table_text_of(PROFILE_SPEEDUP);

@@ -52,7 +52,7 @@ static void run(struct program_sweep *sweep)
 
 /* ---- Plain runs ------------------------------------------------------------ */
 
-/* The machine behind a program that was assembled with this value. */
+/* Returns the machine after a run of the program that was assembled with this value. */
 static c205 *run_plainly(const struct program_sweep *sweep, int which, uint64_t value)
 {
     const struct swept_program *program = &sweep->programs[which];
@@ -79,7 +79,7 @@ static uint64_t plain_clocks(const struct program_sweep *sweep, int which,
     return c205_clock(machine);
 }
 
-/* Cause by cause, and in all; operations, too. */
+/* Compares clocks by cause and in total, and operations. */
 static void check_point(const struct program_sweep *sweep, int which,
                         const struct swept_point *point)
 {
@@ -144,7 +144,7 @@ TEST(examples)
     }
 }
 
-/* A constant that changes nothing; those that trap, as some are to, are left out. */
+/* The constant changes nothing. Programs that trap, as some must, are skipped. */
 TEST(programs)
 {
     size_t ended = 0;
@@ -191,7 +191,7 @@ TEST(random_programs)
 
 /* ---- Crossings ------------------------------------------------------------- */
 
-/* Of each value, whether the second is faster, by running all of them. */
+/* Runs both programs for every value to find where the faster one changes. */
 static void check_crossings(const struct program_sweep *sweep)
 {
     size_t found = 0;
@@ -215,8 +215,8 @@ static void check_crossings(const struct program_sweep *sweep)
     assert_int_equal(found, sweep->crossing_count);
 }
 
-/* So many instructions that take a clock each, and so many for each n: a line to the last
- * clock. */
+/* Writes instructions of one clock each, a fixed number and a multiple of n: a line
+ * without error. */
 static void draw_line(char text[DRAWN_TEXT])
 {
     snprintf(text, DRAWN_TEXT,
@@ -246,7 +246,7 @@ TEST(crossings)
     assert_true(crossed > 9);
 }
 
-/* With a step there are no values in between. */
+/* With a step, values in between are not tested. */
 TEST(steps)
 {
     static const char first[] = "        .rept 100\n        ES r10, 1\n"
@@ -270,7 +270,7 @@ TEST(steps)
 
 /* ---- The line -------------------------------------------------------------- */
 
-/* Points without programs: clocks of one cause. */
+/* Makes points without programs, with clocks of one cause. */
 static void make_points(struct program_sweep *sweep, double startup, double slope,
                         double noise)
 {
@@ -290,8 +290,8 @@ static void make_points(struct program_sweep *sweep, double startup, double slop
     }
 }
 
-/* The two equations in which no change of s or b makes the sum of ((s + b x - t) / t)^2
- * smaller, solved as they are, in long doubles. */
+/* Solves the normal equations of the least squares fit of ((s + b x - t) / t)^2 in long
+ * doubles. */
 static void solve(const struct program_sweep *sweep, long double *startup,
                   long double *slope)
 {
@@ -421,7 +421,7 @@ static size_t usual_points(const struct swept_range *range)
     return octaves > 3 ? 25 : 1 + (size_t)ceil(8 * octaves);
 }
 
-/* Either each is as far from the one before as was asked, or both ends are there. */
+/* Either the requested ratio separates all values, or both ends are included. */
 TEST(values)
 {
     static uint64_t values[MAX_SWEPT_POINTS];
@@ -506,7 +506,8 @@ TEST(faults)
 
 /* ---- The picture ----------------------------------------------------------- */
 
-/* Every point, each half length and each crossing is there, and within the sheet. */
+/* The picture has every point, each half length and each crossing, all within its
+ * borders. */
 static void check_picture(const struct program_sweep *sweep)
 {
     SCOPED_VALUE(text_buffer) svg = { 0 };

@@ -1,7 +1,8 @@
-/* test_provenance.c - the text and the JSON that every table has of its model: where its
- * constants are from, and how near it came to published figures, of models that are
- * fitted, compared, changed or projections.  A figure of another model, or a constant that
- * is counted with another source, fails here.
+/* test_provenance.c - the text and the JSON about a table's model are compared with the
+ * model: the sources of its constants, and its errors against published figures, for
+ * models that are fitted, compared, changed or projections. A figure of another model,
+ * or a constant that is counted with another source, fails here.
+ *
  */
 #include "base/provenance.h"
 #include "tests/unit/unit.h"
@@ -23,7 +24,7 @@ static c205_model *parsed(const char *text)
     return model;
 }
 
-/* What is printed; the caller frees it, here as below. */
+/* Returns the printed text, which the caller frees. */
 static char *printed(const c205_model *model, bool whole, const char *before)
 {
     char *text;
@@ -55,8 +56,9 @@ static void holds(const char *text, const char *expected)
 
 /* ---- How far to believe it ---- */
 
-/* How the text begins, and what it and the JSON contain.  What is known of a model that
- * this one changes is printed as that model's: its figures, largest error and worst. */
+/* The beginning of the text, and parts of the text and the JSON. Figures of a model
+ * that is extended are printed as those of that model: its count, largest error and
+ * worst figure. */
 TEST(models)
 {
     static const struct {
@@ -106,7 +108,7 @@ TEST(models)
         holds(text, cases[i].holds);
         snprintf(expected, sizeof expected, cases[i].json, belief.figures);
         holds(json, expected);
-        /* Without --provenance the first line is printed. */
+        /* Without --provenance only the first line is printed. */
         snprintf(expected, sizeof expected, "%.*s; more by --provenance\n", first,
                  text);
         assert_string_equal(line, expected);
@@ -162,7 +164,7 @@ TEST(sources)
     c205_model_free(model);
 }
 
-/* A projection whose constants are all of one source, and not the first. */
+/* A projection with constants of one source, which is not the first. */
 TEST(one_source)
 {
     c205_model *model = parsed("title T\nlike cyber720-prior\n"
@@ -188,7 +190,7 @@ static void assert_line(const char *text, const char *expected)
     c205_model_free(model);
 }
 
-/* What is told where there is room for one line. */
+/* The text for a single line. */
 TEST(line)
 {
     assert_line("title T\nfitted 3 figures, at most -7.5 % off: a b\n"

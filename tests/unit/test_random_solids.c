@@ -7,9 +7,9 @@
 #define MIDDLING_FRAMES
 #include "tests/unit/random_solids.h"
 
-static size_t scene_count = 4; /* of each sort */
-static bool along; /* the eye looks along an axis: rays lie in faces and meet
-                      edges, where a rounding decides */
+static size_t scene_count = 4; /* of each kind */
+static bool along; /* the eye looks along an axis: rays lie in faces and hit edges,
+                    * where rounding decides */
 
 static void add_view(char *text, size_t size)
 {
@@ -59,8 +59,7 @@ static void check_no_bounds(const struct scene *scene, const char *text,
                          k, text);
 }
 
-/* Of surfaces in one place a rounding chooses the one that is seen, but not
- * where it is. */
+/* Of coincident surfaces, rounding decides which one is visible, but not its depth. */
 static void check_depths(const struct scene *scene, const char *text,
                          const struct words *words)
 {

@@ -1,4 +1,6 @@
-/* test_rank_index.c - numbers that are counted again: each once, in their order. */
+/* test_rank_index.c - the ranks of numbers are compared with their definition, over
+ * random lists with repetitions. A number with another rank, or a missing one that has
+ * a rank, fails here. */
 #include "base/rank_index.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"
@@ -25,7 +27,7 @@ TEST(few)
     rank_index_free(&ranks);
 }
 
-/* A place is how many other numbers are not above. */
+/* The rank of a number is the count of distinct numbers up to it. */
 static size_t place_of(const size_t *numbers, size_t count, size_t number)
 {
     size_t place = 0, found = 0;

@@ -1,6 +1,6 @@
-/* test_recording.c - recorded runs that are played on other models are compared with
- * runs on these models, and projections with clocks that are worked out by hand.  A
- * clock of another cause or region fails here. */
+/* test_recording.c - recorded runs that are replayed on other models are compared with
+ * runs on these models, and projections with clocks computed by hand. A clock of
+ * another cause or region fails here. */
 #include "asm_helper.h"
 
 #include <math.h>
@@ -66,8 +66,7 @@ static void record(struct run *run, const char *path)
     assert_runs(run->machine);
 }
 
-/* Played with a model and settings, the recording tells the clocks of this
- * run. */
+/* Replayed with a model and settings, the recording must give the clocks of the run. */
 static void assert_retimes(const struct run *recorded, const struct run *ran,
                            const c205_model *model, const c205_setting *settings,
                            size_t count)
@@ -81,7 +80,7 @@ static void assert_retimes(const struct run *recorded, const struct run *ran,
                     == (double)accounts_clocks(c205_account_at(ran->machine, i)));
 }
 
-/* A recording made on one model tells the clocks of a run on another. */
+/* A recording that is made on one model gives the clocks of a run on another. */
 static void compare(const char *path, const char *other, const c205_setting *settings,
                     size_t count)
 {
@@ -115,8 +114,8 @@ TEST(settings)
     compare("rt/study/fit/programs/photons.s", "cyber205-4pipe-prior", pipes, 1);
 }
 
-/* Other pages, as settings and as a changed model, against a machine that has
- * them; its clocks are others. */
+/* Other page sizes, as settings and as a changed model, are compared with a machine
+ * that has them. Its clocks must differ from those of the recorded run. */
 static void compare_pages(const char *path, const c205_setting *settings, size_t count)
 {
     struct run recorded, ran;
@@ -148,7 +147,7 @@ TEST(pages)
     }
 }
 
-/* The clocks of the region after the first, by a clock of so many ticks. */
+/* Returns the clocks of the second region, with `ticks` ticks per clock. */
 static double retimed(const struct run *run, const c205_setting *setting,
                       unsigned ticks)
 {
@@ -159,8 +158,8 @@ static double retimed(const struct run *run, const c205_setting *setting,
     return clocks[1];
 }
 
-/* In a thousand ticks a clock, whole constants give the same clocks, but for
- * what rounding up to whole clocks adds; and fractions lie between. */
+/* With a thousand ticks per clock, integer constants give the same clocks except for
+ * rounding up to full clocks. Fractional constants give values in between. */
 TEST(ticks)
 {
     static const c205_setting settings[] = { { "latency.load", 15.5 },
@@ -266,12 +265,12 @@ TEST_CALL(serial,
                                 "time.monitor 1 clk R\n")
                       == 8 + 200 + 2000 + 30 + 40 + 27 + 1))
 
-/* On the 6600 with one increment unit and an adder.  EX issues at 0; ELEN
- * waits for the unit and r10, 3 .. 6; EX r11 6 .. 9; ELEN 9 .. 12, issue ends
- * at 10.  SWAP at 12: four addresses of 3, then the last store 10: 34.  MPYS
- * 34 .. 44; ADDN waits in its unit for r22, 44 .. 52; the other one for the
- * adder, 52 .. 60, issue ends at 53.  The branch waits for r24: 60 + 8 + 8 =
- * 76; EXIT issues in one more. */
+/* The 6600 with one increment unit and an adder. EX issues at 0. ELEN waits for the
+ * unit and r10, 3 .. 6. EX r11 takes 6 .. 9, ELEN 9 .. 12; issue ends at 10. SWAP
+ * begins at 12: four addresses of 3, then the last store 10, until 34. MPYS takes 34 ..
+ * 44. ADDN waits in its unit for r22, 44 .. 52; the other ADDN waits for the adder, 52
+ * .. 60, and its issue ends at 53. The branch waits for r24: 60 + 8 + 8 = 76. EXIT
+ * issues one clock later. */
 TEST_CALL(scoreboard,
           assert_true(projected("title t\nlike cdc6600\nunits.single 1 units R\n")
                       == 77))

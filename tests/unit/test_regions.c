@@ -1,5 +1,5 @@
 /* test_regions.c - the regions, nodes and steps in a machine's memory are compared with
- * the scene, and their values with those of the trees, over random solids.  A wrong
+ * the scene, and their values with those of the trees, over random solids. A wrong
  * kernel, link, bound or operation of a step fails here. */
 #include "tests/unit/scene_fixture.h"
 
@@ -8,7 +8,7 @@
 #include "tests/random.h"
 #include "tests/unit/tree_value.h"
 
-enum { PLACES = 400 }; /* of a tree's values, at most */
+enum { PLACES = 400 }; /* maximum number of values of a tree */
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -21,7 +21,8 @@ static uint64_t random_state = RANDOM_SEED;
 
 static const struct shape_row {
     const char *text;
-    const char *alone, *kernel, *state; /* and in a tree */
+    const char *alone, *kernel, *state; /* kernel of the shape alone, kernels in a
+                                         * tree */
     int segments, events, first_event;
 } shape_rows[] = {
     { "sphere { 0, 1", "sphere", "sphere", NULL, 1, 2, 0 },
@@ -60,14 +61,14 @@ static const struct shape_row {
       NULL, 0, 4, 0 },
 };
 
-/* Its REGION_SIMPLE and REGION_BOXED. */
+/* Returns REGION_SIMPLE and REGION_BOXED of a region. */
 static int64_t way_of(const struct stage *stage, size_t i)
 {
     return c205_to_integer(region(stage, i, "R_WAY"));
 }
 
-/* How many crossings, or values, of so many words it is behind the first
- * primitive's first. */
+/* Returns the offset from the first primitive's first crossing or value, in crossings
+ * or values. */
 static int64_t behind_first(const struct stage *stage, size_t i, const char *name,
                             const char *size)
 {
@@ -90,7 +91,7 @@ static void check_kernel(const struct stage *stage, size_t i, const char *kernel
         fail_msg("%s is not %s", kernel, expected);
 }
 
-/* Each in a tree behind a sphere, and alone. */
+/* Checks a shape in a tree, after a sphere, and alone. */
 static void check_shape(const struct shape_row *row, const char *how)
 {
     char text[500];
@@ -119,7 +120,8 @@ TEST(primitives)
     }
 }
 
-/* Open shapes need room for both, patches for their parameters. */
+/* Open shapes need space for crossings and events; patches need it for their
+ * parameters. */
 TEST(crossings)
 {
     static const struct {
@@ -148,7 +150,7 @@ TEST(crossings)
     }
 }
 
-/* n leaves have n values and their steps n - 1. */
+/* A tree of n leaves has n values and n - 1 steps. */
 TEST(room)
 {
     enum { LEAVES = 5 };
@@ -169,7 +171,7 @@ TEST(room)
 
 TEST(regions)
 {
-    /* Simple: 1; with a box that is much less than the sphere: 2. */
+    /* 1: simple; 2: with a box that is much smaller than the sphere. */
     static const struct {
         int way, shadow, first;
     } rows[] = {
@@ -196,7 +198,7 @@ TEST(regions)
     assert_integer(primitive(&stage, 9, "P_INVERTED"), 1);
 }
 
-/* From the rays that see none of its primitives. */
+/* The classes of rays from which a region is hidden. */
 TEST(hidden)
 {
     static const int hidden_from[] = { 0, 1, 2, 3, 1, 3, 1, 0, 0 };
@@ -215,7 +217,7 @@ TEST(hidden)
         assert_integer(region(&stage, i, "R_HIDDEN_FROM"), hidden_from[i]);
 }
 
-/* In preorder, without complements: &(|(0,1), !(&(2, !(3))), 4). */
+/* The nodes in preorder, without complements: &(|(0,1), !(&(2, !(3))), 4). */
 TEST(nodes)
 {
     static const struct {
@@ -259,7 +261,7 @@ static void check_bound(const struct stage *stage, uint64_t address, const char 
     assert_number(stage_word(stage, bound + 64 * 4), 1e60);
 }
 
-/* No bounds, where there are none and where nobody wants them. */
+/* There are no bounds for unbounded regions, or if bounding is disabled. */
 TEST(no_bounds)
 {
     static const char *const texts[] = { "plane { y, 0 }", "sphere { 0, 1 }" };
@@ -288,7 +290,7 @@ TEST(bounds)
 
 /* --- steps --------------------------------------------------------------- */
 
-/* Some solid of at most so many primitives, in the scene language. */
+/* Writes a random solid of at most `most` primitives. */
 static char *add_solid(char *end, size_t most)
 {
     static const char *const words[] = { "union", "merge", "intersection",
@@ -310,13 +312,13 @@ static char *add_solid(char *end, size_t most)
     return end + sprintf(end, "%s } ", xorshift(&random_state) % 4 ? "" : " inverse");
 }
 
-/* What the machine makes of a region's tree where the primitives have these
- * values: of values that it does not know it may not ask. */
+/* Evaluates a region's tree as the machine does, for given values of the primitives.
+ * Reading an unknown value fails. */
 struct evaluation {
     const struct stage *stage;
-    const bool *inside; /* by primitive */
+    const bool *inside; /* per primitive */
     bool value[PLACES], known[PLACES];
-    size_t visited; /* nodes */
+    size_t visited; /* number of visited nodes */
     uint64_t branches[PLACES];
     size_t branch_count;
 };
@@ -356,7 +358,8 @@ static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
     return evaluation->inside[(leaf - primitive_at(stage, 0)) / size];
 }
 
-/* Some primitive below it, or it has no bound. */
+/* Returns whether a ray can be inside a primitive of the node, or the node has no
+ * bound. */
 static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
 {
     const struct stage *stage = evaluation->stage;
@@ -370,7 +373,7 @@ static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
     return may_be;
 }
 
-/* Where no primitive below it is a node is passed over. */
+/* Visits the nodes; one without such a primitive is skipped. */
 static void visit_nodes(struct evaluation *evaluation, size_t i)
 {
     const struct stage *stage = evaluation->stage;
@@ -418,7 +421,7 @@ static bool machine_value(const struct stage *stage, size_t i, const bool *insid
     return ask_value(&evaluation, region(stage, i, "R_RESULT"));
 }
 
-/* The region of that record: they are in the hierarchy's order. */
+/* Returns the region of a record; records are in the hierarchy's order. */
 static const struct region *region_of(const struct stage *stage, size_t i)
 {
     const struct region *tree = stage->scene->regions;
@@ -446,8 +449,8 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
     }
 }
 
-/* Steps tell the tree's value or, always, its complement; where nothing of a node
- * is met they need none that is below it. */
+/* The steps give the tree's value or, consistently, its complement. If no primitive of
+ * a node is hit, the steps below it are not needed. */
 TEST(steps)
 {
     enum { SCENES = 300, MAX = 40 };
@@ -462,7 +465,7 @@ TEST(steps)
     }
 }
 
-/* Of many parts few nodes are visited for one that is met. */
+/* In a tree of many parts, one hit visits few nodes. */
 TEST(many_parts)
 {
     static const char *const ways[] = { "merge", "difference { box { -1, 1 }",
@@ -486,8 +489,8 @@ TEST(many_parts)
     }
 }
 
-/* Each step has a value to itself, and each value but the last is a part of
- * one step: so from any primitive there is one way up. */
+/* Each step has its own value, and each value but the last belongs to one step. Every
+ * primitive therefore has a unique path to the root. */
 TEST(values)
 {
     static const char *const texts[] = {
@@ -518,8 +521,8 @@ TEST(values)
     }
 }
 
-/* What stands inside of a region: its value, what is not its value, nothing where a
- * part is open or is not seen. */
+/* The body inside a region: its value, the complement of its value, or none if a part
+ * is open or invisible. */
 TEST(bodies)
 {
     static const struct {

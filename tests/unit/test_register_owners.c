@@ -1,14 +1,15 @@
-/* test_register_owners.c - the check of shared registers: programs that lose a register to
- * another name have one report, at the lines and with the names that are written here;
- * programs that save it, or name it by number, have none.  A way to write a register that
- * is missed, or a report of a register that was restored, fails here.
+/* test_register_owners.c - the reports of the check of shared registers are compared
+ * with expected lines and names: programs that lose a register to another name have one
+ * report; programs that save it, or name it by number, have none. A write that is
+ * missed, or a report about a register that was restored, fails here.
+ *
  */
 #include "tests/unit/asm_helper.h"
 
 #include "tests/oracle/register_owners.h"
 #include "tests/unit/prior_model.h"
 
-/* Run to its end; the lines of what is found, "file:line" of each. */
+/* Runs a program to its end and compares the reports, "file:line" of each. */
 static void check(const char *text, size_t count, const char *expected)
 {
     struct diagnostics errors = { 0 };
@@ -42,18 +43,19 @@ static void check(const char *text, size_t count, const char *expected)
     " .include \"core.s\"\n .regs r4, z, a\n .regs r20, u, v\n" \
     " .share\n .reg b, r5\n .regs r20, p, q\n .endshare\n" \
     " .data\ndata: .word 1, 2\nkept: .space 2\nbits: .space 1\n .code\n"
-#define FIRST 13 /* the line after them */
+#define FIRST 13 /* the line after NAMES */
 
 struct lost {
-    const char *text;       /* after NAMES */
+    const char *text;       /* follows NAMES */
     unsigned read, written; /* lines, from 0 */
-    const char *as, *is;    /* how it is read, and what it is; NULL: r5 as a, and b */
+    const char *as, *is;    /* the name that is read, and the owner; NULL: r5 as a, and
+                             * b */
 };
 
 TEST(lost)
 {
     static const struct lost cases[] = {
-        /* As a source, what is changed, an index, an address, a link. */
+        /* As a source, a modified register, an index, an address, a link. */
         { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, 1, NULL, NULL },
         { " ES b, 1\n IS a, 2\n", 1, 0, NULL, NULL },
         { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2, 0, NULL, NULL },
@@ -74,7 +76,7 @@ TEST(lost)
           " VTOV [r9], [r9] ? [a]\n",
           4, 1, NULL, NULL },
         { " EX z, data\n ELEN z, 1\n ES b, 1\n VTOV [z], [z, a]\n", 3, 2, NULL, NULL },
-        /* Written by other ways. */
+        /* Written by other instructions. */
         { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2, 1, NULL, NULL },
         { " EX r9, data\n ELEN r9, 2\n PRODV [r9], b\n ADDX a, r8, r8\n", 3, 2, NULL,
           NULL },
@@ -89,11 +91,11 @@ TEST(lost)
         { " EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
           " ADDX v, r8, r8\n",
           3, 2, "r21 is read as 'v'", "'q'" },
-        /* Saved, but in the hands of another when it is read. */
+        /* Saved, but owned by another name when it is read. */
         { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
           " ES q, 8\n ADDX v, r8, r8\n SWAP [r9], r20, [r0]\n",
           5, 4, "r21 is read as 'v'", "'q'" },
-        /* What was saved is not what comes back. */
+        /* The restored words are not the saved ones. */
         { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
           " IX r9, 64\n STO [r9], r9\n IX r9, -64\n SWAP [r9], p, [r0]\n"
           " ADDX v, r8, r8\n",
@@ -116,21 +118,21 @@ TEST(left_alone)
 {
     static const char *const texts[] = {
         " ES a, 1\n ADDX a, r8, r8\n ES b, 2\n ADDX b, r8, r8\n",
-        /* Two names of one instruction; one name for another. */
+        /* Two names in one instruction; an alias. */
         " ES b, 1\n ADDX a, b, r8\n",
         " .reg c, a\n ES c, 1\n ADDX a, r8, r8\n ES a, 1\n ADDX c, r8, r8\n",
         " ES a, 1\n .reg a, r5\n ADDX a, r8, r8\n",
-        /* By its number. */
+        /* By number. */
         " ES r5, 1\n ADDX a, r8, r8\n ES b, 1\n ADDX r5, r8, r8\n",
-        /* Nobody has written it. */
+        /* Never written. */
         " ADDX a, r8, r8\n",
-        /* Saved and given back. */
+        /* Saved and restored. */
         " ES u, 6\n ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], p, [r9]\n"
         " ES p, 8\n ES q, 9\n ADDX p, q, q\n SWAP [r9], p, [r0]\n"
         " ADDX u, v, v\n",
         " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], r20, [r9]\n"
         " ES q, 9\n SWAP [r9], r20, [r0]\n ADDX v, r8, r8\n",
-        /* Handed over in memory. */
+        /* Passed through memory. */
         " ES u, 6\n ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
         " SWAP [r9], b, [r0]\n ADDX b, r8, r8\n",
         /* Loaded again. */

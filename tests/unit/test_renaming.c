@@ -1,11 +1,12 @@
-/* test_renaming.c - which registers a program uses does not matter.
+/* test_renaming.c - the final state of a random program is compared with that of the
+ * same program with its registers permuted. A state or a clock that depends on the
+ * names of registers fails here.
  *
  *   test_renaming [PROGRAMS]
  *
- * Random programs with their registers renamed by a permutation end with the
- * same numbers in the registers of the new names, the same memory and the same
- * clocks.  Register 0 keeps its name, and those that an instruction takes
- * together (C and C+1) stay together.
+ * Both runs must end with the same numbers in corresponding registers, the same memory
+ * and the same clocks. Register 0 keeps its name, and registers that an instruction
+ * uses together (C and C+1) stay together.
  */
 #include "tests/unit/machine_fixture.h"
 #include "tests/oracle/operand_letters.h"
@@ -16,7 +17,7 @@ enum {
     USUAL_PROGRAMS = 2000,
     STEPS = 200,
     TWO = 2,
-    PAIR = 2,       /* instructions behind a prefix */
+    PAIR = 2,       /* instructions after a prefix */
     IN_HALVES = 128 /* registers that have half registers */
 };
 
@@ -35,8 +36,8 @@ static const c205_insn *row_of(const struct program_insn *insn)
 
 /* ---- Which programs ---------------------------------------------------- */
 
-/* SWAP takes as many registers as its vectors are long; a word that is none
- * of the table's, or has bits that its format lacks, is no instruction. */
+/* SWAP uses as many registers as its vectors have elements. A word that is not in the
+ * table, or has bits that its format lacks, is not an instruction. */
 static bool can_be_renamed(const struct random_program *program)
 {
     for (size_t i = 0; i < program->insn_count; i++) {
@@ -74,7 +75,7 @@ static size_t below(size_t n)
     return (size_t)(random_state >> 33) % n;
 }
 
-/* Runs first to end-1 in another order. */
+/* Shuffles the runs from `first` to end-1. */
 static void shuffle(unsigned *order, unsigned first, unsigned end)
 {
     for (unsigned i = end - 1; i > first; i--) {
@@ -85,8 +86,8 @@ static void shuffle(unsigned *order, unsigned first, unsigned end)
     }
 }
 
-/* Runs of tied registers, the first of which begins with register 0, are
- * shuffled as wholes. */
+/* Groups of tied registers are shuffled as units. The first group begins with register
+ * 0. */
 static void draw_names(struct renaming *renaming)
 {
     unsigned begin[C205_REGISTERS + 1], order[C205_REGISTERS];
@@ -106,7 +107,7 @@ static void draw_names(struct renaming *renaming)
             renaming->new_name[r] = (uint8_t)next++;
 }
 
-/* A sum begins with an even register; with an odd one it traps, and is to. */
+/* A sum needs an even register; with an odd one it must trap, so parity is kept. */
 static bool keeps_sums(const struct renaming *renaming,
                        const struct random_program *program)
 {
@@ -125,7 +126,7 @@ static uint8_t rename_half(const struct renaming *renaming, uint8_t half)
     return (uint8_t)(2 * renaming->new_name[half / 2] + half % 2);
 }
 
-/* Half registers go where their register goes. */
+/* A half register moves with its register. */
 static c205_word rename_insn(const struct renaming *renaming, const c205_insn *row,
                              c205_word word)
 {
@@ -160,8 +161,8 @@ static struct random_program rename_program(const struct renaming *renaming,
 static c205_model *models[8];
 static c205 *machines[TWO][8];
 
-/* Words of the program hold names; what looks at them, or stores there, is
- * no longer the same program. */
+/* Words of the program contain names. A program that reads or changes them behaves
+ * differently after renaming. */
 static bool holds_code_address(const c205 *machine, unsigned number,
                                const struct random_program *program)
 {
@@ -182,8 +183,8 @@ static bool uses_code(const c205 *machine, const c205_insn *row, const c205_fiel
     return false;
 }
 
-/* The next instruction, or one of three if it is a prefix.  Branches may also
- * go to where none of the program begins. */
+/* Checks the next instruction, or the next three after a prefix. A branch may also lead
+ * to an address where no instruction of the program begins. */
 static bool next_uses_code(const c205 *machine, const struct random_program *program)
 {
     size_t i = 0, end;
