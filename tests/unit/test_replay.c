@@ -1,6 +1,7 @@
-/* test_replay.c - every test program and example, recorded and played again: to
- * the model it ran on, to another one, and to projections; and what each
- * operation takes there. */
+/* test_replay.c - every test program and example is recorded and replayed: the clocks
+ * on the model of the run, on another one and on projections are compared with runs on
+ * these models, and the time of each operation with its constant. A replay with other
+ * clocks fails here. */
 #include "asm_helper.h"
 
 #include <math.h>
@@ -21,7 +22,7 @@ static c205_model *find(const char *name)
     return model;
 }
 
-/* A machine with the program; the caller frees it. */
+/* Returns a machine with the program loaded; the caller frees it. */
 static c205 *loaded(const struct object *object, const c205_model *model)
 {
     c205_error error;
@@ -46,7 +47,8 @@ static void assert_same_clocks(const char *name, const c205 *machine,
     }
 }
 
-/* A region with vector instructions has no clocks on such a machine. */
+/* Vector instructions have no clocks on such a machine; regions with them are
+ * skipped. */
 static void assert_same_projected(const char *name, const c205_projection *projection,
                                   const c205_recording *recording,
                                   const c205_model *model)
@@ -125,7 +127,7 @@ TEST(programs)
     assert_true(each_file("asm/examples/*.s", check_program) > 0);
 }
 
-/* Each operand is in a page of its own, which nobody has touched yet. */
+/* Each operand is in a separate page that is not mapped yet. */
 TEST(all_touches)
 {
     check_text("touches", "        .data\n"
@@ -147,7 +149,7 @@ TEST(all_touches)
                           "        EXIT\n");
 }
 
-/* Code that is written over while it runs: additions become divisions. */
+/* Code that is overwritten while it runs: additions become divisions. */
 TEST(changed_code)
 {
     check_text("changed", "        EX   r10, here\n"
@@ -181,12 +183,12 @@ static const char operations[] =
     "        MPYX r10, r0, r14\n"      /* multiply */
     "        AND  r10, r11, r15\n"     /* logical */
     "        STO  [r10], r13\n"        /* store */
-    "        IBXEQ r0, r0, r0, over\n" /* single, taken ahead */
+    "        IBXEQ r0, r0, r0, over\n" /* single, taken forward */
     "        ES   r16, 1\n"
     "over:   ES   r16, 0\n"                     /* single */
     "        ES   r17, 1\n"                     /* single */
-    "again:  IBXEQ r16, r17, r17, again, r16\n" /* twice single, taken back,
-                                                   not taken */
+    "again:  IBXEQ r16, r17, r17, again, r16\n" /* single twice: taken backward, not
+                                                 * taken */
     "        EXIT\n";                           /* monitor */
 
 static const char powers[] = "title t\nlike cyber720-prior\n"
@@ -199,7 +201,8 @@ static const char powers[] = "title t\nlike cyber720-prior\n"
                              "time.monitor 300000 clk R\n"
                              "branch.stack_halves 8 halves R\n";
 
-/* Each takes a time of its own: which of them were charged shows in the sum. */
+/* Each operation has its own power of ten, so that the sum shows which operations were
+ * charged. */
 TEST(operations)
 {
     struct object *object = good(operations);

@@ -1,7 +1,8 @@
-/* test_roots.c - the programs of rt205 quartic: the roots of 33 quartics, cubics,
- * quadratics and lines of known roots, of all sizes, are compared with those, in both
- * forms and by every rule of the regula falsi.  A root that is lost at a bound, a double
+/* test_roots.c - the programs of rt205 quartic: roots of 33 quartics, cubics,
+ * quadratics and lines, of all magnitudes, are compared with their known roots, in both
+ * forms and by every rule of the regula falsi. A root that is lost at a bound, a double
  * root that is counted twice, or an overflow fails here.
+ *
  */
 #include <math.h>
 
@@ -14,7 +15,7 @@
 
 static const struct known {
     const char *c[5], *bound;
-    const char *roots; /* blanks between them; to 1e-10 */
+    const char *roots; /* separated by blanks; to 1e-10 */
 } known[] = {
     { { "1", "-10", "35", "-50", "24" }, "0", "1 2 3 4" },
     { { "1", "-10", "35", "-50", "24" }, "1", "2 3 4" },
@@ -41,7 +42,7 @@ static const struct known {
     { { "1", "-4", "6", "-4", "1" }, "0", "1" },
     { { "1", "-4", "6", "-4", "1" }, "1", "" },
     { { "1", "4", "6", "4", "1" }, "-5", "-1" },
-    /* of any size */
+    /* of any magnitude */
     { { "1e300", "-10e300", "35e300", "-50e300", "24e300" }, "0", "1 2 3 4" },
     { { "1e-300", "-10e-300", "35e-300", "-50e-300", "24e-300" }, "0", "1 2 3 4" },
     { { "1e8000", "-10e8000", "35e8000", "-50e8000", "24e8000" }, "3", "4" },
@@ -115,7 +116,7 @@ TEST(known)
     }
 }
 
-/* Ever more, and in the end all. */
+/* Progress never decreases and ends with all. */
 static bool note_progress(void *context, size_t done, size_t all)
 {
     size_t *last = context;
@@ -140,7 +141,7 @@ TEST(progress)
     }
 }
 
-/* The numbers of falsi.h are those of the kernels. */
+/* The constants of falsi.h are those of the kernels. */
 TEST(falsi)
 {
     static const struct {
@@ -159,7 +160,7 @@ TEST(falsi)
         assert_int_equal(object_symbol(program, rules[i].name)->value, rules[i].rule);
 }
 
-/* What no exponent of the machine can hold is refused, not guessed. */
+/* A polynomial that exceeds the machine's exponents is rejected. */
 TEST(refused)
 {
     struct roots_options options = { .queue = 1, .model = prior_model };
@@ -193,8 +194,8 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
     return iterations;
 }
 
-/* Whatever the form and the queue, the same brackets are refined in as many
- * steps; lanes in the loop may be done. */
+/* In every form and with every queue, the same brackets are refined in the same number
+ * of steps. A lane in the loop may already be finished. */
 TEST(iterations)
 {
     static const size_t queues[] = { 1, 7, 2000 };

@@ -1,6 +1,6 @@
-/* test_samples.c - several rays a pixel: the pixels are compared with the means, in
- * linear light, of a frame that has a pixel for each ray, in all forms and orders.  A
- * sample that is lost or weighed twice fails here. */
+/* test_samples.c - several rays per pixel: the pixels are compared with the means, in
+ * linear light, of a frame that has a pixel for each ray, in all forms and orders. A
+ * sample that is lost or weighted twice fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -27,7 +27,7 @@ static struct frame read_all(const struct trace *trace, size_t width, size_t hei
     return frame;
 }
 
-/* The mean of a pixel's samples. */
+/* Returns the mean of a pixel's samples. */
 static double mean(const double *samples, size_t width, size_t n)
 {
     double sum = 0;
@@ -52,7 +52,7 @@ static void check_pixel(const struct frame *pixels, const struct frame *samples,
     }
 }
 
-/* Against a frame of as many pixels as there are rays. */
+/* Compares a frame with one that has a pixel for each ray. */
 static uint64_t check_means(const struct scene *scene, size_t width, size_t height,
                             size_t n)
 {
@@ -103,10 +103,10 @@ static void check_scene(const char *text, int times)
 
 TEST_CALL(linear, check_scene(linear, 6))
 
-/* Where the scene's colours are not linear, their powers are averaged. */
+/* With an assumed gamma other than 1, samples are averaged in linear light. */
 TEST_CALL(gamma, check_scene(curved, 4))
 
-/* One is none. */
+/* One sample per pixel equals the default. */
 TEST(one)
 {
     SCOPED(scene) *scene = read_text(curved);
@@ -127,7 +127,7 @@ static bool stop_in_the_middle(void *context, size_t done, size_t all)
     return ++*asked < 4;
 }
 
-/* A band that is stopped has no pixels yet. */
+/* An interrupted band has no pixels. */
 TEST(stopped)
 {
     SCOPED(scene) *scene = read_text(linear);

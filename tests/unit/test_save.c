@@ -1,7 +1,8 @@
-/* test_save.c - saving and restoring: runs of examples and kernels that are saved and
- * restored on the way are compared with runs that are not, and saved machines that are cut,
- * damaged, forged or of another model are rejected.  A state that is not saved, or bytes
- * that are accepted without their hash, fail here.
+/* test_save.c - saving and restoring: runs of examples and kernels with a save and a
+ * restore on the way are compared with runs without, and saved machines that are
+ * truncated, damaged, forged or of another model are rejected. State that is not saved,
+ * or bytes that are accepted without their hash, fail here.
+ *
  */
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
@@ -25,7 +26,7 @@ static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
     return stop;
 }
 
-/* From this state to the end, in one go and in pieces of so many clocks. */
+/* Runs a saved state to its end, in one run and in slices of `clocks`. */
 static void compare_runs(const struct bytes *begin, uint64_t clocks)
 {
     c205 *whole = restore(begin, prior_model), *broken = restore(begin, prior_model);
@@ -114,8 +115,8 @@ TEST(access)
     c205_free(machine);
 }
 
-/* A page that was not touched is saved as one of zeros is, and not touched by
- * that. */
+/* A page that was never accessed is saved as a page of zeros; saving does not allocate
+ * it. */
 TEST(untouched)
 {
     const c205_access access[] = { C205_READ_WRITE, C205_WHEN_TOUCHED };
@@ -137,7 +138,7 @@ TEST(untouched)
     free(saved[1].byte);
 }
 
-/* A machine without a program, too. */
+/* A machine without a program can be saved. */
 TEST(empty_machine)
 {
     c205_error error;
@@ -182,7 +183,7 @@ static uint64_t get_word(const struct bytes *bytes, size_t i)
     return word;
 }
 
-/* Put the hash right at the end. */
+/* Corrects the hash at the end. */
 static void seal(struct bytes *bytes)
 {
     size_t last = bytes->count / WORD_BYTES - 1;
@@ -210,7 +211,8 @@ static void assert_refused(const void *bytes, size_t count, const c205_model *ot
         fail_msg("'%s' does not say '%s'", error.message, why);
 }
 
-/* Each in a place of its own, so that reading beyond it is seen. */
+/* Each part has an allocation of exact size, so that reads after its end are
+ * detected. */
 TEST(truncated)
 {
     struct bytes bytes = in_the_middle(1300);
@@ -239,8 +241,8 @@ TEST(flipped)
     free(bytes.byte);
 }
 
-/* With the right hash at the end any word may stand anywhere: refused, or a
- * machine that runs. */
+/* With a correct hash, any word may have any value: the result is an error or a machine
+ * that runs. */
 static void try_word(struct bytes *bytes, size_t i, uint64_t word)
 {
     uint64_t before = get_word(bytes, i);
@@ -261,7 +263,7 @@ static void try_word(struct bytes *bytes, size_t i, uint64_t word)
 TEST(forged)
 {
     struct bytes bytes = in_the_middle(1300);
-    bytes.byte = realloc(bytes.byte, bytes.count); /* nothing behind */
+    bytes.byte = realloc(bytes.byte, bytes.count); /* an allocation of exact size */
     assert_non_null(bytes.byte);
     size_t words = bytes.count / WORD_BYTES;
     for (size_t i = 0; i + 1 < words; i++) {
@@ -291,7 +293,7 @@ TEST(foreign)
     c205_model_free(other);
 }
 
-/* The name and the sources of a model don't matter, its constants do. */
+/* A model with other names and sources but the same constants is accepted. */
 TEST(same_constants)
 {
     c205_error error = { "" };

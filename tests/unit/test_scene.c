@@ -1,6 +1,6 @@
 /* test_scene.c - the scene language: the fields of scenes are compared with expected
- * values; those marked POV-Ray were printed by POV-Ray 3.7 for the same text.  A wrong
- * default, operator, transform or inherited look fails here. */
+ * values; those marked POV-Ray were printed by POV-Ray 3.7 for the same text. A wrong
+ * default, operator, transform or inherited material fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "base/file.h"
@@ -20,7 +20,7 @@ TEST(defaults)
     const struct primitive *sphere = scene->primitives;
     assert_vector(scene->camera.location, 0, 0, 0);
     assert_vector(scene->camera.direction, 0, 0, 1);
-    assert_vector(scene->camera.right, 1.33, 0, 0); /* POV-Ray's, measured */
+    assert_vector(scene->camera.right, 1.33, 0, 0); /* measured in POV-Ray */
     assert_vector(scene->camera.up, 0, 1, 0);
     assert_vector(scene->background, 0, 0, 0);
     assert_vector(scene->ambient_light, 1, 1, 1);
@@ -57,7 +57,7 @@ TEST(expressions)
         { "(1 <= 1)", 1 },
         { "(2 > 1 ? 5 : 6)", 5 },
         { "(2 < 1 ? 5 : 6)", 6 },
-        { "(1 | 1 & 0)", 0 }, /* POV-Ray: one rank, from the left */
+        { "(1 | 1 & 0)", 0 }, /* POV-Ray: one precedence, left to right */
         { "(1 & 0 | 1)", 1 },
         { "(3 > 2 = 1)", 1 },
         { "yes + true + on - no", 3 },
@@ -109,7 +109,7 @@ TEST(expressions)
     }
 }
 
-/* POV-Ray's figures: the signs of rotations are left-handed. */
+/* Values of POV-Ray: rotations are left-handed. */
 TEST(rotations)
 {
     static const struct {
@@ -135,7 +135,7 @@ TEST(rotations)
     }
 }
 
-/* POV-Ray's figures. */
+/* Values of POV-Ray. */
 TEST(colors)
 {
     static const struct {
@@ -175,7 +175,7 @@ TEST(camera)
     assert_vector(scene->camera.right, 4. / 3, 0, 0);
     scene_free(scene);
 
-    /* Seen from the right, right-handed, upright on x. */
+    /* The camera is right-handed, with x up. */
     scene = read_scene("camera { right -2*x sky x up 3*y direction 2*z"
                        " location 4*z look_at 0 }");
     assert_vector(scene->camera.direction, 0, 0, -2);
@@ -217,7 +217,7 @@ TEST(fogs)
     assert_close(scene->fogs[4].distance, 8, CLOSE);
 }
 
-/* What an orthographic camera shows: POV-Ray 3.7's, measured by its pictures. */
+/* The area that an orthographic camera shows, measured in pictures of POV-Ray 3.7. */
 TEST(orthographic)
 {
     static const struct {
@@ -268,7 +268,7 @@ TEST(primitives)
     assert_vector(p[2].shape.cylinder.cap, 0, 2, 0);
     assert_true(p[3].no_shadow);
     assert_vector(p[4].shape.plane.normal, 0, .6, .8);
-    assert_close(p[4].shape.plane.distance, 2, 0); /* along length one */
+    assert_close(p[4].shape.plane.distance, 2, 0); /* along a unit normal */
     for (size_t i = 0; i < 5; i++)
         assert_int_equal(p[i].line, i + 1);
     assert_string_equal(primitive_kind_name(p[2].kind), "cylinder");
@@ -327,7 +327,7 @@ TEST(no_transform)
     assert_false(scene->primitives[1].transformed); /* 0 became 1 */
 }
 
-/* Where the pattern's own x = 1 is found in the world. */
+/* Fails unless the pattern's x at a world point is as expected. */
 static void assert_pattern_at(const struct pigment *pigment, double world_x,
                               double pattern_x)
 {
@@ -352,7 +352,7 @@ TEST(textures_move)
     assert_pattern_at(&p[3].pigment, 1, 1);
     assert_int_equal(p[3].pigment.kind, PIGMENT_CHECKER);
     assert_vector(p[0].pigment.color[0], 1, 1, 1);
-    assert_vector(p[3].pigment.color[0], 0, 0, 1); /* POV-Ray's own */
+    assert_vector(p[3].pigment.color[0], 0, 0, 1); /* default of POV-Ray */
     assert_vector(p[3].pigment.color[1], 0, 1, 0);
 }
 
@@ -392,7 +392,7 @@ TEST(unions)
     assert_true(p[1].no_shadow && p[2].no_shadow && p[4].no_shadow);
 }
 
-/* A light's kind is the last that is named; what it points at moves with it. */
+/* The last kind of a light counts. Its target moves with it. */
 TEST(beams)
 {
     SCOPED(scene) *scene = read_scene(
@@ -474,7 +474,7 @@ TEST(declarations)
     assert_vector(p[0].pigment.color[0], 0, 1, 0);
     assert_close(p[0].finish.phong_size, 10, 0);
     assert_vector(p[0].finish.ambient, 1, 2, 3);
-    assert_close(p[0].finish.diffuse, .6, CLOSE); /* F's, it replaces all */
+    assert_close(p[0].finish.diffuse, .6, CLOSE); /* F replaces the whole finish */
     assert_close(p[1].finish.diffuse, .3, 0);
     assert_vector(scene->lights[0].position, 2, 2, 3);
     assert_vector(scene->lights[0].color, 2, 2, 2);
@@ -490,7 +490,7 @@ TEST(settings)
     assert_int_equal(scene->max_trace_level, 7);
 }
 
-/* The least and the greatest level, and what is beyond them. */
+/* The smallest and the largest level, and the values outside. */
 TEST(trace_levels)
 {
     static const int levels[] = { 1, 256 };
@@ -509,7 +509,7 @@ TEST(gamma_of_srgb)
     assert_close(scene->assumed_gamma, 2.2, 0);
 }
 
-/* As POV-Ray 3.7 does: the version at the end of the text counts. */
+/* As in POV-Ray 3.7, the version at the end of the text counts. */
 TEST(gamma_of_versions)
 {
     static const struct {
@@ -556,7 +556,7 @@ TEST(our_scenes)
     }
 }
 
-/* The text of a file; the caller frees it. */
+/* Returns the text of a file, which the caller frees. */
 static char *file_text(const char *path)
 {
     c205_error error;
@@ -566,7 +566,7 @@ static char *file_text(const char *path)
     return text;
 }
 
-/* Each example of a page is a scene; their number. */
+/* Reads every example of a page as a scene. Returns their number. */
 static size_t read_examples(const char *page)
 {
     static const char open[] = "\n```pov\n", close[] = "\n```\n";

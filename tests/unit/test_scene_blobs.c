@@ -1,7 +1,8 @@
-/* test_scene_blobs.c - blobs of the scene language: texts are read and their components,
- * motions, looks, pieces and table rows are compared with those worked out by hand.  A
- * motion in the wrong order, a look of the wrong component, or an error at another column
+/* test_scene_blobs.c - blobs of the scene language: the components, motions, materials,
+ * pieces and table rows of texts are compared with those computed by hand. A motion in
+ * the wrong order, a material of the wrong component, or an error at another column
  * fails here.
+ *
  */
 #include "tests/unit/scene_reading.h"
 
@@ -47,7 +48,7 @@ TEST(components)
     scene_free(scene);
 }
 
-/* A component moves within the blob, and the blob with it. */
+/* A component moves within the blob, then with it. */
 TEST(motions)
 {
     SCOPED(scene) *scene = read_scene(
@@ -65,7 +66,8 @@ TEST(motions)
     assert_close(scene->primitives->to_world.rows[1][3], 3, 0);
 }
 
-/* Looks of components are one report; those of the blob are its own. */
+/* All materials of components cause one report; the material of the blob is used, or
+ * the first one. */
 TEST(looks)
 {
     static const char text[] =
@@ -86,7 +88,8 @@ TEST(looks)
     }
 }
 
-/* One has the look of its component, which moves with that and with the blob. */
+/* A blob of one component has the component's material, which moves with the component
+ * and with the blob. */
 TEST(one_look)
 {
     SCOPED(scene) *scene = read_scene(
@@ -130,8 +133,8 @@ TEST(pieces)
                      4);
 }
 
-/* The rows of its table: an own space in which the radius is one, the base the
- * origin, the axis along z. */
+/* Rows of the table describe a component's own space: its radius is one, its base the
+ * origin, its axis along z. */
 TEST(rows)
 {
     enum { ROW = 20, LENGTH = 7, MATRIX = 8 };

@@ -1,12 +1,14 @@
-/* test_scene_csg.c - the scene language: the trees, looks and interiors of solids are
- * compared with expected ones.  A wrong operation, complement or body fails here.
+/* test_scene_csg.c - the scene language: the trees, materials and interiors of solids
+ * are compared with expected ones. A wrong operation, complement or body fails here.
  *
- * Its texts are deep, so it is slow with the leak sanitizer. */
+ * The texts are deeply nested, so the test is slow with the leak sanitizer.
+ *
+ */
 #include "tests/unit/scene_reading.h"
 
-/* --- trees --------------------------------------------------------------- */
+/* ---- Trees -------------------------------------------------------------- */
 
-/* A region as text: `&(a, b)`, `|(a, b)`, `!a`; a leaf by its place. */
+/* Writes a region as text: `&(a, b)`, `|(a, b)`, `!a`; a leaf is its index. */
 static size_t write_tree(const struct scene *scene, size_t i, FILE *out)
 {
     static const char signs[] = { ' ', '&', '|', '!' };
@@ -134,8 +136,8 @@ TEST(trees)
         check_regions(rows[i].text, rows[i].reports, rows[i].regions);
 }
 
-/* What clips is not seen, casts no shadow and takes no look; a transform moves it
- * if it comes later. */
+/* A clipping shape is invisible, casts no shadow and gets no material. Transformations
+ * after it move it. */
 TEST(clips)
 {
     SCOPED(scene) *scene = read_scene(
@@ -152,7 +154,7 @@ TEST(clips)
     assert_close(p[1].ior, 1, CLOSE);
 }
 
-/* A transform of the whole moves all parts. */
+/* A transformation of the solid moves all parts. */
 TEST(transforms)
 {
     SCOPED(scene) *scene = read_scene("#declare H = difference { " A
@@ -166,7 +168,7 @@ TEST(transforms)
     assert_true(p[0].no_shadow && p[1].no_shadow);
 }
 
-/* Of a solid the whole says it, of a union each part. */
+/* no_shadow applies to a solid as a unit, and to each part of a union separately. */
 TEST(no_shadow)
 {
     static const struct {
@@ -193,8 +195,8 @@ TEST(no_shadow)
     }
 }
 
-/* Of an object all parts are hidden that are not hidden by a word of their own; on a
- * part of a solid the words say nothing. */
+/* An object hides all parts that have no word of their own. On a part of a solid the
+ * words have no effect. */
 TEST(hidden)
 {
     static const struct {
@@ -262,8 +264,8 @@ TEST(interiors)
         assert_close(scene->primitives[i].ior, expected[i], 0);
 }
 
-/* The bodies of the primitives as letters, the first one `a`; `.` is one that
- * is not seen. */
+/* Compares the bodies of the primitives, written as letters from `a`; `.` is an
+ * invisible primitive. */
 static void check_bodies(const char *text, const char *expected)
 {
     SCOPED(scene) *scene = read_scene(text);
@@ -286,8 +288,8 @@ static void check_bodies(const char *text, const char *expected)
 
 #define FILLED "sphere { 0, 1 interior { ior 1.5 } } "
 
-/* Each object of the scene is a body, and each interior is one of its own
- * wherever it is given: by name, and in copies. */
+/* Each object of the scene is a body. Each interior is a separate body wherever it is
+ * used, by name and in copies. */
 TEST(bodies)
 {
     static const char *const rows[][2] = {
@@ -328,7 +330,7 @@ TEST(bodies)
         check_bodies(rows[i][0], rows[i][1]);
 }
 
-/* What one statement puts into the world is one object, whatever it is made of. */
+/* The result of one statement of the scene is one object, whatever its parts. */
 TEST(objects)
 {
     static const size_t expected[] = { 0, 1, 1, 1, 2, 2, 3, 4 };
@@ -341,7 +343,7 @@ TEST(objects)
         assert_int_equal(scene->primitives[i].object, expected[i]);
 }
 
-/* By name, with more behind the name. */
+/* Materials by name, with further words after the name. */
 TEST(materials)
 {
     SCOPED(scene) *scene = read_scene(
@@ -405,7 +407,8 @@ TEST(clear_pigments)
         value, value, value \
     }
 
-/* What a second one leaves out is as the first one says: measured. */
+/* A second reflection keeps the values of the first that it does not set, as measured
+ * in POV-Ray. */
 TEST(reflections)
 {
     static const struct {
@@ -459,7 +462,7 @@ TEST(settings)
 
 /* --- depth --------------------------------------------------------------- */
 
-/* The first error of a text. */
+/* Fails unless the first error of a text contains `message`. */
 static void check_error(const char *text, const char *message)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
@@ -483,7 +486,7 @@ TEST(deep_text)
     check_error(text, "within each other");
 }
 
-/* A union may be as large as a scene, one solid may not. */
+/* The limit for a union is that of a scene; a single solid has a lower one. */
 TEST(large_solids)
 {
     char text[2000] = "#declare U = union { " A " " A " }";
@@ -497,7 +500,7 @@ TEST(large_solids)
     check_error(text, "more than 10000 primitives in one solid");
 }
 
-/* Level upon level by name: copies are counted. */
+/* Many levels of named solids: copies are counted. */
 TEST(deep_names)
 {
     enum { DEEP = 10000, LONGEST = 80 };

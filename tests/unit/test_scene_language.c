@@ -1,6 +1,6 @@
 /* test_scene_language.c - the scene language: values, strings, arrays, conditions and
- * loops are compared with what POV-Ray prints, and errors with their places.  A wrong
- * value, or an error that is reported elsewhere, fails here. */
+ * loops are compared with POV-Ray's output, and errors with their places. A wrong
+ * value, or an error at another place, fails here. */
 #include "tests/unit/scene_reading.h"
 
 static const char *said(const struct diagnostics *reports)
@@ -39,7 +39,7 @@ static void check_list(const char *name)
     assert_string_equal(said(&reports), expected);
 }
 
-/* NAME.txt is what POV-Ray's #debug prints of NAME.pov. */
+/* NAME.txt is the output of #debug in POV-Ray for NAME.pov. */
 TEST(lists)
 {
     check_list("values");
@@ -53,7 +53,7 @@ TEST(lists)
 
 /* ---- Errors ------------------------------------------------------------- */
 
-/* Each text has this one error. */
+/* Each text has exactly this error. */
 TEST(errors)
 {
     static const struct line_error rows[] = {
@@ -192,7 +192,7 @@ TEST(debug)
     assert_string_equal(said(&reports), "one, 2.0\nthree\n");
 }
 
-/* A report of one place and text is told once, however often it is met. */
+/* A report with one place and text is issued once. */
 TEST(warnings)
 {
     static const char text[] = "#for (I, 1, 9)\n"

@@ -1,18 +1,18 @@
-/* test_scene_looks.c - the scene language: the reports about looks with names are
- * compared with the things that use them, over texts and random scenes.  A report
- * without a use, or a use without a report, fails here. */
+/* test_scene_looks.c - the scene language: reports about named materials are compared
+ * with the objects that use them, over texts and random scenes. A report without a use,
+ * or a use without a report, fails here. */
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-/* ---- What is told, and where -------------------------------------------- */
+/* ---- Reports and their places ------------------------------------------ */
 
-/* Each text has this one report, or none. */
+/* Each text has exactly this report, or none. */
 TEST(told_when_used)
 {
     static const struct {
         const char *text;
-        size_t column;       /* 0: nothing is told */
-        const char *message; /* how it ends */
+        size_t column;       /* 0: no report */
+        const char *message; /* end of the message */
     } rows[] = {
         { "#declare F = finish { crand 1 }", 0, "" },
         { "#declare F = finish { crand 1 } #declare G = finish { F }", 0, "" },
@@ -103,17 +103,17 @@ TEST(told_when_used)
     }
 }
 
-/* Random objects, some with names, out of each other: a look's note is told
- * if and only if a thing of the scene has come of it. */
+/* Random objects, some with names, built from each other. The note of a material is
+ * reported if and only if an object of the scene uses the material. */
 enum { NAMES = 12, LOOKS = 4 };
 struct drawing {
     FILE *text;
     uint64_t random;
     size_t names;
-    unsigned has[NAMES]; /* bits: the looks that a name has */
+    unsigned has[NAMES]; /* bits: materials of each name */
 };
 
-/* A sphere with a look, or what a name has, or both of two. */
+/* Adds a sphere with a material, a named object, or a union of both. */
 static unsigned put_thing(struct drawing *drawing)
 {
     uint64_t *random = &drawing->random;
@@ -141,7 +141,7 @@ static unsigned put_thing(struct drawing *drawing)
     }
 }
 
-/* The looks are declared in the first lines; returns those of the scene. */
+/* Declares the materials in the first lines. Returns those that the scene uses. */
 static unsigned draw(struct drawing *drawing)
 {
     static const char *const words[LOOKS] = { "crand", "irid", "subsurface",

@@ -1,8 +1,10 @@
 /* test_scene_loops.c - random nests of directives at every place of every list are
- * compared with the same text without any.  A directive that ends a list, or a turn
- * that is lost, fails here.
+ * compared with the same text without directives. A directive that ends a list, or a
+ * lost iteration, fails here.
  *
- * It reads thousands of scenes, so it is slow with the leak sanitizer. */
+ * The test reads thousands of scenes, so it is slow with the leak sanitizer.
+ *
+ */
 #include "tests/unit/scene_reading.h"
 
 #include "tests/random.h"
@@ -50,7 +52,7 @@ static bool same_scene(const struct scene *a, const struct scene *b)
     return same;
 }
 
-/* The scene, or NULL: the text has errors. */
+/* Reads a scene. Returns NULL if the text has errors. */
 static struct scene *read_any(const char *text, struct diagnostics *reports)
 {
     *reports = (struct diagnostics){ 0 };

@@ -1,11 +1,11 @@
-/* test_scene_macros.c - the scene language: what macros and loops produce, and the
- * places of their errors, are compared with expected ones.  A wrong argument, a lost
- * call, or a text that is read without an end, fails here. */
+/* test_scene_macros.c - the scene language: the results of macros and loops, and the
+ * places of their errors, are compared with expected ones. A wrong argument, a lost
+ * call, or a text that is read without end, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include <time.h>
 
-/* ---- What they make ----------------------------------------------------- */
+/* ---- Results ------------------------------------------------------------ */
 
 /* Texts and the radii of their spheres. */
 TEST(spheres)
@@ -73,7 +73,7 @@ TEST(spheres)
     }
 }
 
-/* A primitive's line is that of the call in the main file. */
+/* The line of a primitive is that of the call in the main file. */
 TEST(lines)
 {
     SCOPED(scene) *scene = read_scene("#macro S(R)\n  sphere { 0, R }\n#end\n"
@@ -130,7 +130,7 @@ struct bounded {
     const char *text, *message;
 };
 
-/* Each ends within a minute, with the reason. */
+/* Each text must be rejected within a minute, with this reason. */
 static void check_bounded(const struct bounded *rows, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -172,7 +172,7 @@ TEST(bounds)
     check_bounded(rows, COUNT(rows));
 }
 
-/* These take seconds. */
+/* These texts take seconds. */
 TEST(slow_bounds)
 {
     static const struct bounded rows[] = {
@@ -189,7 +189,7 @@ TEST(slow_bounds)
     check_bounded(rows, COUNT(rows));
 }
 
-/* The caller may end a long reading. */
+/* The caller can stop a long reading. */
 static bool end_at_once(void *context)
 {
     ++*(size_t *)context;

@@ -1,6 +1,6 @@
 /* test_scene_maps.c - the scene language: colour maps, patterns and skies are compared
- * with expected entries.  A stop out of order, a wave that is lost or a transform that
- * is left out fails here. */
+ * with expected entries. A stop out of order, a lost wave or a missing transformation
+ * fails here. */
 #include "rt/scene/transform.h"
 #include "rt/shapes/primitive.h"
 #include "tests/random.h"
@@ -16,7 +16,7 @@ static void check_map(const struct color_map *map, const char *expected)
     assert_string_equal(found, expected);
 }
 
-/* The pigment of a sphere, and of the same pigment with a name. */
+/* Checks the pigment of a sphere, given directly, by name, and in a named texture. */
 static void check_pigment(const char *words, enum pigment_kind kind,
                           const char *expected)
 {
@@ -49,7 +49,7 @@ TEST(maps)
     check_pigment("gradient x color_map { #for (I, 0, 1) [I/2 rgb <1 - I, 0, I>]"
                   " #end }",
                   PIGMENT_GRADIENT, TWO);
-    /* the oldest form; a value that falls; values beyond 0 and 1 */
+    /* The oldest form; a decreasing value; values outside of 0 to 1. */
     check_pigment("gradient z color_map { [0, .5 color rgb x color rgb y]"
                   " [.5, 1 color rgb z color rgb 1] }",
                   PIGMENT_GRADIENT, "0:1,0,0 0.5:0,1,0 0.5:0,0,1 1:1,1,1 ");
@@ -102,7 +102,7 @@ TEST(patterns)
     assert_int_equal(pattern.function, PATTERN_SLANTED);
 }
 
-/* What is drawn of a list: its colours are in waves, too. */
+/* Compares the colours of a list, which may have waves. */
 static void check_list(const char *words, const char *expected)
 {
     char text[512], found[512] = "", *to = found;
@@ -137,8 +137,8 @@ TEST(lists)
                "1,0,0 0.666667,0,0.333333 0,0,1 ");
 }
 
-/* What takes a pattern's place has its waves, and values as they are after a
- * list. */
+/* A pattern that replaces another keeps its waves. After a list, the values are
+ * unchanged. */
 TEST(waves_stay)
 {
     struct pattern pattern = pattern_of(
@@ -195,7 +195,7 @@ TEST(named_maps)
     assert_int_equal(p[3].pigment.kind, PIGMENT_COLOR);
 }
 
-/* As in POV-Ray, whose checker is a map from 0 to 1. */
+/* As in POV-Ray, a checker is replaced by a map from 0 to 1. */
 TEST(gradients_after_checkers)
 {
     static const struct {
@@ -220,7 +220,7 @@ TEST(gradients_after_checkers)
     }
 }
 
-/* Of a pattern that is not drawn the first colour of its map counts. */
+/* An unsupported pattern gives the first colour of its map. */
 TEST(other_patterns)
 {
     SCOPED(scene) *scene = read_with(

@@ -7,7 +7,7 @@
 
 #define HALF 0.70710678118654752440
 
-/* --- what is read --------------------------------------------------------- */
+/* ---- Reading ------------------------------------------------------------- */
 
 TEST(lone_triangles)
 {
@@ -103,7 +103,7 @@ TEST(mesh2)
     assert_vector(list[1].corners[0], 0, 0, 0);
     list = triangles_of_part(scene, 2)->list;
     assert_true(list[0].smooth);
-    assert_false(list[1].smooth || list[2].smooth); /* equal; none */
+    assert_false(list[1].smooth || list[2].smooth); /* equal normals; none */
     assert_vector(list[0].normals[1], 0, 1, 0);
     list = triangles_of_part(scene, 3)->list;
     assert_true(list[0].smooth && !list[1].smooth);
@@ -111,8 +111,8 @@ TEST(mesh2)
     assert_vector(list[0].normals[2], -1, 0, 0);
 }
 
-/* As in POV-Ray: a normal that is 0 counts as x within a mesh, and alone it
- * takes its triangle away; so does an area of 0. */
+/* As in POV-Ray, a normal of 0 counts as x within a mesh. A single triangle with such a
+ * normal, or with an area of 0, is omitted. */
 TEST(nothing)
 {
     struct scene *scene =
@@ -120,7 +120,7 @@ TEST(nothing)
                   "mesh2 { vertex_vectors { 3 0 x y } normal_vectors { 3 0 y z }"
                   " face_indices { 1 <0, 1, 2> } }\n"
                   "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
-                  1); /* of one cause */
+                  1); /* one cause */
     const struct triangle *list = triangles_of_part(scene, 0)->list;
     assert_int_equal(scene->primitive_count, 3);
     assert_vector(list->normals[0], 1, 0, 0);
@@ -146,7 +146,7 @@ TEST(nothing)
     "mesh2 { vertex_vectors { 3, 0, x, y }\n" \
     "texture_list { 2, texture { A }, texture { B translate x } }"
 
-/* In POV-Ray a triangle's texture goes before the mesh's. */
+/* As in POV-Ray, the texture of a triangle overrides that of the mesh. */
 TEST(textures)
 {
     static const struct {
@@ -205,7 +205,7 @@ TEST(textures)
     }
 }
 
-/* The texture of a triangle goes with the mesh. */
+/* The texture of a triangle moves with the mesh. */
 TEST(moved_texture)
 {
     SCOPED(scene) *scene = read_scene(
@@ -241,7 +241,7 @@ TEST(messages)
                      rows[i].message);
 }
 
-/* What light passes, it passes. */
+/* Transparent pigments of a mesh are recorded as such. */
 TEST(clear)
 {
     SCOPED(scene) *scene = read_scene(
@@ -270,7 +270,7 @@ static void assert_nodes(const char *text, size_t reports,
                  sizeof((enum tree_operation[]){ __VA_ARGS__ }) \
                      / sizeof(enum tree_operation))
 
-/* Surfaces are not inverted, as in POV-Ray, also below what is. */
+/* As in POV-Ray, surfaces are not inverted, also within an inverted solid. */
 TEST(inverted)
 {
     ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } } }", 1,
@@ -383,7 +383,7 @@ static const struct line_error errors[] = {
 
 TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
-/* Of what is declared, too. */
+/* The limit includes copies of declared meshes. */
 TEST(copies_count)
 {
     static const char many[] =
@@ -397,7 +397,7 @@ TEST(copies_count)
                  "more than 4000000 triangles, copies counted");
 }
 
-/* One error does not make others: of a mesh2's sections, of triangles. */
+/* An error in a section of a mesh2, or in a triangle, causes no further errors. */
 TEST(recovery)
 {
     assert_error("mesh2 { vertex_vectors { 3, 0, x }\n"
@@ -423,8 +423,8 @@ struct random_mesh {
     bool smooth;
 };
 
-/* On a small grid: some triangles have no area.  No two normals are the
- * same. */
+/* Draws a mesh with points on a small grid, so that some triangles have no area. All
+ * normals differ. */
 static struct random_mesh random_mesh(uint64_t *random)
 {
     struct random_mesh mesh;
@@ -505,8 +505,8 @@ static void assert_same_triangle(const struct triangle *a, const struct triangle
         assert_memory_equal(a->normals, b->normals, sizeof a->normals);
 }
 
-/* All that a union's meshes have, one behind another, is what each of the two
- * meshes before it has. */
+/* The triangles of the union's meshes, in order, must be those of each of the two
+ * meshes before it. */
 static void assert_same(const struct scene *scene)
 {
     const struct triangles *mesh = triangles_of_part(scene, 0);
@@ -519,7 +519,7 @@ static void assert_same(const struct scene *scene)
     }
 }
 
-/* Those without a triangle are errors. */
+/* A mesh without triangles is an error. */
 TEST(three_ways)
 {
     static char text[MAX_TEXT];
@@ -544,7 +544,7 @@ TEST(three_ways)
     assert_true(compared > MESHES / 2);
 }
 
-/* An array that grows all the way. */
+/* A large mesh, whose array grows many times. */
 TEST(many)
 {
     enum { MANY = 40000 };
@@ -562,7 +562,7 @@ TEST(many)
     assert_close(mesh->list[MANY - 1].corners[0][0], MANY, 0);
 }
 
-/* Nothing is seen of them, which is one report. */
+/* Invisible shapes, which cause one report. */
 TEST(unseen)
 {
     static const char *const texts[] = {

@@ -1,11 +1,11 @@
 /* test_scene_normals.c - the scene language: normals by patterns and their maps are
- * compared with expected fields, along all ways to give them.  A wrong amount,
- * transform or entry fails here. */
+ * compared with expected fields, in all syntactic forms. A wrong amount, transformation
+ * or entry fails here. */
 #include "rt/scene/transform.h"
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"
 
-/* Of the first object. */
+/* Reads a sphere with this normal. */
 static struct scene *scene_with(const char *words, size_t reports)
 {
     char text[1024];
@@ -59,7 +59,7 @@ TEST(bumps)
     check_bump("radial 2 frequency 8 sine_wave", PATTERN_RADIAL, 2, .02);
 }
 
-/* What has no pattern changes nothing, nor what has an unknown one. */
+/* A normal without a pattern, or with an unknown one, has no effect. */
 TEST(none)
 {
     static const struct {
@@ -78,8 +78,8 @@ TEST(none)
     }
 }
 
-/* A normal continues where the one before it ended; it moves with the object, its
- * texture, its material. */
+/* A normal continues the previous one. It moves with its object, texture and
+ * material. */
 TEST(motions)
 {
     static const char *const texts[] = {
@@ -182,7 +182,7 @@ TEST(normal_maps)
     scene_free(scene);
 }
 
-/* The normal of several within a map: its first one, where it is there. */
+/* A map of several normals in an entry gives its first one, at the entry's place. */
 TEST(nested)
 {
     struct scene

@@ -3,7 +3,7 @@
  * here. */
 #include "tests/unit/scene_reading.h"
 
-/* Scenes of two primitives with that many reports. */
+/* Texts of two primitives with this number of reports. */
 TEST(reports)
 {
     static const struct {
@@ -40,7 +40,7 @@ static void assert_ior(const char *text, size_t reports, double ior)
     assert_close(scene->primitives[0].ior, ior, 0);
 }
 
-/* As in POV-Ray the finish decides. */
+/* As in POV-Ray, the index in the finish overrides that of the interior. */
 TEST(ior)
 {
     assert_ior("sphere { 0, 1 finish { refraction 1 ior 1.4 } }", 2, 1.4);

@@ -1,17 +1,19 @@
 /* test_scene_reports.c - the scene language: reports and errors of short texts are
- * compared with their places and messages.  One that is lost, elsewhere or doubled, or
- * memory without a limit, fails here.
+ * compared with their places and messages. A report that is lost, misplaced or
+ * repeated, or memory without a limit, fails here.
  *
- * Its texts are large, so it is slow with the leak sanitizer. */
+ * The texts are large, so the test is slow with the leak sanitizer.
+ *
+ */
 #include "tests/unit/scene_reading.h"
 
-/* Each text has this one error. */
+/* Each text has exactly this error. */
 TEST(errors)
 {
     static const struct {
         const char *text;
         size_t line, column;
-        const char *message; /* a part of it */
+        const char *message; /* part of the message */
     } rows[] = {
         { "ovus { }", 1, 1, "'ovus' is not supported" },
         { "union { sphere { 0, 1 }\n ovus { 0, 1, y, 0 } }", 2, 2, "'ovus'" },
@@ -104,7 +106,7 @@ TEST(errors)
                      rows[i].message);
 }
 
-/* Each text has this one report; it is an error under strict. */
+/* Each text has exactly this report, which is an error in strict mode. */
 TEST(reports)
 {
     static const struct {
@@ -216,7 +218,7 @@ TEST(first_colors)
     }
 }
 
-/* One reading finds them all, and continues behind each. */
+/* One reading finds all errors and continues after each. */
 TEST(all_errors)
 {
     static const char text[] = "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
@@ -285,7 +287,7 @@ TEST(includes)
     snprintf(path, sizeof path, "%s/main.pov", folder);
     scene = scene_read(path, &reading_options, &reports);
     assert_non_null(scene);
-    assert_int_equal(scene->primitives[0].line, 2); /* of the #include */
+    assert_int_equal(scene->primitives[0].line, 2); /* line of the #include */
     assert_int_equal(scene->primitives[1].line, 3);
     assert_close(scene->primitives[1].shape.sphere.radius, 3, 0);
     scene_free(scene);
@@ -324,7 +326,7 @@ static char *repeated(const char *head, const char *part, size_t count)
     return text;
 }
 
-/* Neither the stack, nor memory, nor the list of reports grows without end. */
+/* The stack, the memory and the list of reports are limited. */
 TEST(bounds)
 {
     static const struct {
@@ -345,7 +347,7 @@ TEST(bounds)
     }
 }
 
-/* So many things left out are no reason to leave out the scene. */
+/* A large number of ignored words does not reject the scene. */
 TEST(many_places)
 {
     enum { COUNT_OF_SPHERES = 1000 };
@@ -377,7 +379,7 @@ TEST(many_reports)
     assert_non_null(strstr(reports.items[MAX_TOLD].message, "left out"));
 }
 
-/* More places than are kept are no reason to pass over the rest in silence. */
+/* If more places occur than are recorded, the report says so. */
 TEST(lost_notes)
 {
     enum { NOTES = 100001 };
@@ -425,7 +427,7 @@ TEST(many_files)
     assert_int_equal(remove(folder), 0);
 }
 
-/* What a library does is told once for each of its files that is used. */
+/* A report about a library is issued once for each of its files that is used. */
 TEST(libraries)
 {
     static const char *const names[] = { "one.inc", "two.inc", NULL };

@@ -1,11 +1,11 @@
-/* test_scene_semicolons.c - the errors of texts without a ';' are compared with one
- * error directly after the value, whatever follows it.  A second error, or another
- * place, fails here. */
+/* test_scene_semicolons.c - the errors of texts with a missing ';' are compared with
+ * one error directly after the value, whatever text comes next. A second error, or
+ * another place, fails here. */
 #include "tests/unit/scene_reading.h"
 
 #include "tests/oracle/language_scene.h"
 
-/* Each text of one line has this one error. */
+/* Each text of one line has exactly this error. */
 static const struct line_error places_errors[] = {
     { "#declare A = 3 sphere { 0, A }", 15, "';' is missing" },
     { "#declare A = 3", 15, "';' is missing" },
@@ -76,8 +76,8 @@ static void find_place(const char *text, const char *at, size_t *line, size_t *c
     *column = (size_t)(at - start) + 1;
 }
 
-/* Without that one the text has one error there, if the ';' must not be
- * missing; else none. */
+/* Without this ';' the text has one error at its place if the ';' is mandatory, and
+ * none otherwise. */
 static void leave_out(char *text, char *semicolon)
 {
     struct scene_options options = strict_options;

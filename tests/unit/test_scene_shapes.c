@@ -3,7 +3,7 @@
  * expected ones.  A wrong field, or an error at another place, fails here. */
 #include "tests/unit/scene_reading.h"
 
-/* --- shapes -------------------------------------------------------------- */
+/* ---- Shapes ------------------------------------------------------------- */
 
 TEST(cones)
 {
@@ -100,8 +100,8 @@ TEST(patches)
     assert_true(p[1].transformed);
 }
 
-/* Heights in order; each loop closed, without points that repeat the one
- * before; loops that enclose nothing gone. */
+/* Heights are sorted; loops are closed, without repeated points; loops that enclose no
+ * area are omitted. */
 TEST(prisms)
 {
     SCOPED(scene) *scene = read_scene(
@@ -132,9 +132,9 @@ TEST(prisms)
     assert_close(p[3].shape.prism.path.points[1][0], 2, 0);
 }
 
-/* A loop's first point only gives a direction; between two others stands the
- * handle of the parabola from one to the next.  A last point that begins no loop
- * is left out, as in POV-Ray. */
+/* The first point of a loop defines a direction only. Between two further points is the
+ * handle of their parabola. As in POV-Ray, a last point that begins no loop is
+ * ignored. */
 TEST(quadratic_prisms)
 {
     SCOPED(scene) *scene = read_scene(
@@ -160,7 +160,7 @@ TEST(quadratic_prisms)
     assert_true(p[1].shape.quadratic_prism.open);
 }
 
-/* Without points that repeat the one before; an end at the beginning is there. */
+/* Repeated points are omitted; a last point near the first is set to it. */
 TEST(lathes)
 {
     SCOPED(scene) *scene = read_scene(
@@ -180,7 +180,7 @@ TEST(lathes)
     assert_int_equal(p[1].shape.lathe.path.count, 2);
 }
 
-/* Each text has this one error. */
+/* Each text has exactly this error. */
 static const struct line_error errors[] = {
     { "cone { 0, 1, y }", 16, "expected a number" },
     { "cone { 0, 1, y, 0 opened }", 19, "found 'opened'" },
@@ -246,7 +246,7 @@ TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
 /* --- conditions ---------------------------------------------------------- */
 
-/* What is not read may be anything that is made of the language's signs. */
+/* Text that is skipped may contain any tokens of the language. */
 TEST(conditions)
 {
     static const struct {

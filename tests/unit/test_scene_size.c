@@ -1,6 +1,6 @@
-/* test_scene_size.c - scenes of 10^-8 to 10^8 of a size are compared with the scene of
- * size 1: frames in every form, areas, volumes and moments times a power.  A limit that
- * does not grow with the scene fails here. */
+/* test_scene_size.c - scenes scaled by 10^-8 to 10^8 are compared with the scene of
+ * size 1: frames in every form, and areas, volumes and moments divided by a power of
+ * the scale. A tolerance that does not scale with the scene fails here. */
 #define SMALL_FRAMES
 #include "rt/heat/heat.h"
 #include "rt/mass/mass.h"
@@ -8,7 +8,7 @@
 
 enum { DECADES = 8, STEP = 6, MAX_OTHERS = 2 };
 
-/* Shapes that fill a picture about the origin, each in a scene of its own. */
+/* Shapes that fill a picture about the origin, each in a separate scene. */
 static const char *const shapes[] = {
     "sphere { <-.6, .3, 0>*S, .9*S pigment { rgbf .9 } interior { ior 1.5 } }"
     "sphere { <.8, 0, 1>*S, S pigment { rgb .5 } finish { reflection .6 } }",
@@ -127,7 +127,7 @@ static struct scene *bodies_of(int decade)
     return read_text(text);
 }
 
-/* Of all of them, about a point that is not the origin. */
+/* Returns the figures of all bodies, about a point other than the origin. */
 static struct mass_figures figures_of(int decade)
 {
     const char *densities[] = { "default=2" };
@@ -167,7 +167,7 @@ TEST(masses)
     }
 }
 
-/* The sphere's area, its factor to the torus and what it loses. */
+/* Sets the sphere's area, its factor to the torus and its heat loss. */
 static void heat_of(int decade, double found[3])
 {
     const char *temperatures[] = { "default=300", "line 1=900" };

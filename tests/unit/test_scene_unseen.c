@@ -1,6 +1,6 @@
-/* test_scene_unseen.c - shapes of which nothing is seen: the reports and the frames are
- * compared with those of the scene without them.  A shape that is reported twice, or is
- * not the empty set in a solid, fails here. */
+/* test_scene_unseen.c - invisible shapes: the reports and the frames are compared with
+ * those of the scene without them. A shape that is reported twice, or is not the empty
+ * set in a solid, fails here. */
 #define SMALL_FRAMES
 #include "rt/shapes/primitive.h"
 #include "tests/unit/traced_frame.h"
@@ -9,7 +9,7 @@
 
 #define ZEROS_10 "0, 0, 0, 0, 0, 0, 0, 0, 0, 0"
 
-/* P, Q: points; R: above 0.  Without the last brace. */
+/* P and Q are points, R is positive. The last brace is missing. */
 static const struct {
     enum primitive_kind kind;
     const char *text;
@@ -74,7 +74,8 @@ static const struct {
 
 #define BALL "sphere { 0, 1 pigment { rgb 1 }"
 
-/* Where a shape is, as before(S) and after(S); whether the ball is seen. */
+/* Places of a shape: the text before it and after it. `ball` is true if the ball is
+ * visible. */
 static const struct {
     const char *before, *after;
     bool ball;
@@ -148,7 +149,8 @@ static void check(size_t shape, size_t place, const struct words *expected)
 TEST(unseen)
 {
     struct words *without[2];
-    bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* an error */
+    bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* a plane is an
+                                                                 * error */
 
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
     for (int ball = 0; ball < 2; ball++)
@@ -164,7 +166,7 @@ TEST(unseen)
     free(without[1]);
 }
 
-/* Shapes without height or ring that are seen, and what they are equal to. */
+/* Shapes without height or ring that are visible, and equal shapes. */
 TEST(without_height)
 {
     static const struct {
@@ -196,7 +198,7 @@ TEST(without_height)
     }
 }
 
-/* As in POV-Ray, what makes a shape flat counts as a scale by 1. */
+/* As in POV-Ray, a scale of 0 counts as a scale of 1. */
 TEST(flat)
 {
     static const char *const rows[] = {

@@ -1,6 +1,6 @@
-/* test_shape_words.c - what the host computes for each primitive, such as a quadric
- * about its centre or the kind of a Steiner patch, is compared with definitions.  A
- * wrong word, kernel or count of crossings fails here. */
+/* test_shape_words.c - the words that the host computes for each primitive, such as a
+ * quadric about its centre or the kind of a Steiner patch, are compared with
+ * definitions. A wrong word, kernel or count of crossings fails here. */
 #include <math.h>
 
 #include "rt/shapes/moving_planes.h"
@@ -25,8 +25,8 @@ static void fill(struct singular *singular, size_t rows, size_t columns)
             singular->scaled[i][j] = between(-1, 1);
 }
 
-/* A V = U S: the columns of U S are square to each other and as long as the
- * values say. */
+/* A V = U S: the columns of U S are orthogonal, and their lengths are the singular
+ * values. */
 TEST(singular_values)
 {
     for (size_t rows = 1; rows <= MAX_SINGULAR; rows++) {
@@ -67,7 +67,7 @@ TEST(least_squares)
     }
 }
 
-/* The words of a shape, its table with them. */
+/* The words of a shape and its table. */
 struct words {
     struct shape_words shape;
     size_t table_count;
@@ -92,8 +92,7 @@ static void set_quadric(struct primitive *primitive, const double terms[10])
     memcpy(primitive->shape.quadric.coefficients, terms, QUADRIC_TERMS * sizeof *terms);
 }
 
-/* An ellipsoid about 1, 2, 3; a cylinder about the line x = 1, y = 2; a
- * paraboloid. */
+/* An ellipsoid about 1, 2, 3; a cylinder about the line x = 1, y = 2; a paraboloid. */
 TEST(centers_of_quadrics)
 {
     static const double terms[3][10] = {
@@ -117,7 +116,7 @@ TEST(centers_of_quadrics)
     }
 }
 
-/* The quadric's value at a point is that of its words. */
+/* The value of the quadric at a point must equal that of its words. */
 TEST(quadrics_keep_their_values)
 {
     for (int try = 0; try < 100; try++) {
@@ -161,7 +160,7 @@ static void point_at(const double points[6][4], const double p[3], double h[4])
     }
 }
 
-/* Every plane passes through its point, all pass through the triple point. */
+/* Every plane contains its point, and all contain the triple point. */
 static void check_planes(const double points[6][4], const struct moving_planes *planes)
 {
     for (int try = 0; try < 20; try++) {
@@ -194,8 +193,8 @@ static enum surface_type type_of(const double points[6][4])
 
 TEST(types_of_surfaces)
 {
-    /* (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection; a
-     * cone with two parameters to each point; a plane with curved edges */
+    /* The surface (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection;
+     * a cone with two parameters for each point; a plane with curved edges. */
     static const double roman[6][4] = { { 0, 0, 0, 1 },  { 0, 0, 0, 1 },
                                         { 0, 0, 0, 1 },  { 0, 0, .5, 0 },
                                         { .5, 0, 0, 0 }, { 0, .5, 0, 0 } };
@@ -235,7 +234,7 @@ static void set_patch(struct primitive *primitive)
     }
 }
 
-/* The kernel of 1984, or NULL. */
+/* Returns the kernel of 1984, or NULL. */
 static const char *historical_kernel(const struct primitive *primitive)
 {
     struct shape_words words;
@@ -264,8 +263,8 @@ TEST(kernels_of_patches)
     assert_int_equal(words.table_count, STEINER_TABLE);
 }
 
-/* A surface, a solid, what clips, what has a body: room for a crossing with each
- * triangle, and for where a ray begins. */
+/* A surface, a solid, a clipping mesh and one with a body: each has space for a
+ * crossing with every triangle, and for the state at the ray's origin. */
 TEST(sorts_of_meshes)
 {
     struct triangle list[3] = { { .corners = { { 0 }, { 1 }, { 0, 1 } } },
@@ -299,8 +298,8 @@ TEST(sorts_of_meshes)
     assert_string_equal(words.state, "mesh_body");
 }
 
-/* Base, axis, radius and the planes of both ends, as the kernel of 1984 wants
- * them; a hit has the surfaces of entry and exit. */
+/* The kernel of 1984 needs the base, axis, radius and the planes of both ends. A hit
+ * has the surfaces of entry and exit. */
 TEST(historical_cylinders)
 {
     static const double expected[] = { 1, 2,   3, .6, 0, .8, .5,  -.6,
@@ -326,8 +325,8 @@ TEST(historical_cylinders)
     assert_false(today.on_patch);
 }
 
-/* Whichever corner comes first, H(0, 0), H(1, 0) and H(0, 1) are corners, the
- * centre put back, and all of the patch lies in the bound. */
+/* For every order of corners, H(0, 0), H(1, 0) and H(0, 1) are corners after the centre
+ * is added, and the whole patch is inside the bound. */
 TEST(polynomials_of_patches)
 {
     for (int try = 0; try < 50; try++) {
@@ -353,8 +352,8 @@ TEST(polynomials_of_patches)
     }
 }
 
-/* Where the curves s = const all go one way, a plane through a ray that goes
- * that way as well still wants a vector of another way. */
+/* If all curves s = const have one direction, a plane through a parallel ray needs a
+ * second vector of another direction. */
 TEST(other_planes)
 {
     static const double straight[][3 * STEINER_POINTS] = {
@@ -380,7 +379,7 @@ TEST(other_planes)
     }
 }
 
-/* s, t, u each times a factor: other weights of the same patch. */
+/* Scaling s, t, u gives other weights of the same patch. */
 TEST(weights_of_one_patch)
 {
     static const double by[] = { 100, 1, .01 };

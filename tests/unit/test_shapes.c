@@ -20,7 +20,7 @@ TEST(descriptors)
         const struct shape *shape = shapes[i];
         const char *name = primitive_kind_name((enum primitive_kind)i);
 
-        /* .. by files of their own */
+        /* these are read by separate files */
         bool read = i != PRIMITIVE_MESH && i != PRIMITIVE_BLOB;
         if (!shape->fields || (shape->fields[0].takes == TAKES_END) == read
             || !shape->finish || !shape->bound || !shape->words || !shape->region)
@@ -59,7 +59,7 @@ static void check_program(const char *kernel, bool historical)
     struct asm_define defines[4 + PRIMITIVE_KINDS + 1] = {
         { "QUEUE", 100 },
         { "BLOB_PIECES", 4 },
-        { "MESH_CROSSINGS", 1 }, /* behind all of them NULL */
+        { "MESH_CROSSINGS", 1 }, /* all other fields are NULL */
     };
     struct asm_define *next = &defines[3];
     c205_error error = { "" };
@@ -89,13 +89,12 @@ TEST(kernels)
 
 /* ---- Scenes and the plain tracer ----------------------------------------- */
 
-/* Of each kind: how many there are in the scenes, where lines cross them, how
- * many points lie inside. */
+/* Per kind: the number in the scenes, crossings with lines, and interior points. */
 static struct {
     size_t count, crossings, inside;
 } found[PRIMITIVE_KINDS];
 
-/* Lines through a primitive's bound, and points within. */
+/* Tests lines through a primitive's bound, and points inside it. */
 static void look_through(const struct primitive *primitive)
 {
     struct bound bound;

@@ -1,11 +1,12 @@
-/* test_sights.c - where the middle ray of a picture hits each shape, in both forms and
- * with queues of any length: the primitive and the distance that geometry gives.  A
- * kernel that confuses two cases of a shape (a start within it, a ray along its axis,
- * in its plane or through its edge, a hit on its rim) fails here.
+/* test_sights.c - the hit of a picture's middle ray with each shape is compared with
+ * the primitive and the distance that geometry gives, in both forms and with queues of
+ * several lengths. A kernel that confuses two cases of a shape (an origin inside it, a
+ * ray along its axis, in its plane or through its edge, a hit on its rim) fails here.
+ *
  */
 #include "tests/unit/traced_frame.h"
 
-/* A scene, the number of the primitive from 1 (0: no hit), and the distance. */
+/* A scene, the id of the primitive from 1 (0: no hit), and the distance. */
 struct sight {
     const char *text;
     int64_t id;
@@ -32,15 +33,15 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
 
 #define GLOSSY "no_shadow finish { phong .5 specular .5 } }"
 
-/* 45 degrees, the apex at the origin, opening upwards. */
+/* A cone of 45 degrees with its apex at the origin, open at the top. */
 #define FUNNEL "cone { 0, 0, 2*y, 2 "
 
-/* Objects behind the eye: the unit of length is the world's, whatever else is
- * small. */
+/* Objects behind the eye keep the unit of length of the scene, however small the others
+ * are. */
 #define ORDINARY "#declare Far = sphere { -9*z, 1 }\n"
 #define FAR " object { Far } object { Far translate -z }"
 
-/* Coefficients in POV-Ray's order, of which only a few are not 0. */
+/* Coefficients in POV-Ray's order; most are 0. */
 #define ZEROS "0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, "
 #define Z4 "<" ZEROS "0,0,0,0,0, 1,"
 
@@ -49,8 +50,8 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
     "10, <-2, -2>, <2, -2>, <2, 2>, <-2, 2>, <-2, -2>," \
     " <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
 
-/* Of four corners: from <-1, -1> to <1, -1> the points are
- * <w^2 + w - 1, w^2 - w - 1>. */
+/* A spline with four corners: from <-1, -1> to <1, -1> its points are <w^2 + w - 1, w^2
+ * - w - 1>. */
 #define PRISM "prism { quadratic_spline "
 #define ROUNDED "6, <-1, 1>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
 #define W ((1 + sqrt(.6)) / 2) /* W^2 - W = -.1 */
@@ -60,7 +61,7 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
 #define RING "5, <1, -1>, <2, -1>, <2, 1>, <1, 1>, <1, -1>"
 #define CONE "3, <0, 1>, <1, 0>, <0, -1>"
 
-/* (1 - 3/4)^2 = 1/16: a ball of the radius r is seen as one of r sqrt 3 / 2. */
+/* (1 - 3/4)^2 = 1/16: a ball of radius r appears with radius r sqrt 3 / 2. */
 #define BLOB "blob { threshold .0625 "
 #define SEEN 0.86602540378443865
 
@@ -69,7 +70,7 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
     "smooth_triangle { <-1, -1, 0>, <3, 0, -4>, <2, -1, 0>, -z, " \
     "<-1, 2, 0>, -2*z }"
 #define FLAT "triangle { " CORNERS " }"
-/* It has an area where it is written, but none in the world.  The sphere keeps the
+/* TINY has an area where it is written, but none in the world. The sphere keeps the
  * scene's unit of length at 1. */
 #define TINY "triangle { 0, 1e-10*x, 1e-10*y } "
 #define SPHERE " sphere { <3, 3, 0>, .1 }"
@@ -97,11 +98,11 @@ TEST(ahead)
         { "cylinder { <0, -1, -5>, <0, 1, -5>, 3 }", 1, 3 },
         { "sphere { <0, 0, -5>, 1 scale <1, 1, 2> }", 0, 0 },
         { "sphere { <0, 0, -9>, 1 }", 0, 0 },
-        /* open cylinder shows its inside */
+        /* an open cylinder shows its inside */
         { "cylinder { <0, .7, 0>, <0, 3, 0>, 1 open rotate -30*x }", 0, 0 },
         { "cylinder { -y, y, 1 open }", 1, 4 },
         { "cylinder { -y, y, 1 open rotate 45*x translate -y }", 1, 5 + 1 - sqrt(2) },
-        /* Of two coincident faces the later one is nearer. */
+        /* Of two coincident faces the later one is visible. */
         { "box { -1, 1 } box { -1, 1 } plane { z, 9 }", 2, 4 },
         { "plane { z, 9 } sphere { 0, 1 } box { -1, 1 }", 2, 4 },
         /* ---- cones and quadrics */
@@ -128,7 +129,7 @@ TEST(ahead)
         { "quadric { <-1, -1, 1>, 0, 0, -1 }", 1, 4 },
         { "quadric { <1, 1, -1>, 0, 0, -1 }", 0, 0 },
         { "quadric { <1, 1, -1>, 0, 0, 1 }", 1, 4 },
-        /* The eye inside, at the apex, within tmin of the surface. */
+        /* The eye is inside, at the apex, within tmin of the surface. */
         { "cone { <0, -1, -5>, 2, <0, 1, -5>, 2.5 }", 1, 2.25 },
         { "cone { -5*z, 0, 5*z, 1 }", 1, 10 },
         { "quadric { 1, 0, 0, -25 }", 1, 10 },
@@ -144,14 +145,15 @@ TEST(ahead)
         { "torus { .5, 1 rotate 90*x }", 1, 5 - sqrt(.75) },
         { "elliptical_torus { 1, .5, .1 }", 1, 3.5 },
         { "elliptical_torus { 1, .5, .1 rotate 90*x translate x }", 1, 4.9 },
-        /* From the middle of the tube, from its surface, from the hole. */
+        /* The eye is in the middle of the tube, on its surface, in the hole. */
         { "torus { 1, .5 translate <0, 0, -4> }", 1, .5 },
         { "torus { 1, .5 translate <0, 0, -3.5> }", 1, 1 },
         { "torus { 1, .5 translate <0, 0, -5> }", 1, .5 },
         { "torus { 1, .5 scale 2 translate <0, 0, -2> }", 1, 2 },
         { "torus { 1, .5 translate <0, 0, -7> }", 0, 0 },
-        /* The nearest crossing beyond 1e-6 of the world, whatever the scale:
-         * just before the eye at that distance or behind it at half of it. */
+        /* The nearest crossing beyond 1e-6 of the world counts, at every scale: a
+         * crossing at twice that distance from the eye does, one at half of it does
+         * not. */
         { ORDINARY "torus { 1, .5 scale 1000 translate (1500 - 5 + 2e-6)*z }" FAR, 1,
           2e-6 },
         { ORDINARY "torus { 1, .5 scale 1000 translate (1500 - 5 + .5e-6)*z }" FAR, 1,
@@ -207,26 +209,26 @@ TEST(ahead)
           2, 5 },
         /* ---- blobs */
         { BLOB "sphere { 0, 2, 1 } }", 1, 5 - 2 * SEEN },
-        /* below, beside, too weak, taken away */
+        /* below, beside, too weak, cancelled */
         { BLOB "sphere { 2*y, 2, 1 } }", 0, 0 },
         { BLOB "sphere { 0, 2, .0624 } sphere { 9*y, 1, .0624 } }", 0, 0 },
         { BLOB "sphere { 0, 2, 1 } sphere { 0, 2.5, -1 } }", 0, 0 },
         /* sums */
         { BLOB "sphere { 0, 2, .04 } sphere { 0, 2, .04 } sphere { 0, 2, .92 } }", 1,
           5 - 2 * SEEN },
-        /* a hemisphere, the side, and the other end, from both sides */
+        /* a hemisphere, the side, and the other end, in both orders */
         { BLOB "cylinder { 0, 2*z, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { 2*z, 0, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { -x, x, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { x, 3*x, 2, 1 } }", 1, 5 - sqrt(2) },
-        /* in the plane of an end, which belongs to both */
+        /* in the plane of an end, which belongs to both pieces */
         { BLOB "cylinder { 0, 3*x, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { -3*y, 0, 2, 1 } }", 1, 5 - 2 * SEEN },
         /* moved, stretched */
         { BLOB "sphere { x, 1, 1 translate -x scale <1, 1, 2> } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { -x, x, 1, 1 scale 2 rotate 90*z } rotate 30*y }", 1,
           5 - 2 * SEEN },
-        /* from within, and behind */
+        /* from inside, and behind the eye */
         { BLOB "sphere { -5*z, 2, 1 } }", 1, 2 * SEEN },
         { BLOB "sphere { -8*z, 2, 1 } }", 0, 0 },
         /* in solids */
@@ -242,7 +244,7 @@ TEST(straight)
 {
     const struct sight sights[] = {
         /* ---- spheres, boxes, planes, cylinders */
-        /* touching rays */
+        /* tangent rays */
         { "sphere { x, 1 }", 1, 5 },
         { "sphere { <.75, -1, 3>, 1.25 }", 1, 8 },
         /* the light or the highlight has no direction */
@@ -269,7 +271,7 @@ TEST(straight)
         /* on its edge, on that of its hole */
         { "disc { .5*x, z, .5 }", 1, 5 },
         { "disc { .5*x, z, 1, .5 }", 1, 5 },
-        /* Rays in its plane, and where they start. */
+        /* rays in its plane; the eye in its plane */
         { "disc { 0, y, 1 }", 0, 0 },
         { "disc { 0, x, 1, .5 }", 0, 0 },
         /* parallel within the tolerance, and not */
@@ -278,7 +280,8 @@ TEST(straight)
         { "disc { 0, y, 1 } disc { 3*z, z, 1 }", 2, 8 },
         { "disc { -5*z, z, 1 }", 0, 0 },
         { "disc { -6*z, z, 1 }", 0, 0 },
-        /* What lies below its plane is taken away, as far as that reaches. */
+        /* The inside of a disc is the half space below its plane; its visible face is the
+         * disc alone. */
         { "difference { sphere { 0, 2 } disc { 0, z, 1 } }", 2, 5 },
         { "difference { sphere { 0, 2 } disc { 0, z, 1, .5 } }", 1, 7 },
         { "difference { sphere { 0, 2 } disc { 9*x, z, 1 } }", 1, 7 },
@@ -291,7 +294,7 @@ TEST(straight)
         { "lathe { " RING " translate -5*z }", 1, 1 },
         { "lathe { " DRUM " translate 2*y }", 0, 0 },
         { "lathe { 2, <2, -1>, <1, 1> translate 1e-9*y }", 1, 3.5 - .5e-9 },
-        /* level, through a corner; along the axis; beside it */
+        /* level, through a corner; along the axis; outside */
         { "lathe { " CONE " }", 1, 4 },
         { "lathe { " CONE " rotate 90*x }", 1, 4 },
         { "lathe { " DRUM " rotate 90*x }", 1, 4 },
@@ -299,15 +302,15 @@ TEST(straight)
         { "lathe { " RING " rotate 90*x }", 0, 0 },
         { "lathe { " RING " rotate 90*x translate 1.5*y }", 1, 4 },
         { "lathe { " CONE " rotate 90*x translate .5*y }", 1, 4.5 },
-        /* level, in a ring; where a point is the lowest of all */
+        /* level, in a ring; at a point that is the lowest */
         { "lathe { " DRUM " translate y }", 1, 4 },
         { "lathe { " DRUM " translate -y }", 0, 0 },
         { "lathe { 3, <1, 1>, <2, 0>, <1.5, 2> }", 1, 3 },
-        /* from within, of what is no tube */
+        /* from inside an open tube */
         { "lathe { 2, <3, -1>, <3, 1> translate -5*z }", 1, 3 },
         /* in solids */
         { "intersection { lathe { " DRUM " } plane { -z, 0 } }", 2, 5 },
-        /* a tube has no inside, but is seen in that of others */
+        /* a tube has no inside, but is visible inside other solids */
         { "intersection { lathe { " TUBE " } plane { -z, .5 } }", 1, 6 },
         { "lathe { " TUBE " clipped_by { plane { -z, .5 } } }", 1, 6 },
         { "lathe { 3, <1, 0>, <.5, 0>, <.5, 1> rotate 90*x"
@@ -318,7 +321,7 @@ TEST(straight)
           2, 4.5 },
         { "difference { sphere { 0, 3 } lathe { " DRUM " scale 4 } }", 0, 0 },
         { "difference { lathe { " RING " } plane { z, 0 } }", 1, 6 },
-        /* through corners, and level where one point is lowest */
+        /* through corners; level at the lowest point */
         { "intersection { lathe { " CONE " } plane { -z, .5 } }", 2, 4.5 },
         { "intersection { lathe { 4, <1, 1>, <2, 0>, <1.5, 2>, <1, 1> }"
           " plane { -z, .5 } }",
@@ -337,7 +340,7 @@ TEST(straight)
         { "mesh { " FLAT " translate <-.5, -.5, 0> }", 1, 5 },
         { "mesh { " FLAT " translate <0, 1, 0> }", 1, 5 },
         { "mesh { triangle { <0, -1, -1>, <0, -1, 2>, <0, 2, -1> } }", 0, 0 },
-        /* where the ray starts */
+        /* the origin of the ray */
         { "mesh { " FLAT " translate -5*z }", 0, 0 },
         { "mesh { " FLAT " translate -4*z }", 1, 1 },
         { "mesh { " FLAT " translate -6*z }", 0, 0 },

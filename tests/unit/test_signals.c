@@ -1,5 +1,6 @@
-/* test_signals.c - signals at random times to every command that writes: a file is the old one or
- * the whole new one, nothing is left beside it, and a command that was ended does not succeed. */
+/* test_signals.c - files after signals at random times, to every command that writes,
+ * are compared with the old and the complete new file. A file that is incomplete, a
+ * temporary file that is left, or an interrupted command that succeeds, fails here. */
 #define _XOPEN_SOURCE 700
 
 #include "tests/unit/asm_helper.h"
@@ -24,7 +25,7 @@ static int below(int end)
 
 static char folder[] = "/tmp/signals.XXXXXX";
 
-/* What is read; a word "%name" is a file in the folder. */
+/* Input files; a word "%name" is a file in the folder. */
 static const struct {
     const char *name, *text;
 } inputs[] = {
@@ -74,7 +75,7 @@ static void path_of(char path[PATH], const char *name)
     snprintf(path, PATH, "%s/%s", folder, name);
 }
 
-/* All signals do what they do in a shell; what is printed is not read. */
+/* Executes the command with the default signal actions; its output is discarded. */
 static void become(const char *const *given, int in, int out)
 {
     const char *built = getenv("RT205_LIBDIR");
@@ -106,7 +107,7 @@ static pid_t begin(const char *const *words, int in, int out)
     return process;
 }
 
-/* The exit status, or minus the signal. */
+/* Returns the exit status, or minus the signal. */
 static int end(pid_t process)
 {
     int status = 0;
@@ -154,7 +155,8 @@ static size_t read_file(const char *name, char text[TEXT])
 
 static const char old[] = "the old file\n";
 
-/* How a whole file of that name ends; "": in any way. */
+/* Returns the text at the end of a complete file with this name; "" if any end is
+ * allowed. */
 static const char *ending_of(const char *name)
 {
     return strcmp(name, "json") == 0      ? "}\n"
@@ -182,7 +184,7 @@ static bool is_input(const char *name)
     return false;
 }
 
-/* No file but those that are named. */
+/* The folder must contain only the named files. */
 static void check_folder(const char *const *words, int number)
 {
     DIR *directory = opendir(folder);
@@ -223,7 +225,7 @@ static void remove_files(void)
 
 /* ---- Commands that write --------------------------------------------------------- */
 
-/* Not of what is read, or is there while the command works. */
+/* Writes old versions of all output files. */
 static void write_old_files(const char *const *words)
 {
     for (size_t i = 0; words[i]; i++)
@@ -232,7 +234,8 @@ static void write_old_files(const char *const *words)
             write_file(words[i] + 1, old);
 }
 
-/* Most work is begun after some milliseconds; a second signal ends what has not ended soon. */
+/* Most commands begin their work after some milliseconds. If the command continues, a
+ * second signal ends it. */
 static void check_command(const char *const *words, int number)
 {
     int null = open("/dev/null", O_RDWR), status;
@@ -261,7 +264,7 @@ TEST(commands)
             check_command(commands[i], signals[below((int)(COUNT(signals)))]);
 }
 
-/* nohup has SIGHUP ignored, and so it stays. */
+/* nohup makes a command ignore SIGHUP. */
 TEST(nohup)
 {
     char command[400];
@@ -284,7 +287,8 @@ static const char *const render_words[] = {
     "--mode", "scalar", "--debug",          "200,150", "-x",  "%lines", NULL
 };
 
-/* From a file or, the end of the input being far, from a pipe: what it prints. */
+/* Runs a script, from a file, or from a pipe that stays open. Stores its output in
+ * `said`. */
 static int run_script(const char *const *words, const char *lines, int number,
                       char said[TEXT])
 {
@@ -305,7 +309,7 @@ static int run_script(const char *const *words, const char *lines, int number,
     close(from[1]);
     if (words == debug_words)
         assert_int_equal(write(to[1], lines, strlen(lines)), strlen(lines));
-    /* The debugger has begun when it greets. */
+    /* The debugger is ready when it prints its prompt. */
     said[0] = '\0';
     while (!strstr(said, "=>") && length < TEXT - 1
            && (count = read(from[0], said + length, TEXT - 1 - length)) > 0)
@@ -326,7 +330,8 @@ static int run_script(const char *const *words, const char *lines, int number,
     return status;
 }
 
-/* SIGTERM and SIGHUP end the command, Ctrl-C one movement; neither ends with 0. */
+/* SIGTERM and SIGHUP end the command, Ctrl-C the current movement. No exit status is
+ * 0. */
 TEST(scripts)
 {
     static const char lines[] = "continue\nprint 6 * 7\n";

@@ -1,6 +1,6 @@
-/* test_smooth.c - smoothed factors are compared with the solution of all Lagrange
- * equations in long doubles, over random enclosures, in both forms.  A row that does
- * not close, or a wrong weight, fails here. */
+/* test_smooth.c - smoothed factors are compared with the solution of the full system of
+ * Lagrange equations in long doubles, over random enclosures, in both forms. A row that
+ * does not close, or a wrong weight, fails here. */
 #include <math.h>
 
 #include "rt/heat/smooth.h"
@@ -10,7 +10,7 @@
 
 enum { MAX = 12, UNKNOWNS = MAX * (MAX + 1) / 2 + MAX + MAX };
 
-/* Flows as they were found, their variances and the areas. */
+/* Measured flows, their variances and the areas. */
 struct found {
     size_t count;
     double areas[MAX], flows[MAX * (MAX + 1)], variances[MAX * (MAX + 1)];
@@ -31,7 +31,7 @@ static void put(struct found *found, size_t i, size_t j, double flow, double var
     }
 }
 
-/* Some are not seen, some known exactly; what is found is off at random. */
+/* Draws flows with random errors. Some flows are 0, some are exact. */
 static void draw(struct found *found, uint64_t *random)
 {
     memset(found, 0, sizeof *found);
@@ -47,7 +47,7 @@ static void draw(struct found *found, uint64_t *random)
             flow *= 1 + (error > 0 ? error * (xorshift_real(random, 0, 1) - .5) : 0);
             put(found, i, j, flow, flow > 0 ? error * error : 0);
         }
-    for (size_t i = 0; i < found->count; i++) /* none is bound to none */
+    for (size_t i = 0; i < found->count; i++) /* every surface has an adjustable flow */
         put(found, i, found->count, found->flows[place(found, i, found->count)] + .1,
             1e-4 * (1 + xorshift_real(random, 0, 1)));
     for (size_t i = 0; i < found->count; i++)
@@ -56,7 +56,7 @@ static void draw(struct found *found, uint64_t *random)
 
 /* ---- The oracle ------------------------------------------------------------- */
 
-/* Unknowns: each flow once, then a multiplier of each surface. */
+/* The unknowns are the flows, each once, then a multiplier per surface. */
 struct system {
     size_t flows, size;
     size_t from[UNKNOWNS], to[UNKNOWNS];
@@ -73,7 +73,8 @@ static void list_flows(const struct found *found, struct system *system)
     system->size = system->flows + found->count;
 }
 
-/* y - v (l_i + l_j) = x, of itself and outward y - v l_i = x; sums are areas. */
+/* Equations: y - v (l_i + l_j) = x; for a surface itself and for the outside y - v l_i
+ * = x; the sums are the areas. */
 static void put_equations(const struct found *found, struct system *system)
 {
     for (size_t k = 0; k < system->flows; k++) {
@@ -154,7 +155,7 @@ static bool run(const struct found *found, enum trace_mode mode, double *smooth,
     return good;
 }
 
-/* Reciprocity to the bit, closure to rounding. */
+/* Reciprocity holds to the last bit, closure up to rounding. */
 static void check_rules(const struct found *found, const double *smooth)
 {
     for (size_t i = 0; i < found->count; i++) {
@@ -184,7 +185,7 @@ TEST(by_chance)
     }
 }
 
-/* What is exact, or has closure, stays as it is. */
+/* Exact flows, and flows that are closed, do not change. */
 TEST(left_alone)
 {
     const struct found exact = { .count = 2,
