@@ -280,8 +280,8 @@ TEST(straight)
         { "disc { 0, y, 1 } disc { 3*z, z, 1 }", 2, 8 },
         { "disc { -5*z, z, 1 }", 0, 0 },
         { "disc { -6*z, z, 1 }", 0, 0 },
-        /* The inside of a disc is the half space below its plane; its visible face is the
-         * disc alone. */
+        /* The inside of a disc is the half space below its plane; its visible face
+         * is the disc alone. */
         { "difference { sphere { 0, 2 } disc { 0, z, 1 } }", 2, 5 },
         { "difference { sphere { 0, 2 } disc { 0, z, 1, .5 } }", 1, 7 },
         { "difference { sphere { 0, 2 } disc { 9*x, z, 1 } }", 1, 7 },

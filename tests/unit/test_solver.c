@@ -1,7 +1,8 @@
 /* test_solver.c - the root solver as kernels call it: its scalar and its vector routine
- * solve random polynomials, with roots that are separate, double, triple and fourfold,
- * and are compared with each other bit for bit and with the changes of sign in small
- * steps.  A lane that ends early, or roots that are out of order, fail here.
+ * solve random polynomials, with roots that are separate, double, triple and fourfold;
+ * they are compared with each other bit for bit, and with the changes of sign in small
+ * steps. A lane that ends early, or roots that are out of order, fail here.
+ *
  */
 #include <math.h>
 
@@ -15,7 +16,7 @@
 
 enum { LANES = 300, INPUTS = 8, OUTPUTS = 5 };
 
-/* c4 .. c0, low, high, resolution; and four roots, their number. */
+/* Inputs: c4 .. c0, low, high, resolution. Outputs: four roots and their number. */
 struct lanes {
     c205_word in[LANES][INPUTS], out[LANES][OUTPUTS];
 };
@@ -131,8 +132,8 @@ static void run_scalar(struct lanes *lanes, const char *routine)
                           LANES * OUTPUTS));
 }
 
-/* Registers that the solver may change: link_inner, s0-s9, what its head
- * names, and those that the program itself uses. */
+/* Registers that the solver may change: link_inner, s0-s9, those that its first lines
+ * name, and those of the program itself. */
 static bool may_change(unsigned number)
 {
     return number == 3 || (number >= 6 && number <= 15) || number == 31 || number == 68
@@ -170,8 +171,8 @@ static void run_vector(struct lanes *lanes, const char *routine)
     }
 }
 
-/* Intervals about 0, as those of a ray about its closest approach; one in
- * eight is empty. */
+/* Intervals about 0, like those of a ray about its closest approach; one in eight is
+ * empty. */
 static void fill(struct lanes *lanes, uint64_t *state)
 {
     for (int i = 0; i < LANES; i++) {
@@ -193,7 +194,7 @@ static double value(const c205_word *c, double t)
     return f;
 }
 
-/* Where the sign changes in small steps there is one root, and it is one. */
+/* The number of sign changes in small steps must be the number of roots. */
 static void check_signs(const struct lanes *lanes, int lane, int found)
 {
     enum { STEPS = 4000 };
@@ -243,8 +244,8 @@ TEST(alone)
 
 enum { ROOTS = 4, ROUNDS = 8 };
 
-/* Roots of one polynomial; where pairs are complex, their distance from the
- * real axis, squared. */
+/* Roots of a polynomial. For complex pairs, `above` is the square of their distance
+ * from the real axis. */
 struct factors {
     double root[ROOTS], above[ROOTS / 2];
 };
@@ -255,8 +256,8 @@ static double tiny(uint64_t *state, int least)
     return xorshift(state) & 1 ? power : -power;
 }
 
-/* Which root each one is equal to, or near; pairs that are complex; roots that are
- * whole, so that values are 0 at ends, bends and knots. */
+/* The root to which each root is equal or near, the complex pairs, and whether roots
+ * are integers, so that values are 0 at ends, extrema and knots. */
 static const struct kind {
     int like[ROOTS];
     bool near, above[ROOTS / 2], whole;
@@ -286,7 +287,7 @@ static void draw_factors(const struct kind *kind, struct factors *f, uint64_t *s
         f->above[i] = kind->above[i] ? tiny(state, 44) : 0;
 }
 
-/* (t - a) (t - b) + above */
+/* Expands (t - a) (t - b) + above. */
 static void quadratic(double a, double b, double above, double c[3])
 {
     c[0] = 1;
@@ -306,7 +307,7 @@ static void expand(const struct factors *f, double scale, c205_word c[5])
         c[i] = c205_from_double(scale * sum[i]);
 }
 
-/* The sign at t, 0 being +, of what the machine computes. */
+/* Returns whether the machine's value at t is positive or 0. */
 static bool is_positive(const c205_word *c, c205_word t)
 {
     uint64_t flags = 0;
@@ -317,7 +318,7 @@ static bool is_positive(const c205_word *c, c205_word t)
     return arith_not_less(f, C205_MACHINE_ZERO);
 }
 
-/* Kind after kind; every other one is inside at its ends; one interval in
+/* All kinds in turn. Every other polynomial is positive at both ends; one interval in
  * sixteen is empty. */
 static void fill_touching(struct lanes *lanes, struct factors *factors,
                           double resolution, uint64_t *state)
@@ -334,8 +335,8 @@ static void fill_touching(struct lanes *lanes, struct factors *factors,
     }
 }
 
-/* Ascending, then nothing; between two of them, and only there, the other
- * sign, as far as roots so sharp can tell. */
+/* Roots must be in ascending order, followed by padding. Between two roots, and only
+ * there, the sign must change, as far as roots of this resolution can show. */
 static void check_order(const c205_word *in, const c205_word *out, int found)
 {
     double small = 1e-9 + 1000 * c205_to_double(in[7]);
@@ -357,7 +358,7 @@ static void check_order(const c205_word *in, const c205_word *out, int found)
     }
 }
 
-/* So far from each other that none can be lost. */
+/* Returns whether all roots are separate enough to be found. */
 static bool are_far(const struct factors *f)
 {
     for (int i = 0; i < ROOTS; i++)
@@ -402,8 +403,8 @@ TEST(signs)
     }
 }
 
-/* Two roots so near that, found to no more than 1e-3, each would be in the
- * other's place. */
+/* Two roots whose distance is below the resolution of 1e-3, so that they could be
+ * returned in the wrong order. */
 TEST(signs_ascend)
 {
     static const double c[INPUTS] = { 1,
@@ -426,7 +427,7 @@ TEST(signs_ascend)
     check_parity(scalar.in[0], scalar.out[0]);
 }
 
-/* Where nothing touches both entries give the same. */
+/* Without double roots, both entry points give the same result. */
 TEST(signs_of_sharp)
 {
     static struct lanes all, signs;

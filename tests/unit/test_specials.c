@@ -1,7 +1,7 @@
-/* test_specials.c - machine zeros and indefinites become what the operation's
- * rule of special values in vm/arith.def says, whatever else is in them; for
- * words and half words.  A rule that is not written here does not compile.
- */
+/* test_specials.c - results of machine zeros and indefinites are compared with the
+ * operation's rule of special values in vm/arith.def, for words and half words with
+ * random digits. A special operand that is treated as a number fails here; a rule
+ * without a check does not compile. */
 #include "tests/random.h"
 #include "tests/unit/rule_cases.h"
 
@@ -11,7 +11,7 @@ enum { ROUNDS = 20000 };
 
 /* ---- Operands ----------------------------------------------------------- */
 
-/* The highest and the lowest exponents stand for no number. */
+/* Words with the largest and the smallest exponents are not numbers. */
 static c205_word any_indefinite(word_format f, uint64_t *seed)
 {
     return UINT64_C(7) << 60 | (xorshift(seed) & format_mask(f)) >> 4;
@@ -168,7 +168,7 @@ static void check_MAGNITUDE(const struct trial *t)
         check_KEPT(t);
 }
 
-/* A normalised number has no room for one place more. */
+/* Shifting a normalised number by one more place overflows. */
 static void check_FITTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a);
@@ -187,8 +187,8 @@ static void check_FIELD(const struct trial *t)
     expect(t, (struct outcome){ format_make(t->f, 0, exponent), 0 });
 }
 
-/* From words to half words: 24 places, and one more where rounding makes the
- * coefficient too long. */
+/* From words to half words: 24 places, and one more if rounding makes the coefficient
+ * too long. */
 static void check_CONTRACTED(const struct trial *t)
 {
     int32_t exponent = format_exponent(t->f, t->a) + 24;
@@ -271,8 +271,8 @@ static const struct ordering {
 #include "vm/arith.def"
 };
 
-/* Indefinite equals nothing, and is neither >= nor <; a machine zero is as
- * good as any zero. */
+/* An indefinite is equal to nothing, and neither >= nor < anything. A machine zero
+ * equals every zero. */
 static void check_relation(const struct ordering *relation, uint64_t *seed)
 {
     word_format f = relation->f;

@@ -27,7 +27,7 @@ static void measure(const struct speedup_subject *subject,
     }
 }
 
-/* All clocks have a cause and lie in a region. */
+/* Each clock has a cause and a region. */
 static void check_sums(const struct speedup_measure *measure)
 {
     uint64_t causes = 0, regions = 0;
@@ -54,8 +54,8 @@ TEST(subjects)
     }
 }
 
-/* The solver's region has clocks where falsi has taken steps; the scalar form
- * takes one bracket at a time. */
+/* The solver's region has clocks if the regula falsi made steps. The scalar form
+ * refines one bracket at a time. */
 static void check_solver(const struct speedup_subject *subject,
                          const struct speedup_measure measures[TRACE_FORMS])
 {
@@ -75,7 +75,7 @@ static void check_solver(const struct speedup_subject *subject,
     }
 }
 
-/* Whether a subject names the solver is whether it solves. */
+/* A subject names the solver's region exactly if it calls the solver. */
 TEST(solvers)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -93,7 +93,7 @@ TEST(solvers)
     }
 }
 
-/* The paper's way is not ours: it has a kernel and a falsi of its own. */
+/* The historical kernel and its regula falsi differ from ours. */
 TEST(historical)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
@@ -111,7 +111,7 @@ TEST(historical)
     }
 }
 
-/* From farther away, and across less. */
+/* A more distant camera, and a narrower view. */
 TEST(view)
 {
     static const struct speedup_view far = { .distance = 20, .angle = 37 };
@@ -143,7 +143,7 @@ TEST(errors)
     check_error(&subject, "sphere");
 }
 
-/* Of all subjects. */
+/* Returns the report of all subjects. */
 static struct speedup_report *report_all(void)
 {
     struct speedup_report *all = speedup_report_new(model);
@@ -155,7 +155,7 @@ static struct speedup_report *report_all(void)
     return all;
 }
 
-/* What was printed last. */
+/* The last printed text. */
 static char text[1 << 17];
 
 static void print(bool (*print_tables)(const struct speedup_report *, enum table_format,
@@ -168,7 +168,7 @@ static void print(bool (*print_tables)(const struct speedup_report *, enum table
     assert_int_equal(fclose(stream), 0);
 }
 
-/* The passes are a table of their own, which comes if asked for. */
+/* The passes are a separate table, printed on request. */
 TEST(detail)
 {
     print(speedup_report_detail, TABLE_PLAIN);
@@ -181,7 +181,7 @@ TEST(detail)
     assert_non_null(strstr(text, "% of brackets"));
 }
 
-/* A table of the detail, by its heading. */
+/* Reads a table of the detailed report by its heading. */
 static void read_detail(const char *heading, struct csv_table *table)
 {
     print(speedup_report_detail, TABLE_CSV);
@@ -190,7 +190,7 @@ static void read_detail(const char *heading, struct csv_table *table)
     csv_table(strchr(at, '\n') + 1, table);
 }
 
-/* The clocks of each form, by the rays that the table above tells. */
+/* Clocks of each form, divided by the rays of the table above. */
 TEST(times)
 {
     static struct csv_table rays, times;
@@ -215,7 +215,7 @@ TEST(times)
 
 enum { FIGURES = 5 };
 
-/* As it is printed in the paper, digit by digit. */
+/* The figures as printed in the paper. */
 static const struct {
     const char *primitive;
     double figures[FIGURES];
@@ -225,7 +225,7 @@ static const struct {
     { "Steiner", { 11.157, 1.047, 216.0, 10.67, 206 } },
 };
 
-/* Table 1, read back from its CSV; the heading is a remark. */
+/* Reads Table 1 back from its CSV; the heading is a comment. */
 static const struct csv_table *read_table1(void)
 {
     static struct csv_table table;
@@ -236,7 +236,7 @@ static const struct csv_table *read_table1(void)
     return &table;
 }
 
-/* But for rounding. */
+/* Compares up to rounding. */
 static void assert_near(double a, double b)
 {
     if (!(fabs(a - b) <= 1e-12 * fabs(b) + 1e-11))
@@ -253,7 +253,7 @@ static double figure(const struct csv_table *table, size_t row, int column)
     return value;
 }
 
-/* The line of a primitive: 0 is none. */
+/* Returns the row of a primitive, or 0 if there is none. */
 static size_t line_of(const struct csv_table *table, const char *primitive,
                       const char *whose)
 {
@@ -281,7 +281,7 @@ TEST(paper_lines)
     }
 }
 
-/* Each subject has its line; no other than the paper's has more. */
+/* Each subject has one row; only those of the paper have more. */
 TEST(our_lines)
 {
     const struct csv_table *table = read_table1();
@@ -296,7 +296,7 @@ TEST(our_lines)
     }
 }
 
-/* Seconds are those of 100,000 rays, whatever was traced: 20 ns a clock. */
+/* Seconds are scaled to 100,000 rays, at 20 ns per clock. */
 TEST(scale)
 {
     const struct csv_table *table = read_table1();
@@ -308,7 +308,7 @@ TEST(scale)
                 25 * measures[TRACE_SCALAR].projected[SPEEDUP_720]);
 }
 
-/* Wide tables are read badly. */
+/* Wide tables are hard to read. */
 TEST(width)
 {
     print(speedup_report_table1, TABLE_PLAIN);
@@ -321,7 +321,8 @@ TEST(width)
 
 /* ---- Formulations ---------------------------------------------------------- */
 
-/* All see the same, each takes its own time, and the first is Table 1's. */
+/* All formulations see the same image, with different clocks; the first is that of
+ * Table 1. */
 TEST(formulations)
 {
     struct speedup_measure(*measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
@@ -362,7 +363,7 @@ TEST(formulations)
 
 /* ---- Formats ------------------------------------------------------------ */
 
-/* The shapes have commas. */
+/* The names of the shapes contain commas. */
 TEST(csv)
 {
     static struct csv_table table;
@@ -396,7 +397,8 @@ static void check_projection(const char *name, const char *other)
     assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
 }
 
-/* Beside priors those of the 720, beside fitted constants its fitted ones. */
+/* Prior models are compared with the prior model of the 720, fitted ones with the
+ * fitted one. */
 TEST(projection_models)
 {
     check_projection("cyber205-2pipe", "cyber720");
@@ -405,8 +407,8 @@ TEST(projection_models)
     check_projection("cyber205-1pipe-prior", "cyber720-prior");
 }
 
-/* The scalar form does the same on both models of the 205, so what differs is
- * the 720's. */
+/* The scalar form does the same work on both models of the 205, so the difference is
+ * that of the 720's models. */
 TEST(projected)
 {
     c205_model *priors = model;

@@ -1,6 +1,6 @@
-/* test_steiner.c - steiner patches: the frames of both forms are compared with the
- * plain tracer and geometry, also of patches of quadrics and planes and of rays with a
- * case of their own.  A lost root or a gap at an edge fails here. */
+/* test_steiner.c - Steiner patches: the frames of both forms are compared with the
+ * plain tracer and geometry, also for patches of quadrics and planes and for rays with
+ * special cases. A lost root or a gap at an edge fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
@@ -12,7 +12,7 @@ static void add_shape(char *text, size_t size)
 
 TEST_CALL(random_scenes, check_random_scenes(add_shape, share_of(10)))
 
-/* From far away, small: what is lost there would show here. */
+/* Small patches, seen from far away, where lost precision would be visible. */
 TEST(distant_patches)
 {
     for (int i = 0; i < 4; i++) {
@@ -24,7 +24,7 @@ TEST(distant_patches)
     }
 }
 
-/* Looking along the second difference of every curve. */
+/* The ray is parallel to the second difference of every curve. */
 TEST(rays_along_the_differences)
 {
     check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
@@ -36,8 +36,8 @@ TEST(rays_along_the_differences)
                  1, 5 + 1 / 3.);
 }
 
-/* Translation surfaces of two parabolas: whole planes of rays meet two curves
- * s = const at once, in lines of pixels across the picture. */
+/* Translation surfaces of two parabolas: a plane of rays crosses two curves s = const
+ * at once, along lines of pixels. */
 TEST(curves_in_planes_of_rays)
 {
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
@@ -54,8 +54,8 @@ TEST(curves_in_planes_of_rays)
     }
 }
 
-/* A piece of the unit sphere about <6, 6, -7> / 11, turned to the eye, by
- * stereographic projection: its weights and points are polar forms. */
+/* A piece of the unit sphere about <6, 6, -7> / 11, turned to the eye, by stereographic
+ * projection. Its weights and points are polar forms. */
 #define PIECE \
     "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, -1>, <1, 1, -1>," \
     " <0, 1, -1>, <1, 0, -1> weights 2, 2, 1, 1, 1, 1" \
@@ -66,14 +66,14 @@ TEST(quadrics)
     check_middle(AHEAD PIECE "}", 1, 4);
     check_middle(AHEAD PIECE "rotate 180*y }", 1, 6);
     free(plain_frame(AHEAD PIECE "rotate 20 } " PIECE "scale 2 }"));
-    /* a parabolic cylinder, a saddle */
+    /* A parabolic cylinder, and a saddle. */
     free(plain_frame(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
                               " <-2, 2, 1>, <0, -1, -1>, <0, .5, -1>, <-2, .5, 1> }"));
     free(plain_frame(STRAIGHT "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, 0>,"
                               " <.5, .5, .5>, <0, .5, 0>, <.5, 0, 0> }"));
 }
 
-/* Flat ones, straight and with curved edges; seen along their plane. */
+/* Flat patches with straight and with curved edges, also seen along their plane. */
 #define FLAT \
     "steiner_patch { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0>, <0, -1, 0>," \
     " <.5, 0, 0>, <-.5, 0, 0> "
@@ -95,7 +95,7 @@ TEST(planes)
     check_middle(STRAIGHT FLAT "rotate 90*y translate x }", 0, 0);
 }
 
-/* Two patches share an edge: no ray of the seam gets through. */
+/* Patches share edges; no ray passes through the seam. */
 TEST(no_gap_at_an_edge)
 {
     FREED struct words *words = same_frame(
@@ -120,20 +120,20 @@ TEST(starts)
                  1, 1);
 }
 
-/* Of the Roman surface, its weights those of s^2 + t^2 + u^2. */
+/* A piece of the Roman surface with the weights of s^2 + t^2 + u^2. */
 #define ROMAN \
     "steiner_patch { <1, 2, 2> / 6, <2, 1, 2> / 6, <2, 2, 1> / 6," \
     " <.3, .3, .5>, <.5, .3, .3>, <.3, .5, .3>" \
     " weights 6, 6, 6, 5, 5, 5 "
-/* Another piece, about one of the lines that meet in the triple point. */
+/* Another piece, about one of the double lines through the triple point. */
 #define ROMAN_MIDDLE \
     "steiner_patch { <-2, -5, 10> / 30, <-2, 10, -5> / 30," \
     " <1, -5, -5> / 27, <2.5, 2.5, 2.5> / 21, <-.5, 2.5, -5> / 24," \
     " <-.5, -5, 2.5> / 24 weights 30, 30, 27, 21, 24, 24 "
 #define DIAGONAL "rotate -45*y rotate 35.264389682754654*x "
 
-/* The middle ray goes through the surface's triple point, where the implicit
- * quartic is all 0: past it to the patch, and to it. */
+/* The middle ray passes through the triple point of the surface, where the implicit
+ * quartic vanishes. The hit is after it, or at it. */
 TEST(the_triple_point)
 {
     check_middle(STRAIGHT ROMAN DIAGONAL "}", 1, 5 + 1 / sqrt(3));

@@ -31,7 +31,8 @@ TEST(surfaces)
     }
 }
 
-/* Ambient times the ambient light; the reciprocal of the roughness. */
+/* The ambient term is multiplied by the ambient light, and the reciprocal of the
+ * roughness is stored. */
 TEST(finish)
 {
     static const char text[] =
@@ -43,7 +44,7 @@ TEST(finish)
     check_numbers(&stage, 0, "P_FINISH", finish, 8);
 }
 
-/* Finishes that depend on the angle.  The opacity of a metal is in its finish. */
+/* Finishes that depend on the angle. The opacity of a metal is part of its finish. */
 TEST(gloss)
 {
     static const char text[] =
@@ -75,8 +76,8 @@ TEST(gloss)
     check_numbers(&stage, 2, "P_COLOR", checker, 6);
 }
 
-/* As POV-Ray: the opacity is not held between 0 and 1, a colour weighs what it
- * is by size, and what passes too dimly in all is not followed. */
+/* As in POV-Ray, opacity is not clamped to 0 .. 1, a colour is weighted by its
+ * brightness, and light that is too dim in total is not followed. */
 TEST(odd_surfaces)
 {
     static const char text[] =
@@ -99,7 +100,7 @@ TEST(odd_surfaces)
         check_numbers(&stage, i, "P_PASSING", numbers[i], 4);
 }
 
-/* The steps of a list are another one's if the waves are, too. */
+/* Two lists share their steps only if their waves are equal too. */
 TEST(stops)
 {
     static const char text[] =
@@ -135,8 +136,7 @@ static void check_interiors(const char *text, size_t bodies, double base, double
     assert_number(stage_word(&stage, first + 5 * 64), 9);
 }
 
-/* Those that rays may be in, in order; so many as there is room for are
- * remembered. */
+/* Interiors that rays can be in, in order. The number that can be stored is limited. */
 TEST(interiors)
 {
     static const char few[] =

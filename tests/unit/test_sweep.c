@@ -79,7 +79,7 @@ TEST(usual_lengths)
     assert_int_equal(sweep_lengths(&sweep, 2000, lengths), 12);
 }
 
-/* The sweep measures what rt205 speedup measures. */
+/* The sweep gives the same measurements as rt205 speedup. */
 TEST(queue)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("cylinder", 16, 16);
@@ -106,7 +106,7 @@ TEST(queue)
     }
 }
 
-/* Fourteen balls in one solid: each ray's crossings of all of them are kept. */
+/* Fourteen balls in one solid: each ray stores its crossings with all of them. */
 static struct scene *read_balls(void)
 {
     static const struct scene_options how = { .strict = true };
@@ -127,8 +127,8 @@ static struct scene *read_balls(void)
     return scene;
 }
 
-/* Real memory of some thousand words: long queues cost page faults.  The rest of
- * what they cost is that more of the solid is near some ray. */
+/* A real memory of some thousand words, so that long queues cause page faults. They
+ * also test more parts of the solid, since some ray is near each. */
 TEST(small_memory)
 {
     static const c205_setting settings[] = { { "page.words", 512 },
@@ -157,7 +157,7 @@ TEST(small_memory)
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
 }
 
-/* What it says of two frames holds for a third; a tree's crossings count. */
+/* A model of two frames predicts the memory of a third. Crossings of a tree count. */
 TEST(memory)
 {
     SCOPED(scene) *scene = read_balls();
@@ -207,8 +207,8 @@ TEST(queue_report)
 
 /* ---- Pipes --------------------------------------------------------------- */
 
-/* Twice the results a clock is half the stream, but for what runs under it;
- * nothing else changes, and half words on n pipes are words on 2 n. */
+/* Twice the results per clock halves the stream time, except for work that overlaps it;
+ * other clocks do not change. Half words on n pipes take as long as words on 2 n. */
 TEST(pipes)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
@@ -246,7 +246,7 @@ TEST(hits)
     }
 }
 
-/* However the frame lies. */
+/* Wide and tall frames. */
 TEST(hits_of_frames)
 {
     static const size_t sizes[][2] = { { 40, 8 }, { 8, 40 } };
@@ -258,7 +258,7 @@ TEST(hits_of_frames)
     }
 }
 
-/* From far away, and from so near that the frame has no place beside it. */
+/* A distant camera, and one so near that no ray misses the object. */
 TEST(hits_out_of_view)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 16, 16);
@@ -273,7 +273,7 @@ TEST(hits_out_of_view)
 
 /* ---- Lengths ------------------------------------------------------------- */
 
-/* Cheaper from the crossover on, and not before. */
+/* The queued form is cheaper from the crossover on, and not before. */
 static void check_crossover(const struct sweep *sweep,
                             const struct sweep_lengths_found *found)
 {
@@ -319,7 +319,7 @@ TEST(length)
     }
 }
 
-/* Where every length is one or the other there is no crossover between. */
+/* If one form is cheaper at every length, there is no crossover. */
 TEST(no_crossover)
 {
     static const size_t shortest[] = { 1 }, longer[] = { 64, 128 };
@@ -341,7 +341,7 @@ TEST(no_crossover)
     sweep_free(&sweep);
 }
 
-/* So long a queue, and how much faster it is. */
+/* Returns a measurement with this queue length and speedup. */
 static struct sweep_measure as_if(size_t length, uint64_t speedup)
 {
     struct sweep_measure measure = { .rays = length };
@@ -351,7 +351,7 @@ static struct sweep_measure as_if(size_t length, uint64_t speedup)
     return measure;
 }
 
-/* Lengths side by side are no crossover when those before were left out. */
+/* Adjacent lengths are not a crossover if shorter lengths were not measured. */
 TEST(left_out)
 {
     struct sweep_measure measures[] = { as_if(1, 1),    as_if(400, 7),  as_if(401, 7),
@@ -388,7 +388,7 @@ static bool watch(void *context, size_t done, size_t all)
     return watcher->stop_at == 0 || watcher->calls < watcher->stop_at;
 }
 
-/* One rising progress of all frames, and a stop wherever it is asked for. */
+/* Progress increases over all frames, and any call can stop the sweep. */
 TEST(progress)
 {
     for (size_t stop_at = 0; stop_at < 4; stop_at++) {

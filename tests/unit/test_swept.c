@@ -1,10 +1,11 @@
 /* test_swept.c - prisms, prisms of quadratic splines and lathes, which sweep a path:
  * both forms of the tracer are compared with each other and with the plain tracer, on
  * random paths, alone and in solids, and the tables of the kernels with the plain
- * shapes.  A wrong row of a table, a normal that leads inside, or too few segments for
+ * shapes. A wrong row of a table, a normal that points inside, or too few segments for
  * the crossings of a ray fail here.
  *
  *     test_swept [SCENES [SEED]]
+ *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/swept_shapes.h"
@@ -12,11 +13,11 @@
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
 
-static size_t scene_count = 10; /* of each sort; make check draws a third */
+static size_t scene_count = 10; /* of each kind; make check draws a third */
 
 /* ---- Normals ------------------------------------------------------------- */
 
-/* The normal of each edge leads from inside to outside. */
+/* The normal of each edge points from inside to outside. */
 static void check_prism(const struct primitive *prism, bool tangled)
 {
     size_t count = shape_table_count(prism, NULL);
@@ -49,8 +50,8 @@ enum {
     OUTWARD = 15
 };
 
-/* At w, by the numbers of the crossings; the normal by those of normals, which
- * find it by the point. */
+/* Evaluates a point at w with the words of the crossings, and its normal with the words
+ * of normals, which depend on the point. */
 static void check_point(const struct primitive *prism, const double *corner,
                         const double *row, double w, bool tangled)
 {
@@ -100,8 +101,8 @@ static bool is_closed(const struct primitive *lathe)
            || (first[0] == last[0] && first[1] == last[1]);
 }
 
-/* The normal of each segment leads from inside to outside; of what is open both
- * may be outside. */
+/* The normal of each segment points from inside to outside. For an open lathe both
+ * sides may be outside. */
 static void check_lathe(const struct primitive *lathe, bool tangled)
 {
     size_t count = shape_table_count(lathe, NULL);
@@ -131,11 +132,11 @@ static void check_lathe(const struct primitive *lathe, bool tangled)
 
 struct swept {
     const char *begin;
-    size_t row_words; /* of its table */
+    size_t row_words; /* per row of the table */
     void (*add)(char *text, size_t size, bool tangles);
     double larger;
-    double reach; /* of the origins of rays about it */
-    /* The rows of its table. */
+    double reach; /* distance of ray origins */
+    /* Checks the rows of the table. */
     void (*check)(const struct primitive *shape, bool tangled);
 };
 
@@ -150,7 +151,7 @@ static const struct swept
     lathe = { "lathe { ", 16, add_lathe, 1.4, 1, check_lathe };
 
 static const struct swept *const all[] = { &prism, &quadratic, &lathe };
-static const struct swept *swept; /* one of them */
+static const struct swept *swept; /* the current one */
 
 static void add_tangled(char *text, size_t size)
 {
@@ -168,8 +169,8 @@ static void check_scenes(const struct swept *shape)
     swept = shape;
     check_random_scenes(add_tangled, scene_count);
     for (size_t i = 0; i < 2 * scene_count; i++) {
-        /* Through clear quadratic prisms the plain tracer has other colours in some
-         * scenes, by .007 or less; the reason is not known. */
+        /* The plain tracer gives other colours through clear quadratic prisms in some
+         * scenes, by at most .007. The reason is unknown. */
         solids.clear = i % 2 && shape != &quadratic;
         check_solids_with(add_plain);
     }
@@ -212,7 +213,7 @@ TEST(segments)
         { &prism, "3, <0, 0>, <1, 0>, <0, 1>", 1 },
         { &prism, SQUARE, 1 },
         { &prism, HOLED, 2 },
-        /* a dent, a Z, a staircase */
+        /* A dent, a Z, a staircase. */
         { &prism, "4, <0, 0>, <2, 1>, <0, 2>, <1, 1>", 2 },
         { &prism, "6, <0, 0>, <2, 0>, <1, 2>, <2, 2>, <2, 3>, <0, 3>", 2 },
         { &prism, "8, <0, 0>, <1, 0>, <1, 1>, <2, 1>, <2, 2>, <3, 2>, <3, 3>, <0, 3>",
@@ -222,13 +223,13 @@ TEST(segments)
           "12, <-2, 2>, <-2, -2>, <2, -2>, <2, 2>, <-2, 2>, <-2, -2>,"
           " <-1, 1>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>",
           2 },
-        /* a dent */
+        /* A dent. */
         { &quadratic, "6, <1, .3>, <0, -1>, <3, 0>, <0, 1>, <1.5, 0>, <0, -1>", 2 },
         { &lathe, DRUM, 1 },
         { &lathe, CONE, 1 },
         { &lathe, RING, 2 },
         { &lathe, "4, <0, 1>, <1, 1>, <1, -1>, <0, -1>", 1 },
-        /* two bulges, and a neck of two segments */
+        /* Two bulges, and a neck of two segments. */
         { &lathe, "5, <0, 0>, <1, 1>, <.5, 2>, <1, 3>, <0, 4>", 2 },
     };
     char circle[2000] = "48", ball[2000] = "25";
@@ -245,7 +246,7 @@ TEST(segments)
     assert_int_equal(segments_of(&lathe, ball), 1);
 }
 
-/* No line crosses it more often than there is room for. */
+/* A line has at most as many crossings as there is space for. */
 static void check_crossings(const struct primitive *shape, double reach)
 {
     struct shape_words words;
@@ -279,8 +280,8 @@ TEST(paths)
         check_paths(all[i]);
 }
 
-/* The normals of what does not cross itself lead from inside to outside; at the
- * end, what does: straight edges that go on beyond their ends. */
+/* Normals of paths that do not cross themselves point from inside to outside. The last
+ * path crosses itself: its straight edges extend beyond their ends. */
 TEST(known_normals)
 {
     static const char *const paths[] = {
@@ -300,8 +301,8 @@ TEST(known_normals)
     }
 }
 
-/* Rays in the side of a cone, along the axis of a tube, in rings: whatever they
- * meet, all forms agree. */
+/* Rays in the side of a cone, along the axis of a tube, and in rings: all forms must
+ * agree. */
 TEST(along)
 {
     static const char *const lathes[] = {

@@ -1,7 +1,8 @@
-/* test_table.c - tables, JSON and whole files: what tables of text, counts and numbers
- * print in every format is compared with texts written by hand, and files that cannot be
- * replaced with what they were.  A value that is cut or quoted otherwise, or a temporary
- * file that is left, fails here.
+/* test_table.c - tables, JSON and atomic files: printed tables of text, counts and
+ * numbers are compared with expected texts in every format, and files that cannot be
+ * replaced with their old contents. A value that is truncated or quoted incorrectly, or
+ * a temporary file that is left, fails here.
+ *
  */
 #include <float.h>
 
@@ -27,7 +28,7 @@ static const struct table_column named[] = {
 
 static struct {
     char name[32], path[64];
-} folder; /* of a test */
+} folder; /* of the current test */
 
 FIXTURE(set_up)
 {
@@ -38,7 +39,7 @@ FIXTURE(set_up)
     return 0;
 }
 
-/* The folder must be empty but for the file: nothing temporary is left. */
+/* Removes the file and its folder; rmdir fails if a temporary file is left. */
 FIXTURE(tear_down)
 {
     unlink(folder.path);
@@ -69,7 +70,7 @@ static struct table *some_table(void)
     return table;
 }
 
-/* Words of the letters a to z, so many; the text is written there. */
+/* Writes `count` words of the letters a to z. */
 static void random_words(unsigned *seed, size_t count, char *text)
 {
     for (size_t i = 0; i < count; i++) {
@@ -80,8 +81,8 @@ static void random_words(unsigned *seed, size_t count, char *text)
     }
 }
 
-/* Line by line from where the column begins: the whole text, each line as full
- * as it can be. */
+/* The lines from the start of the column must contain the whole text, each as full as
+ * possible. */
 static void assert_folded(const char *printed, size_t begins, const char *text)
 {
     enum { WIDE = 100 };
@@ -101,7 +102,7 @@ static void assert_folded(const char *printed, size_t begins, const char *text)
     assert_string_equal(line, "");
 }
 
-/* What a format would break on: its own marks, lines, numbers that are
+/* Texts that could break a format: its separators, line ends, and numbers that are
  * shorter in print. */
 static struct table *odd_table(void)
 {
@@ -175,7 +176,7 @@ TEST(formats)
                    "| longer |        7 |       |          |\n");
 }
 
-/* What is too long for a line continues below, and nowhere but in print. */
+/* A text that is too long for a line is wrapped in the plain format only. */
 TEST(long_text_is_folded)
 {
     enum { FIRST = 76 };
@@ -203,7 +204,7 @@ TEST(csv_comes_back)
     struct table *table = odd_table();
     char *text = written(table, TABLE_CSV);
     table_free(table);
-    assert_null(strstr(text, "\n#")); /* its reader would ignore the line */
+    assert_null(strstr(text, "\n#")); /* a CSV reader would ignore the line */
     assert_string_equal(csv_table(text, &back), "");
     free(text);
     assert_int_equal(back.rows, 7);
@@ -217,8 +218,8 @@ TEST(csv_comes_back)
     assert_true(strtod(back.cell[4][2], NULL) == 1.0 / 3.0);
 }
 
-/* Whatever a text begins with, no cell is a formula of a spreadsheet; numbers
- * stay as they are.  Other control characters are escaped in every cell. */
+/* No cell can be read as a formula of a spreadsheet, whatever its first character;
+ * numbers do not change. Other control characters are escaped. */
 TEST(csv_has_no_formulas)
 {
     static const char marks[] = "=+-@\t\n";
@@ -289,7 +290,7 @@ TEST(signs_and_decimals)
     expect_written(table, TABLE_PLAIN, "    e\n +1.1\n-12.0\n     \n");
 }
 
-/* No digit is cut off. */
+/* All digits of large numbers are printed. */
 TEST(huge_numbers)
 {
     static const struct table_column column = { "e", "e", TABLE_NUMBER, 1 };
@@ -318,7 +319,7 @@ TEST_WITH(headings, set_up, tear_down)
     assert_string_equal(table_remark(TABLE_MARKDOWN), "");
 }
 
-/* On a stream and in a file: the same. */
+/* JSON on a stream and in a file must be equal. */
 TEST_WITH(json_on_stream, set_up, tear_down)
 {
     char *text = NULL;
@@ -377,7 +378,7 @@ TEST_WITH(old_file_stays, set_up, tear_down)
     expect_text(folder.path, "old");
 }
 
-/* Of a file that cannot take the place of what has its name now. */
+/* The new file cannot replace a folder of the same name. */
 TEST_WITH(nothing_is_left, set_up, tear_down)
 {
     c205_error error;
@@ -389,7 +390,7 @@ TEST_WITH(nothing_is_left, set_up, tear_down)
     assert_int_equal(rmdir(folder.path), 0);
 }
 
-/* A file of somebody else may have the temporary name. */
+/* A third-party file may already have the temporary name. */
 TEST_WITH(other_file_stays, set_up, tear_down)
 {
     char beside[80];

@@ -1,6 +1,6 @@
-/* test_tasks.c - runs in threads: each must run once, in its place, with one progress
- * over all of them.  A task that runs twice or is lost, or a progress that falls, fails
- * here. */
+/* test_tasks.c - tasks in threads: the tasks that ran and the reported progress are
+ * compared with the drawn ones; each must run once, in its place. A task that runs
+ * twice or is lost, or a progress that decreases, fails here. */
 #include <time.h>
 #include <unistd.h>
 
@@ -13,12 +13,12 @@ enum { MAX = 40, STEPS = 5 };
 
 struct bench {
     size_t count;
-    int times[MAX]; /* that each ran */
-    size_t bad;     /* the one that fails; MAX: none */
-    bool slow;      /* it takes its time, and all after it fail at once */
+    int times[MAX]; /* runs of each task */
+    size_t bad;     /* index of the task that fails; MAX: none */
+    bool slow;      /* the failing task is slow, and all after it fail at once */
     size_t last, all, ends;
-    size_t stop_at; /* progress says to stop at so much; SIZE_MAX: never */
-    bool falls;     /* progress went back */
+    size_t stop_at; /* progress requests a stop at this value; SIZE_MAX: never */
+    bool falls;     /* progress decreased */
 };
 
 static bool watch(void *context, size_t done, size_t all)
@@ -44,7 +44,7 @@ static bool run(void *context, const struct task *task, c205_error *error)
     }
     for (size_t step = 0; step <= STEPS; step++)
         if (task->progress && !task->progress(task->context, step, STEPS)
-            && step < STEPS) { /* done is done */
+            && step < STEPS) { /* a complete run continues */
             snprintf(error->message, sizeof error->message, "stopped");
             return false;
         }
@@ -113,7 +113,7 @@ TEST(a_bad_one)
     }
 }
 
-/* Many fail, and the lowest of them last: it is the one that is told. */
+/* Many tasks fail, the lowest of them last. Its error is reported. */
 TEST(the_lowest_of_many)
 {
     uint64_t random = RANDOM_SEED + 3;

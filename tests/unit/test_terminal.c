@@ -1,5 +1,7 @@
-/* test_terminal.c - a debugger at a terminal: Ctrl-C stops the program or drops the line that is
- * typed, and nothing else; SIGTERM and SIGHUP end the command.  With libedit and without it. */
+/* test_terminal.c - the reaction of a debugger at a terminal is compared with its
+ * rules, with and without libedit: Ctrl-C stops the program or drops the typed line and
+ * has no other effect; SIGTERM and SIGHUP end the command. A dropped line that is
+ * executed fails here. */
 #define _XOPEN_SOURCE 700
 
 #include "tests/unit/asm_helper.h"
@@ -15,15 +17,16 @@
 
 enum { ROUNDS = 10, MAX_MILLISECONDS = 20000 };
 
-/* An endless program; and a folder whose libedit cannot be opened. */
+/* An endless program, and a folder whose libedit cannot be opened. */
 static char folder[] = "/tmp/terminal.XXXXXX", program[40];
 
 struct terminal {
     int master;
     pid_t process;
     struct text_buffer said;
-    size_t seen;    /* of what was said */
-    unsigned asked; /* questions whose answer shows that all before was done */
+    size_t seen;    /* length of the output that was read */
+    unsigned asked; /* questions so far; the answer to one shows that all earlier lines
+                     * are done */
 };
 
 /* ---- A process at a terminal ----------------------------------------------- */
@@ -66,8 +69,8 @@ static void type(struct terminal *terminal, const char *text)
     assert_int_equal(write(terminal->master, text, length), length);
 }
 
-/* Reads more output, and waits up to that many milliseconds; false: there was none, or it has
- * ended. */
+/* Reads output, waiting for at most that many milliseconds. Returns false if there was
+ * none, or the process has ended. */
 static bool listen_on(struct terminal *terminal, int milliseconds)
 {
     struct pollfd input = { .fd = terminal->master, .events = POLLIN };
@@ -102,7 +105,7 @@ static void expect(struct terminal *terminal, const char *text)
         fail_msg("not '%s': %s", text, terminal->said.text);
 }
 
-/* When it answers, it has obeyed all lines before. */
+/* Asks a question; its answer shows that all earlier lines were executed. */
 static void ask(struct terminal *terminal)
 {
     char line[80];
@@ -139,8 +142,8 @@ static char *const render_words[] = { "rt205", "render",  "scenes/first.pov",
                                       "30",    "--debug", "20,15",
                                       NULL };
 
-/* Parts of lines, and whole ones, with Ctrl-C anywhere: at the end there is the breakpoint of the
- * beginning, and nothing that was dropped has been obeyed. */
+/* Types complete and incomplete lines with Ctrl-C at random places. At the end the
+ * first breakpoint must exist, so that no dropped line was executed. */
 static void check_drops(struct terminal *terminal)
 {
     static const char *const dropped[] = { "",     "delete",   "dele", "qu",
@@ -164,7 +167,7 @@ static void check_drops(struct terminal *terminal)
     expect(terminal, "1 break insn EXIT, met 0 times");
 }
 
-/* A Ctrl-C before the line is read drops it: so it is typed again. */
+/* A Ctrl-C before the line is read drops it, so the line is typed again. */
 static void check_program(struct terminal *terminal)
 {
     for (size_t i = 0; i < 3; i++) {

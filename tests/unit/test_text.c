@@ -1,6 +1,6 @@
-/* test_text.c - the scene language: the ink of characters of fonts is compared with
- * POV-Ray's extents of the same texts, and outlines with their rules.  A wrong bearing,
- * kerning or loop fails here. */
+/* test_text.c - the scene language: the extents of characters of fonts are compared
+ * with those of POV-Ray for the same texts, and outlines with their rules. A wrong
+ * bearing, kerning or loop fails here. */
 #include "base/file.h"
 #include "rt/scene/font.h"
 #include "rt/scene/transform.h"
@@ -9,7 +9,8 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-/* A character's prism: how far its corners are apart, 2 with handles, and its ends. */
+/* The prism of a character: the number of points per corner, 2 with handles, and its
+ * ends. */
 struct character {
     const struct outline *path;
     size_t apart;
@@ -39,14 +40,14 @@ static void widen(const struct primitive *primitive, double x, double height, do
     }
 }
 
-/* Point w of a parabola with a handle. */
+/* Returns point w of a parabola with a handle. */
 static double along(const double *points, size_t k, double w)
 {
     double s = 1 - w;
     return s * s * points[k] + 2 * s * w * points[2 + k] + w * w * points[4 + k];
 }
 
-/* Where it turns back; within its ends. */
+/* Returns the parameter of the extremum, clamped to the ends. */
 static double turning(const double *points, size_t k)
 {
     double lead = points[2 + k] - points[k];
@@ -54,7 +55,7 @@ static double turning(const double *points, size_t k)
     return bend == 0 ? 0 : fmax(0, fmin(1, -lead / bend));
 }
 
-/* Where the ink of a scene's prisms ends, in the world. */
+/* Computes the extent of a scene's prisms in world space. */
 static void extent_of(const struct scene *scene, double low[3], double high[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -80,11 +81,11 @@ static void extent_of(const struct scene *scene, double low[3], double high[3])
     }
 }
 
-/* POV-Ray's bounds are some 2e-5 too large. */
+/* POV-Ray's bounds are about 2e-5 too large. */
 #define WITHIN 1e-4
 
-/* POV-Ray's min_extent and max_extent of the same text: bearings, kerning,
- * offsets, blanks, characters that are no ASCII. */
+/* POV-Ray's min_extent and max_extent of the same text: bearings, kerning, offsets,
+ * blanks, and characters outside of ASCII. */
 TEST(extents)
 {
     static const struct {
@@ -133,7 +134,7 @@ static double area_of(const double from[2], const double handle[2], const double
            + (lead[0] * way[1] - lead[1] * way[0]) / 3;
 }
 
-/* The dot of this font is round: its parabolas enclose as much as an ellipse. */
+/* The dot of this font is round: its parabolas enclose the area of an ellipse. */
 TEST(curves)
 {
     SCOPED(scene) *scene = read_scene("text { ttf \"timrom.ttf\" \".\" 1, 0 }");
@@ -148,8 +149,8 @@ TEST(curves)
     assert_close(fabs(area) / ellipse, 1, .01);
 }
 
-/* This one has small curves at its feet, and else straight edges, some of them slanted:
- * nearly nothing lies between these and the chords of its corners. */
+/* The letter has small curves at its feet, otherwise straight edges, some slanted. The
+ * area between its curves and their chords is nearly zero. */
 TEST(slanted)
 {
     SCOPED(scene) *scene = read_scene("text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
@@ -167,7 +168,7 @@ TEST(slanted)
     assert_close(bows / fabs(area), 0, .03);
 }
 
-/* Characters without curves are prisms of straight edges. */
+/* Characters without curves are prisms with straight edges. */
 TEST(straight)
 {
     SCOPED(scene) *scene = read_scene("text { ttf \"cyrvetic.ttf\" \"TI\" 1, 0 }");
@@ -176,7 +177,7 @@ TEST(straight)
         assert_int_equal(character_of(&scene->primitives[i]).apart, 1);
 }
 
-/* ---- Fonts as they may be --------------------------------------------------- */
+/* ---- Unusual fonts --------------------------------------------------------- */
 
 static unsigned two_bytes(const unsigned char *at)
 {
@@ -188,7 +189,7 @@ static size_t four_bytes(const unsigned char *at)
     return (size_t)two_bytes(at) << 16 | two_bytes(at + 2);
 }
 
-/* Of a TrueType file, by its directory of tables. */
+/* Returns a table of a TrueType file, found in its directory. */
 static unsigned char *table_of(unsigned char *font, const char *name)
 {
     unsigned count = two_bytes(font + 4);
@@ -199,8 +200,8 @@ static unsigned char *table_of(unsigned char *font, const char *name)
     return NULL;
 }
 
-/* The first loop of each character that has several becomes a single point, by which
- * fonts mark a place. */
+/* Reduces the first loop of each character that has several to a single point, which
+ * fonts use as a mark. */
 static void leave_points(unsigned char *font)
 {
     const unsigned char *places = table_of(font, "loca");
@@ -218,7 +219,8 @@ static void leave_points(unsigned char *font)
     }
 }
 
-/* All points belong to edges of some length, in loops that end where they begin. */
+/* All points belong to edges of positive length, in loops that end at their first
+ * point. */
 static void check_outline(const struct glyph *glyph)
 {
     const struct outline path = { glyph->count, glyph->points };
@@ -269,8 +271,8 @@ TEST(outlines)
 
 enum { MAX_LOOP = 24 };
 
-/* Random loops on a small grid, so that they touch themselves: the same loop
- * from another point, which is there once if any is. */
+/* Random loops on a small grid, which touch themselves. The result must be the same
+ * loop from another first point, which occurs once if any point does. */
 static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
 {
     size_t count = corners * apart, begin = 0;

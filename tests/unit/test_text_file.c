@@ -1,4 +1,7 @@
-/* What a text is, and what a terminal gets of names and messages. */
+/* test_text_file.c - the lines of random texts are compared with those of a plain
+ * reader, and names and messages that are printed to a terminal with rules for their
+ * bytes. A line end that is missed, or a control character that is printed, fails
+ * here. */
 #include "asm/assemble.h"
 #include "base/diagnostic.h"
 #include "base/text_file.h"
@@ -8,9 +11,9 @@
 
 enum { TEXTS = 20000, LONGEST = 40 };
 
-/* ---- Lines ---- */
+/* ---- Lines ------------------------------------------------------------------- */
 
-/* Of a few bytes, those that matter among them. */
+/* Draws a text of few different bytes, with all significant ones. */
 static size_t draw_text(char *text)
 {
     static const char bytes[] = "ab \n\n\r\r\x1A\xEF\xBB\xBF\xC2\xA0";
@@ -24,7 +27,7 @@ static size_t draw_text(char *text)
     return marked + length;
 }
 
-/* By another method: the text is cut into lines first. */
+/* Reads a text by another method, which splits it into lines first. */
 static void read_plainly(const char *text, char *plain)
 {
     *plain = '\0';
@@ -54,7 +57,7 @@ TEST(any_text)
     }
 }
 
-/* The lines of a stream are those of the whole text. */
+/* The lines of a stream must be those of the whole text. */
 TEST(any_stream)
 {
     for (size_t i = 0; i < TEXTS / 20; i++) {
@@ -106,7 +109,7 @@ TEST(utf16)
 
 /* ---- Invisible characters ---- */
 
-/* An error at one of them names it. */
+/* An error at an invisible character names it. */
 TEST(invisible_in_program)
 {
     static const struct {
@@ -140,8 +143,8 @@ static bool is_safe(const char *text)
     return true;
 }
 
-/* Any bytes are printed without one that a terminal obeys, and names that differ
- * are printed differently if they have no backslash. */
+/* Names of any bytes are printed without bytes that a terminal executes. Different
+ * names without a backslash are printed differently. */
 TEST(any_name)
 {
     static const char *const parts[] = {

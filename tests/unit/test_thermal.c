@@ -1,6 +1,6 @@
-/* test_thermal.c - surfaces by primitive, part and material, and what they exchange,
- * are compared with closed forms.  A surface of the wrong group, a factor of another
- * one or a value that is accepted though wrong fails here. */
+/* test_thermal.c - surfaces by primitive, part and material, and their heat exchange,
+ * are compared with closed forms. A surface of the wrong group, a factor of another
+ * surface or a wrong value that is accepted fails here. */
 #include "rt/heat/source.h"
 #include "rt/heat/thermal.h"
 #include "tests/unit/prior_model.h"
@@ -63,7 +63,7 @@ static void end(struct study *study)
     scene_free(study->scene);
 }
 
-/* Texts NAME=VALUE, with a blank between; the scene's come last. */
+/* Reads texts NAME=VALUE, separated by blanks; those of the scene are added last. */
 static void give(const struct study *study, const struct value_kind *kind,
                  const char *texts, struct named_values *given)
 {
@@ -114,7 +114,7 @@ TEST(parts)
     assert_string_equal(shell->name, "Shell");
     assert_estimate(shell->area, 4 * pi * (4 + 6.25));
     assert_int_equal(shell->tried, 2 * 16 * 1024);
-    /* Of what is inside a quarter goes to the ball. */
+    /* A quarter of the rays from the inside of the shell reaches the ball. */
     assert_estimate(shell->factor[0], .25 * 4 / 10.25);
     assert_estimate(shell->factor[1], .75 * 4 / 10.25);
     assert_estimate(shell->factor[2], 6.25 / 10.25);
@@ -155,7 +155,8 @@ TEST(flows)
     end(&study);
 }
 
-/* By lines all is counted once for both: flows add up to 0. */
+/* With lines, each flow is counted once for both surfaces, so that the flows sum to
+ * 0. */
 TEST(lines)
 {
     struct global_lines_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 2000,
@@ -182,7 +183,7 @@ TEST(lines)
     end(&study);
 }
 
-/* Through an adiabatic shell all goes out that the ball gives. */
+/* All heat that the ball emits leaves an adiabatic shell. */
 TEST(adiabatic)
 {
     double pi = acos(-1), fourth = 5e2 * 5e2 * 5e2 * 5e2;

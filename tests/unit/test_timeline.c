@@ -1,5 +1,7 @@
-/* test_timeline.c - what a timeline has is what the accounts have; no two spans of a row
- * overlap; and the log for Konata obeys its format's rules, as a reader of it would find. */
+/* test_timeline.c - the sums of a timeline are compared with the machine's accounts,
+ * its spans with each other, and its log for Konata with the rules of the format, over
+ * all examples and random programs. A lost clock, or two spans of a row that overlap,
+ * fails here. */
 #include "asm/timeline/lanes.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
@@ -13,7 +15,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 /* ---- Runs ----------------------------------------------------------------- */
 
-/* The program as far as it goes, in so many instructions at most; between two clocks. */
+/* Runs a program for at most MAX_INSNS instructions, to an instruction boundary. */
 static c205 *run(const struct object *object, struct timeline *timeline)
 {
     c205_error error;
@@ -80,10 +82,10 @@ static void check_rows(const struct timeline *timeline)
 struct reader {
     const struct timeline *timeline;
     uint64_t clock;
-    size_t next; /* instruction that is to appear */
+    size_t next; /* the next instruction to be declared */
     struct shown {
         bool there, retired;
-        char stage[16]; /* in which it is; "": none */
+        char stage[16]; /* current stage; "": none */
         uint64_t since, worked;
         unsigned labels;
     } shown[MAX_INSNS + 2];
@@ -175,7 +177,7 @@ static void check_kanata(const struct timeline *timeline)
 
 /* ---- The others ----------------------------------------------------------- */
 
-/* As many events and boxes as there are spans, each of them closed. */
+/* The texts have one event and one box per span, and each is closed. */
 static void check_texts(const struct timeline *timeline)
 {
     struct arena arena = { NULL, false };
@@ -253,7 +255,7 @@ TEST(drawn)
     }
 }
 
-/* The reader of the format takes what its description allows, and nothing else. */
+/* The reader of the format accepts exactly what its description allows. */
 TEST(reader)
 {
 #define BEGIN "Kanata\t0004\nC=\t7\n"

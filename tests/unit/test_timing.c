@@ -1,10 +1,11 @@
-/* test_timing.c - what docs/timing.md promises of the clock, on machines.
+/* test_timing.c - clocks of machines are compared with the rules of docs/timing.md. A
+ * formula that does not hold for some operands, or a clock without a cause, fails here.
  *
  *   test_timing [CASES]
  *
- * The closed formula holds for every vector row with random operands;
- * longer is never cheaper, more pipes are never slower; the causes sum to the
- * total at every step; and ten programs take what a pencil says.
+ * The closed formula is compared for every vector row with random operands. Longer
+ * vectors are never cheaper, more pipes are never slower, the causes sum to the total
+ * at every step, and ten programs take the clocks that are computed by hand.
  */
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/vector_case.h"
@@ -56,7 +57,7 @@ static void place_case(struct small_machine *on, const struct vector_case *one)
         set(on, i, one->reg[i]);
 }
 
-/* The second time its pages are in place. */
+/* Runs twice; the second time the pages are mapped. */
 static uint64_t measured(struct small_machine *on, const struct vector_case *one)
 {
     load(on, MEMORY_WORDS);
@@ -92,8 +93,8 @@ static double constant(const c205_model *model, const char *kind, const char *na
     return found->value;
 }
 
-/* ceil(n x rate / pipes), which make half_rate results of 32 bits in the time
- * of one; rates are exact in millionths. */
+/* ceil(n x rate / pipes). Pipes make half_rate results of 32 bits in the time of one;
+ * rates are exact in millionths. */
 static uint64_t stream(const c205_model *model, const char *name, uint64_t n, bool half)
 {
     uint64_t million = 1000000;
@@ -146,7 +147,7 @@ static c205_word unsigned_element(const struct vector_case *one, enum role role,
     return one->reg[role_half[role] / 2] << left >> HALF << HALF;
 }
 
-/* A half word is on the left. */
+/* Returns an element; a half word is in the left half. */
 static c205_word element(const struct vector_case *one, enum role role, size_t i)
 {
     unsigned g = one->fields.g;
@@ -207,7 +208,7 @@ static uint64_t elements(const struct vector_case *one)
     return one->n;
 }
 
-/* t(k) = max(t(k-1) + 1, free(bank(k))), for those not held back. */
+/* t(k) = max(t(k-1) + 1, free(bank(k))), for the elements that are not suppressed. */
 static uint64_t conflicts(const struct vector_case *one, const c205_model *model)
 {
     uint64_t banks = (uint64_t)constant(model, "memory", "banks");
@@ -250,7 +251,7 @@ TEST(closed_formula)
 
 /* ---- Longer, more pipes ------------------------------------------------ */
 
-/* All operands this long. */
+/* Gives all operands this length. */
 static void set_lengths(struct vector_case *one, size_t length)
 {
     for (int role = 0; role < ROLES; role++)
@@ -278,7 +279,7 @@ static void check_fewer_pipes(const struct vector_case *one, const uint64_t *clo
         fail_msg("%s is slower with more pipes", one->row->mnemonic);
 }
 
-/* Alone, and two back to back. */
+/* One instruction, and two in sequence. */
 static void try_lengths(struct vector_case *one, unsigned times)
 {
     uint64_t before[MODELS] = { 0 }, now[MODELS];
@@ -319,8 +320,8 @@ static bool same_states(void)
     return c205_pc(fixture[0].machine) == c205_pc(fixture[1].machine);
 }
 
-/* False: one of them has ended, or done something else: those that look at
- * the clock may. */
+/* Steps all machines. Returns false if one has ended, or has another state; programs
+ * that read the clock may. */
 static bool step_all(void)
 {
     bool goes_on = true;
@@ -355,8 +356,8 @@ TEST(random_programs)
 
 /* ---- Ten small programs ------------------------------------------------ */
 
-/* All on two pipes; the constants are those of docs/timing.md.  The first
- * touch of a page takes 30 + 1,000. */
+/* All programs run on two pipes with the constants of docs/timing.md. The first access
+ * to a page takes 30 + 1,000. */
 static const struct {
     const char *what, *text;
     uint64_t clocks;

@@ -1,10 +1,11 @@
-/* test_tolerance.c - expectations: tolerances, the model that they hold on, and
- * what is said when they do not come true. */
+/* test_tolerance.c - reports about expectations are compared with expected texts:
+ * tolerances, the model that an expectation names, and messages of failures. A value at
+ * the limit that is judged wrongly fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/expect.h"
 
-/* What is reported of a program that ran on a model; NULL-terminated. */
+/* Returns the report of a program that runs on a model. */
 static char *run_on(const char *model_name, const char *text)
 {
     c205_error error;

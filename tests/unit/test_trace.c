@@ -1,8 +1,7 @@
-/* test_trace.c - the scalar and the vector form of the tracer draw the same frame, bit
- * for bit, with queues of any length: random scenes of all shapes with a formula, and
- * rays for which a kernel has a branch of its own.  A branch that one form takes and
- * the other does not, or that rounds in another order, fails here.
- */
+/* test_trace.c - the frames of the scalar and the vector form of the tracer are
+ * compared bit for bit, with queues of several lengths: random scenes of all shapes
+ * with a formula, and rays for which a kernel has a separate branch. A branch that only
+ * one form takes, or that rounds in another order, fails here. */
 #include "tests/unit/random_solids.h"
 
 static void add_shape(char *text, size_t size)
@@ -60,7 +59,7 @@ static void add_quadric_or_cone(char *text, size_t size)
              xorshift(&traced.random) % 2 ? "open " : "");
 }
 
-/* A torus with a tube from half of its thickness to twice. */
+/* A torus or an elliptical torus. */
 static void add_torus(char *text, size_t size)
 {
     bool elliptical = xorshift(&traced.random) % 2;
@@ -70,7 +69,8 @@ static void add_torus(char *text, size_t size)
         add_text(text, size, ", %.9f", between(.1, .6));
 }
 
-/* Closed, since x^4 + y^4 + z^4 are there; the others at random, many 0. */
+/* A closed quartic, because of the terms x^4 + y^4 + z^4. The other terms are random;
+ * many are 0. */
 static void add_quartic(char *text, size_t size)
 {
     static const int fourth_powers[] = { 0, 20, 30 };
@@ -98,7 +98,7 @@ static void add_quartic_or_torus(char *text, size_t size)
     add_text(text, size, " ");
 }
 
-/* So many that there is a hierarchy of them. */
+/* Enough discs for a hierarchy. */
 static void add_discs(char *text, size_t size)
 {
     size_t count = 12 + below(40);
@@ -119,10 +119,10 @@ TEST_CALL(random_quadrics, check_random_scenes(add_quadric_or_cone, share_of(12)
 TEST_CALL(random_quartics, check_random_scenes(add_quartic_or_torus, share_of(8)))
 TEST_CALL(random_discs, check_random_scenes(add_discs, share_of(4)))
 
-/* The light lies behind a plane that is seen and lit along its surface: the
- * way to it is the ray's direction, half way between the two lies nowhere, and
- * there is no highlight.  (Of an indefinite the power would be about
- * 2^(28718 / roughness), its exponent cut to 16 bits: here a great one.) */
+/* The light is behind a plane that is seen and lit along its surface. The direction to
+ * the light is that of the ray, their half-way vector is zero, and there is no
+ * highlight. (The power of an indefinite would be about 2^(28718 / roughness), with an
+ * exponent truncated to 16 bits: a large value here.) */
 TEST(light_straight_behind)
 {
     FREED struct words *words = same_frame(
@@ -155,7 +155,7 @@ TEST(flat_boxes)
     check_normal_z(AHEAD "box { <-1, -1, 1000>, <1, 1, 1000 + 1e-9> }", -1);
 }
 
-/* The axis leans by 1e-7: the ray is in the side from z = 5 to 15. */
+/* The axis is tilted by 1e-7: the ray is in the side from z = 5 to 15. */
 TEST(ray_almost_along_a_cylinder)
 {
     check_middle_within(STRAIGHT "cylinder { <-1.1e-5, 0, -100>,"
@@ -163,7 +163,7 @@ TEST(ray_almost_along_a_cylinder)
                         1, 10, 1e-5);
 }
 
-/* Its reciprocal is no double. */
+/* A number whose reciprocal is not a double. */
 TEST(numbers_beyond_doubles)
 {
     SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1\n"
@@ -174,10 +174,10 @@ TEST(numbers_beyond_doubles)
     assert_non_null(strstr(error.message, "line 5"));
 }
 
-/* 45 degrees, the apex at the origin, opening upwards. */
+/* A cone of 45 degrees with its apex at the origin, open at the top. */
 #define FUNNEL "cone { 0, 0, 2*y, 2 "
 
-/* Along a line of the surface turned by 45 degrees: a = 0. */
+/* The ray is parallel to a line of the surface, turned by 45 degrees: a = 0. */
 TEST(rays_parallel_to_a_side)
 {
     check_middle_within(AHEAD FUNNEL "translate -y rotate -45*x }", 1, 5 - sqrt(2),

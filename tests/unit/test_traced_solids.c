@@ -1,5 +1,5 @@
-/* test_traced_solids.c - solids in solids, shadows, mirrors and glass in random scenes:
- * the frames of the three stages are compared with each other and the plain tracer.  A
+/* test_traced_solids.c - nested solids, shadows, mirrors and glass in random scenes:
+ * the frames of the three stages are compared with each other and the plain tracer. A
  * ray that one stage loses fails here. */
 #define SMALL_FRAMES
 #include "tests/unit/random_solids.h"
@@ -51,7 +51,7 @@ TEST(clear)
     check_scenes(10);
 }
 
-/* Which crossings the vector form looks at changes nothing that is seen. */
+/* The method of the vector form for visible crossings must not change the frame. */
 static void check_every(const char *text)
 {
     static const size_t queues[] = QUEUES;
@@ -95,8 +95,8 @@ TEST(every)
     }
 }
 
-/* More bodies in one another than are remembered; more panes than a chain has
- * rays; more mirrorings than there are levels where nothing is too dim. */
+/* More nested bodies than are stored, more panes than rays in a chain, and more
+ * reflections than levels with a weight that counts. */
 TEST(limits_of_rays)
 {
     static const char *const texts[] = {

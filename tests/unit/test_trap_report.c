@@ -1,5 +1,6 @@
-/* test_trap_report.c - what is told of a trap: the line, the rule that was
- * broken, and what the operands held. */
+/* test_trap_report.c - reports of traps are compared with expected parts: the line, the
+ * rule that was broken, and the values of the operands. A report about another operand
+ * or line fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/trap_report.h"

@@ -1,13 +1,11 @@
-/* test_vector.c - instructions with vector operands against the reference
- * interpreter, which takes one element after another: read, compute, store,
- * then the next.
+/* test_vector.c - states after instructions with vector operands are compared with the
+ * reference interpreter, which processes one element after another: read, compute,
+ * store. A result, flag, trap or page that differs fails here.
  *
- * Each row of the instruction table that has such operands is tried with
- * random registers.  They lie close together, so that operands of words,
- * half words and bits overlap in every way and lie across a page boundary;
- * some run into memory that may only be read, or out of all memory, are
- * misaligned or have a bad offset.  Then both must trap, and leave everything
- * as it was.
+ * Each row of the instruction table with such operands is tried with random registers.
+ * The operands are close together, so that words, half words and bits overlap in every
+ * way and cross a page boundary. Some are in read-only or missing memory, misaligned or
+ * have a bad offset; then both must trap and change nothing.
  */
 #include "machine_fixture.h"
 
@@ -18,7 +16,7 @@
 
 #include <ctype.h>
 
-enum { CASES = 600 }; /* of each instruction, and ten times as many pairs */
+enum { CASES = 600 }; /* per instruction; ten times as many pairs */
 
 /* ---- Memory ------------------------------------------------------------- */
 
@@ -26,15 +24,15 @@ enum { WORD = 64, BEFORE = 100, AFTER = 450 };
 #define PAGE (C205_PAGE_WORDS * UINT64_C(64))
 #define NOWHERE (DATA + 8 * PAGE)
 
-/* Data lie about the borders of pages: so many words before one and behind
- * it.  The operands of a case are drawn near the first. */
+/* Data are around page boundaries: BEFORE words before and AFTER words after each. The
+ * operands of a case are drawn near the first. */
 static const struct border {
     uint64_t address;
     size_t words;
 } borders[] = {
-    { DATA + 1 * PAGE, BEFORE + AFTER }, /* nothing changes there */
-    { DATA + 2 * PAGE, BEFORE + AFTER }, /* behind it is to be read only */
-    { DATA + 5 * PAGE, BEFORE },         /* behind it is none */
+    { DATA + 1 * PAGE, BEFORE + AFTER }, /* same access on both sides */
+    { DATA + 2 * PAGE, BEFORE + AFTER }, /* read-only after it */
+    { DATA + 5 * PAGE, BEFORE },         /* unmapped after it */
 };
 enum { BORDERS = COUNT(borders) };
 
@@ -45,17 +43,17 @@ static uint64_t begin_of(size_t border)
 
 /* ---- Registers ---------------------------------------------------------- */
 
-/* Which register is what.  A result may be in two half registers. */
+/* The roles of registers. A result may be in two half registers. */
 enum {
     OFFSET = 13,
     TABLE,
-    NUMBER,                   /* two */
-    HALF_NUMBER = NUMBER + 2, /* four, in two */
+    NUMBER,                   /* two registers */
+    HALF_NUMBER = NUMBER + 2, /* four half registers, in two registers */
     COUNT = HALF_NUMBER + 2,
     RESULT = 50,
-    HANDED = 60, /* by the first of a linked pair */
+    HANDED = 60, /* result of the first instruction of a linked pair */
     FLAGS,
-    BLOCK = 70 /* of registers, from here on */
+    BLOCK = 70 /* first of a block of registers */
 };
 
 /* Vectors in four registers, and in five pairs with an offset of 0 to 3. */
@@ -68,7 +66,7 @@ struct bench {
     struct small_machine fixture;
     struct reference reference;
     uint64_t random;
-    c205_word memory[BORDERS][BEFORE + AFTER]; /* as it is to be */
+    c205_word memory[BORDERS][BEFORE + AFTER]; /* expected contents */
     const c205_insn *row;
     c205_fields fields;
 };
@@ -89,7 +87,7 @@ static c205_word draw_half_words(struct bench *bench)
            | random_word(&oracle_half, &bench->random) >> HALF_WORD;
 }
 
-/* What the words of a case are, mostly. */
+/* The contents of most words of a case. */
 enum contents { NUMBERS, HALF_NUMBERS, INDICES };
 
 static c205_word draw_number(struct bench *bench)
@@ -135,7 +133,7 @@ static void draw_pairs(struct bench *bench, const struct pool *pool)
     }
 }
 
-/* To another border, out of memory, or off its alignment. */
+/* Moves a vector to another boundary, out of memory, or off its alignment. */
 static void move_away(struct bench *bench, c205_word *vector)
 {
     switch (below(bench, 5)) {
@@ -213,7 +211,7 @@ static uint64_t draw_scalar(struct bench *bench, char letter, bool half)
 {
     if (strchr("wkpWP", letter) && one_in(bench, 10))
         return 0;
-    if (strchr("pP", letter)) /* the odd one of two is none of a sum */
+    if (strchr("pP", letter)) /* the odd one of two registers is not a sum */
         return (half ? 2 * RESULT : RESULT) + (uint64_t)one_in(bench, 10);
     if (strchr("wkW", letter))
         return (half ? 2 * RESULT : RESULT) + below(bench, 2);
@@ -224,7 +222,7 @@ static uint64_t draw_scalar(struct bench *bench, char letter, bool half)
     return half ? 2 * HALF_NUMBER + below(bench, 4) : NUMBER + below(bench, 2);
 }
 
-/* What SWAP stores and loads are vectors, too. */
+/* The operands of SWAP are vectors, too. */
 static uint64_t draw_swap(struct bench *bench, enum role role)
 {
     return role == ROLE_B ? BLOCK + below(bench, C205_REGISTERS - BLOCK)
@@ -347,8 +345,7 @@ static void fail_case(const struct bench *bench, const char *what)
              f->t, what);
 }
 
-/* What the reference has stored is to be in memory; NULL: where no data
- * lie. */
+/* Returns the word to which the reference stores, or NULL if there are no data. */
 static c205_word *place(struct bench *bench, uint64_t address)
 {
     for (size_t i = 0; i < BORDERS; i++) {
@@ -398,7 +395,7 @@ static void compare_registers(const struct bench *bench)
         fail_case(bench, "data flags");
 }
 
-/* That of a missing or a protected word names its address. */
+/* A trap of an unmapped or protected word must name its address. */
 static bool has_fault(const struct bench *bench, const c205_stop *stop)
 {
     bool names_address = stop->trap == C205_TRAP_UNMAPPED_ADDRESS
@@ -409,7 +406,7 @@ static bool has_fault(const struct bench *bench, const c205_stop *stop)
                : bench->reference.faults[stop->trap].possible;
 }
 
-/* Of an instruction with faults that are but possible either may come. */
+/* If several faults are possible for an instruction, each of them is accepted. */
 static bool step_both(struct bench *bench)
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };
@@ -430,7 +427,7 @@ static bool step_both(struct bench *bench)
 
 /* ---- Cases --------------------------------------------------------------- */
 
-/* The flags first, so that a case shows which it raises. */
+/* The flags are cleared first, so that a case shows those that it raises. */
 static void begin_case(struct bench *bench)
 {
     begin(&bench->fixture);
@@ -463,7 +460,7 @@ static enum contents contents_for(const struct bench *bench)
     return bench->fields.g & C205_G_HALF ? HALF_NUMBERS : NUMBERS;
 }
 
-/* True: it trapped. */
+/* Returns whether the case trapped. */
 static bool run_case(struct bench *bench)
 {
     load_code(bench);
@@ -499,7 +496,7 @@ static const c205_insn *draw_linkable(struct bench *bench)
     return row;
 }
 
-/* Of two units, and the first makes words, mostly. */
+/* Draws two rows, usually of different units, the first of which makes words. */
 static void draw_linkables(struct bench *bench, const c205_insn *rows[2])
 {
     do
@@ -509,7 +506,8 @@ static void draw_linkables(struct bench *bench, const c205_insn *rows[2])
            && !one_in(bench, 40));
 }
 
-/* The first takes one vector, mostly, the second what the first makes. */
+/* The first instruction usually takes one vector, the second one takes the first's
+ * result. */
 static void link_pair(struct bench *bench, const c205_insn *const rows[2],
                       c205_fields f[2])
 {
@@ -543,7 +541,8 @@ static void link_pair(struct bench *bench, const c205_insn *const rows[2],
     }
 }
 
-/* As long as the result; said to lie nowhere, as it is not stored. */
+/* Describes the intermediate result: its length is that of the result; its address is
+ * arbitrary, since it is not stored. */
 static void describe_handed(struct bench *bench, const c205_fields *second)
 {
     c205_word *registers = bench->reference.now.registers;
@@ -576,7 +575,7 @@ static bool one_pair(struct bench *bench)
 
 /* ---- Tests --------------------------------------------------------------- */
 
-/* Most cases must do something, and some trap. */
+/* Some cases must trap, but at most half of them. */
 static void check_traps(const char *name, size_t traps, size_t cases)
 {
     if (traps == 0 || traps > cases / 2)

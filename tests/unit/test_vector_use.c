@@ -1,6 +1,6 @@
-/* test_vector_use.c - the counts of elements that control vectors let through are
- * compared with those of a program whose bits are known.  An instruction that is not
- * counted, or counted twice, fails here. */
+/* test_vector_use.c - the counts of elements that control vectors permit are compared
+ * with those of a program whose bits are known. An instruction that is not counted, or
+ * counted twice, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "rt/trace/vector_use.h"
@@ -16,9 +16,9 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     hearing->observer->listen(hearing->use, machine, event);
 }
 
-/* Of one vector instruction, 150 elements and a control vector that begins in
- * the middle of a word: its bits are ones but for the first two and the last,
- * and stand among ones. */
+/* Counts one vector instruction with 150 elements. Its control vector begins in the
+ * middle of a word; all its bits are ones except the first two and the last. The bits
+ * around it are ones too. */
 static struct vector_use use_of(const char *instruction)
 {
     char text[600];

@@ -1,9 +1,11 @@
-/* test_viewfactors.c - factors between surfaces, by rays, are compared with those of
- * viewfactors.csv, and the forms with each other.  A biased ray or a factor of another
- * surface fails here.
+/* test_viewfactors.c - factors between surfaces, estimated with rays, are compared with
+ * those of viewfactors.csv, and the forms with each other. A biased ray or a factor of
+ * another surface fails here.
  *
- * HEAT_POINTS, points of a primitive in each of 16 repeats; 64 by default.  What is
- * infinite in the table is long here, and its emitter is a short piece in the middle.
+ * HEAT_POINTS is the number of points of a primitive in each of 16 repeats; 64 by
+ * default. Surfaces that are infinite in the table are long here, and the emitter is a
+ * short piece in the middle.
+ *
  */
 #include "base/file.h"
 #include "rt/heat/surfaces.h"
@@ -11,13 +13,14 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-/* Errors come of 16 repeats: 4.6 of them are as rare as 4 of a normal law's. */
+/* The error is estimated from 16 repeats: 4.6 errors are as rare as 4 of a normal
+ * distribution. */
 #define SIGMAS 4.6
 
 struct factor_case {
     const char *id;
-    const char *from, *to; /* names; to NULL: the environment */
-    int which;             /* of several values of the row */
+    const char *from, *to; /* names; to: NULL is the environment */
+    int which;             /* index among the values of the row */
 };
 
 struct factor_scene {
@@ -33,7 +36,7 @@ struct factor_scene {
     "#declare Fin = disc { 0, y, " r2 ", " r1 " }\n" \
     "#declare Other = disc { " gap "*y, -y, " r2 ", " r1 " }\n" \
     "object { Tube } object { Fin } object { Other }\n"
-/* Of a bore with a length, the wall around it. */
+/* A bore of a given length, with the wall around it. */
 #define BORE(name, radius, from, to) \
     "#declare " name " = difference { cylinder { " from "*y, " to "*y, 9 }" \
     " cylinder { (" from "-1)*y, (" to "+1)*y, " radius " } }" \
@@ -132,7 +135,7 @@ static const struct factor_scene scenes[] = {
         { "FT2_fins1_environment", "Fins1", NULL, 0 } } },
 };
 
-/* Between walls around a bore: by primitives, of which the second is the bore. */
+/* Enclosed bores, by primitives; the second primitive is the bore. */
 static const struct factor_scene bores[] = {
     { BORE("A", "1", "0", "2"), { { "cylinder_self", "2", "2", 0 } } },
     { BORE("A", "1.8", "0", ".7") "cylinder { 0, .7*y, 1 }",
@@ -159,7 +162,7 @@ FIXTURE(read_table)
     return set_up_model(test_state);
 }
 
-/* The value, and what it may be off by: "0.25 and 0.75", "0.015 +- 0.001". */
+/* Returns the value and sets its uncertainty: "0.25 and 0.75", "0.015 +- 0.001". */
 static double known(const struct factor_case *which, double *off)
 {
     for (size_t row = 1; row < table.rows; row++) {
@@ -260,7 +263,7 @@ static void check_case(const struct factor_case *which, const struct surfaces *s
                  expected);
 }
 
-/* Another form says the same as the vector one. */
+/* Another form must give the same values as the vector form. */
 static void check_form(const struct factor_scene *what, enum surfaces_by by,
                        enum trace_mode mode, size_t points)
 {

@@ -1,17 +1,18 @@
 /* test_walk.c - many regions under a hierarchy: the frames of all stages and queues are
- * compared with that of the scene's own order, over random scenes.  A node that is left
- * out, or a tie that another region wins, fails here.
+ * compared with that of the scene's own order, over random scenes. A node that is
+ * skipped, or a tie that another region wins, fails here.
  *
  *     test_walk [SCENES [SEED]]
+ *
  */
 #define SMALL_FRAMES
 #include "tests/unit/random_solids.h"
 
 enum { TEXT_ROOM = 60000 };
-static size_t scene_count = 6; /* of each sort */
+static size_t scene_count = 6; /* of each kind */
 
-/* Where the next things stand: about some points, or on a grid, where they
- * touch and coincide. */
+/* Adds a translation to a random place, or to a point of a grid, where objects touch
+ * and coincide. */
 static void add_place(char *text, size_t size)
 {
     if (solids.gridded)
@@ -44,7 +45,7 @@ static void add_tube(char *text, size_t size)
     add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ", below(2) ? "open" : "");
 }
 
-/* Rays that do not see the thing. */
+/* Adds words that hide the object from some rays. */
 static void add_hidden(char *text, size_t size, size_t rarity)
 {
     static const char *const words[] = { "no_shadow", "no_image", "no_reflection" };
@@ -53,7 +54,7 @@ static void add_hidden(char *text, size_t size, size_t rarity)
             add_text(text, size, "%s ", words[i]);
 }
 
-/* The same thing, once or in several colours in one place. */
+/* Adds an object, or several of different colours at the same place. */
 static void add_thing(char *text, size_t size)
 {
     static void (*const kinds[])(char *, size_t) = { add_ball,  add_ball,   add_ball,
@@ -74,7 +75,7 @@ static void add_thing(char *text, size_t size)
     }
 }
 
-/* Small ones, many of them in one of a few colours, some twice in one place. */
+/* Adds small spheres in few colours; some occur twice at one place. */
 static void add_spheres(char *text)
 {
     double size = between(.05, .2);
@@ -180,8 +181,8 @@ TEST(spheres)
     check_scenes(true, false, true);
 }
 
-/* Light comes down through many panes and balls of colours of their own: in
- * whatever order they are met, their product is that of the scene's order. */
+/* Light passes down through many panes and balls of different colours. The product of
+ * the colours must be that of the scene's order, whatever the order of the hits. */
 static void write_window(char *text)
 {
     text[0] = '\0';

@@ -1,7 +1,8 @@
-/* test_warning.c - warnings of the assembler: each text of a table has the one warning
- * that is written there, at its line and column, or none; and each way to choose warnings
- * leaves those that it should.  A warning that is missing, too much or misplaced fails
- * here.
+/* test_warning.c - warnings of the assembler for each text of a table are compared with
+ * the expected one, with its line and column, or with none; so are the warnings that
+ * each choice of options leaves. A warning that is missing, superfluous or misplaced
+ * fails here.
+ *
  */
 #include "tests/unit/asm_helper.h"
 
@@ -115,7 +116,7 @@ TEST(choice)
     assert_false(warning_choose(&choice, ""));
 }
 
-/* The manual tells of each. */
+/* The manual describes each warning. */
 TEST(manual)
 {
     c205_error error;

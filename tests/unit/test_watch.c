@@ -1,6 +1,7 @@
-/* test_watch.c - what is warned of while a program runs, at which line; what
- * correct programs near by do not trigger; and the loss of bits, against the
- * arithmetic of the machine. */
+/* test_watch.c - runtime warnings are compared with expected ones, with their lines,
+ * for faulty programs and for correct ones that are similar; the loss of bits is
+ * compared with the arithmetic of the machine. A warning that is missing or false fails
+ * here. */
 #include <math.h>
 
 #include "tests/unit/asm_helper.h"
@@ -32,7 +33,8 @@ static char *watched(const struct object *object, const struct warning_choice *c
     return report.text;
 }
 
-/* One warning with these words, or none: "". */
+/* Fails unless the program causes exactly one warning, which contains these words, or
+ * none for "". */
 static void check(const char *text, const char *said)
 {
     static const struct warning_choice all;
@@ -142,12 +144,12 @@ TEST(indices)
 
 TEST(storage)
 {
-    /* A result without elements has the length that it was given. */
+    /* A result without elements keeps its length. */
     check(
         DATA
         " EX ys, y\n ELEN zs, 1\n CPSV [fs], [ys] ? [zs]\n ADDNV [ys], [ys], [ys]\n EXIT\n",
         "");
-    /* Behind the end nothing is executed. */
+    /* After the end nothing is executed. */
     check(DATA " ES a, 11\n EXIT\n STO [ys, a], a\n EXIT\n", "");
     check(DATA " ES a, 11\n STO [ys, a], a\n EXIT\n",
           "index 11 lies behind the storage of 'y'");
@@ -176,8 +178,8 @@ TEST(storage)
           "'y' ends at 800240");
 }
 
-/* An instruction that is executed so many times with numbers and once more
- * with integers. */
+/* A program that executes an instruction `times` times with numbers and once more with
+ * integers. */
 #define LATE(times) \
     DATA " ES r20, " #times "\n EX r21, top\n ES r24, 1\n ES r25, 2\n" \
          "top: MPYSV [fs], [fs], [ys]\n DBNZ r20, [r21]\n RTOR xs, fs\n" \
@@ -244,7 +246,8 @@ static c205_word some_operand(uint64_t *seed, bool half)
     return half ? c205_half_from_double(number) : c205_from_double(number);
 }
 
-/* Whether the machine's own result is off by more than it should be. */
+/* A loss must be reported exactly if the error of the machine's result is larger than
+ * allowed. */
 static void check_loss(const char *mnemonic, arith_binary *operation,
                        double (*exact)(double, double), bool half, uint64_t *seed)
 {

@@ -1,6 +1,6 @@
 /* test_watched_kernels.c - scenes are traced in every form with the runtime checks of a
- * program, which must report nothing.  A kernel that reads what nothing has written, or
- * a vector that is too long, fails here. */
+ * program, and their reports are compared with none. A kernel that reads uninitialised
+ * memory, or a vector that is too long, fails here. */
 #include "tests/unit/asm_helper.h"
 
 #include "asm/runtime_check.h"

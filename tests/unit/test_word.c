@@ -1,8 +1,9 @@
-/* test_word.c - words and half words from and to text at the edges: known words, texts
- * that end early, numbers at both ends of the range and digits far behind the point are
- * compared with words worked out by hand.  Random conversions, from and to doubles and
- * integers, too, are compared with MPFR by check-arithmetic.  A text that is read beyond
- * its end, or a number that is rounded upward at the largest word, fails here.
+/* test_word.c - conversions of words and half words from and to text, at the limits,
+ * are compared with words computed by hand: known words, texts that end early, numbers
+ * at both ends of the range and distant digits. Random conversions, also from and to
+ * doubles and integers, are compared with MPFR by check-arithmetic. A text that is read
+ * beyond its end, or a number that is rounded upward at the largest word, fails here.
+ *
  */
 #include "tests/unit/unit.h"
 #include "vm/number/word.h"
@@ -39,7 +40,7 @@ static void check_text(const struct size *size, c205_word word, const char *expe
     assert_string_equal(text, expected);
 }
 
-/* Machine notes, section 1.  What is no binary fraction is floored. */
+/* Machine notes, section 1. A number that is not a binary fraction is floored. */
 TEST(known_words)
 {
     static const struct {
@@ -104,7 +105,8 @@ TEST(doubles_at_the_edges)
     assert_true(c205_half_to_double(UINT64_C(0x8FBCDEF000000000)) == 0);
 }
 
-/* How many bytes of a text are a number, and which; 0: it begins with none. */
+/* The length of the number at the start of a text, and an equal number; 0: no
+ * number. */
 TEST(where_text_ends)
 {
     static const struct {
@@ -130,8 +132,8 @@ TEST(where_text_ends)
     }
 }
 
-/* The largest word is 9.5370811543187567767e8644, and 2^28718 too large; 2^134 is
- * 2.1778071482940061661e40, 2^-90 8.0779356694631608874e-28. */
+/* The largest word is 9.5370811543187567767e8644, and 2^28718 is too large; 2^134 is
+ * 2.1778071482940061661e40, 2^-90 is 8.0779356694631608874e-28. */
 TEST(ends_of_the_range)
 {
     static const struct {
@@ -172,8 +174,7 @@ TEST(ends_of_the_range)
     assert_false(word_is_machine_zero(read_all("1e-8616")));
 }
 
-/* A digit far behind the point decides on which side of a word a number lies, however
- * many digits there are. */
+/* A distant digit decides between two words, whatever the number of digits. */
 TEST(distant_digits)
 {
     enum { ZEROS = 30000 };
