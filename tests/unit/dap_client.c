@@ -1,3 +1,5 @@
+/* dap_client.c - runs c205 debug --dap in a child process and exchanges messages with
+ * it. */
 #include "tests/unit/dap_client.h"
 #include "tests/unit/unit.h"
 
@@ -69,7 +71,7 @@ int client_end(struct dap_client *client)
     return WEXITSTATUS(status);
 }
 
-/* ---- Sent ---------------------------------------------------------------------- */
+/* ---- Sent messages ------------------------------------------------------------- */
 
 void client_send(struct dap_client *client, const char *bytes, size_t length)
 {
@@ -119,7 +121,7 @@ void client_command(struct dap_client *client, const char *command, const char *
     va_end(arguments);
 }
 
-/* ---- Heard --------------------------------------------------------------------- */
+/* ---- Notifications ------------------------------------------------------------- */
 
 static void hear_more(struct dap_client *client)
 {

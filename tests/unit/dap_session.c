@@ -1,3 +1,4 @@
+/* dap_session.c - starts debug sessions over DAP and reads the program's state. */
 #include "tests/unit/dap_session.h"
 
 #include <unistd.h>
@@ -77,7 +78,7 @@ void client_leave(struct dap_client *client)
     unlink(client_path);
 }
 
-/* ---- Where it stands ------------------------------------------------------------- */
+/* ---- Current position ------------------------------------------------------------ */
 
 const struct json_value *client_frames(struct dap_client *client)
 {
@@ -138,7 +139,7 @@ const char *client_print(struct dap_client *client, const char *expression)
                     "result");
 }
 
-/* ---- What it does ---------------------------------------------------------------- */
+/* ---- Execution ------------------------------------------------------------------- */
 
 void client_stop_at(struct dap_client *client, const char *stop)
 {

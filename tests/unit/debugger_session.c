@@ -1,3 +1,4 @@
+/* debugger_session.c - runs command lines in a debugger and checks its output. */
 #include "tests/unit/debugger_session.h"
 
 void session_begin(struct debug_session *session, struct object *object,

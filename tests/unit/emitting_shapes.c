@@ -33,7 +33,7 @@ static void some_place(double point[3])
         point[i] = some(-1, 1);
 }
 
-/* ---- Each kind ------------------------------------------------------------ */
+/* ---- Kinds of shapes ------------------------------------------------------ */
 
 enum { TRIANGLES = 7 };
 static struct triangle triangle_store[TRIANGLES];

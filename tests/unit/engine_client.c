@@ -1,3 +1,4 @@
+/* engine_client.c - sends requests to an engine and parses its replies. */
 #include "tests/unit/engine_client.h"
 
 #include "base/json.h"

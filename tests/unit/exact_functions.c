@@ -1,3 +1,5 @@
+/* exact_functions.c - computes the functions of asm/lib and their polynomials with
+ * MPFR. */
 #include "exact_functions.h"
 
 #include <assert.h>

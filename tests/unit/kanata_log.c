@@ -1,3 +1,4 @@
+/* kanata_log.c - parses logs in the format Kanata 0004 and reports the first fault. */
 #include "tests/unit/kanata_log.h"
 
 #include <stdbool.h>

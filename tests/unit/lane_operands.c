@@ -1,3 +1,4 @@
+/* lane_operands.c - draws random words of all kinds for tests of spans. */
 #include "tests/unit/lane_operands.h"
 
 #include "vm/number/arith.h"

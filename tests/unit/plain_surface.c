@@ -21,7 +21,7 @@ void random_direction(uint64_t *random, double direction[3])
     while (dot(direction, direction) > 1 || dot(direction, direction) < .01);
 }
 
-/* --- crossings of a surface of many parts -------------------------------- */
+/* ---- Crossings of a surface of many parts ------------------------------- */
 
 
 struct spelling shoot(const struct surface *surface, const struct ray *ray)
@@ -70,7 +70,7 @@ void assert_hits(const struct surface *surface, const struct expectation *rows,
     }
 }
 
-/* --- volumes ------------------------------------------------------------- */
+/* ---- Volumes ------------------------------------------------------------ */
 
 
 static int compare_distances(const void *a, const void *b)
@@ -110,7 +110,7 @@ double volume(const struct surface *surface, double size)
     return sum * 4 * size * size / steps / steps;
 }
 
-/* --- two surfaces that are one -------------------------------------------- */
+/* ---- Two surfaces that are one ------------------------------------------- */
 
 
 void set_coefficient(struct surface *surface, int x, int y, int z, double value)

@@ -15,7 +15,7 @@ void assert_near(double found, double expected, double within);
 double number_between(uint64_t *random, double low, double high);
 void random_direction(uint64_t *random, double direction[3]);
 
-/* --- crossings of a surface of many parts -------------------------------- */
+/* ---- Crossings of a surface of many parts ------------------------------- */
 
 enum { MAX_PARTS = 16 };
 struct surface {
@@ -42,7 +42,7 @@ void assert_hits(const struct surface *surface, const struct expectation *rows,
 #define ASSERT_HITS(surface, rows) \
     assert_hits(surface, rows, sizeof(rows) / sizeof *(rows))
 
-/* --- volumes ------------------------------------------------------------- */
+/* ---- Volumes ------------------------------------------------------------ */
 
 /* Estimates the volume with parallel oblique rays through a grid over -size .. size. */
 double volume(const struct surface *surface, double size);

@@ -1,3 +1,4 @@
+/* random_debug_program.c - draws random program texts that terminate. */
 #include "tests/unit/random_debug_program.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* random_lesson.c - draws random lessons, and writes their answers and tests. */
 #include "tests/unit/random_lesson.h"
 
 #include <inttypes.h>

@@ -31,7 +31,7 @@ static void clear(struct net *net)
     net->smooth = false;
 }
 
-/* --- bodies --------------------------------------------------------------- */
+/* ---- Bodies -------------------------------------------------------------- */
 
 static bool are_apart(const struct net *net, size_t a, size_t b, double distance)
 {
@@ -126,7 +126,7 @@ void net_take(struct net *net, enum net_body body)
     }
 }
 
-/* --- what is open --------------------------------------------------------- */
+/* ---- Open surfaces ------------------------------------------------------- */
 
 void net_sheet(struct net *net, size_t squares, double height, uint64_t *random)
 {
@@ -172,7 +172,7 @@ void net_soup(struct net *net, size_t count, bool slender, uint64_t *random)
         add_apart(net, slender, random);
 }
 
-/* --- changes -------------------------------------------------------------- */
+/* ---- Changes ------------------------------------------------------------- */
 
 /* Returns the midpoint of an edge; both directions of the edge give the same bits. */
 static size_t middle_of(struct net *net, size_t a, size_t b)
@@ -288,7 +288,7 @@ void net_smooth(struct net *net, double lean, uint64_t *random)
     net->smooth = true;
 }
 
-/* --- as texts, and as primitives ------------------------------------------ */
+/* ---- Texts and primitives ------------------------------------------------ */
 
 static void add_vector(char *text, size_t size, const double vector[3],
                        const char *behind)

@@ -1,3 +1,4 @@
+/* random_nest.c - generates nests of directives, written or expanded, from a seed. */
 #include "tests/unit/random_nest.h"
 
 #include "tests/random.h"
@@ -376,7 +377,7 @@ static double number(struct making *making, size_t depth)
     }
 }
 
-/* ---- What lists hold ---------------------------------------------------- */
+/* ---- Contents of lists -------------------------------------------------- */
 
 static void put_radius(struct making *making, size_t depth)
 {

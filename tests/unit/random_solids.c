@@ -26,7 +26,7 @@ double angle(void)
     return solids.gridded ? 90 * round(degrees / 90) : degrees;
 }
 
-/* --- modifiers ----------------------------------------------------------- */
+/* ---- Modifiers ---------------------------------------------------------- */
 
 static void add_color(char *text, size_t size)
 {
@@ -106,7 +106,7 @@ void add_turn(char *text, size_t size, double larger)
     add_text(text, size, " ");
 }
 
-/* --- shapes -------------------------------------------------------------- */
+/* ---- Shapes ------------------------------------------------------------- */
 
 
 static void add_ball(char *text, size_t size)
@@ -307,7 +307,7 @@ static void add_leaf(char *text, size_t size)
     add_text(text, size, "}\n");
 }
 
-/* --- trees --------------------------------------------------------------- */
+/* ---- Trees -------------------------------------------------------------- */
 
 
 /* Repeats the text that begins at `from`. */
@@ -359,7 +359,7 @@ void add_solid(char *text, size_t size, size_t depth)
     solids.meshes = meshes;
 }
 
-/* --- solids with a shape --------------------------------------------------- */
+/* ---- Solids with a shape -------------------------------------------------- */
 
 typedef void shape_words(char *text, size_t size);
 

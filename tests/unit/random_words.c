@@ -1,3 +1,5 @@
+/* random_words.c - derives the sentences of a verdict from the known mistake of an
+ * answer. */
 #include "tests/unit/random_words.h"
 
 #include <math.h>

@@ -226,7 +226,7 @@ TEST(chains)
     }
 }
 
-/* ---- Between one ray and all --------------------------------------------- */
+/* ---- Limits of the threshold --------------------------------------------- */
 
 static const char shades[] =
     "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -288,7 +288,7 @@ TEST(middles)
                             PIXELS * sizeof(c205_word));
 }
 
-/* ---- What it does not go with -------------------------------------------- */
+/* ---- Unsupported combinations -------------------------------------------- */
 
 static void check_refused(const char *text, size_t width, size_t samples,
                           double threshold, const char *why)
@@ -316,7 +316,7 @@ TEST(refused)
     check_refused(lens, 9, 3, .3, "has a lens");
 }
 
-/* ---- Stopped, and gone on with ------------------------------------------- */
+/* ---- Stopped and continued ----------------------------------------------- */
 
 struct patience {
     size_t asked, most;

@@ -114,7 +114,7 @@ TEST(solids)
     solids.gridded = solids.clear = false;
 }
 
-/* ---- What geometry says -------------------------------------------------- */
+/* ---- Expected geometry --------------------------------------------------- */
 
 /* Two balls with three humps along a line, the maximum for two components. If a is the
  * distance between each centre and the middle, the field falls from there to s^2 = 1 -

@@ -41,7 +41,7 @@ static const char arithmetic[] = /* solves 40 quadratics, with calls */
     "none:   BIM     0, link\n"
     "        .endkernel\n";
 
-/* ---- Ways to the end ----------------------------------------------------- */
+/* ---- Runs to the end ----------------------------------------------------- */
 
 static c205 *load(const char *text)
 {
@@ -481,7 +481,7 @@ TEST(data_behind_branch)
     free_both(whole, stepped);
 }
 
-/* ---- No room ------------------------------------------------------------- */
+/* ---- Limits of memory ---------------------------------------------------- */
 
 /* More blocks than the cache holds: the cache is cleared and filled again. */
 TEST(many_blocks)

@@ -91,7 +91,7 @@ static void expect(size_t i, const bool *there)
     checkpoint_close(file, false);
 }
 
-/* ---- A file that is harmed ----------------------------------------------- */
+/* ---- Damaged files ------------------------------------------------------- */
 
 static long size_of(const char *path)
 {
@@ -193,7 +193,7 @@ TEST_WITH(harmed, set_up, tear_down)
     }
 }
 
-/* ---- Files that come together -------------------------------------------- */
+/* ---- Merged files -------------------------------------------------------- */
 
 static void check_merge(void)
 {
@@ -246,7 +246,7 @@ TEST_WITH(not_merged, set_up, tear_down)
     checkpoint_close(file, false);
 }
 
-/* ---- Files that are not taken -------------------------------------------- */
+/* ---- Rejected files ------------------------------------------------------ */
 
 static void refuse(uint64_t key, const char *message)
 {

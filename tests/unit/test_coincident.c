@@ -1,7 +1,7 @@
 /* test_coincident.c - the yields that the reader assigns to the regions of a scene are
  * compared with expected ones, for pairs of all kinds of faces: coincident, resting on
- * each other, and apart. A missed pair leaves its faces to rounding; a superfluous one
- * costs clocks. */
+ * each other, and apart. A missed pair, which leaves its faces to rounding, or a
+ * superfluous one, which costs clocks, fails here. */
 #include "rt/scene/scene.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/unit/unit.h"

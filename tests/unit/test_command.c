@@ -136,7 +136,7 @@ static int run(int argc, char **argv)
     return command_main(&program, argc, argv);
 }
 
-/* ---- Right ones ---------------------------------------------------------- */
+/* ---- Accepted texts ------------------------------------------------------ */
 
 enum { MAX_WORDS = 64, WORD_SIZE = 40 };
 
@@ -287,7 +287,7 @@ TEST(right_lines)
     }
 }
 
-/* ---- Wrong ones ---------------------------------------------------------- */
+/* ---- Rejected texts ------------------------------------------------------ */
 
 /* Captures the text that is printed on stderr. */
 struct caught {

@@ -199,9 +199,7 @@ static void check_value(struct session *session, char *value)
     check_text(session, text + strlen(" = "));
 }
 
-/* A text that ends with \
- * must be the whole output.
- */
+/* A text that ends with \n must be the whole output. */
 static void check_output(struct session *session, char *text)
 {
     const char *printed = session->client.output.text;

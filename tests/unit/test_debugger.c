@@ -13,7 +13,7 @@ static const char *const programs[] = { "asm/examples/dot.s", "asm/examples/horn
                                         "asm/examples/sieve.s" };
 enum { PROGRAMS = COUNT(programs) };
 
-/* ---- What must become of a line ------------------------------------------- */
+/* ---- Expected values of a line -------------------------------------------- */
 
 static bool begins_with_stop(const struct plain *plain, const struct plain_stops *told)
 {

@@ -343,7 +343,7 @@ TEST(again)
     }
 }
 
-/* ---- Scripts for others ---------------------------------------------------- */
+/* ---- Printed scripts ------------------------------------------------------- */
 
 static int print_script(const char *number, const char *path)
 {

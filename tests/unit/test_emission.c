@@ -427,7 +427,7 @@ TEST(factors)
     assert_share(share_through(&disc, 1, in_unit), 0.3819660112501);
 }
 
-/* ---- What is refused -------------------------------------------------------- */
+/* ---- Errors ----------------------------------------------------------------- */
 
 static void assert_no_emission(const struct primitive *primitive,
                                struct emission_options options, const char *message)
@@ -511,7 +511,7 @@ TEST(alias)
         check_alias(between(1, 50));
 }
 
-/* ---- What a point costs ----------------------------------------------------- */
+/* ---- Clocks of a point ------------------------------------------------------ */
 
 static double clocks_a_point(const struct accounts *accounts, const char *region)
 {

@@ -224,7 +224,7 @@ TEST(enclosures)
     }
 }
 
-/* ---- What is refused ---------------------------------------------------------- */
+/* ---- Errors ------------------------------------------------------------------- */
 
 static void refuses(const struct enclosure *enclosure, const char *message)
 {

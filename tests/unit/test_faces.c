@@ -61,7 +61,7 @@ static void check_sights(const struct sight *sights, size_t count)
         check_sight(&sights[i]);
 }
 
-/* --- faces that coincide -------------------------------------------------- */
+/* ---- Faces that coincide ------------------------------------------------- */
 
 /* k_delta is between 5e-8 and 2e-7: faces 5e-8 apart coincide, faces 2e-7 apart do
  * not. */
@@ -90,7 +90,7 @@ TEST(coincident)
     check_sights(sights, COUNT(sights));
 }
 
-/* --- rays in faces -------------------------------------------------------- */
+/* ---- Rays in faces ------------------------------------------------------- */
 
 /* Boxes above and below y = 0, from z = -1 to 1. */
 #define ABOVE "box { <-1, 0, -1>, 1 } "
@@ -172,7 +172,7 @@ TEST(merge)
     check_sights(sights, COUNT(sights));
 }
 
-/* --- nearly parallel ------------------------------------------------------ */
+/* ---- Nearly parallel ----------------------------------------------------- */
 
 /* A box with a floor of the given slope along z. If the ray crosses the floor, it is
  * above it from z = 0 on, or up to z = 0. */

@@ -258,7 +258,7 @@ TEST(known_factors)
                   shell, COUNT(shell));
 }
 
-/* ---- No bias --------------------------------------------------------------------- */
+/* ---- Bias ------------------------------------------------------------------------ */
 
 enum { SEEDS = 64 };
 
@@ -341,7 +341,7 @@ TEST(forms)
                 " sphere { 2*x, .4 }");
 }
 
-/* ---- What is refused ------------------------------------------------------------- */
+/* ---- Errors ---------------------------------------------------------------------- */
 
 /* Counts the rays of a repeat in two halves. */
 static void count_halves(const struct packet_programs *programs,

@@ -60,7 +60,7 @@ static struct scene *some_scene(void)
     return read_text(texts[next++ % (COUNT(texts))]);
 }
 
-/* ---- What the machine has when ------------------------------------------- */
+/* ---- State of the machine at a clock ------------------------------------- */
 
 /* Returns the band's machine at an instruction boundary near the clock. */
 static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
@@ -185,7 +185,7 @@ TEST(queues)
         check_pixels((enum trace_mode)(i % TRACE_MODES));
 }
 
-/* ---- Its rays ------------------------------------------------------------ */
+/* ---- The rays ------------------------------------------------------------ */
 
 enum { MAX_POINTS = 400 };
 
@@ -384,7 +384,7 @@ TEST(rays)
                 && sum.hits > 1000);
 }
 
-/* ---- Under a debugger ---------------------------------------------------- */
+/* ---- Debugger sessions --------------------------------------------------- */
 
 static void obey(struct debugger *debugger, struct text_buffer *said, const char *line)
 {

@@ -136,7 +136,7 @@ TEST(forms)
     }
 }
 
-/* ---- What cannot be ------------------------------------------------------------ */
+/* ---- Errors -------------------------------------------------------------------- */
 
 static void assert_fails(const char *text, struct global_lines_options options,
                          const char *message)

@@ -137,7 +137,7 @@ static struct run find_alone(bool lines)
     return alone;
 }
 
-/* ---- Stopped anywhere ----------------------------------------------------------- */
+/* ---- Stopped at random ---------------------------------------------------------- */
 
 static void check_stopped(bool lines, const struct run *alone)
 {
@@ -186,7 +186,7 @@ TEST(shares)
     }
 }
 
-/* ---- Another run's --------------------------------------------------------------- */
+/* ---- Packets of another run ------------------------------------------------------ */
 
 TEST(others)
 {

@@ -41,7 +41,7 @@ static void end(struct single_run *run, uint64_t from, c205_word *words, size_t 
     assert_true(clocks > 0);
 }
 
-/* ---- What receivers get --------------------------------------------------- */
+/* ---- Flow to receivers ---------------------------------------------------- */
 
 struct receiving {
     size_t rays, receivers;
@@ -117,7 +117,7 @@ TEST(received)
     object_free(forms[1]);
 }
 
-/* ---- Which points stay ------------------------------------------------------ */
+/* ---- Points that stay ------------------------------------------------------- */
 
 enum { PLANES = 3, LIST_PLANES = 4, OWN = 5 };
 

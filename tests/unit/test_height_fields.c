@@ -227,7 +227,7 @@ TEST(below_water)
     scene_free(scene);
 }
 
-/* --- what lies below ------------------------------------------------------ */
+/* ---- Solids -------------------------------------------------------------- */
 
 static int compare_ends(const void *a, const void *b)
 {

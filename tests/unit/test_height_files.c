@@ -152,7 +152,7 @@ TEST(broken)
         }
 }
 
-/* ---- What is none -------------------------------------------------------- */
+/* ---- Invalid input ------------------------------------------------------- */
 
 static void expect_file_fault(const char *word, const char *bytes, const char *message)
 {

@@ -67,7 +67,7 @@ static struct bound (*const kinds[])(size_t i) = {
 };
 enum { KINDS = COUNT(kinds) };
 
-/* --- what holds of every hierarchy ---------------------------------------- */
+/* ---- Rules for every hierarchy ------------------------------------------- */
 
 static void check_order(const struct hierarchy *hierarchy, size_t count)
 {

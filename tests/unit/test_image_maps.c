@@ -270,7 +270,7 @@ TEST(tables)
         assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);
 }
 
-/* ---- What is left out, and what is none ---------------------------------- */
+/* ---- Ignored and degenerate outlines ------------------------------------- */
 
 static void expect_report(const char *words, const char *message)
 {

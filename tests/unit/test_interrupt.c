@@ -236,7 +236,7 @@ TEST(overwritten_instruction)
     object_free(object);
 }
 
-/* ---- What is seen in the middle ------------------------------------------ */
+/* ---- The middle pixel ---------------------------------------------------- */
 
 /* Computes c = a + a for 100 elements, then their sum. */
 static void load_sum(struct small_machine *fixture)

@@ -25,7 +25,7 @@
 enum { COLUMNS = 8, ROWS = 6 };
 static size_t scene_count = 8;
 
-/* ---- What the assembler tells ------------------------------------------- */
+/* ---- Records of the assembler ------------------------------------------- */
 
 /* Some programs have their entry in a file of points/. */
 static bool is_program(const struct text *kernel)
@@ -129,7 +129,7 @@ TEST(fit_programs)
     assert_true(count > 4);
 }
 
-/* ---- What runs tell ----------------------------------------------------- */
+/* ---- Reports of runs ---------------------------------------------------- */
 
 static void run_watched(const struct object *program, c205 *machine, const char *what)
 {
@@ -255,7 +255,7 @@ TEST(scenes)
     assert_true(count > 10);
 }
 
-/* ---- What is saved in vain ---------------------------------------------- */
+/* ---- Superfluous saves -------------------------------------------------- */
 
 enum { MAX_AREAS = 16 };
 

@@ -89,7 +89,7 @@ static void draw_goals(struct random_test *test, uint64_t clocks, enum medal med
     }
 }
 
-/* ---- What was said --------------------------------------------------------- */
+/* ---- Output ---------------------------------------------------------------- */
 
 static void check_begins(const struct random_lesson *drawn,
                          const struct lesson_trial *trial, size_t sentence,
@@ -148,7 +148,7 @@ static void check_loop(const struct random_lesson *drawn,
     check_begins(drawn, trial, 0, wanted);
 }
 
-/* ---- Slow ones ------------------------------------------------------------- */
+/* ---- Slow texts ------------------------------------------------------------ */
 
 static uint64_t clocks_of(const struct profile_row *row)
 {
@@ -444,7 +444,7 @@ TEST(ways)
     }
 }
 
-/* ---- What all tests would say ---------------------------------------------- */
+/* ---- Sentences about all tests --------------------------------------------- */
 
 /* Returns a copy with the first occurrence of a text replaced. */
 static char *with(const char *answer, const char *old, const char *new)

@@ -21,7 +21,7 @@ static bool open_with(struct lesson *lesson, const char *test, c205_error *error
            && lesson_end(lesson, error);
 }
 
-/* ---- What is expected of a run --------------------------------------------- */
+/* ---- Expectations of a run ------------------------------------------------- */
 
 static void check_run(const char *test, const char *answer, const char *wanted)
 {
@@ -74,7 +74,7 @@ TEST(runs)
               "0.");
 }
 
-/* ---- Lessons that are none ------------------------------------------------- */
+/* ---- Invalid lessons ------------------------------------------------------- */
 
 static void check_notes(const char *notes, const char *wanted)
 {
@@ -243,7 +243,7 @@ TEST(any)
     }
 }
 
-/* ---- What results look like ------------------------------------------------- */
+/* ---- Explanations of results ------------------------------------------------ */
 
 enum { ELEMENTS = 16 };
 

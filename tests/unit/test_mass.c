@@ -113,7 +113,7 @@ TEST(formulas)
         check_row(table, row, rays_log, rays >= 1 << 18 ? 1e-4 : 1e-3);
 }
 
-/* ---- The same in every way ----------------------------------------------- */
+/* ---- Equal results of all methods ---------------------------------------- */
 
 /* Bodies that overlap, a separate union, a tree, and an object that occurs twice at one
  * place. */
@@ -285,7 +285,7 @@ TEST(axes)
     assert_true(fabs(fabs(figures->axes[2][2]) - 1) < 1e-3);
 }
 
-/* ---- What has no volume -------------------------------------------------- */
+/* ---- Errors -------------------------------------------------------------- */
 
 static void refuses(const char *text, const char *why)
 {

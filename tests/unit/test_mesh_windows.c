@@ -17,7 +17,7 @@ static size_t scene_count = 12;
 static struct net net;
 static char text[1 << 20];
 
-/* ---- What a table says ---------------------------------------------------- */
+/* ---- Table lookups -------------------------------------------------------- */
 
 /* Offsets of records.s. */
 enum {
@@ -74,7 +74,7 @@ static bool comes_to(const double *table, const double *eye, const struct look *
     return found;
 }
 
-/* ---- Nets and eyes -------------------------------------------------------- */
+/* ---- Meshes and viewpoints ------------------------------------------------ */
 
 static void random_net(void)
 {
@@ -491,7 +491,7 @@ TEST(known)
     traced.pixels = PIXELS;
 }
 
-/* ---- What it is for ------------------------------------------------------- */
+/* ---- Clocks --------------------------------------------------------------- */
 
 static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
                           const char *variant)

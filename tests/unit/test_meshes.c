@@ -232,7 +232,7 @@ TEST(long_queues)
         assert_true(checksum_of(scene, TRACE_VECTOR, queues[i]) == scalar);
 }
 
-/* ---- The same in other words --------------------------------------------- */
+/* ---- Equivalent texts ---------------------------------------------------- */
 
 static struct words *frame_of(const char *how)
 {
@@ -290,7 +290,7 @@ TEST(triangles_alone)
     }
 }
 
-/* ---- Of equals the first ------------------------------------------------- */
+/* ---- Ties ---------------------------------------------------------------- */
 
 static void check_normal(const char *scene, double x, double y, double z)
 {
@@ -351,7 +351,7 @@ TEST(doubles)
     free(others);
 }
 
-/* ---- Without an area, few, behind ---------------------------------------- */
+/* ---- Special cases ------------------------------------------------------- */
 
 static size_t triangles_of(const char *scene)
 {

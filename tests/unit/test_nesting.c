@@ -80,7 +80,7 @@ static void grow(struct forest *forest)
     };
 }
 
-/* --- what is asked of the nested tree ------------------------------------- */
+/* ---- Rules for nested trees ---------------------------------------------- */
 
 /* Checks the nodes from `node` to `end`. The descendants of a node follow it, child by
  * child; a complement has one child. */
@@ -176,7 +176,7 @@ TEST(random_trees)
     assert_in_range(nested_more, FORESTS / 10, FORESTS);
 }
 
-/* --- how deep ------------------------------------------------------------- */
+/* ---- Depth --------------------------------------------------------------- */
 
 static size_t depth_of(const struct scene *scene, size_t node)
 {

@@ -4,7 +4,7 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-/* An object behind some pixels only, and rays of three levels. */
+/* A background, objects that leave a part of it visible, and rays of three levels. */
 static const char things[] = HEAD
     "background { rgb <.1, .2, .3> }\n"
     "global_settings { max_trace_level 3 }\n"

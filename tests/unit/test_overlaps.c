@@ -70,7 +70,7 @@ static void draw(struct crowd *crowd, uint64_t *random)
     write_text(crowd);
 }
 
-/* ---- What must be found -------------------------------------------------- */
+/* ---- Expected results ---------------------------------------------------- */
 
 static bool covers(const struct box *box, const int cell[3])
 {

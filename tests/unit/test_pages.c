@@ -57,7 +57,7 @@ TEST(depths)
     clock_free(clock);
 }
 
-/* ---- The list itself ----------------------------------------------------- */
+/* ---- The list ------------------------------------------------------------ */
 
 /* The list of docs/timing.md, searched from its front. */
 struct plain_list {
@@ -171,7 +171,7 @@ TEST(plain_list)
     }
 }
 
-/* ---- On a tape ----------------------------------------------------------- */
+/* ---- Serialization ------------------------------------------------------- */
 
 enum { TAPE_BYTES = 1 << 16 };
 

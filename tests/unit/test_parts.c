@@ -28,7 +28,7 @@ static const char assembly[] =
     "Twice(Pin)\n"
     "light_source { 9, 1 }\n";
 
-/* ---- In the scene -------------------------------------------------------- */
+/* ---- The scene ----------------------------------------------------------- */
 
 static void assert_text(const char *text, const char *expected)
 {

@@ -14,7 +14,7 @@ static struct surface mesh_of(const struct triangle *triangles, size_t count)
     return surface;
 }
 
-/* --- one triangle --------------------------------------------------------- */
+/* ---- One triangle -------------------------------------------------------- */
 
 TEST(known)
 {
@@ -142,7 +142,7 @@ TEST(there_and_back)
     }
 }
 
-/* --- closed bodies -------------------------------------------------------- */
+/* ---- Closed bodies ------------------------------------------------------- */
 
 /* The line starts inside a star-shaped body: it has one crossing ahead and one
  * behind. */
@@ -236,7 +236,7 @@ TEST(box)
     free(mesh.parts[0].shape.mesh.triangles.list);
 }
 
-/* --- many ----------------------------------------------------------------- */
+/* ---- Large meshes -------------------------------------------------------- */
 
 /* Triangles at z = 1, 2, .. in a permuted order. A ray from between them has more
  * crossings on each side than fit. */

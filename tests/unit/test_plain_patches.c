@@ -54,7 +54,7 @@ TEST(roman_volume)
     assert_near(volume(&roman, .6), 1. / 6, 1e-3);
 }
 
-/* --- surfaces of Steiner patches ------------------------------------------ */
+/* ---- Surfaces of Steiner patches ----------------------------------------- */
 
 /* Four quadratic forms of s, t, u: x, y, z and w. The coefficients are those of s^2 t^2
  * u^2 2st 2tu 2su. */
@@ -148,7 +148,7 @@ TEST(two_ways)
     assert_same_surface(&ball, &ball_patches, 1);
 }
 
-/* --- patches ------------------------------------------------------------- */
+/* ---- Patches ------------------------------------------------------------ */
 
 static void random_patch(uint64_t *random, struct primitive *patch)
 {

@@ -103,7 +103,7 @@ TEST(levels)
     check_series(20, 1. / 255, 8);
 }
 
-/* --- glass --------------------------------------------------------------- */
+/* ---- Glass -------------------------------------------------------------- */
 
 /* Returns the lateral displacement of a ray at 45 degrees in a layer of index n; the
  * sine inside is sin a / n. */
@@ -225,7 +225,7 @@ TEST(too_dark)
     }
 }
 
-/* --- glass in glass ------------------------------------------------------ */
+/* ---- Glass in glass ----------------------------------------------------- */
 
 #define GLASS "pigment { rgbt 1 } interior { ior 1.5 } "
 #define WATER "pigment { rgbt 1 } interior { ior 1.33 } "
@@ -379,7 +379,7 @@ TEST(fresnel)
           once, once, once);
 }
 
-/* --- shadows ------------------------------------------------------------- */
+/* ---- Shadows ------------------------------------------------------------ */
 
 /* Checks the colour of the floor below a light, with an object in between. */
 static void check_shadow(const char *between, double red, double green)

@@ -54,7 +54,7 @@ TEST(pointed_cone)
     ASSERT_HITS(&cone, rows);
 }
 
-/* --- quadrics ------------------------------------------------------------ */
+/* ---- Quadrics ----------------------------------------------------------- */
 
 static struct surface quadric(const double coefficients[QUADRIC_TERMS])
 {
@@ -91,7 +91,7 @@ TEST(quadrics)
     ASSERT_HITS(&surface, y_is_3);
 }
 
-/* --- tori ---------------------------------------------------------------- */
+/* ---- Tori --------------------------------------------------------------- */
 
 static struct surface torus(double major, double minor)
 {
@@ -170,7 +170,7 @@ TEST(torus_in_other_ways)
     assert_same_surface(&round, &elliptical, 1.2);
 }
 
-/* --- roots --------------------------------------------------------------- */
+/* ---- Roots -------------------------------------------------------------- */
 
 TEST(roots)
 {

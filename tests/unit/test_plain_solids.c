@@ -61,7 +61,7 @@ static struct passage pass(const struct solid *solid, const struct ray *ray)
     return passage;
 }
 
-/* --- volumes ------------------------------------------------------------- */
+/* ---- Volumes ------------------------------------------------------------ */
 
 /* Estimates the volume with parallel oblique rays through a grid over -size .. size. */
 static double volume(const struct solid *solid, double size)
@@ -172,7 +172,7 @@ TEST(nested_solids)
                  1.2, 4 * PI / 3 - both + .008 * PI * .36);
 }
 
-/* --- surfaces that coincide ----------------------------------------------- */
+/* ---- Surfaces that coincide ---------------------------------------------- */
 
 static struct passage along(const char *text, double x, double y)
 {
@@ -245,7 +245,7 @@ TEST(joined_boxes)
     }
 }
 
-/* --- surfaces without inside ---------------------------------------------- */
+/* ---- Surfaces without inside --------------------------------------------- */
 
 static int seen_along(const char *text, double x, size_t reports)
 {

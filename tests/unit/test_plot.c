@@ -51,7 +51,7 @@ static const struct plot lines = {
     .level_count = 2,
 };
 
-/* --- a folder for a test ----------------------------------------------- */
+/* ---- A folder for a test ---------------------------------------------- */
 
 static struct {
     char name[64]; /* contains blanks and quotes */
@@ -141,7 +141,7 @@ static void expect_error(const struct plot *plot, const char *name, const char *
         fail_msg("\"%s\" without \"%s\"", error.message, part);
 }
 
-/* --- plots ------------------------------------------------------------- */
+/* ---- Plots ------------------------------------------------------------ */
 
 TEST_WITH(data_is_told, set_up, tear_down)
 {
@@ -261,7 +261,7 @@ TEST_WITH(bad_values, set_up, tear_down)
     expect_error(&plot, "x.svg", "startup: -2 is not on");
 }
 
-/* --- gnuplot ----------------------------------------------------------- */
+/* ---- Gnuplot ---------------------------------------------------------- */
 
 static void expect_kept(void)
 {
@@ -309,7 +309,7 @@ TEST_WITH(gnuplot_fails, set_up, tear_down)
     remove_file("gnuplot");
 }
 
-/* --- marks and axes ---------------------------------------------------- */
+/* ---- Marks and axes --------------------------------------------------- */
 
 /* Returns the height of a mark's label in the picture, from 0 to 1. */
 static double height_of(const char *script, const char *label)

@@ -40,7 +40,7 @@ static void make(const struct point_kind *kind, const struct point_choice *choic
     REQUIRE(maker && point_maker_run(maker, choice, into, &error));
 }
 
-/* ---- Against the definition --------------------------------------------- */
+/* ---- Comparison with the definition ------------------------------------- */
 
 /* Positions of a generator that is stepped one by one. */
 TEST(positions)
@@ -200,7 +200,7 @@ TEST(cuts)
         compare_cut(i % 2);
 }
 
-/* ---- What points are for -------------------------------------------------- */
+/* ---- Integration ---------------------------------------------------------- */
 
 /* In each coordinate, every one of N cells contains exactly one of N points. */
 TEST(cells)

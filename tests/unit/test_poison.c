@@ -134,7 +134,7 @@ static void mark_sources(struct vector_case *one)
         mark_source(one, ROLE_B);
 }
 
-/* ---- Which elements it stores ------------------------------------------ */
+/* ---- Stored elements --------------------------------------------------- */
 
 static void mark_result(struct vector_case *one, const struct image *after)
 {

@@ -197,7 +197,7 @@ static void write_outline(const struct flat_outline *outline, char *text)
     sprintf(text, " }\n");
 }
 
-/* ---- Against it ---------------------------------------------------------- */
+/* ---- Comparison ---------------------------------------------------------- */
 
 struct flat_triangle {
     double corners[3][2];

@@ -179,7 +179,7 @@ TEST(amdahl)
     assert_float_equal(number_of(last, "\"measured\""), speedup, 1e-9);
 }
 
-/* ---- All of them --------------------------------------------------------- */
+/* ---- All stages ---------------------------------------------------------- */
 
 FIXTURE(trace_stages)
 {

@@ -54,7 +54,7 @@ static void holds(const char *text, const char *expected)
         fail_msg("'%s' does not hold '%s'", text, expected);
 }
 
-/* ---- How far to believe it ---- */
+/* ---- Uncertainty -------------- */
 
 /* The beginning of the text, and parts of the text and the JSON. Figures of a model
  * that is extended are printed as those of that model: its count, largest error and
@@ -121,7 +121,7 @@ TEST(models)
     }
 }
 
-/* ---- From where its constants are ---- */
+/* ---- Sources of constants ------------ */
 
 static size_t count_from(const c205_model *model, char source)
 {

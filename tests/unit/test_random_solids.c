@@ -44,7 +44,7 @@ static void write_scene(char *text, size_t size)
         add_solid(text, size, 1 + below(2));
 }
 
-/* --- comparisons --------------------------------------------------------- */
+/* ---- Comparisons -------------------------------------------------------- */
 
 static void check_no_bounds(const struct scene *scene, const char *text,
                             const struct words *expected)
@@ -100,7 +100,7 @@ static void check_scenes(bool gridded, bool clear)
     }
 }
 
-/* --- tests --------------------------------------------------------------- */
+/* ---- Tests -------------------------------------------------------------- */
 
 TEST_CALL(opaque, check_scenes(false, false))
 TEST_CALL(clear, check_scenes(false, true))

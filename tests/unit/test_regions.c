@@ -12,7 +12,7 @@ enum { PLACES = 400 }; /* maximum number of values of a tree */
 
 static uint64_t random_state = RANDOM_SEED;
 
-/* --- primitives ---------------------------------------------------------- */
+/* ---- Primitives --------------------------------------------------------- */
 
 #define PATCH "steiner_patch { x, y, z, 0, 0, 0 "
 #define CURVED \
@@ -167,7 +167,7 @@ TEST(room)
     assert_int_equal(branches - leaves, 64 * symbol(&stage, "LEAF_SIZE") * LEAVES);
 }
 
-/* --- regions and nodes --------------------------------------------------- */
+/* ---- Regions and nodes -------------------------------------------------- */
 
 TEST(regions)
 {
@@ -288,7 +288,7 @@ TEST(bounds)
                  1e-9);
 }
 
-/* --- steps --------------------------------------------------------------- */
+/* ---- Steps -------------------------------------------------------------- */
 
 /* Writes a random solid of at most `most` primitives. */
 static char *add_solid(char *end, size_t most)

@@ -34,7 +34,7 @@ static const c205_insn *row_of(const struct program_insn *insn)
     return c205_insn_coded((uint8_t)(insn->word >> 56), (uint8_t)(insn->word >> 48));
 }
 
-/* ---- Which programs ---------------------------------------------------- */
+/* ---- Programs ---------------------------------------------------------- */
 
 /* SWAP uses as many registers as its vectors have elements. A word that is not in the
  * table, or has bits that its format lacks, is not an instruction. */
@@ -156,7 +156,7 @@ static struct random_program rename_program(const struct renaming *renaming,
     return renamed;
 }
 
-/* ---- Both run ---------------------------------------------------------- */
+/* ---- Runs of both machines --------------------------------------------- */
 
 static c205_model *models[8];
 static c205 *machines[TWO][8];

@@ -167,7 +167,7 @@ TEST(program_hash)
     assert_int_not_equal(hash, c205_program_hash(&program));
 }
 
-/* ---- What is no saved machine -------------------------------------------- */
+/* ---- Damaged saved machines ---------------------------------------------- */
 
 static void put_word(struct bytes *bytes, size_t i, uint64_t word)
 {

@@ -115,7 +115,7 @@ static const struct line_error errors[] = {
 
 TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
-/* ---- What the machine is told -------------------------------------------- */
+/* ---- Words that the machine reads ---------------------------------------- */
 
 static size_t pieces_of(const char *text)
 {

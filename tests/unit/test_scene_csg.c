@@ -229,7 +229,7 @@ TEST(hidden)
     }
 }
 
-/* --- inheritance --------------------------------------------------------- */
+/* ---- Inheritance -------------------------------------------------------- */
 
 TEST(textures)
 {
@@ -370,7 +370,7 @@ TEST(materials)
         assert_close(p[2].pigment.to_local.rows[i][3], -1, CLOSE);
 }
 
-/* --- surfaces ------------------------------------------------------------ */
+/* ---- Surfaces ----------------------------------------------------------- */
 
 TEST(clear_pigments)
 {
@@ -460,7 +460,7 @@ TEST(settings)
     assert_int_equal(scene->max_trace_level, 12);
 }
 
-/* --- depth --------------------------------------------------------------- */
+/* ---- Depth -------------------------------------------------------------- */
 
 /* Fails unless the first error of a text contains `message`. */
 static void check_error(const char *text, const char *message)

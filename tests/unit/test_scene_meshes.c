@@ -136,7 +136,7 @@ TEST(nothing)
     scene_free(scene);
 }
 
-/* --- how it looks --------------------------------------------------------- */
+/* ---- Materials ----------------------------------------------------------- */
 
 #define LOOKS \
     "#declare A = texture { pigment { rgb x } }\n" \
@@ -254,7 +254,7 @@ TEST(clear)
         assert_true(pigment_is_clear(&p[i].pigment));
 }
 
-/* --- in solids ------------------------------------------------------------ */
+/* ---- In solids ----------------------------------------------------------- */
 
 static void assert_nodes(const char *text, size_t reports,
                          const enum tree_operation *operations, size_t count)
@@ -296,7 +296,7 @@ TEST(clipped)
     assert_true(scene->primitives[1].unseen);
 }
 
-/* --- errors --------------------------------------------------------------- */
+/* ---- Errors -------------------------------------------------------------- */
 
 #define THREE "mesh2 { vertex_vectors { 3, 0, x, y } " /* 38 columns */
 #define FACE "face_indices { 1, <0, 1, 2> } "          /* 30 columns */
@@ -412,7 +412,7 @@ TEST(recovery)
                    "found 'wibble'");
 }
 
-/* --- three ways to say the same ------------------------------------------- */
+/* ---- Three notations of a mesh ------------------------------------------- */
 
 enum { MAX_POINTS = 12, MAX_FACES = 20, MESHES = 300, MAX_TEXT = 40000 };
 

@@ -244,7 +244,7 @@ static const struct line_error errors[] = {
 
 TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
-/* --- conditions ---------------------------------------------------------- */
+/* ---- Conditions --------------------------------------------------------- */
 
 /* Text that is skipped may contain any tokens of the language. */
 TEST(conditions)

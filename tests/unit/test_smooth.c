@@ -203,7 +203,7 @@ TEST(left_alone)
     assert_memory_equal(smooth, closed.flows, sizeof smooth);
 }
 
-/* ---- What is refused ---------------------------------------------------------- */
+/* ---- Errors ------------------------------------------------------------------- */
 
 static void refuses(const struct found *found, const char *message)
 {

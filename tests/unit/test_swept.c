@@ -181,7 +181,7 @@ TEST_CALL(prisms, check_scenes(&prism))
 TEST_CALL(quadratic_prisms, check_scenes(&quadratic))
 TEST_CALL(lathes, check_scenes(&lathe))
 
-/* ---- How many segments a ray has ----------------------------------------- */
+/* ---- Segments of a ray --------------------------------------------------- */
 
 static size_t segments_of(const struct swept *shape, const char *path)
 {

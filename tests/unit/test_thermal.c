@@ -200,7 +200,7 @@ TEST(adiabatic)
     end(&study);
 }
 
-/* ---- What is refused ------------------------------------------------------------ */
+/* ---- Errors --------------------------------------------------------------------- */
 
 static void refuses(const struct study *study, const char *temperatures,
                     const char *emissivities, const char *message)

@@ -175,7 +175,7 @@ static void check_kanata(const struct timeline *timeline)
     text_buffer_free(&text);
 }
 
-/* ---- The others ----------------------------------------------------------- */
+/* ---- Other cases ---------------------------------------------------------- */
 
 /* The texts have one event and one box per span, and each is closed. */
 static void check_texts(const struct timeline *timeline)

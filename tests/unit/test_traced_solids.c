@@ -27,7 +27,7 @@ static void write_scene(char *text, size_t size, size_t count)
     }
 }
 
-/* --- tests --------------------------------------------------------------- */
+/* ---- Tests -------------------------------------------------------------- */
 
 static void check_scenes(size_t scenes)
 {

@@ -183,7 +183,7 @@ static double known(const struct factor_case *which, double *off)
     return NAN;
 }
 
-/* ---- What is found --------------------------------------------------------------- */
+/* ---- Results --------------------------------------------------------------------- */
 
 struct study {
     struct scene *scene;

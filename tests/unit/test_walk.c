@@ -117,7 +117,7 @@ static void write_scene(char *text, bool spheres)
             add_thing(text, TEXT_ROOM);
 }
 
-/* --- comparisons --------------------------------------------------------- */
+/* ---- Comparisons -------------------------------------------------------- */
 
 static void check(const struct scene *scene, const char *text,
                   const struct words *expected, enum trace_mode mode, size_t queue,

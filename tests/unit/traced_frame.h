@@ -50,10 +50,10 @@ struct traced {
     size_t queues[MAX_QUEUES];        /* queue lengths, terminated by 0 if fewer */
     uint64_t random;                  /* random state of the scenes */
     bool historical, no_bounds, flat; /* as in trace_options */
-    const char *variant;              /* likewise */
-    enum visible visible;             /* likewise */
-    enum trace_order order;           /* likewise */
-    size_t samples;                   /* likewise */
+    const char *variant;              /* as in trace_options */
+    enum visible visible;             /* as in trace_options */
+    enum trace_order order;           /* as in trace_options */
+    size_t samples;                   /* as in trace_options */
     bool reported;                    /* the scene may cause reports */
 };
 extern struct traced traced;

@@ -1,3 +1,4 @@
+/* tree_value.c - evaluates a Boolean tree by its definition. */
 #include "tests/unit/tree_value.h"
 
 bool tree_value(const struct scene *scene, size_t node, const bool *inside)

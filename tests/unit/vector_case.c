@@ -349,7 +349,7 @@ static void fill_memory(struct vector_case *one, uint64_t *random)
             one->memory[(size_t)role * ZONE_WORDS + i] = random_bits(random);
 }
 
-/* ---- How many elements -------------------------------------------------- */
+/* ---- Number of elements ------------------------------------------------- */
 
 
 static size_t scanned(const struct vector_case *one)
