@@ -1,5 +1,5 @@
-/* bench_lanes.c - host nanoseconds per element of the machine's arithmetic,
- * on words and half words, beside the same loop in plain doubles.
+/* bench_lanes.c - host nanoseconds per element of the machine's arithmetic, on words
+ * and half words, compared with the same loop in plain doubles.
  *
  *     bench_lanes [TRIALS]
  */
@@ -27,7 +27,8 @@ static double now(void)
     return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
 }
 
-/* The others hold the same values as a and b, the half words cut. */
+/* Copies the values of a and b to the half words, which are truncated, and to the
+ * doubles. */
 static void share_values(void)
 {
     uint64_t flags = 0;
@@ -40,7 +41,7 @@ static void share_values(void)
     }
 }
 
-/* One in so many of b is a machine zero; 0: none. */
+/* Makes one in `each` elements of b a machine zero; 0: none. */
 static void fill(size_t each)
 {
     uint64_t state = RANDOM_SEED;
@@ -54,7 +55,7 @@ static void fill(size_t each)
     share_values();
 }
 
-/* Divisors without zeros, radicands without signs. */
+/* Replaces zero divisors and negative radicands. */
 static void make_divisible(void)
 {
     uint64_t flags = 0;
@@ -84,7 +85,7 @@ static double nanoseconds(task *run)
     return best;
 }
 
-/* What is compared: of words, of half words, in doubles. */
+/* The compared loops: on words, on half words, in doubles. */
 typedef struct tasks {
     task *lanes, *halves, *doubles;
 } tasks;

@@ -1,11 +1,11 @@
-/* bench_lines.c - the machine's clocks to find all that is seen along lines.
+/* bench_lines.c - the machine's clocks of all-hits ray queries.
  *
  *     bench_lines SCENE.pov ..
  *
- * Of each scene 4,800 lines from its camera, through the middles of 80 x 60 pixels, in
- * both forms, the vector form in queues of 2,000: how many crossings a line has, and
- * clocks a line; without more, with bodies counted, with normals as well.  Prints a
- * table, and stops with 1 if the forms do not find the same.
+ * For each scene, 4,800 lines from its camera pass through the centres of 80 x 60
+ * pixels, in both forms, the vector form in queues of 2,000. The table has the
+ * crossings per line and the clocks per line: without options, with bodies counted, and
+ * with normals as well. Exit status 1: the forms give different crossings.
  */
 #include <stdio.h>
 
@@ -40,7 +40,7 @@ static void put_lines(const struct camera *camera, struct scene_ray list[LINES])
     }
 }
 
-/* Clocks a line. */
+/* Returns the clocks per line. */
 static double follow(const struct scene *scene, const c205_model *model,
                      enum trace_mode mode, const struct asked *what,
                      const struct scene_ray list[LINES], struct ray_hits *found)

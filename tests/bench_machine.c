@@ -1,5 +1,5 @@
-/* bench_machine.c - how fast the host emulates: programs on the machine,
- * beside the same loops in plain doubles, and beside the real machine's clock.
+/* bench_machine.c - the speed of the emulation: programs on the machine, compared with
+ * the same loops in plain doubles, and with the clock of the real machine.
  *
  *     bench_machine [TRIALS]
  */
@@ -34,8 +34,8 @@ enum { LENGTH = 2000, DOUBLE_REPEATS = 20000 };
     "        DBNZ    r15, [r16]\n" \
     "        EXIT\n"
 
-/* As a compiler writes a loop with a call: the nearest root of a quadratic
- * for each of a list, arguments and results in memory. */
+/* A loop with a call, as a compiler writes it: the nearer root of each quadratic of a
+ * list, with arguments and results in memory. */
 static const char scalar_program[] =
     "        .include \"core.s\"\n"
     "        .regs   r10, args, roots, i, n, one, link, to, turns\n"
@@ -80,7 +80,7 @@ static const char scalar_program[] =
 /* ---- The same in doubles --------------------------------------------- */
 
 static double x[LENGTH], y[LENGTH], z[LENGTH];
-static volatile double sink; /* so that results are wanted */
+static volatile double sink; /* keeps the compiler from removing the loops */
 static int trials = 5;
 
 static void add_doubles(void)
@@ -99,7 +99,8 @@ static void multiply_doubles(void)
 
 typedef void loop(void);
 
-/* Seconds an element; the pointer keeps the compiler from joining turns. */
+/* Returns seconds per element. The volatile pointer keeps the compiler from merging
+ * iterations. */
 static double time_doubles(loop *run)
 {
     loop *volatile turn = run;
@@ -120,7 +121,7 @@ static double time_doubles(loop *run)
 static const struct bench {
     const char *name;
     const char *program;
-    loop *doubles; /* NULL: counted in instructions */
+    loop *doubles; /* NULL: the instructions are counted */
 } benches[] = {
     { "add, 64 bits, n = 2,000", VECTOR_PROGRAM("ADDNV"), add_doubles },
     { "multiply, 64 bits, n = 2,000", VECTOR_PROGRAM("MPYSV"), multiply_doubles },

@@ -1,10 +1,10 @@
-/* bench_ranks.c - what rank 0 has to do for a unit of work of other ranks: hear of it, take
- * its words, say which is next.
+/* bench_ranks.c - the work of rank 0 for a unit of another rank: it receives the
+ * message, takes the words and sends the next unit.
  *
  *     mpirun -n RANKS bench_ranks UNITS WORDS
  *
- * prints the seconds on the wall and the processor's seconds of rank 0 for a unit.  Units
- * themselves take no time; RT205_LIBDIR is where the adapter is.
+ * Prints the wall seconds and the processor seconds of rank 0 per unit. The units
+ * themselves take no time. RT205_LIBDIR is the folder of the dynamic library.
  */
 #include <pthread.h>
 #include <stdio.h>
@@ -25,7 +25,7 @@ struct load {
     struct ranks *ranks;
     size_t units, words;
     pthread_mutex_t lock;
-    size_t taken; /* units, under lock */
+    size_t taken; /* units, protected by lock */
 };
 
 static size_t count_taken(struct load *load, size_t more)
@@ -38,7 +38,8 @@ static size_t count_taken(struct load *load, size_t more)
     return taken;
 }
 
-/* Rank 0's own thread keeps out of it, with the last unit of all. */
+/* The own thread of rank 0 waits, holding the last unit, until all other units are
+ * done. */
 static bool run_unit(void *context, size_t job, size_t unit,
                      struct serialized_result *words, c205_error *error)
 {

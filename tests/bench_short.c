@@ -1,9 +1,9 @@
-/* bench_short.c - host nanoseconds per vector instruction, by the length of
- * its vectors: what it costs to begin one, and what each element adds.
+/* bench_short.c - host nanoseconds per vector instruction by the length of its vectors:
+ * the cost of starting one, and the cost of each element.
  *
  *     bench_short [TRIALS [TEXT]]
  *
- * With TEXT only the instructions that hold it.
+ * With TEXT, only the instructions that contain it are measured.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,8 +15,8 @@
 
 enum { UNROLLED = 10, ELEMENTS = 500000, FEWEST_TURNS = 500 };
 
-/* An instruction, so many times a turn, on vectors of n elements; two of three
- * bits are ones, and the list names every element. */
+/* An instruction, repeated in each iteration, on vectors of n elements. Two of three
+ * bits are ones, and the list of indices contains every element. */
 static const char program_text[] =
     "        .include \"core.s\"\n"
     "        .equ    n, %zu\n"
@@ -121,7 +121,7 @@ static double nanoseconds(c205 *machine, const char *instruction, size_t n)
     return seconds / (double)(turns * UNROLLED) * 1e9;
 }
 
-/* Its first line, each run of spaces as one. */
+/* The name is the instruction's first line, with single spaces. */
 static void name_row(struct table *table, const char *instruction)
 {
     char name[100];

@@ -1,11 +1,11 @@
-/* bench_trace.c - how long the trace of a frame takes.
+/* bench_trace.c - the time of tracing a frame.
  *
  *     bench_trace SCENE.pov WIDTH HEIGHT [JOBS]
  *
- * Traces the scene in vector form, JOBS bands at a time (1), and prints
- * processor seconds, seconds, clocks of the machine, and the most kilobytes
- * that the process had.  Reading the scene and assembling the kernels are not
- * counted in the seconds, as POV-Ray does not count its parsing.
+ * Traces the scene in vector form, JOBS bands at a time (1), and prints processor
+ * seconds, wall seconds, clocks of the machine, and the maximum size of the process in
+ * kilobytes. The seconds exclude reading the scene and assembling the kernels, as
+ * POV-Ray's exclude parsing.
  */
 #include <stdio.h>
 #include <stdlib.h>

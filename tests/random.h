@@ -1,4 +1,4 @@
-/* random.h - random words, the same on every run for the same seed. */
+/* random.h - random words; the same seed gives the same words on every run. */
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 
@@ -15,7 +15,7 @@ static inline uint64_t xorshift(uint64_t *state)
     return *state;
 }
 
-/* low .. high, both included */
+/* Returns a number from low to high, both included. */
 static inline int64_t xorshift_between(uint64_t *state, int64_t low, int64_t high)
 {
     return low + (int64_t)(xorshift(state) % (uint64_t)(high - low + 1));
@@ -37,7 +37,7 @@ static inline c205_word xorshift_normalised_of(word_format f, uint64_t *state,
     return format_make(f, exponent, random & 1 ? c : ~c);
 }
 
-/* An unnormalised number: up to all significant bits but one. */
+/* Returns an unnormalised number, with up to all but one significant bits. */
 static inline c205_word xorshift_unnormalised_of(word_format f, uint64_t *state,
                                                  int32_t low, int32_t high)
 {

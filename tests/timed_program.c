@@ -1,4 +1,4 @@
-/* timed_program.c - see timed_program.h. */
+/* timed_program.c - measures the time of programs, frames and processes on the host. */
 #include "tests/timed_program.h"
 
 #include <math.h>

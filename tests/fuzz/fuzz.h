@@ -1,4 +1,4 @@
-/* fuzz.h - what the fuzz targets share. */
+/* fuzz.h - declarations that all fuzz targets share. */
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 
@@ -10,8 +10,8 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* Each target sets it when an input gets past its first check, so that the
- * input tests more than a refusal.  Seeds of which none does are a failure. */
+/* A target sets this when an input passes its first check, so that the input tests more
+ * than an error. It is a failure if no seed does. */
 extern bool fuzz_accepted;
 
 static inline void must(bool holds)
@@ -20,7 +20,7 @@ static inline void must(bool holds)
         abort();
 }
 
-/* The model on which seed.sh saves machines; it is read once. */
+/* Returns the model on which seed.sh saves machines; it is read once. */
 static inline c205_model *fuzz_model(void)
 {
     static c205_model *model;

@@ -1,5 +1,5 @@
-/* fuzz_asm.c - any bytes as a program text and as an object file; what they
- * make must come back from its disassembly (clang -fsanitize=fuzzer). */
+/* fuzz_asm.c - reads any bytes as a program text and as an object file. The disassembly
+ * of the resulting object must assemble (clang -fsanitize=fuzzer). */
 #include <string.h>
 
 #include "asm/assemble.h"
@@ -19,7 +19,7 @@ static void ignore(void *context, const char *text, size_t length)
 
 static const struct sink nowhere = { ignore, NULL };
 
-/* Its disassembly must assemble. */
+/* The disassembly of an object must assemble. */
 static void go_round(const struct object *object)
 {
     struct text_buffer text = { NULL, 0, 0, false };

@@ -1,6 +1,8 @@
-/* fuzz_dap.c - any bytes as what an editor says: each line the content of a message, or
- * all of it with its headers.  Whatever it is, all that is answered is JSON in frames,
- * counted, and the session ends with the input.
+/* fuzz_dap.c - reads any bytes as the input of an editor: each line is the content of a
+ * message, or the whole input has headers.
+ *
+ * For any input, the output must be JSON in numbered frames, and the session must end
+ * with the input.
  */
 #include <string.h>
 
@@ -33,8 +35,8 @@ static const char text[] = "        .include \"vectors.s\"\n"
 /* ---- The client ---------------------------------------------------------------- */
 
 struct talk {
-    struct text_buffer said; /* by the client, .. */
-    size_t taken;            /* so much of it */
+    struct text_buffer said; /* sent by the client */
+    size_t taken;            /* length that was read */
     int64_t heard;
 };
 
@@ -68,7 +70,7 @@ static void say(struct talk *talk, const uint8_t *data, size_t size)
         frame_lines(talk, data, size);
 }
 
-/* In pieces of several lengths. */
+/* Reads the input in pieces of several lengths. */
 static size_t give(void *context, char *bytes, size_t most)
 {
     struct talk *talk = context;
@@ -107,7 +109,7 @@ static void hear(void *context, const char *bytes, size_t length)
     arena_free(&arena);
 }
 
-/* Not what the client names: nothing of this host is opened. */
+/* Ignores the program that the client names, so that no file of the host is opened. */
 static bool open_program(void *context, const struct dap_program *program,
                          const struct sink *report, struct object **object,
                          c205_model **model)

@@ -1,5 +1,6 @@
-/* fuzz_debugger.c - any bytes as lines for the debugger of a small program: whatever they
- * say, the clock is what the accounts sum to, and the way back leads to step 0. */
+/* fuzz_debugger.c - reads any bytes as lines for the debugger of a small program. For
+ * any lines, the accounts must sum to the clock, and moving backward must reach step
+ * 0. */
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
@@ -32,7 +33,7 @@ static void ignore(void *context, const char *said, size_t length)
     (void)length;
 }
 
-/* A program that somebody has changed may run for ever. */
+/* Interrupts a program that runs forever because a line has changed it. */
 static unsigned asked;
 
 static bool is_enough(void *unused)

@@ -1,5 +1,5 @@
-/* fuzz_engine.c - any bytes as what a page asks: each line a request.  Whatever it is, the
- * reply is JSON that says whether it could be done, and if not why.
+/* fuzz_engine.c - reads any bytes as requests of a page, one per line. For any request,
+ * the reply must be JSON that reports success, or an error with its reason.
  */
 #include <string.h>
 

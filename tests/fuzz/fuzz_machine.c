@@ -1,12 +1,12 @@
-/* fuzz_machine.c - any words as a program.
+/* fuzz_machine.c - runs any words as a program.
  *
- * Whatever they do: the accounts sum to the clock; a program run at once, one
- * stopped every few clocks and one taken step by step end in the same way; an
- * instruction that traps has changed neither registers nor memory.
+ * For any words, the accounts must sum to the clock. A program in one run, in slices
+ * and in single steps must end in the same state, and an instruction that traps must
+ * not have changed registers or memory.
  *
- * The first byte of a word is taken as a row of the instruction table when
- * there is such a row, and as the opcode otherwise: nearly all programs get
- * beyond their first instruction, and undefined ones still occur.
+ * If there is a row of the instruction table with the number of a word's first byte,
+ * the byte selects that row; otherwise it is the opcode. Most programs therefore
+ * continue after their first instruction, and undefined instructions still occur.
  */
 #include <string.h>
 
@@ -15,16 +15,17 @@
 bool fuzz_accepted;
 
 #define CODE UINT64_C(0x400000)   /* page 1 */
-#define DATA UINT64_C(0x10000000) /* page 64, and nothing beside it */
+#define DATA UINT64_C(0x10000000) /* page 64; no other page is near */
 #define CLOCKS 100000
-/* The data flag of the job interval timer: it may run out while an instruction
+/* The data flag of the job interval timer. The timer may expire while an instruction
  * traps. */
 #define TIMER (UINT64_C(1) << 27)
 #define SLICE 37
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 enum { WORD_BITS = 64, CODE_WORDS = 256, DATA_WORDS = 1024 };
 
-/* All that a program can change, but for what it makes of its own code. */
+/* All state that a program can change, except code outside of its first CODE_WORDS
+ * words. */
 struct state {
     c205_word registers[C205_REGISTERS];
     c205_word flags;
@@ -33,7 +34,7 @@ struct state {
     uint64_t pc;
 };
 
-/* ---- A program of the bytes --------------------------------------------- */
+/* ---- Programs from bytes ------------------------------------------------ */
 
 static c205_word word_of(const uint8_t *bytes)
 {
@@ -64,7 +65,7 @@ static void load(c205 *machine, const c205_word *code)
     must(c205_load(machine, &program, &error));
 }
 
-/* Descriptors, numbers, indices and branch targets, in turn. */
+/* The registers are descriptors, numbers, indices and branch targets, in turn. */
 static void fill_registers(c205 *machine)
 {
     for (unsigned i = 1; i < C205_REGISTERS; i++) {
@@ -76,7 +77,7 @@ static void fill_registers(c205 *machine)
     }
 }
 
-/* ---- What must hold ----------------------------------------------------- */
+/* ---- Checks ------------------------------------------------------------- */
 
 static void check_accounts(const c205 *machine)
 {
@@ -109,7 +110,7 @@ static void begin(c205 *machine, const c205_word *code)
     fill_registers(machine);
 }
 
-/* As c205_run(machine, CLOCKS). */
+/* Gives the same result as c205_run(machine, CLOCKS). */
 static c205_stop run_slices(c205 *machine)
 {
     c205_stop stop;
@@ -122,7 +123,7 @@ static c205_stop run_slices(c205 *machine)
     return stop;
 }
 
-/* To where a run ended; gives the number of steps. */
+/* Steps to the end of a run. Returns the number of steps. */
 static size_t walk(c205 *machine)
 {
     c205_stop stop;
@@ -148,7 +149,7 @@ static void check_trap(c205 *machine, const c205_word *code, size_t steps,
     check_same(&before, &after);
 }
 
-/* The machine has come to where the run ended. */
+/* Fails unless the machine is in the final state of the run. */
 static void check_end(const c205 *machine, const struct state *ran, uint64_t clock)
 {
     static struct state state;

@@ -1,12 +1,12 @@
-/* fuzz_object.c - any bytes as an object file; what can be read is loaded
- * and runs for a while. */
+/* fuzz_object.c - reads any bytes as an object file; a valid object is loaded and
+ * run. */
 #include "asm/object.h"
 #include "tests/fuzz/fuzz.h"
 
 bool fuzz_accepted;
 
 #define CLOCKS 10000
-#define MAX_WORDS ((size_t)1 << 20) /* more is only slower */
+#define MAX_WORDS ((size_t)1 << 20) /* larger objects are only slower */
 
 static size_t words_of(const c205_program *program)
 {

@@ -1,9 +1,9 @@
-/* fuzz_save.c - any bytes as a saved machine.
+/* fuzz_save.c - restores a machine from any bytes.
  *
- * As they are, and once more with the right hash in the last word, which
- * chance would never find.  What is restored is a machine: saved again it
- * gives the same bytes, what is saved of its twin after a few steps is what
- * is saved of it, and the accounts sum to the clock, now and then.
+ * The bytes are read unchanged, and a second time with the correct hash in the last
+ * word, which random inputs would not contain. A restored machine, saved again, must
+ * give the same bytes. After some steps it must save the same bytes as its copy, and
+ * its accounts must sum to the clock.
  */
 #include <string.h>
 
@@ -49,7 +49,8 @@ static c205 *restore(const uint8_t *data, size_t size)
     return machine;
 }
 
-/* Whole words only, the last of them a hash of the others. */
+/* Writes the hash of all words but the last into the last word. Returns the size in
+ * full words. */
 static size_t seal(uint8_t *byte, size_t size)
 {
     size_t words = size / WORD_BYTES;
@@ -65,7 +66,7 @@ static size_t seal(uint8_t *byte, size_t size)
     return words * WORD_BYTES;
 }
 
-/* ---- What must hold ----------------------------------------------------- */
+/* ---- Checks ------------------------------------------------------------- */
 
 static void check_accounts(const c205 *machine)
 {
@@ -96,7 +97,8 @@ static c205_stop go_on(c205 *machine)
     return stop;
 }
 
-/* The machine and its twin, which was saved and restored. */
+/* Compares a machine with a copy that was saved and restored, before and after some
+ * steps. */
 static void check_twins(c205 *machine)
 {
     struct bytes bytes = save(machine);
@@ -123,7 +125,8 @@ static void try_bytes(const uint8_t *data, size_t size)
     c205_free(machine);
 }
 
-/* In a place as long as they are, so that reading beyond them is seen. */
+/* The copy has an allocation of exact size, so that reads after its end are
+ * detected. */
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     uint8_t *sealed = malloc(size ? size : 1);

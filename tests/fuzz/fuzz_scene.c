@@ -1,4 +1,4 @@
-/* fuzz_scene.c - any bytes as a scene: read, printed, freed. */
+/* fuzz_scene.c - reads any bytes as a scene, prints the reports and frees the scene. */
 #include "rt/scene/language/scene_read.h"
 
 #include "tests/fuzz/fuzz.h"

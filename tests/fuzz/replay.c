@@ -1,6 +1,6 @@
-/* replay.c - replay_TARGET FILE ...: a fuzz target without its fuzzer, once
- * on each file; whoever finds a fault ends the program.  Exit status 3: no
- * file gets past the first check of the target. */
+/* replay.c - replay_TARGET FILE ...: runs a fuzz target without its fuzzer, once on
+ * each file. A fault ends the program. Exit status 3: no file passes the first check of
+ * the target. */
 #include <stdio.h>
 
 #include "tests/fuzz/fuzz.h"

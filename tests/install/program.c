@@ -1,5 +1,5 @@
-/* program.c - a client of the installed libraries: assembles a text, runs it
- * and prints what became of a register.
+/* program.c - a client of the installed libraries: assembles a text, runs it and prints
+ * the final value of a register.
  */
 #include <asm/assemble.h>
 

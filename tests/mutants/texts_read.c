@@ -1,7 +1,8 @@
-/* texts_read.c - which texts the assembler reads.
+/* texts_read.c - records which texts the assembler reads.
  *
- * Linked into the programs of cover.sh with --wrap=source_find.  The name of each text
- * is appended to the file that the environment's TEXTS_READ names. */
+ * The file is linked into the programs of cover.sh with --wrap=source_find. It appends
+ * the name of each text to the file that the environment variable TEXTS_READ names.
+ */
 #include "asm/source.h"
 
 #include <stdio.h>

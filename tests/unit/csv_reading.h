@@ -1,6 +1,5 @@
 /* csv_reading.h - reads CSV back as RFC 4180 defines it. Cells are separated by commas;
  * a quoted cell may contain any character, with "" for a quote.
- *
  */
 #ifndef TESTS_CSV_READING_H
 #define TESTS_CSV_READING_H

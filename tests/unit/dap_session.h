@@ -1,6 +1,5 @@
 /* dap_session.h - sessions of a client of c205 debug --dap with a program, and queries
  * of its state.
- *
  */
 #ifndef TESTS_DAP_SESSION_H
 #define TESTS_DAP_SESSION_H

@@ -1,6 +1,5 @@
 /* exact_functions.h - reference values of the routines of asm/lib, to any number of
  * digits, and their polynomials, computed with MPFR.
- *
  */
 #ifndef EXACT_FUNCTIONS_H
 #define EXACT_FUNCTIONS_H

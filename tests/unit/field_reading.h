@@ -1,6 +1,5 @@
 /* field_reading.h - writes files for a height_field and locates the triangles that it
  * becomes.
- *
  */
 #ifndef TESTS_FIELD_READING_H
 #define TESTS_FIELD_READING_H

@@ -1,6 +1,5 @@
 /* random_words.h - the verdict that a random answer must get, derived from its known
  * mistake.
- *
  */
 #ifndef TESTS_DRAWN_WORDS_H
 #define TESTS_DRAWN_WORDS_H

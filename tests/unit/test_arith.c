@@ -2,7 +2,6 @@
  * half words, and conversions between the two sizes, are compared with results computed
  * by hand. A result with a different rounding, normalisation or flag in one size fails
  * here.
- *
  */
 #include "tests/random.h"
 #include "tests/unit/rule_cases.h"

@@ -3,7 +3,6 @@
  * the deepest nesting; and messages of wrong expressions with expected ones. Columns of
  * errors are checked in test_asm_errors. An operator with another precedence or
  * rounding fails here.
- *
  */
 #include "tests/unit/asm_helper.h"
 

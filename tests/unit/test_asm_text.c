@@ -1,7 +1,6 @@
 /* test_asm_text.c - directives, macros and conditions: the words that short programs
  * put into memory are compared with those computed by hand, and wrong texts with a
  * table of their errors. A directive that moves or drops a word fails here.
- *
  */
 #include "tests/unit/asm_helper.h"
 

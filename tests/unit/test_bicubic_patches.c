@@ -3,7 +3,6 @@
  * subdivision, a corner or normal of another piece, or a missing triangle fails here.
  *
  *     test_bicubic_patches [PATCHES [SEED]]
- *
  */
 #include "rt/shapes/primitive.h"
 #include "tests/unit/draw.h"

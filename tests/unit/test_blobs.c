@@ -4,7 +4,6 @@
  * missing hump, or a normal that points inside fails here.
  *
  *     test_blobs [SCENES [SEED]]
- *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/random_solids.h"

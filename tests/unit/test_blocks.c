@@ -3,7 +3,6 @@
  * calls, branches, loads, SWAP, vectors and code that changes; runs are also stopped
  * and listened to. A schedule that is used for another state of the clock, or stale
  * code, fails here.
- *
  */
 #include "tests/unit/saved_machine.h"
 #include "tests/unit/prior_model.h"

@@ -2,7 +2,6 @@
  * machine before and after each step of random programs, with and without a listener,
  * forward and backward. A store that is not reported, or a stop that is missed, fails
  * here.
- *
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"

@@ -5,7 +5,6 @@
  * counted twice, fails here.
  *
  *     test_closed_meshes [SCENES [SEED]]
- *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/random_mesh.h"

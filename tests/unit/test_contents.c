@@ -1,7 +1,6 @@
 /* test_contents.c - the types and sizes of data that the assembler records for labels
  * are compared with those of random texts. A label with another type, or a count that
  * includes the next label's data, fails here.
- *
  */
 #include <inttypes.h>
 

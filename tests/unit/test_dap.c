@@ -2,7 +2,6 @@
  * those that the sessions of dap.txt expect, and its reaction to malformed messages
  * with the protocol's rules. A capability without a session, or another response, fails
  * here.
- *
  */
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"

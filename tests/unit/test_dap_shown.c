@@ -2,7 +2,6 @@
  * machine: elements with their control bits in every range, and the accounts after
  * every step. The launch members that the editor's extension proposes must be accepted.
  * A value of another element, or a cause without its clocks, fails here.
- *
  */
 #include "base/file.h"
 #include "base/json.h"

@@ -5,7 +5,6 @@
  *
  * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for a
  * check that runs it in another way (tests/check_replay.sh).
- *
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"

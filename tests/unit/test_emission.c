@@ -4,7 +4,6 @@
  * distribution fails here.
  *
  *     test_emission [TRIES [SEED]]
- *
  */
 #include "base/accounts.h"
 #include "rt/heat/alias.h"

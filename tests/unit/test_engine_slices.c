@@ -1,7 +1,6 @@
 /* test_engine_slices.c - requests that are done in slices are compared with the same
  * requests in one piece, and endless programs with their limit. A slice that repeats or
  * skips a step, or a program that never stops, fails here.
- *
  */
 #include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"

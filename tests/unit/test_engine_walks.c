@@ -1,7 +1,6 @@
 /* test_engine_walks.c - replies of the engine after random moves, forward and backward,
  * are compared with machines that run to the same step; so are profiles, timelines and
  * output. State that an earlier move leaves over fails here.
- *
  */
 #include "asm/line_profile.h"
 #include "asm/print.h"

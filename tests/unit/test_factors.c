@@ -3,7 +3,6 @@
  * ray, a repeat that is cut in the wrong place or a row that does not close fails here.
  *
  *     test_factors [SEED]
- *
  */
 #include "rt/heat/factors.h"
 #include "rt/heat/packet.h"

@@ -3,7 +3,6 @@
  * of docs/functions.md. A form with another rounding, or a larger error, fails here.
  *
  *     test_functions [TRIES [SEED]]
- *
  */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/oracle/chance.h"

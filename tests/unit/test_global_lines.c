@@ -3,7 +3,6 @@
  * bit. A crossing that is counted twice or for another pair of surfaces fails here.
  *
  *     test_global_lines [SEED]
- *
  */
 #include "rt/heat/global_lines.h"
 

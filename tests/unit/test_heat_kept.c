@@ -3,7 +3,6 @@
  * packet that is lost, drawn twice or taken from another run fails here.
  *
  *     test_heat_kept [SEED]
- *
  */
 #include <unistd.h>
 

@@ -4,7 +4,6 @@
  * test_height_files.c.
  *
  *     test_height_fields [FIELDS [SEED]]
- *
  */
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_shapes.h"

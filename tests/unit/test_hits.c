@@ -2,7 +2,6 @@
  * are compared with plain C, and a scene with all first hits of the same rays. A hit
  * that one form misses, or a part that is not a solid cylinder and is accepted, fails
  * here.
- *
  */
 #include <math.h>
 

@@ -2,7 +2,6 @@
  * those of random tables, in all permitted notations, and reports about faulty files
  * with expected ones. A number that is skipped, or a fault that is accepted, fails
  * here.
- *
  */
 #include <inttypes.h>
 

@@ -2,7 +2,6 @@
  * different value, are encoded, decoded and compared, and so are known words. A field
  * at another place, two instructions with one code, or a letter of an operand without a
  * field fails here.
- *
  */
 #include "tests/unit/unit.h"
 #include "vm/c205.h"

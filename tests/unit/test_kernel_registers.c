@@ -4,7 +4,6 @@
  * does not change, fails here.
  *
  *     test_kernel_registers [SCENES [SEED]]
- *
  */
 #define SMALL_FRAMES
 #include "tests/unit/random_solids.h"

@@ -2,7 +2,6 @@
  * every operation, at every length and alignment, on operands of every kind, also with
  * a result that overlaps an operand. A lane with other bits, a flag that is lost, or a
  * word that changes after the end fails here.
- *
  */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"

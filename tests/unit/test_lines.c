@@ -4,7 +4,6 @@
  * here.
  *
  *     test_lines [SCENES [SEED]]
- *
  */
 #include "tests/unit/random_solids.h"
 

@@ -3,7 +3,6 @@
  * memory are compared with expected values. Results of instructions are compared by
  * check-programs with results by hand, and by check-random with a second interpreter. A
  * trap that is missing, or reported with another address, fails here.
- *
  */
 #include "machine_fixture.h"
 

@@ -4,7 +4,6 @@
  *
  * MASS_RAYS, a power of two, is the total number of rays of a view; with 2^18 the
  * errors are at most 1e-4 of a figure.
- *
  */
 #include "base/file.h"
 #include "tests/oracle/many_scenes.h"

@@ -2,7 +2,6 @@
  * bits at every alignment with a loop over bits: access rights, pages that are
  * allocated on access or unmapped, words across pages and marks of code. A span that
  * ends at another bit, or a page that keeps an old word or right, fails here.
- *
  */
 #include "tests/unit/unit.h"
 #include "vm/memory.h"

@@ -4,7 +4,6 @@
  * small, or used for rays that miss the viewpoint, fails here.
  *
  *     test_mesh_windows [SCENES [SEED]]
- *
  */
 #define SMALL_FRAMES
 #include "rt/layout/find_viewpoints.h"

@@ -3,7 +3,6 @@
  * equal ones the first. A triangle that is lost or a wrong normal fails here.
  *
  *     test_meshes [SCENES [SEED]]
- *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/random_mesh.h"

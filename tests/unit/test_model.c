@@ -2,7 +2,6 @@
  * changed ones with their changes, and wrong texts with the place and message of their
  * error. A model that is missing, a change that affects other constants, or an error at
  * another column fails here.
- *
  */
 #include "tests/unit/unit.h"
 #include "vm/time/model.h"

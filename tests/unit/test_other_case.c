@@ -2,7 +2,6 @@
  * of a path are looked up in folders whose names differ in case alone, and the results
  * compared with the files. A file that is missed, or only one of several that match,
  * fails here.
- *
  */
 #include "base/other_case.h"
 #include "tests/unit/draw.h"

@@ -3,7 +3,6 @@
  * front, for ranges and lists of indices; their clocks, 30 for a miss and 1,000 more
  * for a fault, with cases by hand. A page that leaves too early, or a damaged list that
  * is restored, fails here.
- *
  */
 #include "tests/unit/clock_driver.h"
 

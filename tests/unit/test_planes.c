@@ -1,7 +1,6 @@
 /* test_planes.c - the words of a frame, in memory and in a file, are written, not
  * accessed for a while and compared, for numbers below and above the limit for memory.
  * A word that is lost or not zero initially, or pages that stay in memory, fail here.
- *
  */
 #include "rt/platform/framebuffer.h"
 #include "tests/unit/unit.h"

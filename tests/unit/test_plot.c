@@ -2,7 +2,6 @@
  * with the table, with unusual names, values that are not numbers, and a gnuplot that
  * is missing or fails. A file that is left incomplete, or a row or curve that is lost,
  * fails here.
- *
  */
 #include "rt/study/plot/plot.h"
 

@@ -3,7 +3,6 @@
  * than one, covers fails here.
  *
  *     test_polygons [POLYGONS [SEED]]
- *
  */
 #include "rt/shapes/primitive.h"
 #include "tests/unit/draw.h"

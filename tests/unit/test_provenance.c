@@ -2,7 +2,6 @@
  * model: the sources of its constants, and its errors against published figures, for
  * models that are fitted, compared, changed or projections. A figure of another model,
  * or a constant that is counted with another source, fails here.
- *
  */
 #include "base/provenance.h"
 #include "tests/unit/unit.h"

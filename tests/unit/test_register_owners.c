@@ -2,7 +2,6 @@
  * with expected lines and names: programs that lose a register to another name have one
  * report; programs that save it, or name it by number, have none. A write that is
  * missed, or a report about a register that was restored, fails here.
- *
  */
 #include "tests/unit/asm_helper.h"
 

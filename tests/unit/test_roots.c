@@ -2,7 +2,6 @@
  * quadratics and lines, of all magnitudes, are compared with their known roots, in both
  * forms and by every rule of the regula falsi. A root that is lost at a bound, a double
  * root that is counted twice, or an overflow fails here.
- *
  */
 #include <math.h>
 

@@ -2,7 +2,6 @@
  * restore on the way are compared with runs without, and saved machines that are
  * truncated, damaged, forged or of another model are rejected. State that is not saved,
  * or bytes that are accepted without their hash, fail here.
- *
  */
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"

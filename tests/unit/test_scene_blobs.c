@@ -2,7 +2,6 @@
  * pieces and table rows of texts are compared with those computed by hand. A motion in
  * the wrong order, a material of the wrong component, or an error at another column
  * fails here.
- *
  */
 #include "tests/unit/scene_reading.h"
 

@@ -2,7 +2,6 @@
  * are compared with expected ones. A wrong operation, complement or body fails here.
  *
  * The texts are deeply nested, so the test is slow with the leak sanitizer.
- *
  */
 #include "tests/unit/scene_reading.h"
 

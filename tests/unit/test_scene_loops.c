@@ -3,7 +3,6 @@
  * lost iteration, fails here.
  *
  * The test reads thousands of scenes, so it is slow with the leak sanitizer.
- *
  */
 #include "tests/unit/scene_reading.h"
 

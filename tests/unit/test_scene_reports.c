@@ -3,7 +3,6 @@
  * repeated, or memory without a limit, fails here.
  *
  * The texts are large, so the test is slow with the leak sanitizer.
- *
  */
 #include "tests/unit/scene_reading.h"
 

@@ -2,7 +2,6 @@
  * the primitive and the distance that geometry gives, in both forms and with queues of
  * several lengths. A kernel that confuses two cases of a shape (an origin inside it, a
  * ray along its axis, in its plane or through its edge, a hit on its rim) fails here.
- *
  */
 #include "tests/unit/traced_frame.h"
 

@@ -2,7 +2,6 @@
  * solve random polynomials, with roots that are separate, double, triple and fourfold;
  * they are compared with each other bit for bit, and with the changes of sign in small
  * steps. A lane that ends early, or roots that are out of order, fail here.
- *
  */
 #include <math.h>
 

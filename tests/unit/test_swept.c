@@ -5,7 +5,6 @@
  * the crossings of a ray fail here.
  *
  *     test_swept [SCENES [SEED]]
- *
  */
 #define MIDDLING_FRAMES
 #include "tests/unit/swept_shapes.h"

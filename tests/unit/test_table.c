@@ -2,7 +2,6 @@
  * numbers are compared with expected texts in every format, and files that cannot be
  * replaced with their old contents. A value that is truncated or quoted incorrectly, or
  * a temporary file that is left, fails here.
- *
  */
 #include <float.h>
 

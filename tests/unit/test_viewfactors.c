@@ -5,7 +5,6 @@
  * HEAT_POINTS is the number of points of a primitive in each of 16 repeats; 64 by
  * default. Surfaces that are infinite in the table are long here, and the emitter is a
  * short piece in the middle.
- *
  */
 #include "base/file.h"
 #include "rt/heat/surfaces.h"

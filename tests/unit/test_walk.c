@@ -3,7 +3,6 @@
  * skipped, or a tie that another region wins, fails here.
  *
  *     test_walk [SCENES [SEED]]
- *
  */
 #define SMALL_FRAMES
 #include "tests/unit/random_solids.h"

@@ -2,7 +2,6 @@
  * the expected one, with its line and column, or with none; so are the warnings that
  * each choice of options leaves. A warning that is missing, superfluous or misplaced
  * fails here.
- *
  */
 #include "tests/unit/asm_helper.h"
 

@@ -3,7 +3,6 @@
  * at both ends of the range and distant digits. Random conversions, also from and to
  * doubles and integers, are compared with MPFR by check-arithmetic. A text that is read
  * beyond its end, or a number that is rounded upward at the largest word, fails here.
- *
  */
 #include "tests/unit/unit.h"
 #include "vm/number/word.h"
