@@ -1,22 +1,24 @@
 #!/bin/sh
-# bench.sh BUILD [PART ..] - what is measured, in one report.
+# bench.sh BUILD [PART ..] - runs the benchmarks and prints one report.
 #
-#   machine   host nanoseconds an element, instructions a second
-#   hosts     nanoseconds an element by compiler and by vector unit
-#   frames    the trace of a frame beside POV-Ray's
-#   jobs      two bands at a time to one
-#   ranks     two processes to one; what rank 0 does for a unit, of what size
-#   stages    clocks of the machine in each way to trace a frame
-#   visible   clocks of the ways to what is seen of a solid
-#   lines     clocks to all that is seen along lines
-#   growth    time, clocks and memory against the number of things
-#   goals     what of that is to be reached
+#   machine   host nanoseconds per element, instructions per second
+#   hosts     nanoseconds per element by compiler and by vector unit
+#   frames    the trace of a frame, compared with POV-Ray's
+#   jobs      two concurrent bands compared with one
+#   ranks     two processes compared with one; the work of rank 0 per unit and its size
+#   stages    clocks of the machine for each method of tracing a frame
+#   visible   clocks of the methods of finding the visible surface of a solid
+#   lines     clocks of all-hits ray queries
+#   growth    time, clocks and memory by number of objects
+#   goals     target values for these figures
 #
-# Without names, all of them.  TRIALS: the number of runs of which the least counts (5).
-# SIZE=small: each part once, as small as it can be, to see that it runs.  The figures are
-# also in BUILD/bench.csv, a line each; BENCH_CSV names another file.
+# Without names, all parts run. TRIALS is the number of runs, of which the fastest
+# counts (5). SIZE=small runs each part once, in its smallest size, to check that it
+# works. The figures are also in BUILD/bench.csv, one per line; BENCH_CSV names another
+# file.
 #
-# The status is 1 if a part fails: a command of it failed, or a row has no figure.
+# The exit status is 1 if a part fails: one of its commands failed, or a row has no
+# figure.
 set -eu
 build=$1
 shift

@@ -1,10 +1,10 @@
 #!/bin/sh
-# bench_frames.sh BUILD - the trace of a frame of each scene, in vector form,
-# beside POV-Ray's own trace time of the same file; one thread each, in turn.
+# bench_frames.sh BUILD - the time of tracing a frame of each scene, in vector form,
+# compared with POV-Ray's trace time of the same file; one thread each, in turn.
 #
-# Processor seconds, the least of several runs.  Neither counts the reading of
-# the scene, nor is a picture written.  The scene that was made for this
-# comparison is first; POV-Ray shows Steiner patches as meshes.
+# The figures are processor seconds, the minimum of several runs. They exclude reading
+# the scene and writing a picture. The first scene was made for this comparison; in
+# POV-Ray its Steiner patches are meshes.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
@@ -26,7 +26,7 @@ compare scenes/bench.pov "$(sized 1024 120)" "$(sized 768 90)"
 compare scenes/bracket.pov "$(sized 1024 40)" "$(sized 1024 40)"
 for scene in $(sized "$(echo scenes/*.pov)" "$(echo scenes/s*.pov)"); do
     case $scene in scenes/bench.pov | scenes/bracket.pov) continue ;; esac
-    # The number of POV-Ray's rays through a lens is random.
+    # POV-Ray draws a random number of rays through a lens.
     grep -q focal_point "$scene" && continue
     compare "$scene" "$(sized 640 80)" "$(sized 480 60)"
 done

@@ -1,6 +1,5 @@
 #!/bin/sh
-# bench_goals.sh BUILD - what the other parts measured beside what is to be
-# reached.
+# bench_goals.sh BUILD - compares the figures of the other parts with target values.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

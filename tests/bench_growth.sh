@@ -1,17 +1,16 @@
 #!/bin/sh
-# bench_growth.sh BUILD - what a frame takes against the number of things in it:
-# spheres of a flake, small solids in a field, holes and knobs of one plate,
-# triangles of a mesh.
+# bench_growth.sh BUILD - the cost of a frame by the number of its objects: spheres of a
+# flake, small solids in a field, holes and knobs of one plate, triangles of a mesh.
 #
-# Processor seconds of ours and of POV-Ray's trace, the machine's clocks, and
-# the most memory that the process had.  The exponent is that of the power of the
-# number, by least squares in logarithms, of numbers from 90 to 10,000.
-# A row that would take longer than LIMIT seconds (100), if it took as much
-# longer than the one before as it has more things, is left out.
+# The figures are the processor seconds of our trace and of POV-Ray's, the machine's
+# clocks, and the maximum memory of the process. The exponent is that of a power law in
+# the number of objects, fitted by least squares in logarithms for 90 to 10,000 objects.
+# A row is skipped if its time, extrapolated in proportion to the number of objects,
+# would exceed LIMIT seconds (100).
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
-trials=${TRIALS:-$(sized 2 1)} # a row is long
+trials=${TRIALS:-$(sized 2 1)} # a row takes long
 width=$(sized 200 80) height=$(sized 150 60)
 limit=${LIMIT:-100}
 
@@ -19,7 +18,7 @@ flake() { # DEPTH
     sed "s/^#declare Depth = .*/#declare Depth = $1;/" scenes/flake.pov
 }
 
-# Above a square of so many places.
+# The scene above a square of $1 places.
 above() { # COUNT
     cat <<END
 #version 3.7;
@@ -39,7 +38,7 @@ light_source { Side*<2, 1, -0.5>, rgb 0.3 }
 END
 }
 
-# Bored boxes and lenses in turn, none like its neighbours.
+# Bored boxes and lenses in turn; neighbours differ.
 field() { # COUNT
     above "$1"
     cat <<END
@@ -57,7 +56,7 @@ field() { # COUNT
 END
 }
 
-# One solid: a plate with so many holes and knobs, in turn.
+# A single solid: a plate with $1 holes and knobs, in turn.
 plate() { # COUNT
     above "$1"
     cat <<END
@@ -76,7 +75,7 @@ difference {
 END
 }
 
-# A ball with bumps, so many rows of as many pairs of triangles.
+# A ball with bumps: $1 rows of $1 pairs of triangles.
 mesh() { # ROWS
     cat <<END
 #version 3.7;

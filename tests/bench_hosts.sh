@@ -1,14 +1,14 @@
 #!/bin/sh
-# bench_hosts.sh BUILD - host nanoseconds an element of spans of words (those of
-# tests/bench_lanes.c), from each compiler, as on hosts with less: with AVX2 alone,
-# or word by word without a vector unit.  Below, the most that it is in times of what
-# it is beside, over all operations on words of several kinds.
+# bench_hosts.sh BUILD - host nanoseconds per element of spans of words (those of
+# tests/bench_lanes.c), for each compiler, also as on lesser hosts: with AVX2 alone, or
+# word by word without a vector unit. Below is the largest ratio to the compared build,
+# over all operations on words of several kinds.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
 
 : >"$work/names"
-# The smallest run compares this build with one of check-hosts, so that it compiles little.
+# The smallest size compares this build with one of check-hosts, to compile little.
 folder_of() { # NAME
     case $1 in
     gcc-best) sized "$build/bench/$1" "$build" ;;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bench_jobs.sh BUILD - two bands at a time to one: seconds of the clock on the
-# wall, the least of several runs, in turn.
+# bench_jobs.sh BUILD - two concurrent bands compared with one: wall seconds, the
+# minimum of several runs, in turn.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bench_lines.sh BUILD - the machine's clocks to find all that is seen along lines, in
-# both forms (tests/bench_lines.c).
+# bench_lines.sh BUILD - the machine's clocks of all-hits ray queries, in both forms
+# (tests/bench_lines.c).
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

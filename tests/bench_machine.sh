@@ -1,6 +1,7 @@
 #!/bin/sh
-# bench_machine.sh BUILD - how fast the host emulates: what those of tests/bench_*.c print
-# that no other script calls, for reading and, cell by cell, for other programs.
+# bench_machine.sh BUILD - the speed of the emulation: prints the tables of those
+# tests/bench_*.c that no other script runs, and adds them, cell by cell, to the CSV
+# file.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"

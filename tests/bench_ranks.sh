@@ -1,18 +1,18 @@
 #!/bin/sh
-# bench_ranks.sh BUILD - two ranks to one process, seconds on the wall of whole commands;
-# beside them two processes that know nothing of each other and do half of the units each,
-# which is what the machine can do with both of its processors; what their units are; and
-# what rank 0 does for a unit of another rank.  docs/cluster.md reads a model from it.
-# RANKS: the rows, or none of these.
+# bench_ranks.sh BUILD - two ranks compared with one process, in wall seconds of entire
+# commands. The rows also have two separate processes with half of the units each, which
+# is the limit of a machine with two processors; the number and size of the units; and
+# the work of rank 0 per unit of another rank. docs/cluster.md derives a model from
+# them. RANKS: the rows; empty: none.
 #
-# What one processor does in a minute changes by a tenth on a machine that others use, too,
-# and the least of several runs compares the best moment of one with that of two.  So the three
-# are timed at once, one after the other, and of several such trials the one counts whose
-# ratio is in the middle; the lowest and the highest ratio are beside it.
+# The speed of a shared processor changes by a tenth within a minute, and the minimum of
+# several runs would compare the best moments of different runs. The three commands are
+# therefore timed one after the other in each of several trials. The trial with the
+# median ratio counts; the lowest and the highest ratio are printed next to it.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
-trials=${TRIALS:-$(sized 3 1)} # a row is long
+trials=${TRIALS:-$(sized 3 1)} # a row takes long
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
 
@@ -42,7 +42,7 @@ seconds() { # OPTION ..: of the command of the kind
     echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
 }
 
-# .. of two of them at a time, each with half of the units.
+# Prints the wall seconds of two concurrent processes, each with half of the units.
 seconds_apart() {
     rm -f "$work/half1" "$work/half2"
     before=$(date +%s%N)
@@ -53,7 +53,7 @@ seconds_apart() {
     echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
 }
 
-# Their number and their bytes in a file.
+# Prints the number of units and their bytes in a file.
 units_of() {
     rm -f "$work/units"
     tracer --part 1/1 --resume "$work/units" >/dev/null
@@ -61,8 +61,8 @@ units_of() {
     wc -c <"$work/units"
 }
 
-# Of lines with the seconds of one, of two and of two apart: the ratio in the middle, the
-# line that has it, the lowest ratio, the highest.
+# Reads lines with the seconds of one process, of two ranks and of two separate
+# processes. Prints the median ratio, its line, the lowest and the highest ratio.
 middle() {
     awk '{ printf "%.2f %s\n", $1 / $2, $0 }' | sort -n |
         awk '{ line[NR] = $0; ratio[NR] = $1 }

@@ -1,12 +1,12 @@
 #!/bin/sh
-# bench_stages.sh BUILD - the machine's clocks for a frame of each scene, in each
-# way to trace it; frames that are not equal, bit for bit, end it.
+# bench_stages.sh BUILD - the machine's clocks for a frame of each scene, for each
+# method of tracing it. Frames that are not equal, bit for bit, end the script.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
 width=$(sized 120 16) height=$(sized 90 12)
 
-# Options of rt205 render, a way a line.
+# Options of rt205 render, one method per line.
 ways() {
     cat <<'END'
 --mode scalar --flat
@@ -35,7 +35,7 @@ echo
 for scene in $(sized "$(echo scenes/*.pov)" scenes/first.pov); do
     printf '%-24s' "$scene"
     ways | while read -r way; do
-        # A way is several words.
+        # A method is several words.
         # shellcheck disable=SC2086
         clocks "$scene" $way >"$work/clocks"
         read -r sum count <"$work/clocks"

@@ -1,11 +1,11 @@
 #!/bin/sh
-# bench_visible.sh BUILD - what it costs to find the crossing that is seen, by
-# stepping and by looking at every crossing (rt/kernels/solids/visible_vector.s).
+# bench_visible.sh BUILD - the cost of finding the visible crossing, by stepping and by
+# testing every crossing (rt/kernels/solids/visible_vector.s).
 #
-# The machine's clocks, in thousands: of the region `visible` of the kernels
-# and of the whole frame.  Scenes of the tests, and solids made for this of 1
-# to 32 spheres: a box without spheres that stand across the view, without
-# spheres one behind the other, and what spheres have in common.
+# The figures are the machine's clocks, in thousands: of the region `visible` of the
+# kernels and of the whole frame. The scenes are those of the tests, and solids of 1 to
+# 32 spheres: a box minus spheres across the view, a box minus spheres in a row along
+# the view, and an intersection of spheres.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
@@ -78,7 +78,7 @@ compare() { # NAME SCENE
 
 echo "thousands of clocks of a frame of $width x $height pixels"
 printf '%-30s %19s %19s\n' "" visible frame
-# Each way is a heading.
+# Each method is a heading.
 # shellcheck disable=SC2086
 printf '%-30s %9s %9s %9s %9s\n' scene $ways $ways
 [ "$(sized full small)" = small ] || for scene in scenes/bench.pov tests/scenes/csg_*.pov; do

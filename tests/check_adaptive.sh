@@ -1,10 +1,10 @@
 #!/bin/sh
-# check_adaptive.sh BUILD - pixels that get more rays where they differ from their
-# neighbours, beside POV-Ray's +AM1: no more than one in a thousand differs by more
-# than .02.
+# check_adaptive.sh BUILD - pixels that get more rays because they differ from their
+# neighbours are compared with POV-Ray's +AM1: at most one pixel in a thousand may
+# differ by more than .02.
 #
-# The scenes are such as POV-Ray sees ray by ray as the tracer does; colours beyond
-# white, gammas, glass, mirrors, fogs and normals are among them.
+# In these scenes POV-Ray and the tracer agree ray by ray. They include colours beyond
+# white, gammas, glass, mirrors, fogs and normals.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
@@ -12,7 +12,7 @@ command -v povray >/dev/null || { echo "(POV-Ray is not installed)"; exit 0; }
 
 # SCENE WIDTH HEIGHT SAMPLES THRESHOLD
 while read -r scene how; do
-    # Words of a line.
+    # The words of a line.
     # shellcheck disable=SC2086
     found=$("$build/tests/oracle/check_sample" "$scene" $how)
     echo "$found" | awk -F '\t' '

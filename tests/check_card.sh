@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_card.sh C205 FOLDER - the card in FOLDER, on either paper: two pages, every
-# instruction as the table has it, every directive, every verb of the debugger, and
-# nothing beyond the page or its column, or upon something else.
+# check_card.sh C205 FOLDER - checks the card in FOLDER, in both paper sizes: it has two
+# pages, every instruction as in the table, every directive and every command of the
+# debugger. No text is outside of the page or its column, or overlaps other text.
 set -u
 . "$(dirname "$0")/count.sh"
 c205=$1 folder=$2
@@ -10,7 +10,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/said
 
-# Each row without blanks: name and code, class, operands and effect; | is !.
+# The rows without blanks: name and code, class, operands and effect; | is written as !.
 "$c205" isa --format md |
     sed '1,2d; s/^| //; s/ *|$//; s/\\|/!/g; s/\\//g' |
     awk -F '[|]' '{ gsub(/ /, ""); print $1 $2, $7, $4 $9 }' >"$work/rows"
@@ -20,15 +20,16 @@ echo help >"$work/help"
 "$c205" debug -x "$work/help" asm/examples/first.s |
     sed -n 's/^\([a-z][-a-z]*\)[ |].*/\1/p' >>"$work/words"
 
-# The text of a card, without blanks and as the table writes it.
+# Prints the text of a card, without blanks and in the notation of the table.
 plain_text() { # PDF
     pdftotext -raw "$1" - | tr -d ' \n\f' |
         sed "s/×/x/g; s/≥/>=/g; s/≤/<=/g; s/≠/isnot/g; s/[−‐]/-/g; s/’/'/g
             s/±//g; s/|/!/g"
 }
 
-# Rows that are not in the text: behind a name and its code marks, the
-# class, perhaps the letter of a part of the vector unit, operands and effect.
+# Prints the rows that are not in the text: after a name and its code marks come the
+# class, optionally the letter of a part of the vector unit, the operands and the
+# effect.
 missing_rows() { # TEXT ROWS
     awk '
         NR == FNR { text = $0; next }
@@ -43,8 +44,8 @@ missing_rows() { # TEXT ROWS
         }' "$1" "$2"
 }
 
-# Words that lie outside of what printers print, reach from the left column into the
-# right one, or begin before the one on their left ends.
+# Prints words that are outside of the printable area, reach from the left column into
+# the right one, or begin before the word to their left ends.
 astray() { # PDF
     pdftotext -bbox "$1" - | awk -F '"' '
         /<page / { page++; width = $2; height = $4 }

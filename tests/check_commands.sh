@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_commands.sh BUILD - the commands as a user calls them: exit codes, where output
-# goes, files written whole or not at all, Ctrl-C, compared with the rows of commands.txt
-# and, where a row cannot say it, with what is written here.
+# check_commands.sh BUILD - the commands as a user calls them: exit codes, output
+# streams, complete files and Ctrl-C are compared with the rows of commands.txt and, if
+# a row cannot express a check, with this script.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -74,7 +74,7 @@ narrow() { # COMMAND: but for names of files it prints no long lines
     verdict $? "lines of more than 100 characters: $1"
 }
 
-# help and wrong usage: every command and option that the programs list
+# Help and wrong usage of every command and option that the programs list.
 for program in c205 rt205; do
     ends 0 "$build/$program" --help
     cp out summary
@@ -112,7 +112,7 @@ names() { # what the help of the command names: every option and operand
     done <"$program.list"
 }
 refuses() { # ARGUMENT ..: as usage, with the choices and the way to the help
-    # No word is none.
+    # No word means no argument.
     # shellcheck disable=SC2086
     ends 2 "$build/$program" $word "$@"
     tells err "$program $word${word:+ }--help tells how it is used"
@@ -150,7 +150,7 @@ for program in c205 rt205 fit205; do
         [ "$what" = command ] || continue
         word=$command
         [ "$command" = - ] && word=
-        # No word is none.
+        # No word means no argument.
         # shellcheck disable=SC2086
         ends 0 "$build/$program" $word --help
         cp out help.txt
@@ -176,8 +176,8 @@ for program in c205 rt205 fit205; do
     done <"$program.list"
 done
 rows usage
-# The account, a message and the trace start on a line of their own, whether or
-# not the program has ended its last line, and no empty line is added.
+# The account, a message and the trace each begin on a new line, whether or not the
+# program has ended its last line, and no empty line is added.
 own_line() { # FILE ARGUMENT ..: stdout and stderr in one stream
     "$build/c205" run "$@" >joined 2>&1 </dev/null
     grep -qx '1.5' joined && ! grep -q '1[.]5.' joined &&
@@ -195,13 +195,13 @@ for file in good.s ended.s open_trap.s open_warning.s; do
     own_line $file --json joined.json
     own_line $file --limit 1060 --save -
 done
-# Line by line.
+# A profile, line by line.
 rows profile
 "$build/c205" asm good.s -o good.o
 ends 1 "$build/c205" run good.o --profile
 tells err "the source lines of good.o are not known; run its text"
 
-# Two programs side by side.
+# A comparison of two programs.
 matrix=$here/asm/examples/profiling/matrix
 ends 0 "$build/c205" compare --warm "${matrix}_3.s" "${matrix}_4.s" --json compare.json
 tells out "^The second takes [0-9]* clocks less than the first: "
@@ -218,7 +218,7 @@ done | paste -s -d ' ' | cmp -s - summed
 verdict $? "compare has other clocks than run"
 rows compare
 
-# Clock by clock.
+# A timeline, clock by clock.
 for kind in svg kanata json; do
     ends 0 "$build/c205" timeline good.s -o run.$kind
     tells out "^run.$kind: [0-9]* instructions, clocks 0 to "
@@ -228,7 +228,7 @@ tells run.kanata "^Kanata.0004$"
 tells run.json "^]}$"
 rows timeline
 
-# Against a constant.
+# A sweep over a constant.
 saxpy=$here/asm/examples/saxpy
 rows sweep_picture
 "$build/c205" sweep "${saxpy}_vector.s" --define n=8:65535 --points 5 --format csv |
@@ -244,7 +244,7 @@ done | cmp -s - summed
 verdict $? "a sweep has other clocks than run"
 rows sweep
 
-# Each of its values takes some tenths of a second, all of them many.
+# Each value takes some tenths of a second, all of them a long time.
 printf '        ES r1, n\n        EX r10, 20000000\n%s' \
     '        EX r11, loop
 loop:   DBNZ r10, [r11]
@@ -258,7 +258,7 @@ wait $!
 verdict $? "Ctrl-C ends a sweep"
 tells err "^c205 sweep: slow.s with n = [0-9]*: interrupted$"
 
-# A message about a limit contains the limit
+# A message about a limit contains the limit.
 { printf '        .data\nv:      .word   1'; seq -f ', %.0f' -s '' 20000; } >wide_line.s
 ends 1 "$build/c205" asm wide_line.s
 tells err "too long: a line has at most 65536 bytes"
@@ -266,7 +266,7 @@ printf ' .macro m\n m\n .endm\n m\n' >deep.s
 ends 1 "$build/c205" asm deep.s
 tells err "nested too deeply, more than 64"
 
-# An empty program is reported as empty
+# An empty program is reported as empty.
 : >empty.s
 printf '        .data\nv:      .word   1\n' >data.s
 for file in empty.s data.s; do
@@ -279,7 +279,7 @@ for file in empty.s data.s; do
     done
 done
 
-# A sweep that fails says where
+# A sweep that fails reports the place.
 rows debug
 tells out "^1.5$"
 tells out "^the program has ended with status 0$"
@@ -316,7 +316,7 @@ done
 sed '/^instruction/d; /^#/d; /^$/d; s/^"\([^,]*\),H"/\1/; s/,.*//' out | sort | cmp -s - classes
 verdict $? "the classes do not have each instruction once"
 
-# what a command does with wrong arguments
+# Wrong arguments of commands.
 rows arguments
 for define in NAME =1 NAME=x; do
     ends 2 "$build/c205" run --define $define good.s
@@ -324,13 +324,13 @@ for define in NAME =1 NAME=x; do
 done
 ends 2 "$build/c205" run --define k=1 --define k=2 flat.s
 tells err "wrong argument: k=2 (NAME=VALUE, a name and an integer, each name once)"
-# Names that cannot be, or are not used, wherever they are given.
+# Invalid or unused names of constants, in every command that takes them.
 for define in "a b" r5 h255 ADDN 3x .code "" unused; do
     code=1
     [ "$define" ] || code=2
     for command in run asm dis debug "timeline -o defined.svg" "run --check" \
         "compare --other-model cyber205-1pipe"; do
-        # The command and its options.
+        # The words are a command and its options.
         # shellcheck disable=SC2086
         ends $code "$build/c205" $command flat.s --define k=1 --define "$define=1" \
             </dev/null
@@ -354,11 +354,11 @@ if [ -e /dev/full ]; then
     tells err 'write error'
 fi
 
-# every table as a file
+# Every table as a file.
 for command in 'run good.s' 'run --check expects.s' 'isa' 'isa ADDNV' \
     'isa --names' 'model' 'model cyber205-1pipe' 'time ADDNV TRIAD'; do
     rm -f table.json
-    # The command and its arguments are words.
+    # The words are a command and its arguments.
     # shellcheck disable=SC2086
     ends 0 "$build/c205" $command --json table.json
     [ "$(head -c 1 table.json)" = '{' ] && [ "$(tail -c 2 table.json)" = '}' ]
@@ -385,7 +385,7 @@ verdict $? 'an interrupted run does not end with 1'
 tells err 'interrupted; these are the accounts'
 tells out 'clocks'
 
-# warnings: of a text and of a run, turned off, into errors
+# Warnings of a text and of a run: disabled, and as errors.
 rows warnings
 for mode in scalar vector; do
     ends 0 "$build/rt205" quartic good.csv --mode $mode
@@ -402,7 +402,7 @@ done
 tells out "^1 *environment  0\.[34]"
 ends 0 "$build/rt205" heat bay.pov --rays 64 --points random --seed 7 --json heat.json
 tells heat.json "\"factors\""
-# Surfaces that nothing sees are counted; --details and JSON list them.
+# Invisible surfaces are counted; --details and JSON list them.
 echo "sphere { 0, 1 } sphere { 0, .5 }" >hidden.pov
 cp hidden.pov hidden_2.pov
 echo "sphere { 0, .2 }" >>hidden_2.pov
@@ -508,7 +508,7 @@ ends 0 env RT205_LIBDIR=missing "$build/rt205" render "$scene" --no-picture \
     -W 40 -H 30
 expect "rt205 render --no-picture tells something else" cmp -s pictured out
 expect "the same frame twice gives two pictures" cmp -s a.png b.png
-# A pixel under the debugger.
+# A pixel in the debugger.
 printf 'seek\nlane nearest\nassert step > 0\ntbreak shade\ncontinue\nlane\nquit\n' >pixel.lines
 for mode in vector kernels; do
     ends 0 "$build/rt205" render "$scene" -W 40 -H 30 --mode $mode --queue 50 \
@@ -531,7 +531,7 @@ ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 40,15
 ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -o never.png
 tells err '--debug writes nothing'
 ends 2 "$build/rt205" render "$scene" --no-picture -x pixel.lines
-# A queue of it, clock by clock.
+# A queue of the pixel, clock by clock.
 for kind in svg kanata json; do
     ends 0 "$build/rt205" timeline "$scene" -W 40 -H 30 -o queue.$kind
     tells out "^queue.$kind: [0-9]* instructions, clocks [0-9]* to [0-9]* of band 1 of 1$"
@@ -593,7 +593,7 @@ for wrong in "--distance 0" "--distance inf" "--angle 180" "--angle x"; do
 done
 rows speedup_errors
 
-# sweeps
+# Sweeps.
 sweep() {
     "$build/rt205" sweep "$@"
 }
@@ -608,7 +608,7 @@ if command -v gnuplot >/dev/null; then
         expect "a sweep leaves no .$ending" [ -s "the plot.$ending" ]
     done
 fi
-# Without gnuplot only the picture is missing.
+# Without gnuplot, only the picture is missing.
 ends 1 env PATH=missing "$build/rt205" sweep length sphere --points 1,2,4 \
     -o plain.svg --json plain.json
 tells err "gnuplot is not found"
@@ -629,7 +629,7 @@ for points in 0 '1,' ',1' 2,1 1,1 1,65536 x 1,,2; do
 done
 rows sweep_models
 
-# how far to trust the figures: a line, or all of it
+# The accuracy of the figures, in one line and in full.
 whole() { # COMMAND ..: with --provenance the rest of the line and more
     ends 0 "$@"
     tells out 'on the model cyber205-2pipe; more by --provenance$'
@@ -655,7 +655,7 @@ whole "$build/rt205" mass parts.pov --density default=1 --rays 512
 ends 0 "$build/c205" model cyber205-2pipe
 tells out 'compared with 1 published figure,'
 
-# every result in every format, from and to streams
+# Every result in every format, from and to streams.
 formats() { # COMMAND ..: its results as text, CSV, Markdown and JSON
     ends 0 "$@" --format csv
     [ -z "$(sed "/^#/d; /^\$/d; /,/d" out)" ] && grep -q , out
@@ -718,7 +718,7 @@ pipes "no polynomials from stdin"
 pipes "no scene to sweep from stdin"
 rows streams
 
-# several jobs: the same results in the same order
+# Several jobs give the same results in the same order.
 several() { # COMMAND ..: prints with --jobs 3 what it prints with 1
     ends 0 "$build/rt205" "$@" --jobs 1
     cp out alone
@@ -735,7 +735,7 @@ several quartic good.csv --falsi all
 several mass parts.pov --density default=1 --rays 512
 several render "$scene" -o jobs.png -W 40 -H 30
 
-# the order in which pixels go into queues
+# The order of pixels in queues.
 ordered() { # OPTION ..: the checksum of a frame
     "$build/rt205" render "$scene" -o order.png -W 60 -H 45 --json order.json \
         "$@" 2>err | grep checksum
@@ -756,7 +756,8 @@ tells err "--order: wrong argument: spiral"
 ends 0 "$build/rt205" profile "$scene" -W 40 -H 30 --order tiles
 ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order tiles
 
-# no adapter for pictures: told before a long frame, and nothing is left
+# A missing library for pictures is reported before a long frame begins, and no file is
+# left.
 mkdir alone.bin
 cp "$build/rt205" alone.bin
 begun=$(date +%s)
@@ -765,7 +766,7 @@ ends 1 env -u RT205_LIBDIR alone.bin/rt205 render "$scene" -o alone.png \
 tells err "pictures: no rt205_oiio.so in"
 rows samples
 
-# Ctrl-C in the middle of a long frame
+# Ctrl-C during a long frame.
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &
 sleep 1
@@ -780,7 +781,7 @@ tells err 'long.png has .* of 3000 rows, the others are black'
 [ "$(find . -name '*long*')" = ./long.png ] && tail -c 8 long.png | grep -q IEND
 verdict $? "an interrupted render leaves not one whole picture"
 
-# ... of a scene that is long to lay out: each sphere once, and soon stopped
+# Ctrl-C while a scene with many spheres is laid out: it stops soon.
 printf '#version 3.7;\ncamera { location -30*z } light_source { -30*z, 1 }\n%s' \
     '#for (I, 1, 100000) sphere { <mod(I, 317), I / 317, 0> / 20 - 8, .02 } #end' \
     >many.pov
@@ -799,7 +800,7 @@ ends 0 "$build/rt205" render none.pov -o none.png -W 40 -H 30 --resume none.kept
 tells err "the scene has no objects"
 tells err "the frame begins: none.kept has no band yet"
 
-# ... and of a sweep
+# Ctrl-C during a sweep.
 "$build/rt205" sweep queue steiner --json long.json >out 2>err &
 sleep 1
 kill -INT $!
@@ -809,7 +810,7 @@ verdict $? "an interrupted sweep does not end with 1"
 [ ! -s out ] && [ ! -e long.json ]
 verdict $? "an interrupted sweep leaves results"
 
-# Finished bands are kept, and gone on from
+# Finished bands are saved, and a later run continues from them.
 frame() { # OPTION ..: the checksum and the clocks of a frame
     "$build/rt205" render "$scene" -o bands.png -W 640 -H 480 "$@" 2>err \
         | grep -e checksum -e 'clocks,'

@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_course.sh BUILD - every lesson is what docs/grading.md says: its parts are there,
-# its program to complete assembles, runs and does not pass, its solution gets gold,
-# and other answers that it shows are right.
+# check_course.sh BUILD - checks every lesson against docs/grading.md: its parts exist,
+# its starting program assembles, runs and does not pass, its solution gets gold, and
+# other answers in its text are correct.
 set -u
 build=$(cd "$1" && pwd)
 . "$(dirname "$0")/count.sh"
@@ -10,12 +10,12 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/said
 
-# c205 WORD ..: how it ended; what it printed goes to said.
+# Runs c205 WORD .., records its exit code, and writes its output to `said`.
 c205() {
     "$build/c205" "$@" >"$said" 2>&1 </dev/null
 }
 
-# The headings of a text, and the summaries of its hints.
+# Prints the headings of a text, and the summaries of its hints.
 headings() {
     sed -n 's/^## \(Exercise\|Hints\|What to remember\)$/\1/p
         s|^<details><summary>\(.* hint\)</summary>$|\1|p' "$1"
@@ -43,7 +43,7 @@ check_parts() { # FOLDER
     verdict $? "$1/lesson.md: hints without an end"
 }
 
-# The lesson by its name where it is built in, else by its folder.
+# A built-in lesson is named, another one is given as a folder.
 check_programs() { # FOLDER LESSON
     for program in start solution; do
         c205 asm "$1/$program.s" -o "$work/object" && [ ! -s "$said" ]
@@ -87,7 +87,7 @@ for folder in docs/course/*/ tests/lessons/*/; do
     esac
 done
 
-# Those that are built in are those that are there.
+# The built-in lessons must be those of the folders.
 c205 check --format csv
 sed 1d "$said" | cut -d, -f1,2 >"$work/built-in"
 for folder in docs/course/*/; do

@@ -1,9 +1,9 @@
 #!/bin/sh
-# check_dialect.sh - what clang-format cannot see of the house style:
-#   a local variable is not const, be it a value or a pointer: what it points
-#   at is, and so are tables, which are written out in braces;
-#   a pointer is asked by itself, if (!p), not by comparing it with NULL;
-#   what a scene comes to is computed by elementary.h, not by the host's functions.
+# check_dialect.sh - checks the rules of the house style that clang-format cannot check:
+#   a local variable, be it a value or a pointer, is not const; its target may be,
+#   and so are tables, which are written in braces;
+#   a pointer is tested by itself, if (!p), not by comparison with NULL;
+#   values of scenes are computed with elementary.h, not with the host's functions.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 

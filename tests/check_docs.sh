@@ -1,18 +1,20 @@
 #!/bin/sh
-# check_docs.sh BUILD quick|full [--write] PAGE .. - what the pages print is what
-# the commands print.  In a page, a comment
+# check_docs.sh BUILD quick|full [--write] PAGE .. - compares the printed blocks of
+# pages with the output of commands. In a page, a comment
 #
 #     <!-- printed by: COMMAND -->        (or: <!-- printed slowly by: COMMAND -->)
 #
-# stands above an indented block, which must be the output of the command; the
-# shell runs it with the build's programs first in its path and the build's
-# folder in BUILD, and what comes before its first " | " once for all blocks.
-# What it draws in the folder DRAWN is what docs/pictures has under that name.
-# Below a block is the command that prints it (printed_by.awk).
-# The pages have none of the faults that page_faults.awk lists, and each kind of fault is
-# found in a copy of the pages into which it is put.
-# quick leaves out the slow ones, which take more than about two seconds.
-# --write puts the output and the pictures into the pages instead.
+# is above an indented block, which must be the output of the command. The shell runs it
+# with the programs of the build first in its path and the folder of the build in BUILD;
+# the command before the first " | " runs once for all blocks. Pictures that it draws in
+# the folder DRAWN must be those of docs/pictures with the same names. Below a block is
+# the command that prints it (printed_by.awk).
+#
+# The pages must have none of the faults that page_faults.awk lists. Each kind of fault
+# is planted in a copy of the pages and must be found.
+#
+# quick skips slow commands, which take more than about two seconds. --write writes the
+# output and the pictures into the pages instead.
 set -u
 . "$(dirname "$0")/count.sh"
 BUILD=$(cd "$1" && pwd) size=$2
@@ -31,7 +33,7 @@ PATH=$BUILD:$PATH
 export BUILD DRAWN PATH
 mkdir "$DRAWN"
 
-# The output of a command line, into $work/out.
+# Writes the output of a command line to $work/out.
 print() {
     first=${1%%" | "*}
     key=$(printf '%s' "$first" | cksum | tr ' ' _)
@@ -43,8 +45,8 @@ print() {
     sed -i 's/[ ]*$//' "$work/out"
 }
 
-# The page with its blocks cut into files block1 .. and their commands in
-# commands; the lines between them in the file page, a line "@N" for a block.
+# Writes the blocks of a page to files block1 .., their commands to `commands`, and the
+# other lines to `page`, with a line "@N" for each block.
 cut_blocks() {
     awk -v work="$work" -v size="$size" '
         /^<!-- printed( slowly)? by: .* -->$/ {
@@ -114,7 +116,7 @@ for page in "$@"; do
     fi
 done
 
-# But for the line in which gnuplot names itself.
+# Prints a drawing without the line in which gnuplot names itself.
 drawing() {
     sed '/Produced by GNUPLOT/d' "$1"
 }
@@ -142,7 +144,7 @@ rules=$PWD/tests/page_faults.awk
 awk -f "$rules" "$@" >"$said"
 expect "faults of pages" [ ! -s "$said" ]
 
-# The files that pages link to, with pages of its own.
+# The copy links to all files that pages refer to; its pages are separate files.
 mkdir "$work/copy"
 for file in *; do
     ln -s "$PWD/$file" "$work/copy"
@@ -161,7 +163,7 @@ planted() { # PAGE LINE FAULT: the line at the end of the first section
     cp --remove-destination "$OLDPWD/$1" "$1"
 }
 
-# The figure may be far from its unit.
+# The figure and its unit may be far apart.
 planted README.md 'All in vector form is 16.7 and 2.31 times as fast.' 'the figure 16.7'
 planted README.md 'All in vector form is 16.7 and 2.31 times as fast.' 'the figure 2.31'
 planted README.md 'All in vector form is 16.7\ntimes as fast.' 'the figure 16.7'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_fit.sh BUILD - the fit: the same at each run, the models that are shipped
-# come out again, and they can be used.
+# check_fit.sh BUILD - checks the fit: every run gives the same result, the shipped
+# models are reproduced, and commands accept them.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
@@ -21,8 +21,8 @@ fit 1 "$here/b"
 diff -r "$here/a" "$here/b"
 verdict $? "two fits differ"
 
-# The error of a constant is what the data leave of its prior's width, times
-# what the cost shows the uncertainties to be too small by, if they are.
+# The error of a constant is the posterior fraction of its prior width, scaled up if the
+# cost shows that the uncertainties are too small.
 awk -F "[:,]" '
     /"cost":/ && !cost { cost = $2 }
     /"observations":/ && !used { used = $2 }
@@ -50,8 +50,8 @@ done
 grep -q '^fitted to [1-9]' "$here/speedup"
 verdict $? "rt205 speedup does not say that the model is fitted"
 
-# What a model says of itself is what the machine shows on it, and on one that is
-# like it.
+# The figures in a model must equal those of the machine on this model, and on a model
+# that extends it.
 shown() { # NAME MODEL PROGRAM FIGURE: by the clocks of its regions
     "$build/c205" run -I rt/kernels --model "$2" \
         "rt/study/fit/programs/$3" --format csv 2> "$here/warnings" |
@@ -86,7 +86,7 @@ for arguments in "--hold-out nothing" "--write $here/other.model" \
     expect "$arguments: no message" grep -q '^fit205: ' "$here/errors"
 done
 
-# What is wrong with the arguments is told, and before the fit is made.
+# Wrong arguments are reported before the fit begins.
 while read -r text arguments; do
     code=0
     # shellcheck disable=SC2086

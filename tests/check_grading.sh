@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_grading.sh BUILD - c205 check as students and teachers meet it: a lesson, an answer,
-# a class of thirty of whom it is known what they get.
+# check_grading.sh BUILD - c205 check as students and teachers use it: the verdicts on a
+# lesson, an answer, and a class of thirty are compared with the known ones.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -18,7 +18,7 @@ check() { # CODE WORD ..: c205 check, and how it ends
     ends "$code" "$build/c205" check "$@"
 }
 
-# A lesson
+# A lesson.
 check 0
 check 0 "$lesson"
 tells out '^# Twice a vector$'
@@ -60,7 +60,7 @@ check 1 broken --folder .
 tells err "^c205 check: test-one.s: there is no machine model 'nosuch'"
 expect "a wrong test is told more than once" [ "$(wc -l <err)" -eq 1 ]
 
-# An answer
+# An answer.
 check 0 "$lesson" "$lesson/solution.s"
 tells out '^scale: passed, gold$'
 "$build/c205" check "$lesson" - <"$lesson/solution.s" | cmp -s - out
@@ -83,7 +83,7 @@ check 1 "$lesson" missing.s
 tells err '^c205 check: missing.s: '
 check 1 "$lesson" begun.s --json missing/verdict.json
 
-# What students hand in
+# Files that students hand in.
 answer() { # NAME SCRIPT: the solution, edited
     sed "$2" "$lesson/solution.s" >"$1"
 }
@@ -136,7 +136,7 @@ for folder in class one-lesson; do
     verdict $? "not all are in the JSON: $folder"
 done
 
-# Every hand-in is a row of every format, with the reason if it was not graded
+# Every file is a row of every format, with the reason if it was not graded.
 hand_in() { # KIND PATH
     mkdir -p "$(dirname "$2")"
     case $1 in
@@ -242,7 +242,7 @@ tells err '^c205 check: missing: '
 mkdir empty
 check 0 --folder empty
 
-# Ctrl-C in the middle of a class of endless loops
+# Ctrl-C while a class of endless loops is graded.
 mkdir late
 for student in 0 1 2 3 4 5 6 7 8 9; do
     cp drawer/6-endless.s late/$student.s

@@ -1,9 +1,9 @@
 #!/bin/sh
-# check_install.sh BUILD MAKE - what make install puts into a folder is all
-# that is needed: rt205 finds its adapter there, and C programs that have only
-# the headers, the libraries and pkg-config's files run a program of the machine,
-# assemble one and trace a scene.  The libraries have no names but those that the
-# headers declare, a program may have all others, and each header stands by itself.
+# check_install.sh BUILD MAKE - checks that the installed files are sufficient: rt205
+# finds its dynamic library, and C programs that use only the headers, the libraries and
+# the files of pkg-config run a program of the machine, assemble one and trace a scene.
+# The libraries define only names that the headers declare, a program may use all other
+# names, and each header compiles alone.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 make=$2
@@ -57,8 +57,7 @@ client program c205asm
 client scene rt205
 succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' machine.txt
 succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' program.txt
-# Both forms see the sphere, bit for bit alike.
-# The fields are those of awk.
+# Both forms see the sphere, with equal bits. The fields are those of awk.
 # shellcheck disable=SC2016
 succeeds awk '{ hits += $2 > 100; last = sum; sum = $4 }
     END { exit !(NR == 2 && hits == 2 && last == sum) }' scene.txt
@@ -103,8 +102,8 @@ for library in libc205 libc205asm librt205; do
 done
 succeeds [ -z "$(names "$root/lib/libc205.a" | grep -v '^c205_')" ]
 
-# A client may have functions of its own under all other names that the
-# libraries use inside, and does what it did without them.
+# A client may define functions with all other names that the libraries use internally,
+# and its output does not change.
 for library in libc205 libbase libc205asm librt205; do
     names "$archives/$library.a"
 done | sort -u >inside.txt

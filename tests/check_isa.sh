@@ -1,6 +1,7 @@
 #!/bin/sh
-# check_isa.sh C205 - docs/isa.md and the grammar for editors are what the command
-# prints now, and every instruction has an example that uses it, expects something, and runs.
+# check_isa.sh C205 - checks that docs/isa.md and the grammar for editors equal the
+# output of the command, and that every instruction has an example that uses it, has
+# expectations, and runs.
 set -u
 . "$(dirname "$0")/count.sh"
 c205=$1

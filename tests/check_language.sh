@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_language.sh - what tests/language/*.txt says that POV-Ray prints is what
-# it prints.  That ours is the same is a unit test's.
+# check_language.sh - compares the files tests/language/*.txt with POV-Ray's output. A
+# unit test compares them with the output of our reader.
 set -u
 . "$(dirname "$0")/count.sh"
 root=$(dirname "$0")/..

@@ -1,11 +1,12 @@
 #!/bin/sh
-# check_library.sh BUILD [FILE ..] - what the files of rt/scene/library declare
-# looks as what POV-Ray's files of these names declare, and is reported alike:
-# all names of POV-Ray's files, and calls of macros (tests/library.txt).
+# check_library.sh BUILD [FILE ..] - compares the declarations of the files of
+# rt/scene/library, as rendered and as reported, with those of POV-Ray's files of the
+# same names: all names of POV-Ray's files, and calls of macros (tests/library.txt).
 #
-# A scene shows up to 192 of them.  Looks and numbers have a pixel each, and are
-# the same to the last bit; shapes, which may be made in another way, have 16,
-# the same in an 8-bit picture.  Where two scenes differ, each has its own.
+# A scene shows up to 192 declarations. Materials and numbers have a pixel each, and
+# must be the same to the last bit. Shapes, which may be constructed differently, have
+# 16 pixels, and must be the same in an 8-bit picture. If two scenes differ, each
+# declaration gets its own scene.
 set -u
 . "$(dirname "$0")/count.sh"
 root=$(cd "$(dirname "$0")/.." && pwd)
@@ -13,13 +14,13 @@ build=$(cd "$1" && pwd)
 ours=$root/rt/scene/library
 shift
 list=$root/tests/library.txt
-# Belongs to macros that are left out: derivatives of functions.
+# Used by macros that are not supported: derivatives of functions.
 left_out=__Gradient_Fn_Accuracy_
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# Ours include nothing but ours.
+# Our files include only our files.
 for file in "$ours"/*.inc; do
     sed -n 's/^#include "\(.*\)"$/\1/p' "$file" >"$work/included"
     while read -r name; do
@@ -33,7 +34,8 @@ for folder in /usr/share /usr/local/share; do
         theirs=$folder/povray-3.7/include
 done
 
-# What a file declares outside of its macros: the kind of each, and the name.
+# Prints the declarations of a file outside of its macros: the kind of each, and its
+# name.
 declared() { # FILE
     sed 's|//.*||' "$1" | tr '\n\t\r' '   ' | awk '
     {
@@ -74,7 +76,7 @@ declared() { # FILE
     }' | sort -u
 }
 
-# A scene of lines "KIND TEXT", on stdin, with what FILE declares.
+# Prints a scene from lines "KIND TEXT" of stdin, with the declarations of FILE.
 scene() { # FILE
     cat <<END
 #version 3.7;
@@ -115,8 +117,8 @@ END
     }'
 }
 
-# What it looks like, and what is reported, but for bounds, which change no
-# picture.
+# Prints the picture and the reports of a scene, without reports about bounds, which do
+# not change a picture.
 shown() { # SCENE FOLDER SIZE
     picture=--no-picture
     [ "$3" -eq 1 ] || picture="-o $work/picture.png"
@@ -127,7 +129,7 @@ shown() { # SCENE FOLDER SIZE
     if [ "$3" -eq 1 ]; then
         sed -n 's/^frame checksum //p' "$work/out"
     else
-        # Pixels begin at the first IDAT; texts about the picture differ.
+        # Pixels begin at the first IDAT; the texts before it differ.
         at=$(grep -abo IDAT "$work/picture.png" | sed 's/:.*//; q')
         tail -c "+$at" "$work/picture.png" | cksum
     fi

@@ -1,10 +1,10 @@
 #!/bin/sh
-# check_mpi.sh BUILD - a frame, mass and heat over several processes: the bytes of one
-# alone, whatever the ranks, and whoever is killed.
+# check_mpi.sh BUILD - a frame, mass and heat over several processes are compared with
+# one process, byte for byte, for any number of ranks and after kills.
 #
-# KILLS: so many runs of each kind are killed at a time at random, rank 0, another rank or
-# mpirun, and go on from their file with another number of ranks (3).  SEED: of these (1).
-# USES: all: also heat and mass of every scene.
+# KILLS: that many runs of each kind are killed at random times, by killing rank 0,
+# another rank or mpirun, and continue from their file with another number of ranks (3).
+# SEED: the seed of these times (1). USES=all: also heat and mass of every scene.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -16,7 +16,7 @@ RT205_LIBDIR=$build
 export RT205_LIBDIR
 cp "$here/scenes/bracket.pov" "$here/scenes/burner.pov" "$work"
 
-# The runs: files are named alike everywhere, for what is told names them.
+# The runs: file names are the same in all folders, because the output contains them.
 kinds="frame mass rays lines"
 command_of() { # KIND
     case $1 in
@@ -51,8 +51,8 @@ in_folder() { # FOLDER KIND OPTION ..: all that it tells and writes
     (cd "$folder" && asked "$kind" "$@" --json figures.json)
 }
 
-# The bytes of one process alone.
-# A picture is one more word, or none.
+# Compares a folder with the files of a single process. The picture is one word, or
+# none.
 # shellcheck disable=SC2046
 alike() { # FOLDER KIND
     for file in told figures.json $(is_drawn "$2" && echo picture.png); do
@@ -94,9 +94,9 @@ uses() { # SCENE OPTION ..: what it tells, and how it ends
     expect "$scene: three ranks tell other figures than one" cmp -s "$work/one" "$work/three"
 done
 
-# ---- Killed --------------------------------------------------------------------
+# ---- Kills ---------------------------------------------------------------------
 
-# Processes of a program in this folder: all, or of that rank.
+# Prints the processes of a program in this folder: all, or those of a rank.
 pids() { # PROGRAM [RANK]
     for pid in $(pgrep -x "$1"); do
         [ "$(readlink "/proc/$pid/cwd" 2>/dev/null)" = "$work/killed" ] || continue
@@ -110,7 +110,7 @@ end_them() { # PID ..
     [ $# -eq 0 ] || kill -9 "$@" 2>/dev/null
 }
 
-# Processes are words.
+# The processes are words.
 # shellcheck disable=SC2046
 kill_all() {
     end_them $(pids mpirun) $(pids rt205)
@@ -122,9 +122,8 @@ chance() { # BELOW: sets $drawn
     drawn=$((state / 65536 % $1))
 }
 
-# One of three ranks, or mpirun, or a process with threads: whoever is killed takes all
-# others with it.
-# A way is two words, processes are any number of them.
+# Kills one of three ranks, or mpirun, or a process with threads. All other processes
+# must end too. The options are two words, the processes any number of words.
 # shellcheck disable=SC2046,SC2086
 kill_at() { # KIND MILLISECONDS WHO
     way="--ranks 3"
@@ -140,7 +139,7 @@ kill_at() { # KIND MILLISECONDS WHO
     wait "$runner" && echo "$1: $2 ms: it was done before" >>"$work/killed/said"
 }
 
-# Ranks that have lost mpirun end a moment later.
+# Ranks that have lost mpirun end after a short delay.
 are_gone() {
     for _ in 1 2 3 4 5 6 7 8 9 10; do
         pids rt205 | grep -q . || return 0
@@ -193,7 +192,7 @@ for kind in $kinds; do
     verdict $? "$kind: shares come to something else than one run"
 done
 
-# ---- What goes wrong -----------------------------------------------------------
+# ---- Errors --------------------------------------------------------------------
 
 mkdir -p "$work/wrong"
 cp "$work"/*.pov "$work/wrong"

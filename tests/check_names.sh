@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_names.sh BUILD - a name means one thing: no struct, union or enum is
-# defined in two files, and no library defines what another one does.
+# check_names.sh BUILD - checks that a name has one meaning: no struct, union or enum is
+# defined in two files, and no symbol in two libraries.
 set -u
 build=$1
 here=$(dirname "$0")

@@ -1,9 +1,9 @@
 #!/bin/sh
-# check_overwrite.sh BUILD - no command writes over one of its inputs.  For every
-# command, each of its options that names an output and each file that it reads
-# (operands, included files, data, images, models), the output is the input: by
-# the same path, another path, a symbolic link or a hard link.  The command fails
-# and all inputs keep their bytes.  With another output the same command works.
+# check_overwrite.sh BUILD - checks that no command overwrites one of its inputs. For
+# every command, each option that names an output and each file that it reads (operands,
+# included files, data, images, models), the output is the input: by the same path,
+# another path, a symbolic link or a hard link. The command must fail and all inputs
+# keep their bytes. With another output the same command must succeed.
 #
 # Some variables are several words.
 # shellcheck disable=SC2086
@@ -18,7 +18,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || eit 1
 said=$work/said
 
-# ---- Inputs, all with the ending that the output is to have ----------------------
+# ---- Inputs, all with the suffix of the output -----------------------------------
 
 texts() { # ENDING: into the folder input
     rm -rf input
@@ -141,7 +141,7 @@ for output in --json --write; do # a fit itself takes long
     done
 done
 
-# A plot has two files more, with the same name but for the ending.
+# A plot has two more files, with the same name but another suffix.
 for ending in dat gp; do
     texts $ending
     for input in world map machine; do
@@ -153,20 +153,20 @@ for ending in dat gp; do
     done
 done
 
-# stdin is an input, too.
+# Stdin is an input, too.
 texts s
 before=$(sums)
-# The command must refuse to write over its stdin.
+# The command must refuse to overwrite its stdin.
 # shellcheck disable=SC2094
 c205 asm - -o input/main.s <input/main.s >said 2>&1
 [ $? -eq 1 ] && grep -q 'output of this command' said && [ "$(sums)" = "$before" ]
 verdict $? 'the file that stdin is was written over'
-# What has nothing to lose may be both; two streams are not one file.
+# A file without contents may be both input and output; two streams are not one file.
 echo '        EXIT' | c205 asm - -o - >object.o
 verdict $? 'stdin to stdout is refused'
 c205 asm /dev/null -o /dev/null >said 2>&1
 verdict $? '/dev/null to /dev/null is refused'
-# A link to any other file stays, and all of that file is replaced.
+# A link to another file remains, and the contents of that file are replaced completely.
 mkdir -p links/far
 seq 10000 >links/far/old
 ln -s far/old links/one

@@ -1,7 +1,6 @@
 #!/bin/sh
-# check_pages.sh BUILD - what the programs tell of themselves for man and for
-# shells: every option is there, groff has nothing to complain of, and bash
-# completes.
+# check_pages.sh BUILD - checks the manual pages and completions that the programs
+# print: every option is included, groff reports no problem, and bash completes.
 set -u
 build=$(cd "$1" && pwd)
 work=$(mktemp -d)
@@ -64,7 +63,7 @@ for program in c205 rt205 fit205; do
         [ "$what" = option ] || continue
         word=$command
         [ "$command" = - ] && word=
-        # No word is none.
+        # No word means no command.
         # shellcheck disable=SC2086
         found_for $program $word "${name%?}"
         case " $found" in

@@ -1,7 +1,7 @@
 #!/bin/sh
-# check_plurals.sh BUILD - a count of one has a noun in the singular.  Commands are
-# given one of everything: an instruction, a clock, an element, a pixel, a ray, a
-# polynomial, a stop; nothing that they print or write says "1 clocks".
+# check_plurals.sh BUILD - checks that a count of one has a singular noun. Commands get
+# one of everything: an instruction, a clock, an element, a pixel, a ray, a polynomial,
+# a breakpoint. Their output must not contain "1 clocks" or the like.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -12,7 +12,7 @@ cd "$work" || exit 1
 PATH=$build:$PATH
 said=$work/plurals
 
-# No plurals: the size of a picture, the number of a table, a verb.
+# These are not plurals: the size of a picture, the number of a table, a verb.
 allowed='x 1 rays|Table 1 lacks|part 1 of 1 is'
 singular() { # COMMAND ..: what it prints, and the files that it writes
     mkdir files

@@ -1,11 +1,11 @@
 #!/bin/sh
-# check_quick.sh BUILD MAKE SECONDS - the tests that the changed files can affect.
+# check_quick.sh BUILD MAKE SECONDS - runs the tests that the changed files can affect.
 #
-# Changed are the files that git names as different from the last commit, or those of the
-# last commit where nothing is.  make says which objects it would compile for them, and
-# each linked test has the list of its objects (X.objects): those with a changed one run,
-# the shortest of the last time first, two at a time.  None begins after SECONDS; their
-# number is printed.
+# Changed files are those that git reports as different from the last commit, or, if
+# there are none, those of the last commit. make reports which objects it would compile
+# for them, and each linked test has the list of its objects (X.objects). Tests with a
+# changed object run, two at a time, the shortest of the last run first. None begins
+# after SECONDS; their number is printed.
 set -u
 build=$1 make=$2 limit=$3
 . "$(dirname "$0")/count.sh"
@@ -65,7 +65,7 @@ check-*) "$5" --no-print-directory JOBS=1 "$2" ${3:+"$3"} >"$1.log" 2>&1 ;;
 esac && echo "passed: $2" || { cat "$1.log"; echo "failed: $2"; }
 echo "$(($(date +%s) - from))" >"$1.seconds"
 END
-# A line has the seconds, the program, its part and a variable of that.
+# A line has the seconds, the program, its part and a variable of the part.
 while read -r _ program part variable; do
     printf '%s\n' "$program" "$part" "$variable" "$((begin + limit))" "$make"
 done <"$work/tests" | xargs -r -d '\n' -n 5 -P 2 sh "$work/one" >"$work/results"

@@ -1,9 +1,10 @@
 #!/bin/sh
-# check_replay.sh BUILD [--write] - scripts for the debugger say the same whenever and however
-# they are played, to the byte: from a file, from a pipe, and once more.
+# check_replay.sh BUILD [--write] - compares the output of debugger scripts, byte for
+# byte, from a file, from a pipe, and from a second run.
 #
-# tests/debugger/forty.lines, 40 commands, over five programs says what is recorded beside it;
-# --write records it again.  Then scripts of 40 lines that test_debugger_scripts draws.
+# The output of tests/debugger/forty.lines, 40 commands, over five programs is compared
+# with the recorded files next to it; --write records them again. The other scripts are
+# those that test_debugger_scripts draws, with 40 lines each.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 write=${2:-}
@@ -12,7 +13,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/said
 
-# Models with round constants stay as they are.
+# Models with round constants do not change.
 debug() { # PROGRAM [OPTION ..]
     program=$1
     shift

@@ -1,6 +1,7 @@
 #!/bin/sh
-# check_rooms.sh - no file includes what lies above it (tests/rooms.txt), every
-# file lies in a room, and C++ and JavaScript stay where they belong.
+# check_rooms.sh - checks that no file includes a file of a higher room
+# (tests/rooms.txt), that every file is in a room, and that C++ and JavaScript are only
+# in their folders.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 

@@ -1,10 +1,10 @@
 #!/bin/sh
-# check_samples.sh BUILD - the sample scenes that come with POV-Ray: which are
-# read and which are not, and why; what is reported; where nothing is, how many
-# pixels differ from POV-Ray's picture; how long the traces take.
+# check_samples.sh BUILD - traces the sample scenes of POV-Ray: reports which can be
+# read and why others cannot, the reports of each, the number of pixels that differ from
+# POV-Ray's picture of scenes without reports, and the trace times.
 #
-# SAMPLES: folders or scenes, all unless told.  WIDTH, HEIGHT: of the pictures.
-# MAX_SECONDS: for one scene.  JOBS: scenes at a time.  The list stays in
+# SAMPLES: folders or scenes, all by default. WIDTH, HEIGHT: of the pictures.
+# MAX_SECONDS: per scene. JOBS: concurrent scenes. The list is written to
 # BUILD/samples.txt.
 set -u
 . "$(dirname "$0")/count.sh"
@@ -12,15 +12,15 @@ build=$(cd "$1" && pwd)
 samples=${SAMPLES:-/usr/share/doc/povray/examples}
 width=${WIDTH:-160} height=${HEIGHT:-120} seconds=${MAX_SECONDS:-300}
 list=$build/samples.txt
-# What holds: scenes that are read, those of them without a report, those of these
-# that have no more than .1 % of their pixels beyond .02.
+# Minimum counts: scenes that can be read, those without a report, and those of the
+# latter with at most .1 % of their pixels beyond .02.
 least_read=280 least_plain=60 least_equal=55
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# The scene's own folder is where its files are.
+# The files of a scene are in its folder.
 cat >"$work/one" <<'END'
 cd "$(dirname "$1")" || exit
 scene=$(basename "$1")
@@ -38,7 +38,7 @@ esac
 printf '%s\t%s\n' "$1" "${found:-untraced	it ended with $status}"
 END
 
-# They are folders, as words.
+# The folders are words.
 # shellcheck disable=SC2086
 find $samples -name '*.pov' | sort | xargs -P "${JOBS:-2}" -I SCENE \
     sh "$work/one" SCENE "$build" "$width" "$height" "$seconds" |

@@ -1,8 +1,8 @@
 #!/bin/sh
-# check_site.sh BUILD - the manual as a site: every link, anchor and picture of it
-# leads somewhere, nothing is asked of another host, every page of docs/ is
-# there, in the navigation and in the index that is searched, and so is every
-# instruction.  Faults put into a copy must be found.
+# check_site.sh BUILD - checks the manual as a site: every link, anchor and picture has
+# a target, nothing is loaded from another host, and every page of docs/ is included, in
+# the navigation and in the search index, as is every instruction. Faults that are
+# planted in a copy must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 BUILD=$(cd "$1" && pwd)
@@ -11,25 +11,25 @@ rules=$PWD/tests/site_faults.awk
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Pages and instructions, as the site should have them.
+# The expected pages and instructions.
 find README.md docs -name '*.md' ! -path 'docs/slides/*' |
     sed 's/README\.md$/index.md/; s/\.md$/.html/' | sort >"$work/pages"
 sed -n 's/^### //p' docs/isa.md | tr '[:upper:]' '[:lower:]' |
     sort >"$work/instructions"
 
-# What is in the first list and not in the second, behind the text.
+# Prints the lines of the first list that are not in the second, each after the text.
 missing() { # TEXT LIST LIST
     sort -u "$3" | comm -23 "$2" - | sed "s|^|$1: |"
 }
 
-# What is wrong with a site, a line each.
+# Prints the faults of a site, one per line.
 faults() { # SITE
     (cd "$1" && find . -type f | awk -f "$rules")
     worker=$(sed -n 's/.*"search": "\([^"]*\)".*/\1/p' "$1/index.html")
     [ -f "$1/$worker" ] || echo "nobody searches"
     (cd "$1" && find . -name '*.html' | sed 's|^\./||') >"$work/there"
     missing "no page" "$work/pages" "$work/there"
-    # The page that is shown for none has the navigation alone.
+    # The page for unknown addresses has the navigation only.
     grep -o 'href="/[^"]*"' "$1/404.html" |
         sed 's|^href="/||; s|"$||; s|^\.$|index.html|' >"$work/there"
     missing "not in the navigation" "$work/pages" "$work/there"
@@ -44,7 +44,7 @@ faults "$BUILD/site" >"$work/faults"
 said=$work/faults
 expect "the site" [ ! -s "$work/faults" ]
 
-# planted FILE SED WHAT_IS_SAID
+# planted FILE SED MESSAGE
 planted() {
     cp "$work/copy/$1" "$work/kept"
     sed -i "$2" "$work/copy/$1"

@@ -1,7 +1,8 @@
 #!/bin/sh
-# check_slides.sh PAGE FOLDER - the deck made of a lecture's page in FOLDER: every slide
-# has something for the speaker to say, fits, and is one page in print, without notes and
-# with them; nothing is asked of another host.  Faults put into the page must be found.
+# check_slides.sh PAGE FOLDER - checks the deck of a lecture's page in FOLDER: every
+# slide has notes for the speaker, fits, and is one page in print, with and without
+# notes. Nothing is loaded from another host. Faults that are planted in the page must
+# be found.
 set -u
 . "$(dirname "$0")/count.sh"
 page=$1 folder=$(cd "$2" && pwd)
@@ -12,12 +13,13 @@ trap 'rm -rf "$work"' EXIT
 said=$work/said
 slides=$(grep -c '^##* ' "$page")
 
-# What a browser makes of a deck, scripts having run, a line each section's tag.
+# Prints the tags of a deck's sections, one per line, after a browser has run its
+# scripts.
 sections() { # HTML
     sh docs/slides/browser.sh "$1" --dump-dom | grep -o '<section[^>]*>'
 }
 
-# What is wrong with a deck.
+# Prints the faults of a deck.
 faults() { # HTML
     sections "$1" >"$work/sections"
     [ "$(wc -l <"$work/sections")" -eq "$slides" ] || echo "not $slides slides"
@@ -44,7 +46,7 @@ done
 grep -qF "$(sed -n 's/^> //p' "$page" | sed 1q | cut -c 1-40)" "$said"
 verdict $? "$name-notes.pdf: no notes"
 
-# planted SED WHAT_IS_SAID
+# planted SED MESSAGE
 planted() {
     sed "$1" "$page" >"$work/docs/slides/planted.md"
     (cd "$work" && sh docs/slides/deck.sh docs/slides/planted.md) \

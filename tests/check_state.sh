@@ -1,8 +1,8 @@
 #!/bin/sh
-# check_state.sh BUILD - no library keeps state of its own: bands are traced in
-# threads, and a caller may have several machines.  Data that can be written is
-# reported but for these: the state of signals, and the list of the files that the
-# process writes, which is empty unless a command line is parsed.
+# check_state.sh BUILD - checks that no library has global state: bands are traced in
+# threads, and a caller may have several machines. Writable data are reported, with two
+# exceptions: the state of signals, and the list of the files that the process writes,
+# which is empty unless a command line is parsed.
 set -u
 build=$1
 allowed='interrupt.o:came interrupt.o:files interrupt.o:owner outputs.o:outputs'

@@ -1,21 +1,21 @@
 #!/bin/sh
-# check_stream.sh BUILD - what dieharder has to say of the machine's random stream:
-# the words that its programs make, 32 bits of each draw, ray by ray.
+# check_stream.sh BUILD - runs dieharder on the machine's random stream: the words that
+# its programs make, 32 bits of each draw, ray by ray.
 #
-# A good stream is called weak (a probability below .005 or above .995) once in a
-# hundred times; so what is weak under one seed must pass under another.  The
-# generator without its mixed output must fail, or nothing was judged.  The words
-# are the same on every run, and so is what is said of them.
+# A good stream is rated weak (a probability below .005 or above .995) once in a hundred
+# tests, so a test that is weak for one seed must pass for another. The generator
+# without its mixed output must fail, which shows that the tests work. The words and the
+# ratings are the same on every run.
 #
-# TESTS: dieharder's tests, with commas between them; else all but those that
-# it calls suspect itself, and one that takes minutes.
+# TESTS: numbers of dieharder's tests, separated by commas; by default all except those
+# that dieharder itself rates as suspect, and one that takes minutes.
 set -u
 . "$(dirname "$0")/count.sh"
 words=$1/tests/oracle/draw_words
 tests="0,1,2,3,4,8,9,10,11,12,13,15,16,100,101,102,200 -n 6,201 -n 3,202 -n 5"
 tests=${TESTS:-$tests,203 -n 1,204,205,206,207,208,209}
 
-# Each probability, and whether it is PASSED, WEAK or FAILED.
+# Prints each probability with PASSED, WEAK or FAILED.
 judge() { # WORDS-OPTIONS TEST ..
     # shellcheck disable=SC2086
     "$words" $1 2>/dev/null | dieharder -g 200 -S 1 -d $2 |

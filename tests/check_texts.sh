@@ -1,11 +1,11 @@
 #!/bin/sh
-# check_texts.sh BUILD [EVERY] - what a text file is, for every reader of texts.
+# check_texts.sh BUILD [EVERY] - compares what all readers of texts make of different
+# encodings.
 #
 # The programs, scenes, models, scripts and tables of the tests are rewritten with CR as
-# the ends of their lines, and with a byte order mark, CR LF, and the end mark of DOS
-# files with bytes after it.  What the commands print of the copies, errors with their
-# lines and columns included, is the same byte for byte.  Of the scenes every EVERY-th
-# one is rendered.
+# line ends, and with a byte order mark, CR LF, and the end mark of DOS files with bytes
+# after it. The output of the commands for the copies, including errors with their lines
+# and columns, must be the same byte for byte. Every EVERY-th scene is rendered.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd) every=${2:-80}
@@ -60,7 +60,7 @@ light_source { <4, 7, -9>, 1 }
 object { Part pigment { rgb <1, .3, .2> } translate 1/D
 }
 END
-# Faults in the lines of a text, one in each third.
+# Adds faults to the lines of a text, one in each third.
 broken() { # TEXT FAULT
     awk -v fault="$2" '{ print } NR % 9 == 4 { print "  " fault }' "$1"
 }
@@ -84,7 +84,7 @@ for form in $forms; do
     }
 done
 
-# ---- What the commands make of them ----
+# ---- Output of the commands ----
 
 print_all() { # all that is printed, of the texts in this folder
     c205=$build/c205 rt205=$build/rt205
@@ -177,7 +177,7 @@ for order in little big; do
     done
 done
 
-# ---- Names that a terminal would obey ----
+# ---- Names that a terminal would execute ----
 
 rm -rf names
 mkdir names

@@ -1,23 +1,22 @@
 #!/bin/sh
-# check_uses.sh BUILD SCENE - what else a traced scene is for: heat and mass, with few
-# rays.
+# check_uses.sh BUILD SCENE - compares heat and mass of a scene, with few rays, between
+# all stages, queues and numbers of jobs.
 #
-# All stages, with any queue and any number of jobs, print the same figures, to the last
-# digit that tells one number from the next; a scene that has none says why.
-# USES: some of the ways, or all.
+# The figures must be the same in all significant digits. A scene without figures must
+# give the same error. USES: some of the methods, or all.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 scene=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# What is printed, but for how it was found and what that took.
+# Prints the figures, without the method and its cost.
 figures() { # COMMAND ..
     "$build/rt205" "$@" --format csv 2>"$work/said" |
         sed '/^# .*[Cc]locks/,$d; /^#/d'
 }
 
-# Without figures there must be an error, and it must be the same.
+# Without figures there must be an error.
 outcome() { # COMMAND ..
     figures "$@" >"$work/outcome"
     [ -s "$work/outcome" ] ||
@@ -25,8 +24,8 @@ outcome() { # COMMAND ..
     cat "$work/outcome"
 }
 
-# However it is found, a line of options each on standard input.
-# A line is several options.
+# Compares all methods; standard input has a line of options for each. A line is several
+# options.
 # shellcheck disable=SC2086
 same() { # COMMAND OPTION ..
     command=$1
@@ -49,7 +48,7 @@ else
     mass="--rays 16 --repeats 4" heat="--rays 4 --repeats 2"
 fi
 sed 's/$/ --jobs 3/' "$work/ways" >"$work/jobs"
-# They are options and their values.
+# The words are options and their values.
 # shellcheck disable=SC2086
 same mass $mass --density default=1 <"$work/jobs"
 same heat --lines 32 --repeats 2 <"$work/jobs"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_web_engine.sh BUILD JOBS - the engine of the page in node beside c205, on
-# every third program, or on all with THOROUGH=1 (web/tests/node/engine.mjs).
+# check_web_engine.sh BUILD JOBS - compares the engine of the page, run in node, with
+# c205, on every third program, or on all with THOROUGH=1 (web/tests/node/engine.mjs).
 set -u
 build=$1 jobs=$2
 cd "$(dirname "$0")/.." || exit 1

@@ -1,15 +1,17 @@
 #!/bin/sh
-# check_words.sh - no comment, page or name has a word that tests/words.txt replaces.
+# check_words.sh - checks that no comment, page or name contains a word that
+# tests/words.txt replaces.
 #
-# Comments and identifiers are those of C files, pages the text of README.md and docs
-# outside of blocks of code.  A fault of each section is planted in a copy and found.
+# Comments and identifiers are those of C files, pages are the text of README.md and
+# docs outside of code blocks. A fault of each section is planted in a copy and must be
+# found.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The faults in files, a line each.
+# Prints the faults of files, one per line.
 faults() { # FILE ..
     awk '
     FILENAME == "tests/words.txt" {
@@ -58,7 +60,7 @@ faults() { # FILE ..
 
 find vm base asm rt web/engine web/tracer/platform tests README.md docs \
     \( -name '*.[ch]' -o -name '*.md' \) ! -name isa.md >"$work/files"
-# The names have no blanks.
+# The names contain no blanks.
 # shellcheck disable=SC2046
 faults $(cat "$work/files") >"$work/faults"
 if [ -s "$work/faults" ]; then

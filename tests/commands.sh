@@ -1,6 +1,6 @@
-# commands.sh - commands as a user calls them: their exit codes, what they print, and the
-# files that they write or do not write, compared with what a script or a row of a table
-# expects of them.
+# commands.sh - functions that compare commands, as a user calls them, with expectations
+# of a script or a row of a table: exit codes, output, and files that are written or
+# not.
 #
 #   . "$here/tests/commands.sh"
 #
@@ -20,7 +20,7 @@ tells() { # FILE TEXT: the last command's out or err holds the text
     expect "$1 does not say '$2'" grep -q -e "$2" "$work/$1"
 }
 
-# ---- Tables: the rows are explained where they are, in commands.txt ----
+# ---- Tables: commands.txt explains the rows ----
 
 holds() { # CHECK [=> CHECK] ..: what the last command leaves
     case $1 in

@@ -1,13 +1,13 @@
-# count.sh - what the scripts of tests/ count: what passed and what failed.
+# count.sh - counts the passed and failed checks of a script of tests/.
 #
 #   . "$(dirname "$0")/count.sh"
 #
-# Such a script ends with "counted", the line that run_all.sh sums; its status
-# is the script's.
+# Such a script ends with "counted", which prints the line that run_all.sh sums. Its
+# status is that of the script.
 # shellcheck shell=sh
 
 passed=0 failed=0
-said= # a file that a failure shows: what the last command said
+said= # a file that a failure prints: the output of the last command
 
 pass() {
     passed=$((passed + 1))

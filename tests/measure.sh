@@ -1,15 +1,15 @@
-# measure.sh - what the parts of the bench share.
+# measure.sh - functions that the benchmark scripts share.
 #
 #   build=$1
 #   . "$(dirname "$0")/measure.sh"
 #
-# The least of several trials counts, since other work on the host only adds time.
-# Figures also go to the file BENCH_CSV: part, what was measured, the quantity, its value.
+# The minimum of several trials counts, since other work on the host only adds time.
+# Figures are also appended to the file BENCH_CSV: part, subject, quantity, value.
 #
-# A part fails if one of its commands fails or a row has no figure.  set -e does not see a
-# command that fails in a pipeline or among the words of another command.  So `run` records
-# the failure of a command in a file, and the trap at the end of the script checks that file
-# and every row that the part added to BENCH_CSV.
+# A part fails if one of its commands fails or a row has no figure. set -e does not
+# detect a command that fails in a pipeline or among the words of another command.
+# Therefore `run` records the failure of a command in a file, and the trap at the end of
+# the script checks that file and every row that the part added to BENCH_CSV.
 # shellcheck shell=sh
 
 sized() { # FULL SMALL: the one that SIZE asks for
@@ -25,7 +25,7 @@ sized() { # FULL SMALL: the one that SIZE asks for
 trials=${TRIALS:-$(sized 5 1)}
 results=${BENCH_CSV:-${build:?}/bench.csv}
 work=$(mktemp -d)
-messages=$work/messages # what commands print on stderr
+messages=$work/messages # stderr of the commands
 failures=$work/failures # the commands that failed
 RT205_LIBDIR=$(cd "${build:?}" && pwd)
 export RT205_LIBDIR
@@ -99,8 +99,8 @@ quotient() { # A B: to two places
     awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%.2f", a / b }'
 }
 
-# A table's figures, cell by cell: PROGRAM, "row", column, value.  Cells end where
-# the headings of their columns do.  A row without a figure has an empty value.
+# Prints a table's figures, cell by cell: PROGRAM, "row", column, value. A cell ends at
+# the column at which its heading ends. A row without a figure has an empty value.
 cells() { # PROGRAM: of what it printed
     awk -v program="$1" '
         function ends_of(line,    at) {

@@ -1,11 +1,10 @@
 #!/bin/sh
-# run_all.sh MAKE JOBS PART .. [-- PART ..] - make every part, whatever fails
-# before it, and sum what the parts have counted: their lines "N passed, N
-# failed", and those of cmocka.  A part that fails and has counted nothing
-# counts as one failure.
+# run_all.sh MAKE JOBS PART .. [-- PART ..] - makes every part, also after failures, and
+# sums the counts of the parts: their lines "N passed, N failed", and those of cmocka. A
+# part that fails without counts is one failure.
 #
-# Parts run JOBS at a time, in one job each, and say what they have to say when
-# they are done; those behind -- one after another, with all jobs.
+# JOBS parts run concurrently, with one job each, and print their output when they end.
+# Those after -- run one after another, with all jobs.
 set -u
 make=$1 jobs=$2
 shift 2
@@ -13,7 +12,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 
-# Says nothing before its end, so that what two parts say is not mixed.
+# Prints the output of a part at its end, so that outputs are not mixed.
 cat >"$work/part" <<'END'
 begin=$(date +%s)
 code=0

@@ -1,8 +1,7 @@
 #!/bin/sh
-# run_bugs.sh BUILD - the inputs that fuzzing begins with, those that once
-# broke something among them (tests/bugs/TARGET/*), each through its fuzz
-# target (tests/fuzz/) once more.  Of those of a target, one at least gets past
-# its first check.
+# run_bugs.sh BUILD - runs the inputs with which fuzzing begins, including those that
+# caused earlier failures (tests/bugs/TARGET/*), through their fuzz targets
+# (tests/fuzz/). At least one input of each target must pass its first check.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1
@@ -10,7 +9,7 @@ corpus=$build/seeds
 said=$build/replay.err
 rm -rf "$corpus"
 sh tests/fuzz/seed.sh "$build/c205" "$corpus"
-refused=3 # the exit status of a replay
+refused=3 # exit status of a replay without accepted inputs
 for folder in "$corpus"/*; do
     replay=$build/tests/fuzz/replay_$(basename "$folder")
     accepted=0

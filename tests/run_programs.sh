@@ -1,7 +1,7 @@
 #!/bin/sh
-# run_programs.sh C205 - what the test programs and examples leave in registers and
-# memory is compared with their expectations.  Each instruction of the table must be
-# named by a program that executes it, and give the warnings that the program says.
+# run_programs.sh C205 - compares the registers and memory after the test programs and
+# examples with their expectations. Each instruction of the table must be named by a
+# program that executes it, and cause the warnings that the program expects.
 set -eu
 c205=$1
 cd "$(dirname "$0")/.."
@@ -14,7 +14,7 @@ done
 mkdir "$work/alone"
 cp "$work"/*.inc "$work/alone"
 
-# The instructions that the programs name, and those of these that they execute.
+# The instructions that the programs name, and those of them that they execute.
 for path in tests/programs/*.s; do
     "$c205" run --trace -Wno-all "$path" 2>&1 | awk '
         FNR == NR && /^; tests: / { for (i = 3; i <= NF; i++) named[$i] }

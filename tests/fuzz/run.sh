@@ -1,8 +1,9 @@
 #!/bin/sh
-# run.sh BUILD [SECONDS] - each fuzz target of BUILD for so many seconds, 60
-# unless told.  The corpus stays in BUILD for the next time; an input that
-# crashes or hangs a target is named and kept beside it.  A target fails, too,
-# if none of its seeds gets past its first check.
+# run.sh BUILD [SECONDS] - runs each fuzz target of BUILD for SECONDS seconds (60).
+#
+# The corpus remains in BUILD for later runs. An input that crashes or hangs a target is
+# reported and saved in BUILD/found. A target also fails if none of its seeds passes its
+# first check.
 set -u
 . "$(dirname "$0")/../count.sh"
 build=$1 seconds=${2:-60}

@@ -1,7 +1,7 @@
 #!/bin/sh
-# seed.sh C205 CORPUS - what the fuzz targets begin with, CORPUS/TARGET/*:
-# programs, object files and saved machines made of them, scenes, and inputs
-# that once broke something (tests/bugs/TARGET/*), sessions in pieces, too.
+# seed.sh C205 CORPUS - writes the seeds of the fuzz targets, CORPUS/TARGET/*: programs,
+# object files and saved machines made from them, scenes, and inputs that caused earlier
+# failures (tests/bugs/TARGET/*), with sessions divided into pieces.
 set -u
 c205=$1 corpus=$2
 root=$(dirname "$0")/../..
@@ -43,7 +43,7 @@ pieces engine 1 3
 for source in "$root"/tests/programs/*.s "$root"/asm/examples/*.s; do
     "$c205" asm "$source" -o "$corpus/object/$(basename "$source" .s).o"
 done
-# Page faults take the first thousand clocks and more.
+# Page faults take more than the first thousand clocks.
 for source in "$root"/asm/examples/*.s; do
     for limit in 100 1100 1250 2500; do
         "$c205" run "$source" --limit $limit --save \

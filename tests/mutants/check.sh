@@ -1,6 +1,6 @@
 #!/bin/sh
-# check.sh - random faults of some files of every room change these, the same seed draws
-# the same ones, and short texts have every kind of fault.
+# check.sh - checks mutate.awk: random faults of some files of every room change these
+# files, the same seed draws the same faults, and short texts have every kind of fault.
 set -u
 . "$(dirname "$0")/../count.sh"
 mutate="awk -f $(dirname "$0")/masked.awk -f $(dirname "$0")/mutate.awk"
@@ -46,7 +46,7 @@ kinds "$work/text.def" 'ROW("b", A)' 'ROW("d", C)' 'ROW(A, "b")' 'ROW(C, "b")' \
     'ROW(A, "d")' 'ROW(A, "d")' 'ROW(C, "b")'
 
 for room in vm base asm asm/lib rt rt/kernels rt/study/fit web/engine; do
-    # Their names have no blanks.
+    # The names contain no blanks.
     # shellcheck disable=SC2046
     set -- $(find "$room" -name '*.[ch]' -o -name '*.def' -o -name '*.s' |
         awk 'NR % 8 == 1')

@@ -1,15 +1,15 @@
 #!/bin/sh
-# cover.sh PLACE MAKE PART .. - measure which lines each part of make check executes.
+# cover.sh PLACE MAKE PART .. - measures which lines each part of make check executes.
 #
-# A part is GOAL or GOAL:VARIABLE=VALUE.  PLACE/whole has the sources; they are built
-# with gcov's counters in PLACE/whole/cover.  For each part PLACE/covered gets
+# A part is GOAL or GOAL:VARIABLE=VALUE. PLACE/whole has the sources; they are built
+# with the counters of gcov in PLACE/whole/cover. For each part PLACE/covered gets
 #
-#   PART.lines    FILE:LINE of each line that is executed, FILE of each file of these
-#                 lines and of each text that is assembled
+#   PART.lines    FILE:LINE of each executed line, FILE of each file with such a line
+#                 and of each text that is assembled
 #   PART.seconds  the processor time of the part
 #
-# and `code` all lines that have code.  A part that has been measured is not run again.
-# One that fails is reported and has no lines.
+# and `code`, all lines that have code. A part that was measured is not run again. A
+# part that fails is reported and has no lines.
 set -u
 make=$2
 covered=$1/covered
@@ -26,7 +26,7 @@ in_cover() { # GOAL ..
             $TEXTS_READ.o" "$@" </dev/null
 }
 
-# Lines with code are appended to $1.
+# Appends the lines with code to $1.
 executed() { # FILE
     find cover -name '*.gcda' -exec gcov -t {} + 2>/dev/null | awk -v all="$1" '
         / 0:Source:/ {
@@ -56,7 +56,8 @@ measure() { # PART
     [ ! -e "$here.lines" ] || return
     find cover -name '*.gcda' -delete
     : >"$TEXTS_READ"
-    # A goal and its variable; what "times" prints last is of the processes that ended.
+    # The words are a goal and its variable. The last line of "times" is that of ended
+    # processes.
     # shellcheck disable=SC2046
     if ! (in_cover $(echo "$1" | tr : ' ') && times >"$here.times") >"$here.log" 2>&1; then
         echo "fails without a fault: $1"
@@ -69,7 +70,7 @@ measure() { # PART
 }
 
 ${CC:-cc} -std=c99 -I. -c -o "$TEXTS_READ.o" tests/mutants/texts_read.c || exit 1
-# What has no counters is not built again.
+# Files without counters are not built again.
 for folder in unit oracle fuzz; do
     mkdir -p "cover/tests/$folder"
     cp -p "build/tests/$folder"/*.o "cover/tests/$folder"

@@ -1,21 +1,22 @@
 #!/bin/sh
-# run.sh - make faults in a copy of the tree, one at a time, and report which of them the
-# parts of make check find.
+# run.sh - makes faults in a copy of the tree, one at a time, and reports which of them
+# the parts of make check find.
 #
 #   sh tests/mutants/run.sh BUILD MAKE JOBS N SEED ONLY PART ..
 #
-# N random faults are tried, the same number in each room: of the room ONLY, or of files
-# whose path contains it.  With N = planted, those of tests/planted/bugs.list, each by
-# the parts that it names.  All is done in BUILD/mutants:
+# N random faults are tried, the same number in each room: in the room ONLY, or in files
+# whose path contains ONLY. With N = planted, the faults of tests/planted/bugs.list are
+# tried, each by the parts that it names. All files are in BUILD/mutants:
 #
-#   whole     the sources, and what is built of them without a fault
+#   whole     the sources, and their build without a fault
 #   covered   the lines that each part executes (cover.sh), measured once
 #   tree.JOB  a copy of whole in which a fault is made, built and removed again
-#   results   a line for each fault that was tried: after an interruption, or with a
+#   results   a line for each fault that was tried; after an interruption, or with a
 #             larger N, it is not tried again
 #
-# A fault that does not build, or changes no object file, is discarded.  For each other
-# one the parts run that execute its line, the fastest first, until one fails or hangs.
+# A fault that does not build, or changes no object file, is discarded. For each other
+# fault, the parts that execute its line run, the fastest first, until one fails or
+# hangs.
 set -u
 build=$1 make=$2 jobs=$3 total=$4 seed=$5 only=$6
 shift 6
@@ -32,11 +33,12 @@ if command -v ccache >/dev/null; then
     compiler="ccache ${compiler#ccache }"
 fi
 unset MAKEFLAGS MFLAGS MAKELEVEL
-job=0 # the number of this process; 0 makes no faults
-export LSAN_OPTIONS=hard_rss_limit_mb=8000 # not all of the host's memory
+job=0 # number of this process; 0 makes no faults
+export LSAN_OPTIONS=hard_rss_limit_mb=8000 # limits the memory
 touch "$results"
 
-# Stopped after these seconds of a processor, or if that takes very long.
+# Runs a goal; it is stopped after SECONDS of processor time, or after 20 times as long
+# on the wall clock.
 in_tree() { # TREE SECONDS GOAL ..
     within=$1 limit=$2
     shift 2
@@ -50,7 +52,7 @@ in_tree() { # TREE SECONDS GOAL ..
     return "$1"
 }
 
-# The files of a room in which faults are made.
+# Prints the files of a room in which faults are made.
 room_files() { # ROOM
     case $1 in
     asm) find asm -name '*.[ch]' -o -name '*.def' -o -path 'asm/lib/*.s' ;;
@@ -73,7 +75,7 @@ make_fault() { # FILE NUMBER
     fi
 }
 
-# The goals by which the objects of a file are built.
+# Prints the goals that build the objects of a file.
 objects_of() { # FILE
     case $1 in
     asm/lib/*) echo build/asm/library_texts.o ;;
@@ -97,9 +99,9 @@ is_changed() { # TREE
     done | grep -q .
 }
 
-# "SECONDS PART" of each that executes the line, or the line where its statement begins.
-# A line outside of functions has all parts that execute a line of its file or, for a
-# header or table, of a file that includes it.
+# Prints "SECONDS PART" for each part that executes the line, or the line at which its
+# statement begins. A line outside of functions has all parts that execute a line of its
+# file or, for a header or table, of a file that includes it.
 covering() { # FILE LINE
     at=$1
     if cmp -s "$1" "$covered/sources/$1"; then
@@ -120,7 +122,7 @@ covering() { # FILE LINE
     done
 }
 
-# All programs of the kernels are assembled first.
+# Prints the parts to run; the one that assembles all programs of the kernels is first.
 parts_of() { # FILE LINE NUMBER
     if [ "$total" = planted ]; then
         $plant -v number="$3" -v parts=1 "$list" | sed 's/^/30 /'
@@ -132,7 +134,7 @@ parts_of() { # FILE LINE NUMBER
         END { printf "%s", rest }'
 }
 
-# Whether the last part failed because this file, or a program, was not built.
+# Returns whether the last part failed because this file, or a program, was not built.
 is_rejected() { # FILE
     grep -qE '^make.*\[.*build/.*\.(o|a)\] Error' "$log" && return
     case $1 in
@@ -141,12 +143,12 @@ is_rejected() { # FILE
     esac
 }
 
-# Sets verdict, part, and the number of cases of the part that failed, which a part that
-# crashes or hangs does not count.
+# Sets the verdict, the part, and the number of failed cases. A part that crashes or
+# hangs has no such number.
 find_fault() { # TREE FILE LINE NUMBER
     log=$place/log.$job
     part=- cases=0
-    # Words are goals.
+    # The words are goals.
     # shellcheck disable=SC2046
     if ! in_tree "$1" 900 $(objects_of "$2") >"$log" 2>&1; then
         verdict="not built"
@@ -184,7 +186,7 @@ try() { # ROOM KEY FILE NUMBER LINE KIND
 
 # ---- All faults -----------------------------------------------------------
 
-# The share that this job has of a room's faults.
+# Tries this job's share of a room's faults.
 try_room() { # ROOM COUNT
     awk -v jobs="$jobs" -v job="$job" 'NR % jobs == job % jobs' "$place/faults.$1" |
         while read -r file number line kind && [ "$2" -gt 0 ]; do
@@ -236,7 +238,7 @@ report() {
         }' - "$results"
 }
 
-# The sources, their times kept; what is built of them stays.
+# Copies the sources with their times; built files remain.
 refresh() {
     mkdir -p "$whole"
     for name in vm base asm rt web tests scenes docs .ci Makefile README.md LICENSE; do

@@ -1,6 +1,7 @@
 #!/bin/sh
-# fresh.sh - each fault of bugs.list still has its place in the sources, whichever word is
-# renamed.  Whether a part of make check finds it is for make check-planted.
+# fresh.sh - checks that each fault of bugs.list still has its place in the sources,
+# whatever names have changed. make check-planted checks that a part of make check finds
+# it.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 work=$(mktemp -d)
