@@ -1,9 +1,9 @@
-# make demo       installs what is missing, builds, renders a scene on the
-#                 emulated machine and prints the speedup table
-# make site       the manual as a site; card, slides: docs/teaching.md
-# make check      builds and runs all tests (docs/testing.md says which)
+# make demo         installs missing packages, builds, renders a scene on the
+#                   emulated machine and prints the speedup table
+# make site         the manual as a site; card, slides: docs/teaching.md
+# make check        builds and runs all tests (docs/testing.md lists them)
 # make check-quick  the tests that the changed files can affect
-# make fit        fits the timing model, writes the fitted ones and docs/
+# make fit          fits the timing model, writes the fitted models and docs/
 # make all | docs | card | slides | web | web-tracer | mpi | bench | san | fuzz | cover |
 #      check-long | check-web | check-mutants | wasm-check | format | lint | install | clean
 
@@ -11,7 +11,7 @@ BUILD ?= build
 OPT ?= -O3
 CFLAGS ?= -g
 CXXFLAGS ?= -g
-# The release, as vm/c205.h names it.
+# The version, as defined in vm/c205.h.
 VERSION := $(shell sed -n 's/^.define C205_VERSION "\(.*\)"/\1/p' vm/c205.h)
 PREFIX ?= /usr/local
 LIBDIR = $(PREFIX)/lib/rt205
@@ -21,24 +21,24 @@ WASM_CC ?= clang --target=wasm32-wasi --sysroot=/usr
 WARN = -Wall -Wextra -Wshadow
 C_WARN = $(WARN) -pedantic -Wconversion -Wstrict-prototypes \
 	-Wmissing-prototypes
-# Doubles as C99 has them; but no flags of theirs are looked at, which lets loops
-# be vectorised.
+# Doubles follow C99, but the code never reads their exception flags, which allows
+# vectorised loops.
 C_FLAGS = -std=c99 -D_POSIX_C_SOURCE=200809L $(C_WARN) -ffp-contract=off \
 	-fno-trapping-math -fno-math-errno $(OPT) $(CFLAGS) -I. -MMD -MP
 CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 
-# Rooms: vm stands on the ground, base on vm, asm on base, rt on asm.
+# Layers of the rooms, from the lowest: vm, base, asm, rt.
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
 asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm/lesson)
 c205_c = $(call c_of,asm/command)
-# Not the call of a WebAssembly host.
+# Excludes the entry points of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
 rt_c = $(call c_of,$(addprefix rt/,platform jobs scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
-# What knows observations, and what fits them.
+# Sources that read observations, and sources that fit them.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \
 	unidentifiable.c)
 fit205_c = rt/command/fit205.c \
@@ -50,8 +50,8 @@ engine = $(BUILD)/libengine.a
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
 ranks = $(BUILD)/rt205_mpi.so
-# What is installed of them: three libraries, each with the names of these headers
-# alone, and with its own copy of what it needs of base.
+# The installed files: three libraries, each with only the names of these headers, and
+# with its own copy of the parts of base that it needs.
 api = $(BUILD)/api
 vm_api = vm/c205.h vm/insn.def vm/arith.def
 asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h \
@@ -79,7 +79,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
 replays = $(subst /fuzz_,/replay_,$(fuzz_targets))
-# Of these bench_trace is called by the scripts.
+# The scripts call bench_trace, one of these.
 benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev libfreetype-dev
@@ -90,10 +90,10 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) $(mpi_packag
 	libcmocka-dev groff-base povray povray-includes gnuplot-nox \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
-# What check runs, and in what size: cases an operation, pairs of narrow words,
-# random programs, polynomials of a kind, scenes of solids, of many regions, with lines
-# and masses, and as texts, tries a row of the table, compilers.  Those that take longest
-# come first.
+# The parts of check and their sizes: cases per operation, pairs of narrow words, random
+# programs, polynomials per kind, scenes of solids, of many regions, with lines and
+# masses, and as texts, tries per row of the table, compilers. The slowest parts come
+# first.
 check_parts = check-unit check-scenes check-hosts check-commands check-web-engine \
 	check-web-tracer check-texts check-library check-random check-language-scenes check-uses \
 	check-regions check-faces check-standing check-heat check-fit check-arithmetic \
@@ -114,24 +114,23 @@ USES ?= some
 LANGUAGE ?= 100
 TEXTS ?= 10
 TRIES ?= 300
-# FIRST=1: a generator stops at its first find, before it reduces that.
+# FIRST=1: a generator stops at its first failure without reducing it.
 first = $(if $(FIRST),--first)
 HOSTS ?= quick
 DOCS ?= quick
-# Of the unit tests, scenes, scenes of which heat and mass are asked, and pages those
-# named.
+# The selected unit tests, scenes, scenes for heat and mass, and pages.
 UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
-# Scenes that are named are traced in all ways, the others each in a third of them.
+# Named scenes are traced with all methods; otherwise each with a third of them.
 WAYS ?= $(if $(filter file,$(origin SCENES)),some,all)
 USED ?= $(wildcard scenes/*.pov)
 PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md docs/course/*/*.md)
-# So many compilers, unit tests and scenes at a time.
+# Number of concurrent compilers, unit tests and scenes.
 JOBS ?= 2
 
 sanitizers = address,undefined
 
-# --- what users call --------------------------------------------------------
+# --- Commands for users -----------------------------------------------------
 
 all: $(libraries) $(programs) $(adapter)
 
@@ -143,13 +142,13 @@ demo:
 	$(BUILD)/rt205 speedup
 	@echo "The picture is in $(BUILD)/bracket.png"
 
-# Memory that machines leave is kept, as rt205 does (rt/command/rt205.c), and is in large
-# pages where the host has them: a compiler or a test takes a tenth less time.
+# Freed memory stays in the process, as in rt205 (rt/command/rt205.c), and uses large
+# pages if the host has them: a compiler or a test takes a tenth less time.
 export MALLOC_MMAP_THRESHOLD_ = 33554432
 export MALLOC_TRIM_THRESHOLD_ = 536870912
 export GLIBC_TUNABLES = glibc.malloc.hugetlb=1
 
-# Debug information without local variables builds a quarter faster.
+# Debug information without local variables makes the build a quarter faster.
 check:
 	@sh .ci/need $(test_packages)
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) CFLAGS="$(patsubst -g,-g1,$(CFLAGS))" \
@@ -166,7 +165,7 @@ check-quick: export SEEN = 4
 check-quick: export MASSES = 2
 check-quick: export HEATS = 1
 check-quick: export LANGUAGE = 6
-# An edit is checked in a minute, its build included.
+# Checks an edit within a minute, including the build.
 check-quick:
 	@sh tests/check_quick.sh $(BUILD) "$(MAKE)" 45
 
@@ -209,9 +208,9 @@ fit:
 	$(BUILD)/fit205 --write vm/models/cyber205-2pipe.model \
 		--write vm/models/cyber720.model \
 		--json $(BUILD)/fit.json
-	@$(MAKE) --no-print-directory docs # they tell the default model's times
+	@$(MAKE) --no-print-directory docs # they contain the default model's times
 
-# --- libraries and programs -------------------------------------------------
+# --- Libraries and programs -------------------------------------------------
 
 $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
@@ -220,7 +219,7 @@ $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 $(engine): $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
-# With q, not r: files of two folders may have one name.
+# With q, not r: files of two folders may have the same name.
 %.a:
 	@rm -f $@
 	$(AR) qcs $@ $^
@@ -229,7 +228,7 @@ $(BUILD)/c205: $(call objects,$(c205_c)) \
 		$(addprefix $(BUILD)/asm/,isa_example_texts.o card_texts.o) \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
-# Both commands hold dialogues with a debugger.
+# Both commands have an interactive debugger.
 $(BUILD)/rt205: $(call objects,$(rt205_c) asm/command/repl.c \
 		asm/command/line_editor.c) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
@@ -239,11 +238,11 @@ $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
 $(BUILD)/rt/study/fit/ceres_fit.o: rt/study/fit/ceres_fit.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) -isystem /usr/include/eigen3 -c -o $@ $<
-# FreeType's own headers may say what ours must not.
+# FreeType's headers may cause warnings that are errors for our code.
 $(BUILD)/rt/scene/font.o: override C_FLAGS += \
 	$(subst -I,-isystem ,$(shell pkg-config --cflags freetype2))
 
-# What carries messages between ranks; demo does not need it.
+# The library that carries messages between ranks; demo does not need it.
 mpi:
 	@sh .ci/need $(mpi_packages)
 	@$(MAKE) --no-print-directory $(ranks)
@@ -256,7 +255,7 @@ $(adapter): rt/picture/picture_oiio.cc
 	$(CXX) $(CXX_FLAGS) $$(pkg-config --cflags OpenImageIO) -shared -o $@ $< \
 		$$(pkg-config --libs OpenImageIO)
 
-# Texts that the programs carry with them.
+# Texts that are compiled into the programs.
 $(BUILD)/vm/model_texts.c: texts_in = vm/models
 $(BUILD)/vm/model_texts.c: $(wildcard vm/models/*.model)
 $(BUILD)/asm/library_texts.c: texts_in = asm/lib
@@ -265,7 +264,7 @@ $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
 $(BUILD)/asm/card_texts.c: texts_in = asm/card
 $(BUILD)/asm/card_texts.c: $(wildcard asm/card/*.roff)
-# Solutions are not among them.
+# Solutions are excluded.
 $(BUILD)/asm/lesson_texts.c: texts_in = docs/course
 $(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,lesson.md start.s test-*.s,\
 	$(wildcard docs/course/*/$(file)))) $(wildcard docs/course/ docs/course/*/)
@@ -284,12 +283,12 @@ $(BUILD)/%.o: %.c
 $(BUILD)/%.o: $(BUILD)/%.c
 	$(CC) $(C_FLAGS) -c -o $@ $<
 
-# Loops that choose between doubles only vectorise when neither can trap.
+# Loops that select one of two doubles are vectorised only if neither can trap.
 $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 	$(BUILD)/vm/number/spans.o: \
 	C_FLAGS += -fno-trapping-math
 
-# The reference of the instructions, and what the pages say is printed.
+# The reference of the instructions, and the printed blocks of the pages.
 shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
 	$(BUILD)/tests/unit/test_points $(BUILD)/tests/unit/test_emission \
 	$(BUILD)/tests/unit/test_functions \
@@ -311,7 +310,7 @@ card: $(BUILD)/c205
 check-card: card
 	sh tests/check_card.sh $(BUILD)/c205 $(BUILD)/card
 
-# A lecture, as a deck for a browser and as it prints that, without notes and with them.
+# The deck of a lecture: for a browser, and in print with and without notes.
 slides_packages = python3-markdown chromium poppler-utils
 slides = $(BUILD)/slides
 slides:
@@ -326,7 +325,7 @@ slides:
 check-slides: slides
 	sh tests/check_slides.sh docs/slides/vector.md $(slides)
 
-# The manual as a site, from a server or from the folder.
+# The manual as a site, for a server or a local folder.
 site_packages = mkdocs mkdocs-material python3-markdown
 site: card
 	@sh .ci/need $(site_packages)
@@ -338,19 +337,19 @@ site: card
 check-site: site
 	sh tests/check_site.sh $(BUILD)
 
-# --- tests ------------------------------------------------------------------
+# --- Tests ------------------------------------------------------------------
 
-# Test programs do not stand beside the adapter.
+# Test programs are not in the folder of the dynamic library.
 export RT205_LIBDIR = $(abspath $(BUILD))
 
-# Programs of tests are built fast, with the lines of a stack trace alone; their debug
-# information stays in the objects.
+# Test programs are built fast, with only the lines of a stack trace; the other debug
+# information remains in the objects.
 $(BUILD)/tests/%.o: override CFLAGS := $(patsubst -g,-g1,$(CFLAGS))
 $(BUILD)/tests/unit/%.o: OPT = -O1
 lld := $(if $(shell command -v ld.lld),-fuse-ld=lld)
 test_link = $(LDFLAGS) $(lld) $(if $(findstring sanitize,$(CFLAGS)),,-Wl,-S)
 
-# A unit test and its main, which is written from its TEST lines (tests/unit/unit.h).
+# A unit test and its main, which is generated from its TEST lines (tests/unit/unit.h).
 $(BUILD)/tests/unit/%.main.c: tests/unit/%.c tests/unit/main.awk
 	@mkdir -p $(@D)
 	awk -f tests/unit/main.awk $< >$@.new
@@ -358,22 +357,23 @@ $(BUILD)/tests/unit/%.main.c: tests/unit/%.c tests/unit/main.awk
 $(call objects,$(wildcard tests/unit/test_*.c)): %.o: %.main.c
 	$(CC) $(C_FLAGS) -c -o $@ $<
 
-# What unit tests and oracles share.
+# Objects that unit tests and oracles share.
 helpers = $(BUILD)/tests/libhelpers.a
 $(helpers): $(call objects,$(filter-out tests/unit/test_% $(oracles:$(BUILD)/%=%.c),\
 	$(wildcard tests/unit/*.c tests/oracle/*.c)))
 
-# What is assembled of the kernels is kept (kept_programs.c), but where memory is short.
+# Assembled kernels are cached (saved_programs.c), except where memory is limited.
 keeping = -Wl,--wrap=program_assemble,--wrap=object_free,-u,__wrap_object_free
 $(BUILD)/tests/unit/test_allocation: keeping =
-# It counts by itself what is not freed.
+# This test counts unfreed allocations itself.
 $(BUILD)/tests/unit/test_allocation: leaks =
-# All allocations go through the test that makes them fail.
+# All allocations go through the test, which makes them fail.
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
-# A unit test that leaks memory fails if a program with a leak does when it is linked so.
-# Tests that run machines, and those that say so, are linked without: their large blocks are
-# mapped again each time, which takes up to ten times as long.
+# A unit test that leaks memory fails, if a program with a leak fails when it is linked
+# this way. Tests that run machines, and those that mention the leak sanitizer, are
+# linked without it: their large blocks are mapped again each time, which takes up to
+# ten times as long.
 leaks = $(if $(shell grep -lE "traced_frame|machine|model|debugger|session|engine|lesson|leak sanitizer" $(@:$(BUILD)/%=%.c)),,$(file <$(BUILD)/leaks))
 $(BUILD)/leaks:
 	@mkdir -p $(@D)
@@ -385,13 +385,13 @@ $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(engine) $(libraries)
 		| $(BUILD)/leaks
 	$(CC) $(test_link) $(keeping) $(leaks) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl \
 		-lpthread -Wl,--trace >$@.objects
-# Its client starts the command.
+# The client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)) \
 		$(BUILD)/tests/unit/test_breakpoints: | $(BUILD)/c205
-# These run all commands.
+# These tests run all commands.
 $(BUILD)/tests/unit/test_signals $(BUILD)/tests/unit/test_terminal: | \
 		$(programs) $(adapter)
-# goal.c alone: what it asks of the fit, the test answers.
+# objective.c alone: the test defines the functions of the fit that it calls.
 $(BUILD)/tests/unit/test_objective: $(BUILD)/tests/unit/test_objective.o \
 		$(BUILD)/rt/study/fit/objective.o $(BUILD)/libbase.a \
 		$(BUILD)/libc205.a
@@ -401,8 +401,8 @@ $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
 		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
 $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
-# Random programs and the plain interpreter, without the tracer.  check_hosts.sh links them
-# with the machine as other compilers build it, too.
+# Random programs and the plain interpreter, without the tracer. check_hosts.sh links
+# them also with the machine as built by other compilers.
 digest_parts = $(BUILD)/tests/oracle/digest.o $(call objects,$(wildcard \
 	$(addprefix tests/oracle/,random_*.c reference*.c operand*.c plain_memory.c \
 	*_oracle.c))) $(BUILD)/libc205asm.a $(BUILD)/libbase.a
@@ -460,7 +460,8 @@ check-narrow: $(BUILD)/tests/oracle/check_narrow
 check-random: $(BUILD)/tests/oracle/check_random
 	$< $(PROGRAMS) $(first)
 
-# The random stream, by dieharder; a part of check-long.  TESTS=0,205: those.
+# The random stream, tested by dieharder; a part of check-long. TESTS=0,205 selects
+# tests.
 check-stream: $(BUILD)/tests/oracle/draw_words
 	@sh .ci/need dieharder
 	sh tests/check_stream.sh $(BUILD)
@@ -478,7 +479,7 @@ check-faces: $(BUILD)/tests/oracle/check_faces
 check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
 
-# Bodies whose faces coincide, clear ones also beside POV-Ray.
+# Solids with coincident faces; transparent ones are also compared with POV-Ray.
 check-standing: $(BUILD)/tests/oracle/check_standing $(adapter)
 	$(call by_shares,$(STANDING))
 
@@ -491,11 +492,11 @@ check-heat: $(BUILD)/tests/oracle/check_heat
 check-mass: $(BUILD)/tests/oracle/check_mass
 	$(call by_shares,$(MASSES))
 
-# Each text beside POV-Ray's picture of it.
+# Each text is compared with POV-Ray's picture of it.
 check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
 	$(call by_shares,$(LANGUAGE))
 
-# A part of check-unit, here with more tries.
+# This is a part of check-unit, here with more tries.
 check-poison: $(BUILD)/tests/unit/test_poison
 	$< $(TRIES)
 
@@ -515,8 +516,8 @@ check-mpi: $(programs) $(adapter)
 	@$(MAKE) --no-print-directory mpi
 	sh tests/check_mpi.sh $(BUILD)
 
-# Not a part of check: N random faults in the sources, drawn with SEED, that the parts of
-# check should find, in all rooms or in ONLY one (tests/mutants/run.sh).
+# Not a part of check: N random faults in the sources, drawn with SEED, that the parts
+# of check should find, in all rooms or in ONLY one (tests/mutants/run.sh).
 N ?= 100
 SEED ?= 1
 covered_parts = $(UNITS:%=check-unit:UNITS=%) $(SCENES:%=check-scenes:SCENES=%) \
@@ -527,13 +528,13 @@ check-mutants:
 	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) $(N) $(SEED) "$(ONLY)" \
 		$(covered_parts)
 
-# Not a part of check: faults that the project has had; ONLY=text: those of which the list
-# says so.
+# Not a part of check: earlier faults of the project; ONLY=text selects those whose
+# description contains the text.
 check-planted:
 	@sh .ci/need $(test_packages)
 	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) planted 0 "$(ONLY)"
 
-# The same bits and clocks from every compiler.
+# Every compiler must give the same bits and clocks.
 check-hosts: $(BUILD)/tests/bench_lanes $(BUILD)/tests/oracle/digest
 	@sh .ci/need $(test_packages) $(if $(filter full,$(HOSTS)),valgrind)
 	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
@@ -548,7 +549,7 @@ check-uses: $(programs)
 	@printf '%s\n' $(USED) | \
 		USES="$(USES)" xargs -n 1 -P $(JOBS) sh tests/check_uses.sh $(BUILD)
 
-# More rays where pixels differ, as POV-Ray has it.
+# Adaptive sampling, compared with POV-Ray's.
 check-adaptive: $(BUILD)/tests/oracle/check_sample $(adapter)
 	sh tests/check_adaptive.sh $(BUILD)
 
@@ -558,7 +559,7 @@ check-language:
 check-library: $(BUILD)/rt205 $(adapter)
 	sh tests/check_library.sh $(BUILD)
 
-# POV-Ray's own samples; long, and no part of check-long.
+# POV-Ray's sample scenes; slow, and not a part of check-long.
 check-samples:
 	@sh .ci/need $(test_packages) povray-examples
 	@$(MAKE) --no-print-directory all $(BUILD)/tests/oracle/check_sample
@@ -585,9 +586,9 @@ check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
 
-# For the browser's kind of machine: vm and asm, the c205 command, and the engine of the
-# page; how large that is.  The page has the texts of lessons itself.
-# One at a time, however many ask for it.
+# For WebAssembly: vm and asm, the c205 command, and the engine of the page, with its
+# size. The page contains the texts of lessons itself. A lock prevents concurrent
+# builds.
 in_wasm = @mkdir -p $(BUILD)/wasm && TITLES=yes flock $(BUILD)/wasm/lock \
 	$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" AR=llvm-ar \
 	$(addprefix $(BUILD)/wasm/,$(1))
@@ -599,18 +600,18 @@ web-engine:
 	@cp $(BUILD)/wasm/engine.wasm $(BUILD)/web
 	@wc -c $(BUILD)/web/engine.wasm
 
-# Its stack lies before its data: what overflows it is seen.
+# The stack is before the data, so that an overflow is detected.
 $(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
 		libengine.a libc205asm.a libbase.a libc205.a)
 	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
-# The engine in node beside c205, where there is node.
+# The engine in node is compared with c205, if node is installed.
 check-web-engine: $(BUILD)/c205 wasm-check
 	@$(MAKE) --no-print-directory web-engine
 	sh tests/check_web_engine.sh $(BUILD) $(JOBS)
 
-# The page: one file, and a small site.  node and npm are Debian's where there are none.
+# The page: one file, and a small site. Debian's node and npm are installed if missing.
 web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 npm_done = web/node_modules/.package-lock.json
 web:
@@ -623,8 +624,8 @@ $(npm_done): web/package.json web/package-lock.json
 	cd web && npm ci --ignore-scripts
 	@touch $@
 
-# The page in real browsers, beside c205; BROWSERS="chromium": that one; WEB_TESTS=text:
-# those of which the name says so.
+# The page in real browsers is compared with c205. BROWSERS="chromium" selects one;
+# WEB_TESTS=text selects tests whose name contains the text.
 browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
 check-web:
@@ -632,8 +633,8 @@ check-web:
 	@$(MAKE) --no-print-directory web $(programs)
 	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
 
-# rt205 for the page: web/tracer/platform/ has what its machine does otherwise, in the
-# place of the files of rt of that name.
+# rt205 for the page: files in web/tracer/platform/ replace the files of rt with the same
+# names.
 web_tracer_own = $(wildcard web/tracer/platform/*.c)
 web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
 	$(rt205_c)) $(web_tracer_own) asm/command/repl.c asm/command/line_editor.c
@@ -649,8 +650,8 @@ $(BUILD)/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o 
 	$(CC) -Wl,--stack-first -Wl,-z,stack-size=1048576 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
-# .. in node beside rt205, where there is node; TRACED=text: those runs whose command
-# lines have it.
+# rt205 in node is compared with rt205, if node is installed; TRACED=text selects runs
+# whose command lines contain the text.
 drawn = $(BUILD)/web/drawn
 check-web-tracer: $(BUILD)/rt205 $(adapter) $(BUILD)/tests/oracle/draw_scenes
 	@if ! command -v node >/dev/null; then \
@@ -661,7 +662,7 @@ check-web-tracer: $(BUILD)/rt205 $(adapter) $(BUILD)/tests/oracle/draw_scenes
 		node web/tests/node/check_tracer.mjs $(BUILD) $(drawn) "$(TRACED)"; \
 	fi
 
-# The leak checker would look for threads' variables of OpenImageIO's libraries
+# The leak checker would look for thread-local variables of OpenImageIO's libraries
 # where there are none.
 san: export ASAN_OPTIONS = intercept_tls_get_addr=0
 san:
@@ -671,7 +672,7 @@ san:
 		LDFLAGS="-fsanitize=$(sanitizers)" \
 		check-unit check-programs check-bugs
 
-# Lines and branches of vm, base and asm that the tests run.
+# The coverage of vm, base and asm by lines and branches.
 cover: export LLVM_PROFILE_FILE = $(abspath $(BUILD))/cover/profile/%m.profraw
 cover:
 	@sh .ci/need $(test_packages) libclang-rt-14-dev
@@ -687,13 +688,14 @@ cover-tests:
 		check-isa check-bugs check-commands check-course check-arithmetic \
 		check-random
 
-# All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
+# All benchmarks, or BENCH="growth frames"; tests/bench.sh lists the names.
 bench:
 	@sh .ci/need $(build_packages) $(mpi_packages) povray povray-includes clang
 	@$(MAKE) --no-print-directory $(benches) $(programs) $(adapter) $(ranks)
 	@MAKE="$(MAKE)" sh tests/bench.sh $(BUILD) $(BENCH)
 
-# Each part in its smallest size; hosts is a part of check-hosts, which builds what it compares.
+# Each benchmark in its smallest size; hosts is a part of check-hosts, which builds its
+# variants.
 check-bench: $(benches) $(programs) $(adapter) $(ranks)
 	sh tests/check_bench.sh $(BUILD) machine frames jobs ranks stages visible lines \
 		growth goals
@@ -731,7 +733,7 @@ $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/asm/lesson_texts.o \
 		$(BUILD)/libbase.a
-# Views need more of the assembler's library than that has for others.
+# Views need internal names of the assembler's library, so they are excluded.
 $(api)/librt205.a: $(call objects,$(filter-out rt/view/%,$(rt_c))) \
 		$(BUILD)/rt/kernel_texts.o \
 		$(BUILD)/rt/scene_texts.o $(BUILD)/libbase.a
@@ -742,7 +744,8 @@ $(api)/%.a: .ci/export.sh
 	@mkdir -p $(@D)
 	sh .ci/export.sh $@ $(headers) -- $(filter %.o %.a,$^)
 
-# NAME, what it is, what it requires, its library, those it needs.
+# Arguments of pc: the name, the description, the required packages, the private
+# libraries.
 define pc
 prefix=$(PREFIX)
 libdir=$${prefix}/lib
@@ -766,7 +769,7 @@ $(api)/%.pc: Makefile
 installed = $(addprefix $(api)/,libc205.a libc205asm.a librt205.a)
 installed_pc = $(addprefix $(api)/,c205.pc c205asm.pc rt205.pc)
 
-# The man page and what shells complete, as the programs tell it.
+# The man pages and shell completions, as the programs print them.
 share = $(BUILD)/share
 pages = $(foreach program,$(notdir $(programs)),$(addprefix $(share)/,\
 	man/man1/$(program).1 bash-completion/completions/$(program) \

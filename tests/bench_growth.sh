@@ -107,7 +107,7 @@ mesh {
 END
 }
 
-exponent() { # COLUMN: of lines of a number and what was measured
+exponent() { # COLUMN: fits lines of a number and a measurement
     awk -v column="$1" '$1 >= 90 && $1 <= 10000 && $column > 0 {
             x = log($1); y = log($column)
             n++; sx += x; sy += y; sxx += x*x; sxy += x*y
@@ -116,14 +116,14 @@ exponent() { # COLUMN: of lines of a number and what was measured
                   printf "%.2f", (n*sxy - sx*sy) / (n*sxx - sx*sx) }'
 }
 
-measure() { # SCENE: ours, POV-Ray's
+measure() { # SCENE: prints our figures, then POV-Ray's
     for _ in $(seq "$trials"); do
         echo "$(ours "$1" "$width" "$height" | cut -d ' ' -f 1,3,4)" \
             "$(theirs "$1" "$width" "$height")"
     done | least
 }
 
-is_too_long() { # COUNT, behind the last row
+is_too_long() { # COUNT: compared with the last row
     tail -n 1 "$work/rows" | awk -v n="$1" -v limit="$limit" -v t="$trials" \
         'END { exit !(NR && $2 * t * n / $1 > limit) }'
 }

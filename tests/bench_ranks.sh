@@ -29,13 +29,13 @@ command_of() { # KIND
     esac
 }
 
-tracer() { # OPTION ..: the command of the kind
+tracer() { # OPTION ..: runs the command of the kind
     # A command is several words.
     # shellcheck disable=SC2046
     run "$build/rt205" $(command_of "$kind") "$@" 2>>"$messages"
 }
 
-seconds() { # OPTION ..: of the command of the kind
+seconds() { # OPTION ..: prints those of the command of the kind
     case $kind in frame | tiny) set -- "$@" -o "$work/frame.png" ;; esac
     before=$(date +%s%N)
     tracer "$@" >/dev/null

@@ -19,7 +19,7 @@ ways() {
 END
 }
 
-clocks() { # SCENE OPTIONS ..: and the frame's checksum
+clocks() { # SCENE OPTIONS ..: prints the clocks and the frame's checksum
     scene_file=$1
     shift
     run "$build/rt205" render "$scene_file" --no-picture -W "$width" \

@@ -12,7 +12,7 @@ build=$1
 width=$(sized 160 16) height=$(sized 120 12)
 ways="stepping every"
 
-spheres() { # COUNT LENGTH RADIUS AXIS: in a row about the origin
+spheres() { # COUNT LENGTH RADIUS AXIS: a row about the origin
     awk -v n="$1" -v length_of="$2" -v r="$3" -v axis="$4" 'BEGIN {
         for (i = 0; i < n; i++)
             printf "sphere { %.6f*%s, %.6f }\n",
@@ -48,7 +48,7 @@ write_solid() { # KIND COUNT
     fi
 }
 
-clocks() { # SCENE WAY: of visible and of the frame, the frame's checksum
+clocks() { # SCENE METHOD: of `visible` and of the frame, and the frame's checksum
     run "$build/rt205" render "$1" --no-picture -W "$width" \
         -H "$height" --visible "$2" --accounts --format csv 2>>"$messages" | awk -F, '
         /^scene,/ { for (i = 1; i <= NF; i++) at[$i] = i; next }

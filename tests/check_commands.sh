@@ -69,7 +69,7 @@ printf 'loop:   BIM loop\n; expect: r1 = 0\n' >endless_test.s
 printf '        .include "print.s"\n        ES r10, N + M\n%s\n        EXIT\n' \
     '        print_integer r10' >defined.s
 
-narrow() { # COMMAND: but for names of files it prints no long lines
+narrow() { # COMMAND: prints no long lines, except names of files
     [ -z "$(awk -v here="$here" 'length > 100 && !index($0, here)' out)" ]
     verdict $? "lines of more than 100 characters: $1"
 }
@@ -96,7 +96,7 @@ for program in c205 rt205 fit205; do
     ends 2 "$build/$program" help --completion tcsh
 done
 
-names() { # what the help of the command names: every option and operand
+names() { # prints every option and operand in the help of the command
     while read -r what its_command name letter kind choices; do
         [ "$what" != command ] || continue
         [ "$its_command" = "$command" ] || continue
@@ -111,14 +111,14 @@ names() { # what the help of the command names: every option and operand
         done
     done <"$program.list"
 }
-refuses() { # ARGUMENT ..: as usage, with the choices and the way to the help
+refuses() { # ARGUMENT ..: reports wrong usage, with the choices and a reference to the help
     # No word means no argument.
     # shellcheck disable=SC2086
     ends 2 "$build/$program" $word "$@"
     tells err "$program $word${word:+ }--help tells how it is used"
     expect "wrong usage prints on stdout: $*" [ ! -s out ]
 }
-wrong_values() { # a value that each option refuses, and none
+wrong_values() { # for each option a value that it rejects, and no value
     while read -r what its_command name letter kind choices; do
         [ "$what" = option ] || continue
         [ "$its_command" = "$command" ] || continue
@@ -435,7 +435,7 @@ cat >shell.pov <<'END'
 #declare Ball_Temperature = 500;
 object { Ball } object { Shell }
 END
-heat_shell() { # CODE OPTION ..: heat of this scene ends with the code
+heat_shell() { # CODE OPTION ..: heat of this scene exits with the code
     code=$1
     shift
     ends "$code" "$build/rt205" heat shell.pov --by part --rays 64 --repeats 4 \
@@ -467,7 +467,7 @@ heat_shell 0 --temperature Shell=300 --smooth -W 40 -H 30 -o flows.png
 tells out "^picture flows.png: flow from -.* W/m^2; "
 tells out "^Smoothed factors:"
 rows flows
-heat_hits() { # CODE OPTION ..: hits in this scene end with the code
+heat_hits() { # CODE OPTION ..: hits in this scene exit with the code
     code=$1
     shift
     ends "$code" "$build/rt205" heat row.pov --hits --rays 128 --repeats 2 "$@"
@@ -542,7 +542,7 @@ for ending in jpg exr tif; do
     ends 0 "$build/rt205" render "$scene" -o a.$ending -W 40 -H 30
     expect "no a.$ending" [ -s a.$ending ]
 done
-dated() { # DATE: whether a.exr has it
+dated() { # DATE: a.exr has this date
     grep -a -q -e "$1" a.exr
 }
 ends 0 "$build/rt205" render "$scene" -o a.exr -W 40 -H 30
@@ -630,7 +630,7 @@ done
 rows sweep_models
 
 # The accuracy of the figures, in one line and in full.
-whole() { # COMMAND ..: with --provenance the rest of the line and more
+whole() { # COMMAND ..: with --provenance the line continues
     ends 0 "$@"
     tells out 'on the model cyber205-2pipe; more by --provenance$'
     ends 0 "$@" --provenance
@@ -656,7 +656,7 @@ ends 0 "$build/c205" model cyber205-2pipe
 tells out 'compared with 1 published figure,'
 
 # Every result in every format, from and to streams.
-formats() { # COMMAND ..: its results as text, CSV, Markdown and JSON
+formats() { # COMMAND ..: prints its results as text, CSV, Markdown and JSON
     ends 0 "$@" --format csv
     [ -z "$(sed "/^#/d; /^\$/d; /,/d" out)" ] && grep -q , out
     verdict $? "CSV has lines that are neither rows nor remarks: $*"
@@ -692,7 +692,7 @@ formats "$build/rt205" mass parts.pov --density default=1 --rays 512
 ends 0 "$build/c205" run good.s --format csv
 tells err '^1.5$'
 
-pipes() { # WHAT: the last pipe went well
+pipes() { # WHAT: the last pipe succeeded
     verdict $? "$1"
 }
 "$build/c205" asm good.s -o - | cmp -s - good.o
@@ -719,7 +719,7 @@ pipes "no scene to sweep from stdin"
 rows streams
 
 # Several jobs give the same results in the same order.
-several() { # COMMAND ..: prints with --jobs 3 what it prints with 1
+several() { # COMMAND ..: --jobs 3 prints the same as --jobs 1
     ends 0 "$build/rt205" "$@" --jobs 1
     cp out alone
     ends 0 "$build/rt205" "$@" --jobs 3
@@ -736,7 +736,7 @@ several mass parts.pov --density default=1 --rays 512
 several render "$scene" -o jobs.png -W 40 -H 30
 
 # The order of pixels in queues.
-ordered() { # OPTION ..: the checksum of a frame
+ordered() { # OPTION ..: prints the checksum of a frame
     "$build/rt205" render "$scene" -o order.png -W 60 -H 45 --json order.json \
         "$@" 2>err | grep checksum
 }
@@ -811,7 +811,7 @@ verdict $? "an interrupted sweep does not end with 1"
 verdict $? "an interrupted sweep leaves results"
 
 # Finished bands are saved, and a later run continues from them.
-frame() { # OPTION ..: the checksum and the clocks of a frame
+frame() { # OPTION ..: prints the checksum and the clocks of a frame
     "$build/rt205" render "$scene" -o bands.png -W 640 -H 480 "$@" 2>err \
         | grep -e checksum -e 'clocks,'
 }

@@ -153,7 +153,7 @@ rm "$work/copy/docs"
 cp -r docs "$work/copy"
 cd "$work/copy" || exit 1
 
-planted() { # PAGE LINE FAULT: the line at the end of the first section
+planted() { # PAGE LINE FAULT: adds the line at the end of the first section
     awk -v line="$2" '
         /^## / && !n++ { printf "%s\n\n", line }
         { print }' "$1" >"$work/page"

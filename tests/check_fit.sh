@@ -52,7 +52,7 @@ verdict $? "rt205 speedup does not say that the model is fitted"
 
 # The figures in a model must equal those of the machine on this model, and on a model
 # that extends it.
-shown() { # NAME MODEL PROGRAM FIGURE: by the clocks of its regions
+shown() { # NAME MODEL PROGRAM FIGURE: prints the figure from the clocks of the regions
     "$build/c205" run -I rt/kernels --model "$2" \
         "rt/study/fit/programs/$3" --format csv 2> "$here/warnings" |
         awk -F, -v name="$1" '

@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 said=$work/err
 . "$here/tests/commands.sh"
-check() { # CODE WORD ..: c205 check, and how it ends
+check() { # CODE WORD ..: c205 check exits with the code
     code=$1
     shift
     ends "$code" "$build/c205" check "$@"
@@ -84,10 +84,10 @@ tells err '^c205 check: missing.s: '
 check 1 "$lesson" begun.s --json missing/verdict.json
 
 # Files that students hand in.
-answer() { # NAME SCRIPT: the solution, edited
+answer() { # NAME SCRIPT: writes the edited solution
     sed "$2" "$lesson/solution.s" >"$1"
 }
-over() { # TIMES: the work, done so often
+over() { # TIMES: repeats the work
     printf 's/^ *MPYSV .*/ .rept %d\\n&\\n .endr/' "$1"
 }
 mkdir drawer

@@ -21,7 +21,7 @@ words=-DHOST_VECTORS=HOST_WORDS
 grep -qw avx2 /proc/cpuinfo || avx2=-DHOST_VECTORS=HOST_LANES
 [ "$size" = full ] && programs=20000 || programs=4000
 
-digest() { # NAME WRAPPER ..: into out/NAME
+digest() { # NAME WRAPPER ..: writes out/NAME
     case $1 in
     own) binary=$build/tests/oracle/digest ;;
     *) binary=$place/${1%%,*}/digest ;;
@@ -32,7 +32,7 @@ digest() { # NAME WRAPPER ..: into out/NAME
         >"$place/$name.txt" 2>"$place/$name.err"
 }
 
-compare() { # NAME WRAPPER ..: with the first that ran
+compare() { # NAME WRAPPER ..: compares with the first variant
     name=$1
     if ! digest "$@"; then
         fail "$name:"

@@ -84,7 +84,7 @@ for header in header*.c; do
         -I"$include" -I"$include/vm" -fsyntax-only "$header"
 done
 
-names() { # ARCHIVE ..: the global names that they define
+names() { # ARCHIVE ..: prints the global names that they define
     nm -g --defined-only "$@" | awk 'NF == 3 { print $3 }' | sort -u
 }
 

@@ -31,7 +31,7 @@ command_of() { # KIND
 
 # A command is several words.
 # shellcheck disable=SC2086
-asked() { # KIND OPTION ..: in this folder
+asked() { # KIND OPTION ..: runs the command in this folder
     command=$(command_of "$1")
     shift
     timeout 120 "$build/rt205" $command "$@" >told 2>said
@@ -41,7 +41,7 @@ is_drawn() { # KIND
     [ "$1" = frame ] || [ "$1" = drawn ]
 }
 
-in_folder() { # FOLDER KIND OPTION ..: all that it tells and writes
+in_folder() { # FOLDER KIND OPTION ..: writes all output of the command there
     folder=$work/$1 kind=$2
     shift 2
     mkdir -p "$folder"
@@ -77,7 +77,7 @@ done
 
 # A command is several words.
 # shellcheck disable=SC2086
-uses() { # SCENE OPTION ..: what it tells, and how it ends
+uses() { # SCENE OPTION ..: prints the output and the exit code
     scene=$1
     shift
     for asked in "mass --density default=1 --rays 16 --repeats 4" \

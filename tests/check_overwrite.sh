@@ -20,7 +20,7 @@ said=$work/said
 
 # ---- Inputs, all with the suffix of the output -----------------------------------
 
-texts() { # ENDING: into the folder input
+texts() { # SUFFIX: writes the folder input
     rm -rf input
     mkdir input input/lesson input/class input/fit
     cat >"input/main.$1" <<END
@@ -59,7 +59,7 @@ programs='main part list machine' scenes='scene world map'
 # ---- An output that is an input --------------------------------------------------
 
 alias_number=0
-another_name() { # FILE ENDING: sets name, each time in another way
+another_name() { # FILE SUFFIX: sets name, each time by another method
     alias_number=$(((alias_number + 1) % 5))
     rm -f "other.$2"
     name=other.$2

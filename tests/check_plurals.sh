@@ -14,7 +14,7 @@ said=$work/plurals
 
 # These are not plurals: the size of a picture, the number of a table, a verb.
 allowed='x 1 rays|Table 1 lacks|part 1 of 1 is'
-singular() { # COMMAND ..: what it prints, and the files that it writes
+singular() { # COMMAND ..: checks its output and the files that it writes
     mkdir files
     "$@" >files/printed 2>&1 </dev/null
     sed -E "s/$allowed//g" files/* |

@@ -39,7 +39,7 @@ for list in "$build"/tests/unit/*.objects "$build"/tests/oracle/*.objects; do
     esac
     echo "$(cat "$program.seconds" 2>/dev/null || echo 1) $program $part"
 done | sort -n >"$work/tests"
-part_of() { # PATTERN PART VARIABLE: a part of make check for the changed files that match
+part_of() { # PATTERN PART VARIABLE: a part of make check for the matching changed files
     files=$(grep "$1" "$work/changed" | tr "\n" " ")
     [ -z "$files" ] || echo "5 $work/$2 $2 $3=$files" >>"$work/tests"
 }

@@ -27,7 +27,7 @@ same() { # FILE FILE TEXT
     verdict $? "$3"
 }
 
-replay() { # PROGRAM SCRIPT: what it says in $work/file
+replay() { # PROGRAM SCRIPT: writes its output to $work/file
     debug "$1" -x "$2" >"$work/file"
     debug "$1" -x "$2" >"$work/again"
     debug "$1" <"$2" >"$work/pipe"

@@ -17,7 +17,7 @@ said=$work/err
 . "$here/tests/commands.sh"
 
 forms="lf cr all"
-rewrite() { # FORM FILE ..: in place
+rewrite() { # FORM FILE ..: rewrites the files in place
     form=$1
     shift
     case $form in
@@ -86,7 +86,7 @@ done
 
 # ---- Output of the commands ----
 
-print_all() { # all that is printed, of the texts in this folder
+print_all() { # prints all output of the commands for the texts in this folder
     c205=$build/c205 rt205=$build/rt205
     "$c205" run --check programs/*.s
     "$c205" asm programs/tables.s -o out --listing - && cat out
@@ -184,7 +184,7 @@ mkdir names
 cd names || exit 1
 # A title, a colour, a line that is overwritten, and a reversed direction.
 name=$(printf 'a\033]0;t\007\033[31m\302\233\r\233\342\200\256')
-safe() { # COMMAND ..: nothing that it prints is a command to a terminal
+safe() { # COMMAND ..: its output contains no terminal commands
     "$@" >"$work/out" 2>"$work/err" </dev/null
     tr -d '\n\t' <"$work/out" | cat - "$work/err" | tr -d '\n\t' |
         LC_ALL=C grep -aq -e '[[:cntrl:]]' \

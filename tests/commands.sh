@@ -8,7 +8,7 @@
 # shellcheck shell=sh
 : "${work:?}" "${here:?}"
 
-ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
+ends() { # CODE COMMAND ..: exits with the code; its output is in out and err
     wanted=$1
     shift
     "$@" >"$work/out" 2>"$work/err" </dev/null
@@ -16,13 +16,13 @@ ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
     verdict $? "exit code is not $wanted: $*"
 }
 
-tells() { # FILE TEXT: the last command's out or err holds the text
+tells() { # FILE TEXT: the last command's out or err contains the text
     expect "$1 does not say '$2'" grep -q -e "$2" "$work/$1"
 }
 
 # ---- Tables: commands.txt explains the rows ----
 
-holds() { # CHECK [=> CHECK] ..: what the last command leaves
+holds() { # CHECK [=> CHECK] ..: checks the results of the last command
     case $1 in
     *' => '*)
         holds "${1%% => *}"

@@ -19,13 +19,13 @@ fail() { # TEXT ..
     [ -z "$said" ] || sed 's/^/    /' "$said"
 }
 
-verdict() { # STATUS TEXT ..: of what failed, unless the status is 0
+verdict() { # STATUS TEXT ..: counts a check; the text is the message if it fails
     [ "$1" -eq 0 ] && pass && return
     shift
     fail "$@"
 }
 
-expect() { # TEXT COMMAND ..: the command succeeds; after "!" it fails
+expect() { # TEXT COMMAND ..: the command must succeed; after "!" it must fail
     expected=$1
     shift
     if [ "$1" = ! ]; then

@@ -12,7 +12,7 @@
 # the script checks that file and every row that the part added to BENCH_CSV.
 # shellcheck shell=sh
 
-sized() { # FULL SMALL: the one that SIZE asks for
+sized() { # FULL SMALL: prints the one that SIZE selects
     case ${SIZE:-full} in
     full) echo "$1" ;;
     small) echo "$2" ;;
@@ -32,7 +32,7 @@ export RT205_LIBDIR
 : >>"$results"
 rows_before=$(wc -l <"$results")
 
-run() { # COMMAND ..: the part fails if the command does
+run() { # COMMAND ..: the part fails if the command fails
     "$@" && return
     echo "exit status $?: $*" >>"$failures"
     return 1
@@ -66,17 +66,17 @@ finish() {
 trap finish EXIT
 trap 'exit 130' INT TERM
 
-ours() { # SCENE WIDTH HEIGHT [JOBS]: processor seconds, seconds, clocks, KB
+ours() { # SCENE WIDTH HEIGHT [JOBS]: prints processor seconds, seconds, clocks, KB
     run "$build/tests/bench_trace" "$@"
 }
 
-theirs() { # SCENE WIDTH HEIGHT: processor seconds of POV-Ray's trace
+theirs() { # SCENE WIDTH HEIGHT: prints the processor seconds of POV-Ray's trace
     run povray "+I$1" "+W$2" "+H$3" +WT1 -F -D -A +Lscenes 2>&1 |
         awk '/Trace Time:/ { trace = 1; next }
             trace && /CPU-seconds/ { print $(NF - 2); trace = 0 }'
 }
 
-least() { # of each column
+least() { # prints the minimum of each column
     awk '{ for (i = 1; i <= NF; i++)
                if (NR == 1 || $i < least[i]) least[i] = $i }
         NR == 1 { fields = NF }
@@ -95,13 +95,13 @@ keep() { # PART WHAT QUANTITY VALUE ..: pairs of the last two; a fault ends the 
     check_rows >&2 || exit 1
 }
 
-quotient() { # A B: to two places
+quotient() { # A B: prints the quotient with two decimals
     awk -v a="$1" -v b="$2" 'BEGIN { if (b > 0) printf "%.2f", a / b }'
 }
 
 # Prints a table's figures, cell by cell: PROGRAM, "row", column, value. A cell ends at
 # the column at which its heading ends. A row without a figure has an empty value.
-cells() { # PROGRAM: of what it printed
+cells() { # PROGRAM: reads its output
     awk -v program="$1" '
         function ends_of(line,    at) {
             for (count = at = 0; match(line, /[^ ]+( [^ ]+)*/);

@@ -6,7 +6,7 @@ set -u
 c205=$1 corpus=$2
 root=$(dirname "$0")/../..
 
-seed() { # TARGET FILE ..: files of one corpus, by names that do not clash
+seed() { # TARGET FILE ..: copies files to a corpus, by unique names
     folder=$corpus/$1
     mkdir -p "$folder"
     shift
@@ -16,8 +16,9 @@ seed() { # TARGET FILE ..: files of one corpus, by names that do not clash
     done
 }
 
-pieces() { # TARGET HEAD LINES: its session in short ones that a target obeys to the
-    # end, HEAD lines that all begin with and LINES others
+pieces() { # TARGET HEAD LINES: divides its session into short ones
+    # Each piece begins with the first HEAD lines and has up to LINES others, so that a
+    # target reaches its end.
     mkdir -p "$corpus/$1"
     awk -v head="$2" -v lines="$3" -v name="$corpus/$1/session." '
         NR <= head { first = first $0 "\n"; next }

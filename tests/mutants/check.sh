@@ -7,7 +7,7 @@ mutate="awk -f $(dirname "$0")/masked.awk -f $(dirname "$0")/mutate.awk"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-kinds() { # FILE KIND ..: the faults of the file, in the order of the alphabet
+kinds() { # FILE KIND ..: the kinds of faults of the file, in alphabetical order
     file=$1
     shift
     number=1

@@ -1,5 +1,5 @@
-# masked.awk - the code of a line of C, or of the assembler where `assembly` is set.  Before
-# the first line of a file `commented` is 0.
+# masked.awk - masks a line of C, or of the assembler if `assembly` is set. `commented`
+# must be 0 before the first line of a file.
 
 function repeated(c, n,    text) {
     for (text = c; length(text) < n; text = text text)
@@ -7,8 +7,8 @@ function repeated(c, n,    text) {
     return substr(text, 1, n)
 }
 
-# The line without comments, the first lines of directives and what is in quotes, of the
-# same length.
+# Returns the line with comments, the first lines of directives and the contents of
+# quotes masked, at the same length.
 function masked(line,    done, found, n) {
     if (!assembly && !commented && line ~ /^#/)
         return repeated(" ", length(line))

@@ -1,13 +1,13 @@
-# mutate.awk - faults for the sources of this tree.
+# mutate.awk - makes faults in the sources of this tree.
 #
 #     awk -f masked.awk -f mutate.awk -v seed=7 -v count=10 FILE ..
-#         draw COUNT different faults: a line "FILE NUMBER LINE KIND" each
+#         draws COUNT different faults: a line "FILE NUMBER LINE KIND" each
 #     awk -f masked.awk -f mutate.awk -v number=3 FILE
-#         print the file with this fault
+#         prints the file with this fault
 #
 # A line that can have faults is drawn, each with the same probability, then one of its
-# faults.  C is laid out by clang-format: a binary operator has a blank or the end of a
-# line on both sides, and no unary operator or declarator has.  A line of the assembler
+# faults. C is formatted by clang-format: a binary operator has a blank or the end of a
+# line on both sides, and no unary operator or declarator has. A line of the assembler
 # is an optional label, the name of an instruction or macro, operands, and for a vector
 # instruction "? [z]" or "?! [z]", its control vector.
 
@@ -17,9 +17,9 @@ function pairs(table, text,    word, n, k) {
         table[word[k]] = word[k + 1]
 }
 
-# ---- Sites: lines first .. last of the file become another text -------------
+# ---- Sites: lines first .. last of the file are replaced by another text ----
 
-# The lines joined to the one at hand, until their brackets are closed.
+# Joins the next lines to the current one until its brackets are closed.
 function join_until_closed(from,    depth, c, p) {
     for (p = from; ; p++) {
         if (p > length(code) && ++last > lines)
@@ -50,7 +50,7 @@ function add(kind, at, length_of, by) {
     changed[sites] = substr(text, 1, at - 1) by substr(text, at + length_of)
 }
 
-# Two parts change places, unless they are the same, or one alone begins with a bracket.
+# Exchanges two parts, unless they are equal, or only one begins with a bracket.
 function exchange(kind, a, a_length, b, b_length,    one, two) {
     one = substr(text, a, a_length)
     two = substr(text, b, b_length)
@@ -77,7 +77,8 @@ function split_at_commas(from, to, start, size,    n, depth, p, c) {
     return n > 1 || size[1] > 0 ? n : 0
 }
 
-# The next number of the code from p on: its place, or 0; its length is in RLENGTH.
+# Returns the position of the next number of the code from p on, or 0; its length is in
+# RLENGTH.
 function next_number(p,    at) {
     while (match(substr(code, p), /[0-9]([eEpP][-+][0-9]|[A-Za-z0-9.])*/)) {
         at = p + RSTART - 1
@@ -96,7 +97,8 @@ function is_declaration() {
         code !~ /^ *(return|else|case|goto|sizeof) /
 }
 
-# An array that is larger than it must be is no fault, nor what "{ 0 }" initialises.
+# A larger array is not a fault, nor is a change of the elements that "{ 0 }"
+# initialises.
 function find_constants_of_c(    p, n, number) {
     for (p = 1; (p = next_number(p)) > 0; p += n) {
         n = RLENGTH
@@ -133,7 +135,8 @@ function find_condition(at,    open, close_at) {
             "(!" substr(text, open, close_at - open + 1) ")")
 }
 
-# An assignment, a call or a jump, after another statement, a block or a condition.
+# Removes an assignment, a call or a jump after another statement, a block or a
+# condition.
 function find_statement(at,    start) {
     join_line(at)
     if (before !~ /([;{})]|else) *$/ || is_declaration() ||
@@ -151,7 +154,7 @@ function find_statement(at,    start) {
         add("statement", start, RSTART - start, "")
 }
 
-# NAME(column, ..), and the next row of that name.
+# Exchanges NAME(column, ..) with the next row of that name.
 function find_row(at,    open, close_at, next_open, next_close, n, m, k) {
     join_line(at)
     if (!match(code, /^[A-Z_]+\(/))
@@ -189,7 +192,7 @@ function find_in_c(at) {
 
 # ---- The assembler's texts --------------------------------------------------
 
-# Whole numbers change by one, others in their first digit.
+# Integers change by one, other numbers in their first digit.
 function find_constants(p,    n, number, digit) {
     for (; (p = next_number(p)) > 0; p += n) {
         n = RLENGTH
@@ -220,7 +223,8 @@ function can_replace(a, b) {
         a ~ /^\\/ && b ~ /^\\/)
 }
 
-# An operand changes places with the next one, or becomes one of the instruction before.
+# An operand is exchanged with the next one, or replaced by one of the previous
+# instruction.
 function find_operands(name, n,    k, m) {
     for (k = 1; k <= n; k++) {
         if (k < n && (k > 1 || name ~ /^(ANDN|ORN)/ || name !~ commutative))
@@ -275,7 +279,7 @@ function find_sites(    at) {
             find_in_c(at)
 }
 
-# Lines of all files: the file, its line, the faults of it.
+# For each line of all files: the file, its line, and its faults.
 function take_lines(    k) {
     for (k = 1; k <= sites; k++) {
         if (k == 1 || firsts[k] != firsts[k - 1])
