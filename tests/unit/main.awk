@@ -1,5 +1,5 @@
-# main.awk - of a file with TEST(name) lines (unit.h): the same file with a main
-# that runs the tests.  A file without such lines has a main of its own.
+# main.awk - prints a file with TEST(name) lines (unit.h), followed by a main that runs the
+# tests. A file without such lines has its own main.
 
 {
     macro = $0

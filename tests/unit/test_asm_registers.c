@@ -53,7 +53,7 @@ TEST(warnings)
         { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
           " .endshare\n",
           0, 0, "" },
-        /* An alias belongs to the block in which it is declared. */
+        /* An alias belongs to the block of the name that it refers to. */
         { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
           " .share x\n .reg c, r5\n .endshare\n",
           0, 0, "" },

@@ -209,8 +209,8 @@ TEST(crossings)
     }
 }
 
-/* The enclosing sphere contains all parts. Its radius is at most slightly larger than
- * the lower bound from each pair of parts. */
+/* The enclosing sphere contains all parts. Its radius is at most 1.25 times the
+ * lower bound that each pair of parts gives. */
 TEST(enclose)
 {
     enum { PARTS = 20, TRIES = 1000 };

@@ -135,8 +135,7 @@ TEST(labels)
     }
 }
 
-/* The code at the last label ends with the last instruction. A label at the end of the
- * data has no data. */
+/* A label at the end of the data, and a constant, have no data. */
 TEST(ends)
 {
     struct object *object = good("        .data\nx:      .word 1\nend:\n"

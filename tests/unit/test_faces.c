@@ -116,7 +116,7 @@ TEST(alone)
     check_sights(sights, COUNT(sights));
 }
 
-/* The last of the parts that share the face gives it. */
+/* A face that two parts share belongs to both. */
 TEST(intersection)
 {
     static const struct sight sights[] = {

@@ -99,7 +99,7 @@ static double slope(const struct grid *grid, int x, int z, int to_x, int to_z)
 }
 
 /* Computes the normal as the sum of the normals of the triangles toward each pair of
- * neighbours. A cell is as wide as the largest height. Components are rounded to
+ * neighbours. A cell is one unit of height wide. Components are truncated to
  * multiples of 1/32767. */
 static void normal_at(const struct grid *grid, int x, int z, double normal[3])
 {

@@ -306,7 +306,7 @@ TEST(kinds_left_out)
     }
 }
 
-/* An image in a sky repeats, although it is used once. */
+/* A planar image in a sky always repeats: `once` is ignored, with a report. */
 TEST(sky)
 {
     char text[200];

@@ -309,8 +309,8 @@ TEST(result_at_the_end)
     free_small_machine(&fixture);
 }
 
-/* A linked pair computes the quotients by two, plus one. At clock 113 + k, elements up
- * to k / 1.625 are done. */
+/* A linked pair computes the quotients by two, plus one. At clock 113 + k,
+ * k / 1.625 elements are done. */
 TEST(in_the_middle_of_a_pair)
 {
     struct small_machine fixture = make_small_machine();
@@ -398,8 +398,8 @@ TEST(reset_clock)
     free_small_machine(&fixture);
 }
 
-/* After a reset in the middle of an instruction, the job interval timer keeps its
- * remaining time. The same holds for a machine that is restored there. */
+/* After the clock is reset in the middle of an instruction, the job interval timer keeps
+ * its remaining time. The same holds for a machine that is restored there. */
 TEST(reset_timer)
 {
     struct small_machine fixture = make_small_machine();

@@ -329,7 +329,8 @@ static void add_doubles(void)
     }
 }
 
-/* The first of two equal triangles is visible. */
+/* Of two equal triangles in a mesh the first is visible; of two equal meshes, the
+ * second. */
 TEST(doubles)
 {
     net_take(&net, ICOSAHEDRON);

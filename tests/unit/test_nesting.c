@@ -99,7 +99,7 @@ static void check_shape(const struct scene *scene, size_t node, size_t end)
                                               : children > 0);
 }
 
-/* Every part that is not a union must be within the bound of the outermost union. */
+/* The parts below a union, also those of unions in it, must be within its bound. */
 static void check_within(const struct nested_scene *nested, size_t node,
                          const struct bound *whole)
 {

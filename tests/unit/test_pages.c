@@ -82,7 +82,7 @@ static void plain_touch(struct plain_list *list, uint64_t page, struct translati
 
 static uint64_t chance = RANDOM_SEED;
 
-/* Touches a range of up to three pages, or, in one case of four, a word. */
+/* Touches a range of up to three pages, or a single bit in one case of four. */
 static void touch_range(struct pages *pages, struct plain_list *list, uint64_t page,
                         struct translation *expected, struct translation *met)
 {

@@ -358,7 +358,7 @@ static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
     return evaluation->inside[(leaf - primitive_at(stage, 0)) / size];
 }
 
-/* Returns whether a ray can be inside a primitive of the node, or the node has no
+/* Returns whether the point is inside a primitive below the node, or the node has no
  * bound. */
 static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
 {
@@ -373,7 +373,8 @@ static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
     return may_be;
 }
 
-/* Visits the nodes; one without such a primitive is skipped. */
+/* Visits the nodes of a region. If the point cannot be inside a node, the nodes below it
+ * are skipped. */
 static void visit_nodes(struct evaluation *evaluation, size_t i)
 {
     const struct stage *stage = evaluation->stage;
@@ -449,8 +450,8 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
     }
 }
 
-/* The steps give the tree's value or, consistently, its complement. If no primitive of
- * a node is hit, the steps below it are not needed. */
+/* The steps give the tree's value or, consistently, its complement. If the
+ * point is outside of a node, the steps below the node are not needed. */
 TEST(steps)
 {
     enum { SCENES = 300, MAX = 40 };
@@ -465,7 +466,7 @@ TEST(steps)
     }
 }
 
-/* In a tree of many parts, one hit visits few nodes. */
+/* In a tree of many parts, a point inside one part visits few nodes. */
 TEST(many_parts)
 {
     static const char *const ways[] = { "merge", "difference { box { -1, 1 }",
