@@ -398,8 +398,8 @@ TEST(reset_clock)
     free_small_machine(&fixture);
 }
 
-/* After the clock is reset in the middle of an instruction, the job interval timer keeps
- * its remaining time. The same holds for a machine that is restored there. */
+/* After the clock is reset in the middle of an instruction, the job interval timer
+ * keeps its remaining time. The same holds for a machine that is restored there. */
 TEST(reset_timer)
 {
     struct small_machine fixture = make_small_machine();

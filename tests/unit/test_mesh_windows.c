@@ -370,7 +370,8 @@ TEST(other_cameras)
     traced.samples = 1;
 }
 
-/* Windows of a viewpoint that cannot be used are not stored. */
+/* Viewpoints that cannot be used are not recorded, since their windows would need
+ * memory. */
 TEST(places)
 {
     static const struct {

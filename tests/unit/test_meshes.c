@@ -205,7 +205,7 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
     return trace_checksum(trace);
 }
 
-/* A triangle at the distance of the light casts no shadow; the one before it does. */
+/* A triangle at the end of a shadow ray casts no shadow; one in front of it does. */
 TEST(shadow_limit)
 {
     free(plain_frame(

@@ -373,8 +373,8 @@ static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
     return may_be;
 }
 
-/* Visits the nodes of a region. If the point cannot be inside a node, the nodes below it
- * are skipped. */
+/* Visits the nodes of a region. If the point cannot be inside a node, the nodes below
+ * it are skipped. */
 static void visit_nodes(struct evaluation *evaluation, size_t i)
 {
     const struct stage *stage = evaluation->stage;

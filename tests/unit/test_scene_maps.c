@@ -137,8 +137,8 @@ TEST(lists)
                "1,0,0 0.666667,0,0.333333 0,0,1 ");
 }
 
-/* A pattern that replaces another keeps its waves. After a list, the values are
- * unchanged. */
+/* A pattern that replaces another keeps its waves. One that replaces a list has no
+ * waves (frequency 0), unless it sets a frequency. */
 TEST(waves_stay)
 {
     struct pattern pattern = pattern_of(
@@ -195,7 +195,8 @@ TEST(named_maps)
     assert_int_equal(p[3].pigment.kind, PIGMENT_COLOR);
 }
 
-/* As in POV-Ray, a checker is replaced by a map from 0 to 1. */
+/* As in POV-Ray, the colours of a checker form a map from 0 to 1 for a gradient that
+ * replaces it. */
 TEST(gradients_after_checkers)
 {
     static const struct {
