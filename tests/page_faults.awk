@@ -1,14 +1,15 @@
-# page_faults.awk - what is wrong with pages in Markdown, a line each:
+# page_faults.awk - prints the faults of pages in Markdown, one per line:
 #
 #   awk -f page_faults.awk PAGE ..
 #
-# - a table that is not shown as one: a row without a head, a row with more or fewer cells
-#   than its head, no empty line before it or after it;
+# - a table that is not rendered as one: a row without a head, a row with more or fewer
+#   cells than its head, no empty line before it or after it;
 # - a link whose file or heading does not exist, or that has no target;
 # - a paragraph without an end, a sentence that begins in the middle of another one;
-# - a figure followed by "times" or "%" in README.md or on the first screen of a page (its
-#   first 40 lines), but for one that a printed block of the same section contains (see
-#   check_docs.sh), and one in a sentence that names its source.
+# - a figure followed by "times" or "%" in README.md or on the first screen of a page
+# (its
+#   first 40 lines), unless a printed block of the same section contains it (see
+#   check_docs.sh) or its sentence names its source.
 
 BEGIN {
     SCREEN = 40
@@ -67,7 +68,7 @@ function check_figures(    i) {
 
 # ---- Links -------------------------------------------------------------------
 
-# The name of a heading, as links have it.
+# Returns the name of a heading in links.
 function anchor_of(heading) {
     heading = tolower(heading)
     gsub(/`|\*|\]\([^)]*\)/, "", heading)
@@ -127,7 +128,7 @@ function check_link(line, target,    file, folder, anchor) {
         complain(line, "a link to no heading: " target)
 }
 
-# Code is not looked at.
+# Checks the links of a text without code.
 function check_links(line, text,    target) {
     if (text ~ /\]\[[^\]]|\] \([^ )]*(\.md|#)[^ )]*\)/)
         complain(line, "a link without a target")

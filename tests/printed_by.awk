@@ -1,10 +1,11 @@
-# printed_by.awk - below a printed block of a page is the command that prints it.
+# printed_by.awk - writes or checks the line below each printed block of a page that
+# names the command.
 #
-#     awk -v write=1 -f printed_by.awk PAGE    the page with these lines
-#     awk -f printed_by.awk PAGE               the lines that are missing or wrong
+#     awk -v write=1 -f printed_by.awk PAGE    prints the page with these lines
+#     awk -f printed_by.awk PAGE               prints the lines that are missing or wrong
 #
-# The line is "Printed by `COMMAND`."  The command is that of the comment above the block,
-# up to its first " | ", if that is one command of the project.
+# The line is "Printed by `COMMAND`." The command is that of the comment above the
+# block, up to its first " | ", if that is one command of the project.
 
 function command_of(comment,    text) {
     text = comment
@@ -16,7 +17,7 @@ function command_of(comment,    text) {
     return text ~ /^(c205|rt205|fit205|build\/)[^;$]*$/ ? text : ""
 }
 
-# Before the line after a block.
+# Called before the line after a block.
 function end_block(line) {
     if (wanted && line == wanted) {
         put(line)

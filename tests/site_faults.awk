@@ -1,12 +1,12 @@
-# site_faults.awk - what is wrong with a site of HTML files, a line each:
+# site_faults.awk - prints the faults of a site of HTML files, one per line:
 #
 #   cd SITE && find . -type f | awk -f site_faults.awk
 #
-# - a link, picture, script .. that leads to no file, or to no anchor of it;
-# - anything but a link to follow that is asked of another host, in HTML, SVG and
-#   style sheets.
-# An address from the root "/" is one of the site's own.  What lies under
-# page/ is not looked into: that page has tests of its own.
+# - a link, picture, script .. without its file, or without its anchor in the file;
+# - anything but a link that is loaded from another host, in HTML, SVG and style sheets.
+#
+# An address from the root "/" belongs to the site. Files in page/ are skipped: that
+# page has separate tests.
 
 function complain(file, text) {
     print file ": " text

@@ -1,27 +1,28 @@
-# plant.awk - faults that the project has had, made again.
+# plant.awk - makes faults that the project had earlier.
 #
 #     awk -f masked.awk -f plant.awk LIST
-#         a line "FILE NUMBER LINE WHAT" for each fault of the list; one without a place
-#         is reported on stderr, and the status is 1
-#     awk -f masked.awk -f plant.awk -v number=3 LIST            the file with this fault
-#     awk -f masked.awk -f plant.awk -v number=3 -v parts=1 LIST  the part that finds it
+#         prints a line "FILE NUMBER LINE WHAT" for each fault of the list; one without a
+#         place is reported on stderr, and the status is 1
+#     awk -f masked.awk -f plant.awk -v number=3 LIST
+#         prints the file with this fault
+#     awk -f masked.awk -f plant.awk -v number=3 -v parts=1 LIST
+#         prints the part that finds it
 #
 # The list has a paragraph for each fault:
 #
-#     # what it is
+#     # description
 #     ! the part of make check that must find it
 #     = file
-#     - text that is right, in one or more such lines
-#     + text in its place
+#     - correct text, in one or more such lines
+#     + text that replaces it
 #
-# A text is found by its tokens; blanks and comments do not count.  A name or a text in
-# quotes matches any other, the same one always the same; all other tokens, and names of
-# instructions, match themselves alone.  Of the places that match, the text is the one
-# with the most names unchanged.  There must be only one such place, also if any one of
-# the names were another one in the file: so a fault is still found when something is
-# renamed.
+# A text is found by its tokens; blanks and comments do not count. A name or a quoted
+# text matches any other, consistently; all other tokens, and names of instructions,
+# match themselves alone. Of the places that match, the one with the most unchanged
+# names is chosen. It must be unique, also if any one of the names were changed, so that
+# a fault is still found after a renaming.
 
-# Appends the tokens of a line: its masked code gives the places.
+# Appends the tokens of a line; their positions are those of its masked code.
 function take_tokens(line, row,    code, p) {
     code = masked(line)
     for (p = 1; match(substr(code, p), /[A-Za-z_0-9.]+|"+|[^ \t]/); p += RLENGTH) {
@@ -37,7 +38,7 @@ function is_open(word) {
         word !~ /^(if|else|for|while|case|return|struct|const|true|false|NULL)$/
 }
 
-# Whether the right text can be that which begins with token `at`.
+# Returns whether the correct text can begin at token `at`.
 function matches(at,    i, k) {
     for (i = 1; i <= n; i++)
         if (!open[i]) {
@@ -52,7 +53,7 @@ function matches(at,    i, k) {
     return 1
 }
 
-# Of the candidates the only one with the most names unchanged, of which `other` is none.
+# Returns the only candidate with the most unchanged names, without counting `other`.
 function best_place(other,    c, i, unchanged, best, place) {
     best = -1
     for (c = 1; c <= candidates; c++) {
@@ -67,7 +68,7 @@ function best_place(other,    c, i, unchanged, best, place) {
     return place
 }
 
-# Sets `before`, the token before the right text; returns a reason if it has no place.
+# Sets `before`, the token before the correct text. Returns a reason if it has no place.
 function find_place(    i, at, line) {
     assembly = file ~ /\.s$/
     tokens = commented = lines = candidates = 0
@@ -95,7 +96,7 @@ function find_place(    i, at, line) {
     return ""
 }
 
-# The wrong text; its names are those that the right ones matched.
+# Returns the wrong text, with the names that the correct text matched.
 function renamed(    i, line, out, p, word) {
     line = wrong
     while (match(line, /[A-Za-z_][A-Za-z_0-9.]*/)) {

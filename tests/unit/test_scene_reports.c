@@ -393,7 +393,7 @@ TEST(lost_notes)
     assert_non_null(strstr(reports.items[1].message, "too many reports"));
 }
 
-/* A file counts when it is read, not when it is opened again. */
+/* The limit counts each file once, however often it is opened. */
 TEST(many_files)
 {
     enum { FILES = 1000 };

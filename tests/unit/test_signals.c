@@ -75,7 +75,7 @@ static void path_of(char path[PATH], const char *name)
     snprintf(path, PATH, "%s/%s", folder, name);
 }
 
-/* Executes the command with the default signal actions; its output is discarded. */
+/* Executes the command with the default signal actions; stderr is discarded. */
 static void become(const char *const *given, int in, int out)
 {
     const char *built = getenv("RT205_LIBDIR");
@@ -234,8 +234,8 @@ static void write_old_files(const char *const *words)
             write_file(words[i] + 1, old);
 }
 
-/* Most commands begin their work after some milliseconds. If the command continues, a
- * second signal ends it. */
+/* Most commands begin their work after some milliseconds. A second signal
+ * ends a command that continues. */
 static void check_command(const char *const *words, int number)
 {
     int null = open("/dev/null", O_RDWR), status;

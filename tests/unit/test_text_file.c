@@ -143,8 +143,8 @@ static bool is_safe(const char *text)
     return true;
 }
 
-/* Names of any bytes are printed without bytes that a terminal executes. Different
- * names without a backslash are printed differently. */
+/* Names of any bytes are printed without bytes that a terminal executes; no visible
+ * character is lost. */
 TEST(any_name)
 {
     static const char *const parts[] = {
