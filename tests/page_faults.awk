@@ -7,8 +7,7 @@
 # - a link whose file or heading does not exist, or that has no target;
 # - a paragraph without an end, a sentence that begins in the middle of another one;
 # - a figure followed by "times" or "%" in README.md or on the first screen of a page
-# (its
-#   first 40 lines), unless a printed block of the same section contains it (see
+#   (its first 40 lines), unless a printed block of the same section contains it (see
 #   check_docs.sh) or its sentence names its source.
 
 BEGIN {

@@ -2,7 +2,7 @@
 # names the command.
 #
 #     awk -v write=1 -f printed_by.awk PAGE    prints the page with these lines
-#     awk -f printed_by.awk PAGE               prints the lines that are missing or wrong
+#     awk -f printed_by.awk PAGE               prints missing or wrong lines
 #
 # The line is "Printed by `COMMAND`." The command is that of the comment above the
 # block, up to its first " | ", if that is one command of the project.

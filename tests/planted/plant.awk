@@ -1,7 +1,7 @@
 # plant.awk - makes faults that the project had earlier.
 #
 #     awk -f masked.awk -f plant.awk LIST
-#         prints a line "FILE NUMBER LINE WHAT" for each fault of the list; one without a
+#         prints "FILE NUMBER LINE WHAT" for each fault of the list; one without a
 #         place is reported on stderr, and the status is 1
 #     awk -f masked.awk -f plant.awk -v number=3 LIST
 #         prints the file with this fault

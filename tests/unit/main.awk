@@ -1,5 +1,5 @@
-# main.awk - prints a file with TEST(name) lines (unit.h), followed by a main that runs the
-# tests. A file without such lines has its own main.
+# main.awk - prints a file with TEST(name) lines (unit.h), followed by a main that runs
+# the tests. A file without such lines has its own main.
 
 {
     macro = $0
