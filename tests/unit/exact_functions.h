@@ -14,8 +14,7 @@ exact_function exact_exp, exact_log, exact_sin, exact_cos, exact_atan2, exact_po
 /* A polynomial that interpolates `value` at `count` Chebyshev points of the interval
  * `bounds`. */
 struct exact_polynomial {
-    const char *label; /* label of the coefficients in a routine, the lowest power
-                        * first */
+    const char *label; /* label of the coefficients, lowest power first */
     size_t count;
     void (*bounds)(mpfr_t low, mpfr_t high);
     void (*value)(mpfr_t value, const mpfr_t at);

@@ -35,8 +35,7 @@ const char *plain_region(const struct plain *plain, uint64_t pc);
 struct plain_stops {
     bool by_watch, by_place;
     uint64_t place;
-    size_t every;       /* the breakpoint counts only at multiples of this step number;
-                         * 0: at all steps */
+    size_t every;       /* stops at multiples of this step only; 0: at all */
     const char *region; /* stops when this region is entered; NULL: none */
 };
 

@@ -43,8 +43,7 @@ struct random_lesson {
     /* The answer. */
     enum random_fault fault;
     enum random_way way;
-    size_t faulty, element, repeated, /* index of the faulty test, index of the wrong
-                                       * element, number of repetitions */
+    size_t faulty, element, repeated, /* faulty test, wrong element, repetitions */
         idle;        /* instructions between two others in scalar code */
     c205_word found; /* wrong value, for FAULT_ELEMENT and FAULT_LAST_BIT */
     char answer[8192];

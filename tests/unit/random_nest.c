@@ -173,8 +173,7 @@ static void put_for(struct making *making, enum place place, size_t depth)
 static void put_while(struct making *making, enum place place, size_t depth)
 {
     size_t turns = turns_of(making, place);
-    size_t first = below(making, 2); /* the #while increments its counter before the
-                                      * body */
+    size_t first = below(making, 2); /* 1: the body is after the increment */
     uint64_t seed = new_seed(making);
     size_t variable = new_variable(making, 0);
     direct(making, "#local V%zu = 0; #while (V%zu < %zu)\n", variable, variable, turns);
@@ -404,8 +403,7 @@ static void put_sphere(struct making *making, size_t depth)
 static void put_solid(struct making *making, size_t depth)
 {
     static const char *const words[] = { "union", "merge", "intersection" };
-    size_t around = below(making, 4); /* where spheres precede or follow the inner
-                                       * list */
+    size_t around = below(making, 4); /* where there are spheres */
 
     put(making, "%s { ", words[below(making, COUNT(words))]);
     if (around != 1)

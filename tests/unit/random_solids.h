@@ -14,8 +14,7 @@
 extern struct solids {
     bool clear; /* some parts are clear; their solids may be mirrors */
     bool gridded;
-    bool patches; /* draw patches where they cause no report, or anywhere if reports are
-                   * allowed */
+    bool patches; /* draw patches that cause no report, or any if allowed */
     bool meshes;  /* draw meshes, by the same rule */
 } solids;
 

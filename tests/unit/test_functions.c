@@ -23,8 +23,7 @@ static const struct function {
     const char *name;
     int arguments;
     exact_function *exact;
-    double units;   /* largest error in units of the last place; for powers, per 1 + |y|
-                     * / 32 */
+    double units;   /* largest error in last places; power: per 1 + |y| / 32 */
     double near[3]; /* multiples of these numbers are critical arguments */
 } functions[] = {
     { "exp", 1, exact_exp, 2, { 0.34657359027997264, 19873.7, 1 } },

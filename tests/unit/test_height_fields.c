@@ -142,8 +142,7 @@ static void check_corner(const struct grid *grid, const double corner[3],
     expected[1] /= high;
     make_unit(expected);
     for (int i = 0; i < 3; i++)
-        assert_close(normal[i], expected[i], 1e-4); /* rounding steps may differ at
-                                                     * their borders */
+        assert_close(normal[i], expected[i], 1e-4); /* steps of rounding */
     assert_close(corner[1], high * height_of(grid, x, z), 1e-9);
 }
 

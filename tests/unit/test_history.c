@@ -21,8 +21,7 @@ struct story {
     c205_model *model;
     size_t change_count;
     struct change change[CHANGES]; /* sorted by step */
-    uint64_t steps_before, steps;  /* lower bounds for the steps of the program, without
-                                    * and with the changes */
+    uint64_t steps_before, steps;  /* minimum steps, without and with the changes */
     uint64_t target[TARGETS], hash[TARGETS];
 };
 

@@ -38,13 +38,10 @@ TEST(depths)
         uint64_t page;
         unsigned misses, faults;
     } cases
-        [] = {
-            { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 },
-            { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
-            { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1, the least recently used,
-                                                    * leaves */
-            { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
-        };
+        [] = { { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 },
+               { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
+               { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1 leaves: least recent */
+               { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 } };
     struct clock *clock = pages_of(65536, 4 * 65536, 2);
     for (size_t i = 0; i < COUNT(cases); i++) {
         at_address(clock, "LOD", cases[i].page * PAGE_BITS + 640);

@@ -8,8 +8,7 @@
 #include "tests/unit/random_solids.h"
 
 static size_t scene_count = 4; /* of each kind */
-static bool along; /* the eye looks along an axis: rays lie in faces and hit edges,
-                    * where rounding decides */
+static bool along;             /* rays lie in faces and hit edges; rounding decides */
 
 static void add_view(char *text, size_t size)
 {

@@ -21,8 +21,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 static const struct shape_row {
     const char *text;
-    const char *alone, *kernel, *state; /* kernel of the shape alone, kernels in a
-                                         * tree */
+    const char *alone, *kernel, *state; /* kernel alone, kernels in a tree */
     int segments, events, first_event;
 } shape_rows[] = {
     { "sphere { 0, 1", "sphere", "sphere", NULL, 1, 2, 0 },

@@ -47,8 +47,7 @@ static void check(const char *text, size_t count, const char *expected)
 struct lost {
     const char *text;       /* follows NAMES */
     unsigned read, written; /* lines, from 0 */
-    const char *as, *is;    /* the name that is read, and the owner; NULL: r5 as a, and
-                             * b */
+    const char *as, *is;    /* the name read, the owner; NULL: r5 as a, and b */
 };
 
 TEST(lost)

@@ -149,8 +149,7 @@ static void check(size_t shape, size_t place, const struct words *expected)
 TEST(unseen)
 {
     struct words *without[2];
-    bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* a plane is an
-                                                                 * error */
+    bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* an error */
 
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
     for (int ball = 0; ball < 2; ball++)

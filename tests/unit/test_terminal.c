@@ -25,8 +25,7 @@ struct terminal {
     pid_t process;
     struct text_buffer said;
     size_t seen;    /* length of the output that was read */
-    unsigned asked; /* questions so far; the answer to one shows that all earlier lines
-                     * are done */
+    unsigned asked; /* questions; an answer shows that all is done */
 };
 
 /* ---- A process at a terminal ----------------------------------------------- */
