@@ -1,5 +1,5 @@
 /* test_height_files.c - the heights that a height_field reads from files of all kinds
- * are compared with those that POV-Ray 3.7 printed for the same bytes.  A wrong byte
+ * are compared with those that POV-Ray 3.7 printed for the same bytes. A wrong byte
  * order, palette or rounding, or a broken file that is accepted, fails here. */
 #include "tests/unit/field_reading.h"
 

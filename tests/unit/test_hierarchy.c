@@ -1,6 +1,6 @@
 /* test_hierarchy.c - the hierarchies over regions of random, equal, nested and missing
  * bounds are compared with their rules: every region once, spheres that enclose, a
- * depth for the machine's stack.  A region that is lost or outside its node fails here.
+ * depth for the machine's stack. A region that is lost or outside its node fails here.
  */
 #include "rt/layout/hierarchy.h"
 #include "tests/unit/draw.h"

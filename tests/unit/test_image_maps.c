@@ -1,5 +1,5 @@
 /* test_image_maps.c - the samples of image files of all kinds are compared with POV-Ray
- * 3.7's pictures of the same bytes, and the words of an image_map with its fields.  A
+ * 3.7's pictures of the same bytes, and the words of an image_map with its fields. A
  * wrong gamma, channel order or place of a report fails here. */
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"

@@ -1,5 +1,5 @@
 /* test_points.c - the machine's random stream and lattice are compared with their
- * definitions, in both forms and in pieces, and estimates from them with integrals.  A
+ * definitions, in both forms and in pieces, and estimates from them with integrals. A
  * wrong word, or points that are not uniform, fail here.
  *
  *     test_points [TRIES [SEED]]

@@ -1,5 +1,5 @@
 /* test_program_sweep.c - the points of a sweep are compared with plain runs, its line
- * with an independent computation, and its crossings with runs of all values.  A point
+ * with an independent computation, and its crossings with runs of all values. A point
  * of another value, or a crossing that is lost, fails here. */
 #include <glob.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* test_random_solids.c - random solids of all shapes, half of them with faces that
  * coincide: the frames of all stages, with bounds and without, are compared with each
- * other and the plain tracer.  A crossing that one stage loses fails here.
+ * other and the plain tracer. A crossing that one stage loses fails here.
  *
  *     test_random_solids [SCENES [SEED]]
  */

@@ -1,5 +1,5 @@
 /* test_scene_old.c - syntax of old versions: the fields of scenes and the reports are
- * compared with expected ones.  A kind that is reported twice, or not at all, fails
+ * compared with expected ones. A kind that is reported twice, or not at all, fails
  * here. */
 #include "tests/unit/scene_reading.h"
 

@@ -1,6 +1,6 @@
 /* test_scene_shapes.c - the scene language: the fields of cones, discs, tori, quadrics,
  * quartics, patches, prisms and lathes, and the conditions of a text, are compared with
- * expected ones.  A wrong field, or an error at another place, fails here. */
+ * expected ones. A wrong field, or an error at another place, fails here. */
 #include "tests/unit/scene_reading.h"
 
 /* ---- Shapes ------------------------------------------------------------- */

@@ -1,5 +1,5 @@
 /* test_shapes.c - every row of rt/shapes/shapes.def is compared with the kernels, the
- * scenes of the tests and the plain tracer.  A descriptor that is incomplete, or a
+ * scenes of the tests and the plain tracer. A descriptor that is incomplete, or a
  * shape without a kernel in one form, fails here. */
 #include "tests/unit/scene_reading.h"
 

@@ -1,5 +1,5 @@
 /* test_speedup.c - the measurements and tables of rt205 speedup are compared with sums
- * of their parts and with the paper's figures, in small frames.  A clock without a
+ * of their parts and with the paper's figures, in small frames. A clock without a
  * cause, or a wrong figure of a row, fails here. */
 #include "rt/study/formulations.h"
 #include "rt/study/speedup_report.h"

@@ -1,5 +1,5 @@
 /* test_surfaces.c - the finishes, bodies and levels in a machine's memory are compared
- * with the words of the scene.  A wrong field, weight or index of a body fails here. */
+ * with the words of the scene. A wrong field, weight or index of a body fails here. */
 #include "tests/unit/scene_fixture.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* test_sweep.c - the measures of rt205 sweep are compared with those of rt205 speedup,
- * with sums of their parts and with expected crossovers, in small frames.  A clock that
+ * with sums of their parts and with expected crossovers, in small frames. A clock that
  * is lost, or a wrong length, fails here. */
 #include "rt/study/sweep/sweep_types.h"
 #include "rt/scene/language/scene_read.h"
