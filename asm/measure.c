@@ -10,6 +10,7 @@
 #include "asm/assemble.h"
 #include "asm/straight_line.h"
 #include "asm/syntax.h"
+#include "base/error.h"
 
 const char measure_triad[] = "TRIAD";
 
@@ -373,8 +374,8 @@ bool measure(const c205_model *model, const char *name, struct measurement *resu
     if (good) {
         fit_line(result);
     } else if (!object) {
-        snprintf(error->message, sizeof error->message, "%s: %.200s", name,
-                 errors.count ? errors.items[0].message : "no memory");
+        error_set(error, "%s: %.200s", name,
+                  errors.count ? errors.items[0].message : "no memory");
     }
     diagnostics_free(&errors);
     object_free(object);

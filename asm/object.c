@@ -3,7 +3,6 @@
 
 #include <ctype.h>
 #include <inttypes.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -110,8 +109,7 @@ struct object *object_load(const char *path, c205_error *error)
 
     object = text ? object_read(text, length, &reason) : NULL;
     if (!object)
-        snprintf(error->message, sizeof error->message, "%.180s: %.70s", path,
-                 reason.message);
+        error_set(error, "%.180s: %.70s", path, reason.message);
     free(text);
     return object;
 }

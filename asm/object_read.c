@@ -7,6 +7,7 @@
 #include "asm/assembler.h"
 #include "asm/object.h"
 #include "asm/storage.h"
+#include "base/error.h"
 
 struct object_reader {
     struct storage *storage;
@@ -349,8 +350,8 @@ struct object *object_read(const char *text, size_t length, c205_error *error)
         storage_sort_symbols(reader.storage);
         return &reader.storage->object;
     }
-    snprintf(error->message, sizeof error->message, "line %zu: %s", reader.line,
-             reader.problem ? reader.problem : "the host has no memory left");
+    error_set(error, "line %zu: %s", reader.line,
+              reader.problem ? reader.problem : "the host has no memory left");
     if (reader.storage)
         object_free(&reader.storage->object);
     return NULL;

@@ -10,7 +10,7 @@
 
 static void set_path_error(c205_error *error, const char *path, const char *why)
 {
-    snprintf(error->message, sizeof error->message, "%.100s: %.150s", path, why);
+    error_set(error, "%.100s: %.150s", path, why);
 }
 
 /* A limit of the size: file_read reads a saved machine only up to FILE_LARGEST. */

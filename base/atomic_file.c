@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/outputs.h"
@@ -16,7 +17,7 @@ enum { SUFFIX_SIZE = 16, ATTEMPTS = 100, MAX_LINKS = 40, PATH_SIZE = 4096 };
 
 static void set_path_error(c205_error *error, const char *path, const char *why)
 {
-    snprintf(error->message, sizeof error->message, "%.180s: %.60s", path, why);
+    error_set(error, "%.180s: %.60s", path, why);
 }
 
 static bool is_stream(const struct stat *status, int number)

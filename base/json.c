@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "base/sink.h"
 #include "base/utf8.h"
 #include "base/visible.h"
@@ -107,8 +108,7 @@ static void introduce(struct json *json, const char *key)
 
 static bool no_memory(c205_error *error)
 {
-    snprintf(error->message, sizeof error->message, "no memory");
-    return false;
+    return error_set(error, "no memory");
 }
 
 static struct json *json_new(FILE *stream, c205_error *error)

@@ -5,6 +5,7 @@
 
 #include "asm/command/c205_command.h"
 #include "asm/compare/compared.h"
+#include "base/error.h"
 
 struct side {
     const char *path;
@@ -48,7 +49,7 @@ static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *erro
         c205_describe_stop(machine, &stop, error);
         return false;
     }
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     return compared_take(run, machine);
 }
 

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 
 #include "base/accounts_show.h"
+#include "base/error.h"
 #include "base/plural.h"
 #include "asm/command/c205_command.h"
 #include "base/interrupt.h"
@@ -273,8 +274,7 @@ static c205 *restore(const char *path, const c205_model *model,
     c205 *machine = state_load(path, model, error);
     if (machine && object
         && c205_loaded_program(machine) != c205_program_hash(&object->program)) {
-        snprintf(error->message, sizeof error->message,
-                 "%.180s: this machine runs another program", path);
+        error_set(error, "%.180s: this machine runs another program", path);
         c205_free(machine);
         return NULL;
     }

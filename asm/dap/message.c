@@ -2,13 +2,14 @@
 #include "asm/dap/message.h"
 
 #include <ctype.h>
-#include <stdio.h>
 #include <string.h>
 #include <strings.h>
 
+#include "base/error.h"
+
 static enum message_state broken(c205_error *error, const char *what)
 {
-    snprintf(error->message, sizeof error->message, "a message's header: %s", what);
+    error_set(error, "a message's header: %s", what);
     return MESSAGE_BROKEN;
 }
 

@@ -8,6 +8,7 @@
 
 #include "asm/debug/debug_internal.h"
 #include "asm/object.h"
+#include "base/error.h"
 #include "base/spelling.h"
 
 /* Bytes of snapshots if the setup gives no number. */
@@ -163,7 +164,7 @@ struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *er
     c205 *machine;
 
     if (!debugger) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     debugger->setup = *setup;

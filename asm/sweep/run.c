@@ -36,8 +36,7 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
          i++)
         if (!sweep->used[i + 1])
             name = defines[i].name;
-    snprintf(error->message, sizeof error->message, "'%.100s' is defined, and not used",
-             name ? name : "");
+    error_set(error, "'%.100s' is defined, and not used", name ? name : "");
     return !name;
 }
 
@@ -90,7 +89,7 @@ static bool take_account(const struct program_sweep *sweep, const c205 *machine,
 
     *account = accounts_together(&accounts);
     accounts_free(&accounts);
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     return good;
 }
 
@@ -113,8 +112,7 @@ static bool run_object(const struct program_sweep *sweep, const struct object *o
         else if (stop.trap != C205_TRAP_NONE)
             c205_describe_stop(machine, &stop, error);
         else
-            snprintf(error->message, sizeof error->message,
-                     "it ended with status %" PRId64, stop.status);
+            error_set(error, "it ended with status %" PRId64, stop.status);
     }
     c205_free(machine);
     return good;
@@ -135,9 +133,8 @@ static bool run_at(struct program_sweep *sweep, int which, uint64_t value,
         good = false;
     }
     if (!good)
-        snprintf(error->message, sizeof error->message,
-                 "%.60s with %.40s = %" PRIu64 ": %.120s", program->path,
-                 sweep->constant, value, reason.message);
+        error_set(error, "%.60s with %.40s = %" PRIu64 ": %.120s", program->path,
+                  sweep->constant, value, reason.message);
     return good;
 }
 

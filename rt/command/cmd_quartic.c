@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/diagnostic.h"
+#include "base/error.h"
 #include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
@@ -163,8 +164,7 @@ static struct root_search *search(const struct polynomials *polynomials,
     if (!found)
         return NULL;
     if (!roots_watch(found, iterations))
-        snprintf(error->message, sizeof error->message,
-                 "the program lacks labels to count its steps by");
+        error_set(error, "the program lacks labels to count its steps by");
     else if (roots_run(found, error))
         return found;
     roots_free(found);

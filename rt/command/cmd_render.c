@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "base/accounts_show.h"
+#include "base/error.h"
 #include "base/interrupt.h"
 #include "base/plural.h"
 #include "base/provenance.h"
@@ -55,7 +56,7 @@ static bool write_picture(const struct rt205_arguments *arguments,
     good = picture && write_rows(options, trace, picture, &why);
     good = picture && picture_end(picture, good, &why);
     if (!good)
-        snprintf(error->message, sizeof error->message, "%s", why.message);
+        error_set(error, "%s", why.message);
     return good;
 }
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/outputs.h"
 #include "base/provenance.h"
@@ -190,7 +191,7 @@ static bool report_progress(const struct rt205_arguments *arguments,
 {
     bool good = true;
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     print_head(arguments, sweep, kind, results);
     if (results->file)
         good = sweep_report_write(report, output_table_format(results), results->file);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/command_options.h"
+#include "base/error.h"
 #include "rt/study/fit/objective.h"
 #include "rt/study/fit/report.h"
 #include "rt/study/fit/model_writer.h"
@@ -37,7 +38,7 @@ static bool is_read(bool good, const char *path, struct diagnostics *diagnostics
     diagnostics_print(diagnostics, stderr);
     diagnostics_free(diagnostics);
     if (!good)
-        snprintf(error->message, sizeof error->message, "%.200s cannot be used", path);
+        error_set(error, "%.200s cannot be used", path);
     return good;
 }
 
@@ -81,11 +82,9 @@ static bool hold_out(const struct arguments *arguments, const struct observation
         for (size_t k = 0; k < all->count; k++)
             if (strcmp(all->items[k].name, arguments->held.items[i]) == 0)
                 study->held.held[k] = found = true;
-        if (!found) {
-            snprintf(error->message, sizeof error->message,
-                     "there is no observation '%.100s'", arguments->held.items[i]);
-            return false;
-        }
+        if (!found)
+            return error_set(error, "there is no observation '%.100s'",
+                             arguments->held.items[i]);
     }
     return true;
 }
@@ -122,7 +121,7 @@ static bool report_progress(const struct arguments *arguments,
 
     if (!write_models(arguments, study, written, error))
         return false;
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (!report_print(study, written, results))
         return false;
     objective_print(study, written, results);

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "base/error.h"
 #include "rt/shapes/kernels.h"
 
 struct object *program_assemble(const char *kernel, const struct asm_define *defines,
@@ -19,10 +20,10 @@ struct object *program_assemble(const char *kernel, const struct asm_define *def
     snprintf(start, sizeof start, "        .include \"%s\"\n", kernel);
     object = assemble_text(kernel, start, &how, &errors);
     if (!object && errors.count > 0)
-        snprintf(error->message, sizeof error->message, "%s:%zu: %s",
-                 errors.items[0].file, errors.items[0].line, errors.items[0].message);
+        error_set(error, "%s:%zu: %s", errors.items[0].file, errors.items[0].line,
+                  errors.items[0].message);
     else if (!object)
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
     diagnostics_free(&errors);
     return object;
 }

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
+
 static const struct {
     const char *name, *routine;
 } stages[STAGES] = {
@@ -113,8 +115,7 @@ static void *begin_band(void *context, const struct object *program, c205_error 
 
     if (band && iterations_begin(band, program, sum->vector))
         return band;
-    snprintf(error->message, sizeof error->message,
-             band ? "the root solver cannot be watched" : "no memory");
+    error_set(error, band ? "the root solver cannot be watched" : "no memory");
     free(band);
     return NULL;
 }

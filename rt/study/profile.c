@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "rt/shapes/shape.h"
 #include "rt/study/thread_pool.h"
 
@@ -474,11 +475,9 @@ static bool agree(const struct profile *profile, int stage, c205_error *error)
 {
     if (trace_checksum(profile->traces[stage]) == trace_checksum(profile->traces[0]))
         return true;
-    snprintf(error->message, sizeof error->message,
-             "the frames of the stages %s and %s do not agree",
-             trace_mode_name(profile_stages[0]),
-             trace_mode_name(profile_stages[stage]));
-    return false;
+    return error_set(error, "the frames of the stages %s and %s do not agree",
+                     trace_mode_name(profile_stages[0]),
+                     trace_mode_name(profile_stages[stage]));
 }
 
 bool profile_run(struct profile *profile, const struct scene *scene,

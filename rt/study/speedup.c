@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "base/error.h"
 #include "base/provenance.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/study/thread_pool.h"
@@ -124,8 +125,8 @@ static struct scene *read_scene(const struct speedup_subject *subject,
     print_scene(text, sizeof text, subject, view, options);
     scene = scene_read_text(subject->name, text, &how, &reports);
     if (!scene)
-        snprintf(error->message, sizeof error->message, "%s: %s", subject->name,
-                 reports.count > 0 ? reports.items[0].message : "no memory");
+        error_set(error, "%s: %s", subject->name,
+                  reports.count > 0 ? reports.items[0].message : "no memory");
     diagnostics_free(&reports);
     return scene;
 }
@@ -136,8 +137,7 @@ const c205_account *speedup_account(const struct accounts *accounts, const char 
     const c205_account *account = accounts_find(accounts, region);
 
     if (!account)
-        snprintf(error->message, sizeof error->message, "the program has no region %s",
-                 region);
+        error_set(error, "the program has no region %s", region);
     return account;
 }
 
@@ -193,7 +193,7 @@ static void *begin_projection(void *context, const struct object *program,
     struct projected_band *band = calloc(1, sizeof *band);
 
     (void)program;
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (band)
         band->projection = c205_projection_new(projecting->model, error);
     if (band && band->projection)
@@ -391,9 +391,8 @@ bool speedup_measure_all(const struct speedup_subject *subjects, size_t count,
 
         if (forms[TRACE_SCALAR].checksum == forms[TRACE_VECTOR].checksum)
             continue;
-        snprintf(error->message, sizeof error->message,
-                 "%s: the scalar and the vector form do not agree", subjects[i].name);
-        return false;
+        return error_set(error, "%s: the scalar and the vector form do not agree",
+                         subjects[i].name);
     }
     return true;
 }

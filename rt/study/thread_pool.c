@@ -2,9 +2,9 @@
 #include "rt/study/thread_pool.h"
 
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "rt/platform/threads.h"
 
 /* The resolution of the common progress. */
@@ -139,7 +139,7 @@ bool tasks_run(const struct tasks *tasks, c205_error *error)
     bool good;
 
     crew.states = calloc(tasks->count + 1, sizeof *crew.states);
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     crew.lock = lock_new();
     if (!crew.states || !crew.lock) {
         free(crew.states);
@@ -150,7 +150,7 @@ bool tasks_run(const struct tasks *tasks, c205_error *error)
     work_together(&crew);
     lock_free(crew.lock);
     good = crew.failed == SIZE_MAX && crew.next == tasks->count;
-    snprintf(error->message, sizeof error->message, "stopped");
+    error_set(error, "stopped");
     if (crew.failed != SIZE_MAX)
         *error = crew.error;
     free(crew.states);

@@ -1,10 +1,10 @@
 /* band.c - traces one band of a frame on a machine. */
 #include "rt/trace/band.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "rt/platform/threads.h"
 #include "rt/layout/program.h"
 
@@ -108,11 +108,8 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
         struct band_watch *watch = &tracer->watches[tracer->watch_count];
 
         if (tracer->watch_count == MAX_BAND_OBSERVERS
-            || !c205_listen(tracer->machine, listen_band, watch)) {
-            snprintf(error->message, sizeof error->message, "more than %d observers",
-                     MAX_BAND_OBSERVERS);
-            return false;
-        }
+            || !c205_listen(tracer->machine, listen_band, watch))
+            return error_set(error, "more than %d observers", MAX_BAND_OBSERVERS);
         watch->observer = *observers;
         tracer->watch_count++;
     }
@@ -203,7 +200,7 @@ static bool collect(const struct band_work *work, const c205 *machine,
                     const struct frame_layout *layout, struct band *band,
                     c205_error *error)
 {
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     band->accounts.model = work->model;
     band->rows_done = band->rows;
     return read_frame(work, machine, layout, band) && read_counters(work, machine, band)

@@ -2,7 +2,6 @@
 #include "rt/trace/trace.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -119,7 +118,7 @@ static bool check_threshold(const struct trace_options *options,
     else if (options->width > MAX_TRACE_COLUMNS)
         why = "with a threshold a frame has 65534 columns at most";
     if (why)
-        snprintf(error->message, sizeof error->message, "%s", why);
+        error_set(error, "%s", why);
     return !why;
 }
 
@@ -186,7 +185,7 @@ static bool prepare(struct trace *trace, const struct scene *scene, c205_error *
 
     if (!lay_out(trace, scene, error))
         return false;
-    snprintf(error->message, sizeof error->message, "no memory for the frame");
+    error_set(error, "no memory for the frame");
     return framebuffer_take(&trace->planes, FRAME_CHANNELS * pixels);
 }
 
@@ -205,7 +204,7 @@ struct trace *trace_new(const struct scene *scene, const struct trace_options *o
     struct trace *trace = calloc(1, sizeof *trace);
 
     if (!trace) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     trace->lock = lock_new();
@@ -233,7 +232,7 @@ struct trace *trace_new(const struct scene *scene, const struct trace_options *o
     };
     divide(trace);
     if (!trace->lock || !trace->watching)
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
     else if (check_threshold(options, scene, error) && prepare(trace, scene, error))
         return trace;
     trace_free(trace);

@@ -1,9 +1,10 @@
 /* vector_use.c - counts vector elements by observing instructions. */
 #include "rt/trace/vector_use.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "base/error.h"
 
 enum { CONTROL_WORDS = 65536 / 64 + 1 };
 
@@ -80,7 +81,7 @@ static void *begin(void *context, const struct object *program, c205_error *erro
     (void)context;
     (void)program;
     if (!use)
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
     return use;
 }
 

@@ -1,7 +1,8 @@
 /* frame_profile.c - profiles the clocks of a frame by lines of its kernels. */
 #include "rt/view/frame_profile.h"
 
-#include <stdio.h>
+
+#include "base/error.h"
 
 static void *begin(void *context, const struct object *program, c205_error *error)
 {
@@ -11,7 +12,7 @@ static void *begin(void *context, const struct object *program, c205_error *erro
         *sum = line_profile_new(program);
     band = *sum ? line_profile_new(program) : NULL;
     if (!band)
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
     return band;
 }
 

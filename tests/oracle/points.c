@@ -2,9 +2,9 @@
  * the machine (points.h). */
 #include "tests/oracle/points.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "rt/layout/program.h"
 
 /* ---- By the definition --------------------------------------------------- */
@@ -88,7 +88,7 @@ struct point_maker *point_maker_new(const struct point_kind *kind, c205_error *e
 {
     struct point_maker *maker = calloc(1, sizeof *maker);
     if (!maker) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
         return NULL;
     }
     maker->kind = *kind;

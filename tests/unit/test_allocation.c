@@ -5,6 +5,7 @@
  * The program is linked with --wrap, so that allocations of the libraries are counted
  * too.
  */
+#include "base/error.h"
 #include "tests/unit/asm_helper.h"
 
 #include <errno.h>
@@ -155,8 +156,7 @@ static const struct object *object;
 
 static bool no_memory(c205_error *error)
 {
-    snprintf(error->message, sizeof error->message, "no memory");
-    return false;
+    return error_set(error, "no memory");
 }
 
 static bool find_models(FILE *out, c205_error *error)
@@ -203,8 +203,7 @@ static const char program_text[] =
 /* Copies the first error. An error that could not be allocated is not in the list. */
 static void tell_first(const struct diagnostics *errors, c205_error *error)
 {
-    snprintf(error->message, sizeof error->message, "%.200s",
-             errors->count ? errors->items[0].message : "no memory");
+    error_set(error, "%.200s", errors->count ? errors->items[0].message : "no memory");
 }
 
 static struct object *assembled(const char *text, c205_error *error)

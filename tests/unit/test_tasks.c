@@ -4,6 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/error.h"
 #include "rt/study/thread_pool.h"
 #include "rt/trace/processors.h"
 #include "tests/random.h"
@@ -38,20 +39,15 @@ static bool run(void *context, const struct task *task, c205_error *error)
     bench->times[task->number]++;
     if (bench->slow && task->number == bench->bad)
         nanosleep(&while_others_fail, NULL);
-    if (bench->slow && task->number > bench->bad) {
-        snprintf(error->message, sizeof error->message, "worse");
-        return false;
-    }
+    if (bench->slow && task->number > bench->bad)
+        return error_set(error, "worse");
     for (size_t step = 0; step <= STEPS; step++)
         if (task->progress && !task->progress(task->context, step, STEPS)
             && step < STEPS) { /* a complete run continues */
-            snprintf(error->message, sizeof error->message, "stopped");
-            return false;
+            return error_set(error, "stopped");
         }
-    if (task->number == bench->bad) {
-        snprintf(error->message, sizeof error->message, "bad %zu", task->number);
-        return false;
-    }
+    if (task->number == bench->bad)
+        return error_set(error, "bad %zu", task->number);
     return true;
 }
 

@@ -27,8 +27,7 @@ static const struct {
 
 static bool fail(c205_error *error, const char *what, const char *name)
 {
-    snprintf(error->message, sizeof error->message, what, name);
-    return false;
+    return error_set(error, what, name);
 }
 
 static bool add_member(struct free_constant *constant, const char *name, size_t length,

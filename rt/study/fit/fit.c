@@ -2,7 +2,6 @@
 #include "rt/study/fit/fit.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -131,7 +130,7 @@ static struct point *points_at(const struct fit *fit, const double *places,
     struct point *points = calloc(1 + constants, sizeof *points);
 
     if (!points)
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
     for (size_t i = 0; points && i < 1 + constants; i++) {
         memcpy(points[i].places, places, constants * sizeof *places);
         points[i].moved = i == 0 ? MAX_FREE : i - 1;
@@ -332,12 +331,9 @@ bool fit_begin(struct fit *fit, c205_error *error)
     bool good;
 
     if (fit->observations->count > MAX_FIT_OBSERVATIONS
-        || fit->observations->timing_count > MAX_FIT_TIMINGS) {
-        snprintf(error->message, sizeof error->message,
-                 "more than %d observations or %d programs", MAX_FIT_OBSERVATIONS,
-                 MAX_FIT_TIMINGS);
-        return false;
-    }
+        || fit->observations->timing_count > MAX_FIT_TIMINGS)
+        return error_set(error, "more than %d observations or %d programs",
+                         MAX_FIT_OBSERVATIONS, MAX_FIT_TIMINGS);
     set_strangers_idle(fit);
     find_needed(fit, &none, needed);
     points = points_at(fit, priors, &count, error);
@@ -403,11 +399,10 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
     }
     for (size_t i = 0; i < asked.use_count; i++)
         losses[i] = FIT_LOSS;
-    if (!ceres_fit(&problem, outcome->places, &found)) {
-        snprintf(error->message, sizeof error->message, "%.200s",
-                 *asked.error.message != '\0' ? asked.error.message : found.message);
-        return false;
-    }
+    if (!ceres_fit(&problem, outcome->places, &found))
+        return error_set(error, "%.200s",
+                         *asked.error.message != '\0' ? asked.error.message
+                                                      : found.message);
     outcome->cost = found.cost;
     outcome->steps = found.steps;
     outcome->converged = found.converged;

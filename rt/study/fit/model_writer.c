@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 
 /* ---- The constants ------------------------------------------------------ */
 
@@ -19,8 +20,7 @@ static const c205_model *prior_of(const struct observations *all, const char *pa
     size_t length = strcspn(file, ".");
 
     if (strcmp(file + length, ".model") != 0) {
-        snprintf(error->message, sizeof error->message,
-                 "%.100s: the name of a model file ends in .model", path);
+        error_set(error, "%.100s: the name of a model file ends in .model", path);
         return NULL;
     }
     for (size_t i = 0; i < all->model_count; i++) {
@@ -30,8 +30,8 @@ static const c205_model *prior_of(const struct observations *all, const char *pa
             && strcmp(name + length, PRIOR_SUFFIX) == 0)
             return all->models[i];
     }
-    snprintf(error->message, sizeof error->message,
-             "%.100s is not the file NAME.model of priors NAME" PRIOR_SUFFIX, path);
+    error_set(error, "%.100s is not the file NAME.model of priors NAME" PRIOR_SUFFIX,
+              path);
     return NULL;
 }
 
@@ -84,7 +84,7 @@ bool written_predict(const struct study *study, double predicted[MAX_FIT_OBSERVA
     bool good = clocks != NULL;
 
     if (!good)
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
     good = good && time_all(study, clocks, error);
     for (size_t i = 0; good && i < all->count; i++)
         predicted[i] = observation_predict(all, &all->items[i], clocks);

@@ -2,6 +2,7 @@
 #include "rt/study/fit/observations.h"
 
 #include "base/array.h"
+#include "base/error.h"
 #include "base/model.h"
 
 #include <math.h>
@@ -18,8 +19,7 @@ enum { MAX_TEXT = 128 };
 
 static bool fail(c205_error *error, const char *what, const char *name)
 {
-    snprintf(error->message, sizeof error->message, what, name);
-    return false;
+    return error_set(error, what, name);
 }
 
 /* ---- Runs, models and timings: one of each ------------------------------ */

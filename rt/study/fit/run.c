@@ -12,8 +12,7 @@ enum { MAX_DEFINES = 8, MAX_WORDS = 256 };
 
 static bool fail(c205_error *error, const char *what, const char *name)
 {
-    snprintf(error->message, sizeof error->message, what, name);
-    return false;
+    return error_set(error, what, name);
 }
 
 static char *copied(const char *text)

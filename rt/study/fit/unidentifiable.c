@@ -2,9 +2,10 @@
 #include "rt/study/fit/unidentifiable.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "base/error.h"
 
 typedef double region_clocks[MAX_RUN_REGIONS];
 
@@ -138,7 +139,7 @@ bool untouched_find(const struct fit *fit, const struct fit_change *change,
 
     untouched->count = 0;
     if (!good)
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
     for (size_t i = 0; good && i < all->timing_count; i++)
         good = run_time(all->timings[i].run, all->timings[i].model, NULL, 0, RUN_FINE,
                         question.before[i], error);

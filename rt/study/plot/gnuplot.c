@@ -4,12 +4,12 @@
 #include <errno.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "rt/platform/processes.h"
 
 static bool fail(c205_error *error, const char *what, const char *why)
 {
-    snprintf(error->message, sizeof error->message, "%.60s: %.180s", what, why);
-    return false;
+    return error_set(error, "%.60s: %.180s", what, why);
 }
 
 /* Copies the last line of gnuplot's messages to the error. Before it, gnuplot

@@ -7,9 +7,9 @@
  * only their direction changes.
  */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "rt/scene/elementary.h"
 #include "rt/study/sweep/sweep_types.h"
 
@@ -88,7 +88,7 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
     trace = speedup_trace(sweep->subject, &point.view, &point.trace, &scene, error);
     good = trace && trace_run(trace, error);
     if (good) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        error_set(error, "no memory");
         good = read_hits(trace, scout) && find_square(scout);
         shrink(scout);
     }
@@ -204,11 +204,10 @@ static bool check_scout(const struct sweep *sweep, const struct scout *scout,
 {
     if (scout->side >= 8 && !reaches_side(scout))
         return true;
-    snprintf(error->message, sizeof error->message,
-             "%s is too %s in a frame of %g degrees from a distance of %g",
-             sweep->subject->name, scout->side < 8 ? "small" : "large",
-             sweep->base.view.angle, sweep->base.view.distance);
-    return false;
+    return error_set(error,
+                     "%s is too %s in a frame of %g degrees from a distance of %g",
+                     sweep->subject->name, scout->side < 8 ? "small" : "large",
+                     sweep->base.view.angle, sweep->base.view.distance);
 }
 
 static bool measure(struct sweep *sweep, c205_error *error)
@@ -271,7 +270,7 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
     struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (!table)
         return false;
     for (size_t i = 0; i < sweep->count; i++) {

@@ -4,9 +4,9 @@
  * frame, so all work per queue is done once. Pages count as already in memory,
  * since such a short run touches each of them for the first time.
  */
-#include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
 /* If the crossover is at a longer queue, the lengths before it are not measured
@@ -19,7 +19,7 @@ static bool run_lengths(struct sweep *sweep, const size_t *lengths, size_t count
     struct sweep_point *points = malloc((count + 1) * sizeof *points);
     bool good;
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (!points)
         return false;
     for (size_t i = 0; i < count; i++) {
@@ -79,7 +79,7 @@ static bool run_between(struct sweep *sweep, size_t first, size_t last,
     size_t count = 0;
     bool good;
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     for (size_t n = first; lengths && n <= last; n++)
         if (!sweep_with_queue(sweep, n))
             lengths[count++] = n;
@@ -263,7 +263,7 @@ static bool report_length(struct sweep *sweep, struct sweep_report *report,
     struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (!table)
         return false;
     fill(table, sweep, &found);

@@ -1,7 +1,7 @@
 /* pipes.c - sweeps the number of pipes, and operands of 32 bits. */
 #include <math.h>
-#include <stdio.h>
 
+#include "base/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
 /* The machines, from the slowest on, in the order of the table. */
@@ -154,7 +154,7 @@ static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
                                                "Times as fast as one pipe with 64 bits",
                                                TABLE_COLUMNS(plot_columns));
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (!points || !limits || !plotted)
         return false;
     for (size_t i = 0; i < sweep->count; i++) {

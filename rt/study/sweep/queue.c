@@ -1,7 +1,7 @@
 /* queue.c - sweeps the length of the queue of a whole frame. */
 #include <math.h>
-#include <stdio.h>
 
+#include "base/error.h"
 #include "rt/study/sweep/sweep_types.h"
 
 /* A band must contain the queue, or the queue would never be full. A queue that is
@@ -252,7 +252,7 @@ static bool report_queue(struct sweep *sweep, struct sweep_report *report,
                                     "The best queue, "
                                     "the paper's, the longest",
                                     TABLE_COLUMNS(difference_columns));
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (!points || !words || !difference)
         return false;
     fill_points(points, sweep);

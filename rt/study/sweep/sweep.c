@@ -2,7 +2,6 @@
 #include "rt/study/sweep/sweep.h"
 #include "base/error.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -208,10 +207,9 @@ static bool finish_queued(const struct form_run *run, struct sweep_measure *meas
     measure->hits = run->hits;
     if (measure->checksum == run->checksum)
         return true;
-    snprintf(error->message, sizeof error->message,
-             "in a queue of %zu: the %s and the scalar frame do not agree",
-             trace->queue, trace_mode_name(trace->mode));
-    return false;
+    return error_set(error,
+                     "in a queue of %zu: the %s and the scalar frame do not agree",
+                     trace->queue, trace_mode_name(trace->mode));
 }
 
 /* Copies the results to the measures. A scalar form serves all following points up
@@ -247,7 +245,7 @@ static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
     struct sweep_measure *measures = realloc(sweep->measures,
                                              (sweep->count + more) * sizeof *measures);
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (measures)
         sweep->measures = measures;
     return measures != NULL;
@@ -283,7 +281,7 @@ const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
 {
     c205_model **models = array_grow(sweep->models, sweep->model_count, sizeof *models);
 
-    snprintf(error->message, sizeof error->message, "no memory");
+    error_set(error, "no memory");
     if (!models)
         return NULL;
     sweep->models = models;
