@@ -6,6 +6,7 @@
 
 #include "asm/check_site.h"
 #include "base/plural.h"
+#include "vm/min_max.h"
 
 enum { CHUNK = 256, LENGTH_SHIFT = 48, FULL_LOOKS = 16 };
 #define ADDRESS_MASK ((UINT64_C(1) << LENGTH_SHIFT) - 1)
@@ -116,11 +117,6 @@ static void look_at_index(struct runtime_checker *watch, const struct site *site
     print_float_index(watch, site, which.text, index->word);
 }
 
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
 /* Checks the index list of a gather or a scatter. The table of a scatter is written. */
 static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
                             const struct site *site, const struct operand_view *list)
@@ -132,7 +128,7 @@ static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
     size_t first, n, i;
 
     for (first = 0; first < list->length; first += n) {
-        n = least(CHUNK, list->length - first);
+        n = min_size(CHUNK, list->length - first);
         if (!view_read(machine, list, first, n, words))
             return;
         for (i = 0; i < n; i++) {
@@ -230,10 +226,10 @@ static size_t count_elements(const struct site *site, const struct operand_view 
                                                       : C205_MAX_LENGTH;
 
     if (a->is_vector)
-        n = least(n, a->length);
+        n = min_size(n, a->length);
     if (b && b->is_vector)
-        n = least(n, b->length);
-    return a->is_vector || (b && b->is_vector) ? n : least(n, 1);
+        n = min_size(n, b->length);
+    return a->is_vector || (b && b->is_vector) ? n : min_size(n, 1);
 }
 
 static bool is_permitted(const struct site *site, const struct operand_view *control,
@@ -253,7 +249,7 @@ static void look_at_integers(struct runtime_checker *watch, const c205 *machine,
     if (control && control->number == 0)
         control = NULL;
     for (first = 0; first < count; first += n) {
-        n = least(CHUNK, count - first);
+        n = min_size(CHUNK, count - first);
         if (!fetch(machine, a, first, n, words_a)
             || !fetch(machine, b, first, n, words_b)
             || !fetch(machine, control, first, n, bits))

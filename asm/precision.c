@@ -5,6 +5,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "vm/min_max.h"
+
 /* Mnemonics start with the stem; only letters of operands follow. */
 static const struct {
     const char *stem;
@@ -90,16 +92,6 @@ static double exact_result(enum precision_rule rule, double a, double b)
     }
 }
 
-static int least(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-static int greatest(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 /* Returns the exponent of the last bit that the result keeps. For an upper result it
  * depends only on the exponents of the operands. A significant result has as many bits
  * as the operand with fewer significant bits, counted from the first bit of the exact
@@ -112,13 +104,13 @@ static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word 
 
     switch (rule) {
     case PRECISION_UPPER_SUM:
-    case PRECISION_UPPER_DIFFERENCE: return greatest(ea, eb);
+    case PRECISION_UPPER_DIFFERENCE: return max_int(ea, eb);
     case PRECISION_UPPER_PRODUCT: return ea + eb + bits;
     case PRECISION_UPPER_QUOTIENT: return ea - eb - bits;
     case PRECISION_ROOT: break;
-    default: s = least(s, significant_bits(b, half));
+    default: s = min_int(s, significant_bits(b, half));
     }
-    return ilogb(exact) + 1 - greatest(s, 1);
+    return ilogb(exact) + 1 - max_int(s, 1);
 }
 
 /* Rounds the exact result as the machine does. All results are rounded down. A quotient

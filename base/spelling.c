@@ -5,13 +5,10 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "vm/min_max.h"
+
 /* Longer words are never similar. */
 enum { MAX_LETTERS = 40 };
-
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
 
 static bool equal(char a, char b)
 {
@@ -28,11 +25,11 @@ static size_t distance(const char *a, size_t a_length, const char *b, size_t b_l
                 rows[i][k] = i + k;
                 continue;
             }
-            rows[i][k] = least(rows[i - 1][k - 1] + !equal(a[i - 1], b[k - 1]),
-                               1 + least(rows[i - 1][k], rows[i][k - 1]));
+            rows[i][k] = min_size(rows[i - 1][k - 1] + !equal(a[i - 1], b[k - 1]),
+                                  1 + min_size(rows[i - 1][k], rows[i][k - 1]));
             if (i > 1 && k > 1 && equal(a[i - 1], b[k - 2])
                 && equal(a[i - 2], b[k - 1])) {
-                rows[i][k] = least(rows[i][k], 1 + rows[i - 2][k - 2]);
+                rows[i][k] = min_size(rows[i][k], 1 + rows[i - 2][k - 2]);
             }
         }
     }

@@ -27,7 +27,7 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
     size_t chunk = operand_lead(a, c, STRING_BITS);
     chunk = operand_lead(b, c, chunk);
     for (size_t first = turn.first, n; first < turn.end; first += n) {
-        n = least(turn.end - first, chunk);
+        n = min_size(turn.end - first, chunk);
         read_string(machine, a, first, n, bits_a);
         read_string(machine, b, first, n, bits_b);
         operation(bits_c, bits_a, bits_b, (n + 63) / 64, &flags);
@@ -60,7 +60,7 @@ static bool strings_directly(struct c205 *machine, const struct decoded *decoded
             && direct_meets(to.word, bytes, other.word, direct_bytes(other, n))))
         return false;
     for (size_t first = 0, some; first < n; first += some) {
-        some = least(n - first, CHUNK);
+        some = min_size(n - first, CHUNK);
         direct_read_bits(from, first, bits_a, some);
         direct_read_bits(other, first, bits_b, some);
         operation(bits, bits_a, bits_b, (some + 63) / 64, &flags);
@@ -178,7 +178,7 @@ static c205_trap choose(struct c205 *machine, const struct decoded *decoded,
     size_t chunk = apart ? STRING_BITS : 1;
     struct turn turn = machine_turn(machine, c->length, machine->allowed);
     for (size_t first = turn.first, n; first < turn.end; first += n) {
-        n = least(turn.end - first, chunk);
+        n = min_size(turn.end - first, chunk);
         control_read(&choice.control, first, n, from_a);
         chosen(&choice, first, n, from_a, bits);
         memory_write_bits(&machine->memory, vector_at(c, first), bits, n);
@@ -238,7 +238,7 @@ static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
     if (trap != C205_TRAP_NONE)
         return trap;
     unsigned touches = machine->effect.touch_count;
-    sieve->kept = least(machine->resume.count[0], turn->first);
+    sieve->kept = min_size(machine->resume.count[0], turn->first);
     sieve->c.length = sieve->n;
     if (ahead)
         sieve->c.length = sieve->kept
@@ -254,7 +254,7 @@ static c205_trap store_kept(struct bit_sieve *sieve, size_t chunk)
     const struct turn *turn = &sieve->turn;
     uint64_t bits[STRING_WORDS];
     for (size_t first = turn->first, n; first < turn->end; first += n) {
-        n = least(turn->end - first, chunk);
+        n = min_size(turn->end - first, chunk);
         size_t count = keep_bits(sieve, first, n, bits);
         memory_write_bits(memory, vector_at(&sieve->c, sieve->kept), bits, count);
         sieve->kept += count;

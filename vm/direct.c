@@ -43,7 +43,7 @@ static inline bool find_source(struct place *place, struct c205 *machine,
     place->step = !broadcast;
     place->words = broadcast ? space : direct_read(machine, place->word, n);
     if (broadcast)
-        lanes_fill(space, place->word, least(n, CHUNK));
+        lanes_fill(space, place->word, min_size(n, CHUNK));
     return place->words;
 }
 
@@ -265,7 +265,7 @@ bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
     touch_sources(machine, &sources, n);
     touch_result(&result, decoded);
     for (size_t first = 0, some; first < n; first += some) {
-        some = least(n - first, CHUNK);
+        some = min_size(n - first, CHUNK);
         take_chunk(&result, &sources, first, some);
     }
     return true;
@@ -296,7 +296,7 @@ bool direct_pair(struct c205 *machine, const struct decoded *const *linked, bool
     touch_sources(machine, &pair.two, n);
     touch_result(&result, linked[1]);
     for (size_t first = 0, some; first < n; first += some) {
-        some = least(n - first, CHUNK);
+        some = min_size(n - first, CHUNK);
         take_pair(&result, &pair, first, some);
     }
     return true;

@@ -114,7 +114,7 @@ static inline void direct_read_bits(struct direct_bits string, size_t first,
     const c205_word *word = string.word + first / WORD_BITS;
     unsigned skip = string.skip;
     for (size_t i = 0; i < n; i += WORD_BITS, word++) {
-        size_t some = least(n - i, WORD_BITS);
+        size_t some = min_size(n - i, WORD_BITS);
         uint64_t next = *word << skip;
         if (skip + some > WORD_BITS)
             next |= word[1] >> (WORD_BITS - skip);
@@ -146,7 +146,7 @@ static inline void direct_write_bits(struct direct_bits string, size_t first,
     c205_word *word = string.word + first / WORD_BITS;
     unsigned skip = string.skip;
     for (size_t i = 0; i < n; i += WORD_BITS, word++, bits++) {
-        size_t some = least(n - i, WORD_BITS);
+        size_t some = min_size(n - i, WORD_BITS);
         uint64_t mask = leading_bits(some)
                         & (permitted ? permitted[i / WORD_BITS] : UINT64_MAX);
         direct_merge(word, *bits >> skip, mask >> skip);

@@ -42,10 +42,10 @@ static void collect_indices(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
     uint64_t permitted[CHUNK_WORDS];
-    transfer->used = least(stream->machine->resume.kept, stream->turn.first);
+    transfer->used = min_size(stream->machine->resume.kept, stream->turn.first);
     transfer->count = transfer->used;
     for (size_t first = stream->turn.first, n; first < stream->n; first += n) {
-        n = least(stream->n - first, CHUNK);
+        n = min_size(stream->n - first, CHUNK);
         control_read(&stream->control, first, n, permitted);
         transfer->count += compress_words(transfer->indices + transfer->count,
                                           read_indices(transfer, first, n), permitted,
@@ -363,7 +363,7 @@ static bool gather_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word list = machine->slot[decoded->a];
     c205_word to = machine->slot[decoded->fields.c];
-    size_t n = least(direct_length(list), direct_length(to));
+    size_t n = min_size(direct_length(list), direct_length(to));
     uint64_t bits = (uint64_t)n * WORD_BITS;
     struct table_place table;
     if (!decoded->plain || decoded->z || !direct_turn(machine, n))

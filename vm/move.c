@@ -109,11 +109,11 @@ static bool mask_directly(struct c205 *machine, const struct decoded *decoded)
         || direct_meets(to, bytes, control.word, direct_bytes(control, n)))
         return false;
     if (fill_a)
-        lanes_fill(space_a, a, least(n, CHUNK));
+        lanes_fill(space_a, a, min_size(n, CHUNK));
     if (fill_b)
-        lanes_fill(space_b, b, least(n, CHUNK));
+        lanes_fill(space_b, b, min_size(n, CHUNK));
     for (size_t first = 0, some; first < n; first += some) {
-        some = least(n - first, CHUNK);
+        some = min_size(n - first, CHUNK);
         direct_read_control(control, blocked, first, from_a, some);
         memmove(to + first, other + (fill_b ? 0 : first), some * sizeof *to);
         lanes_store_masked(to + first, from + (fill_a ? 0 : first), from_a, some);
@@ -183,7 +183,7 @@ static size_t count_kept(struct sieve *sieve)
     uint64_t keep[CHUNK_WORDS];
     size_t kept = sieve->kept;
     for (size_t first = turn->first, n; first < turn->n; first += n) {
-        n = least(turn->n - first, CHUNK);
+        n = min_size(turn->n - first, CHUNK);
         sieve_words(sieve, first, n, keep);
         kept += count_ones(keep, n);
     }
@@ -227,7 +227,7 @@ static c205_trap claim_kept(struct sieve *sieve)
     struct stream *stream = &sieve->stream;
     struct c205 *machine = stream->machine;
     unsigned touches = machine->effect.touch_count;
-    sieve->kept = least(machine->resume.count[0], stream->turn.first);
+    sieve->kept = min_size(machine->resume.count[0], stream->turn.first);
     stream->result.length = stream->n;
     stream->chunk = all_ahead(sieve) ? CHUNK : 1;
     c205_trap trap = claim_vector(machine, &stream->result, stream->n, true);
@@ -275,7 +275,7 @@ static bool compress_directly(struct c205 *machine, const struct decoded *decode
         || direct_meets(to, bytes, control.word, direct_bytes(control, n)))
         return false;
     for (size_t first = 0, some; first < n; first += some) {
-        some = least(n - first, CHUNK);
+        some = min_size(n - first, CHUNK);
         direct_read_control(control, blocked, first, keep, some);
         size_t count = compress_words(space, from + first, keep, some);
         memcpy(to + kept, space, count * sizeof *to);

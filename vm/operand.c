@@ -242,7 +242,7 @@ static const c205_word *padding_words(struct source *source, size_t n)
 
 static const c205_word *filled_space(struct source *source, size_t first, size_t n)
 {
-    size_t in_memory = least(source->vector.length - first, n);
+    size_t in_memory = min_size(source->vector.length - first, n);
     vector_read(source->memory, &source->vector, first, source->space, in_memory);
     control_sign(source, source->space, in_memory);
     source->padded = 0;
@@ -341,7 +341,7 @@ size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, si
     size_t count = 0;
     for (size_t i = 0; i < n; i += 64) {
         uint64_t rest = bits[i / 64];
-        size_t end = rest == 0 || rest == UINT64_MAX ? i : least(n, i + 64);
+        size_t end = rest == 0 || rest == UINT64_MAX ? i : min_size(n, i + 64);
         if (rest == UINT64_MAX) {
             memcpy(c + count, a + i, 64 * sizeof *c);
             count += 64;

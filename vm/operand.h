@@ -12,6 +12,7 @@
 #ifndef C205_OPERAND_H
 #define C205_OPERAND_H
 
+#include "vm/min_max.h"
 #include "vm/number/lanes.h"
 #include "vm/machine.h"
 
@@ -116,11 +117,6 @@ size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, si
 size_t count_ones(const uint64_t *bits, size_t n);
 /* Returns the index of the first one bit, or n. */
 size_t first_one(const uint64_t *bits, size_t n);
-
-static inline size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
 
 static inline bool bit_at(const uint64_t *bits, size_t i)
 {

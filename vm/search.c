@@ -6,7 +6,7 @@
 /* Returns the number of words of B to compare at once. */
 static size_t scan_next(const struct stream *stream, size_t first)
 {
-    return least(stream->b.vector.length - first, CHUNK);
+    return min_size(stream->b.vector.length - first, CHUNK);
 }
 
 /* Returns the index of the first element of B for which the comparison holds, or the

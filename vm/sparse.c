@@ -146,8 +146,8 @@ static void describe_orders(struct sparse *sparse, const struct decoded *decoded
     *z = describe_bits(slot[decoded->z]);
     if (sparse->presence != GIVEN)
         z->length = x->length > y->length ? x->length : y->length;
-    x->length = least(x->length, z->length);
-    y->length = least(y->length, z->length);
+    x->length = min_size(x->length, z->length);
+    y->length = min_size(y->length, z->length);
 }
 
 static c205_trap claim_packed(struct sparse *sparse)
@@ -235,7 +235,7 @@ static c205_trap run_sparse(struct sparse *sparse, const struct operation *opera
                  && !operands_overlap(&sparse->b.vector, result);
     size_t chunk = apart ? CHUNK : 1;
     for (size_t first = turn->first, n; first < turn->end; first += n) {
-        n = least(turn->end - first, chunk);
+        n = min_size(turn->end - first, chunk);
         size_t count = take_pairs(sparse, first, n, a, b);
         operate(machine, operation, words, a, b, count, NULL);
         vector_write(&machine->memory, result, sparse->next_result, words, count);

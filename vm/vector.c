@@ -113,7 +113,7 @@ static struct elements waiting(const struct vector *read, const struct vector *r
     if (!operands_overlap(read, result) || result->address <= read->address)
         return none;
     uint64_t lead = (result->address - read->address) / read->width;
-    struct elements some = { (size_t)lead, least(n, read->length) };
+    struct elements some = { (size_t)lead, min_size(n, read->length) };
     return some;
 }
 

@@ -56,7 +56,7 @@ void record_recurrence(struct c205 *machine, const struct vector *result, size_t
 /* Returns the number of elements of the next chunk. */
 static inline size_t stream_next(const struct stream *stream, size_t first)
 {
-    return least(stream->turn.end - first, stream->chunk);
+    return min_size(stream->turn.end - first, stream->chunk);
 }
 
 /* Returns NONE if all elements are done, or CLOCK_LIMIT. */

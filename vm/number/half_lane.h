@@ -27,7 +27,7 @@ static inline lane lower(int64_t e, int64_t t)
 /* A sum of more than 47 bits loses its last bit. */
 static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
 {
-    c205_word l = larger(a, b);
+    c205_word l = max_word(a, b);
     int64_t e = exponent(l) - DIGITS;
     uint64_t places = excess(t, 2 * DIGITS);
 
@@ -110,7 +110,7 @@ static inline lane special_quotient(c205_word a, c205_word b, lane result)
 {
     uint64_t without_digits = magnitude(coefficient(b)) - 1;
 
-    return odd_if(without_digits | zero(b) | indefinite(larger(a, b)),
+    return odd_if(without_digits | zero(b) | indefinite(max_word(a, b)),
                   zero_if(is_zero(a), result));
 }
 

@@ -47,7 +47,7 @@ static inline uint64_t is_small(c205_word w)
 /* The product of normalised operands lies in 2^92 .. 2^94, or below -2^92. */
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
 {
-    c205_word l = larger(a, b), s = smaller(a, b);
+    c205_word l = max_word(a, b), s = min_word(a, b);
     int64_t e = exponent(a) + exponent(b) + (WORD_DIGITS - 1);
     int64_t p = product(a, b, 2);
     uint64_t places = excess(p, DIGITS);
@@ -80,7 +80,7 @@ static inline lane lane_divide_significant(c205_word a, c205_word b)
     int64_t q = quotient(coefficient(a), coefficient(b));
     lane result = odd_if(unnormalised(a), normalised(e, q));
 
-    return odd_if(unnormalised(b) | zero(b) | indefinite(larger(a, b)),
+    return odd_if(unnormalised(b) | zero(b) | indefinite(max_word(a, b)),
                   zero_if(is_zero(a), result));
 }
 

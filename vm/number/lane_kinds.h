@@ -18,12 +18,12 @@ static inline bool is_zero(c205_word w)
 
 /* The word that is larger as an integer has an exponent at least as large as the
  * other's. */
-static inline c205_word larger(c205_word a, c205_word b)
+static inline c205_word max_word(c205_word a, c205_word b)
 {
     return (int64_t)a < (int64_t)b ? b : a;
 }
 
-static inline c205_word smaller(c205_word a, c205_word b)
+static inline c205_word min_word(c205_word a, c205_word b)
 {
     return (int64_t)a < (int64_t)b ? a : b;
 }

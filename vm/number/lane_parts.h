@@ -192,7 +192,7 @@ static inline lane fitted(int64_t e, int64_t t)
  * zeros are the smallest words. */
 static inline lane special_product(c205_word a, c205_word b, lane result)
 {
-    return odd_if(indefinite(larger(a, b)), zero_if(is_zero(smaller(a, b)), result));
+    return odd_if(indefinite(max_word(a, b)), zero_if(is_zero(min_word(a, b)), result));
 }
 
 /* ---- Add, subtract ------------------------------------------------------ */
@@ -224,7 +224,7 @@ static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s, int64_t 
 
 static inline int64_t sum(c205_word a, c205_word b)
 {
-    c205_word l = larger(a, b), s = smaller(a, b);
+    c205_word l = max_word(a, b), s = min_word(a, b);
 
     return sum_of(l, guarded_value(l), s, guarded_value(s));
 }
@@ -244,7 +244,7 @@ static inline int64_t difference_of(c205_word l, int64_t value_l, c205_word s,
 
 static inline int64_t difference(c205_word a, c205_word b)
 {
-    c205_word l = larger(a, b), s = smaller(a, b);
+    c205_word l = max_word(a, b), s = min_word(a, b);
 
     return difference_of(l, guarded_value(l), s, guarded_value(s),
                          (int64_t)b <= (int64_t)a);
@@ -253,7 +253,7 @@ static inline int64_t difference(c205_word a, c205_word b)
 /* The exponent of an indefinite word is out of range, which makes the result odd. */
 static inline lane sum_upper(c205_word a, c205_word b, int64_t t)
 {
-    c205_word l = larger(a, b);
+    c205_word l = max_word(a, b);
 
     return zero_if(is_zero(l), fitted(exponent(l), t >> LANE_GUARD));
 }
@@ -280,7 +280,7 @@ static inline c205_word with_sum(c205_word l, int64_t t)
 
 static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
 {
-    c205_word l = larger(a, b);
+    c205_word l = max_word(a, b);
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
     const lane result = { with_sum(l, t), 0 };
 

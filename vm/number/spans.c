@@ -27,7 +27,7 @@ enum { BITS = 64 /* of a word */ };
         bool apart = !spans_meet(c, a, n) && !spans_meet(c, b, n); \
         (void)flags; \
         for (size_t i = 0; i < n; i += BLOCK) { \
-            size_t length = lesser(n - i, BLOCK); \
+            size_t length = min_size(n - i, BLOCK); \
             name##_block(apart ? c + i : space, a + i, b + i, length); \
             if (!apart) \
                 copy_block(c + i, space, length); \
@@ -68,7 +68,7 @@ EXPONENT(halves_exponent, half_words)
  * unchanged. */
 static inline c205_word zero_as_number(c205_word w)
 {
-    return larger(w, LEAST_NUMBER);
+    return max_word(w, LEAST_NUMBER);
 }
 
 /* First bit 1: the number is not normalised. */
@@ -144,7 +144,7 @@ static inline uint64_t copied(uint64_t bit)
         c205_word x = a[i + j], y = b[i + j]; \
         uint64_t holds = (uint64_t)(format_rank(format, x) \
                                         relation format_rank(format, y)) \
-                         & ~indefinite(larger(x, y)) >> 63; \
+                         & ~indefinite(max_word(x, y)) >> 63; \
         word |= (holds ^ inverse) << (BITS - 1 - j); \
     }
 
@@ -171,7 +171,7 @@ static inline uint64_t copied(uint64_t bit)
     LANEWISE void name##_span COMPARE_PARAMETERS \
     { \
         for (size_t i = 0; i < n; i += BITS) { \
-            size_t length = lesser(n - i, BITS); \
+            size_t length = min_size(n - i, BITS); \
             uint64_t word = 0, odd = 0; \
             c205_word most = LEAST_NUMBER; \
             for (size_t j = 0; j < length; j++) { \
@@ -179,7 +179,7 @@ static inline uint64_t copied(uint64_t bit)
                 c205_word y = zero_as_number(b[i + j]); \
                 word |= copied(is(format, x, y)) & places[j]; \
                 odd |= unnormalised(format, x) | unnormalised(format, y); \
-                most = larger(most, larger(x, y)); \
+                most = max_word(most, max_word(x, y)); \
             } \
             if ((odd | indefinite(most)) >> 63) { \
                 uint64_t exponents = word = 0; \
@@ -196,7 +196,7 @@ static inline uint64_t copied(uint64_t bit)
     static void name COMPARE_PARAMETERS \
     { \
         for (size_t i = 0; i < n; i += BITS) { \
-            size_t length = lesser(n - i, BITS); \
+            size_t length = min_size(n - i, BITS); \
             uint64_t word = 0; \
             for (size_t j = 0; j < length; j++) \
                 word |= (uint64_t)holds(a[i + j], b[i + j]) << (BITS - 1 - j); \
@@ -237,7 +237,7 @@ LANEWISE void lanes_store_masked_span(c205_word *restrict c,
                                       const uint64_t *restrict bits, size_t n)
 {
     for (size_t i = 0; i < n; i += BITS) {
-        size_t length = lesser(n - i, BITS);
+        size_t length = min_size(n - i, BITS);
         uint64_t permitted = bits[i / BITS];
         for (size_t j = 0; j < length; j++)
             c[i + j] = permitted & places[j] ? a[i + j] : c[i + j];

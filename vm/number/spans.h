@@ -4,6 +4,7 @@
 #ifndef C205_SPANS_H
 #define C205_SPANS_H
 
+#include "vm/min_max.h"
 #include "vm/number/host.h"
 #include "vm/number/lane_kinds.h"
 #include "vm/number/lanes.h"
@@ -31,11 +32,6 @@
         for (size_t i = 0; i < n; i++) \
             c[i] = of_word(a[i], flags); \
     }
-
-static inline size_t lesser(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
 
 /* Recomputes by the exact rule each word whose first bit of odd is 1. The other words
  * are valid; a machine zero among them sets its flag. */
@@ -126,7 +122,7 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
         bool apart = !spans_meet(c, a, n) && !spans_meet(c, b, n); \
         for (size_t i = 0, length; i < n; i += length) { \
             const c205_word *x = a + i, *y = b + i; \
-            length = lesser(n - i, BLOCK); \
+            length = min_size(n - i, BLOCK); \
             bool few = length < LANES; \
             c205_word *to = apart && !few ? c + i : space; \
             size_t count = few ? LANES : length; \
@@ -152,7 +148,7 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
         bool apart = !spans_meet(c, a, n); \
         for (size_t i = 0, length; i < n; i += length) { \
             const c205_word *x = a + i; \
-            length = lesser(n - i, BLOCK); \
+            length = min_size(n - i, BLOCK); \
             bool few = length < LANES; \
             if (few) { \
                 fill_lanes(some_a, x, length); \
@@ -200,7 +196,7 @@ LANEWISE bool zero_lanes(const c205_word *a, size_t n)
 
     if (!is_zero(most))
         return false;
-    EACH_LANE(most = larger(most, a[j]);)
+    EACH_LANE(most = max_word(most, a[j]);)
     return is_zero(most);
 }
 

@@ -8,6 +8,7 @@
 #include "vm/time/banks.h"
 
 #include "vm/memory.h"
+#include "vm/min_max.h"
 #include "vm/number/host.h"
 
 #include <stdlib.h>
@@ -89,11 +90,6 @@ VERSIONS(find_waits, find_waits_span, FIND_WAITS_PARAMETERS,
 
 /* ---- Conflicts ------------------------------------------------------------ */
 
-static inline int64_t later(int64_t a, int64_t b)
-{
-    return a < b ? b : a;
-}
-
 /* The start times of the latest accesses. */
 struct begun {
     int64_t last, second, third;
@@ -105,15 +101,15 @@ struct begun {
 static void begin_accesses(struct begun *begun, const struct waits *waits, size_t n)
 {
     struct begun now = *begun;
-    int64_t earliest = later(now.second + waits->second[0],
-                             now.third + waits->third[0]);
+    int64_t earliest = max_int64(now.second + waits->second[0],
+                                 now.third + waits->third[0]);
     for (size_t i = 0; i < n; i++) {
-        int64_t next = later(now.last + waits->last[i], earliest);
+        int64_t next = max_int64(now.last + waits->last[i], earliest);
         now.third = now.second;
         now.second = now.last;
         now.last = next;
-        earliest = later(now.second + waits->second[i + 1],
-                         now.third + waits->third[i + 1]);
+        earliest = max_int64(now.second + waits->second[i + 1],
+                             now.third + waits->third[i + 1]);
     }
     *begun = now;
 }

@@ -3,6 +3,7 @@
  * Rules and formulas with their sources: docs/timing.md.
  */
 #include "vm/time/clock_parts.h"
+#include "vm/min_max.h"
 
 #include <assert.h>
 
@@ -285,17 +286,13 @@ static inline void drop_phases(struct clock *clock)
     clock->phase_count = kept;
 }
 
-static uint64_t lesser(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 /* Returns the clock at which the vector unit accepts an instruction with this start-up.
  * Up to overlap clocks of the start-up hide under the stream of the previous
  * instruction. */
 static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
 {
-    uint64_t hidden = lesser(lesser(clock->overlap, startup), clock->vector_tail);
+    uint64_t hidden = min_uint64(min_uint64(clock->overlap, startup),
+                                 clock->vector_tail);
     return clock->vector_end - hidden;
 }
 
@@ -393,7 +390,7 @@ static inline void charge_vector(struct clock *clock, const struct decoded *deco
     add_phases(clock, decoded, effect, startup);
     if (clock->record)
         note_times(clock, clock->vector_end, clock->vector_end);
-    wait_through_phases(clock, lesser(issued, clock->vector_end), no_wait);
+    wait_through_phases(clock, min_uint64(issued, clock->vector_end), no_wait);
     wait_until(clock, issued, C205_ISSUE, no_wait);
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
     clock->account->vector_instructions++;
@@ -461,19 +458,14 @@ void clock_drain(struct clock *clock)
 
 /* ---- Within an instruction ----------------------------------------------- */
 
-static uint64_t later(uint64_t a, uint64_t b)
-{
-    return a > b ? a : b;
-}
-
 static uint64_t registers_ready(const struct clock *clock,
                                 const struct decoded *decoded)
 {
     uint64_t ready = 0;
     for (unsigned i = 0; i < decoded->source_count; i++)
-        ready = later(ready, clock->ready[decoded->source[i]]);
+        ready = max_uint64(ready, clock->ready[decoded->source[i]]);
     for (unsigned i = 0; i < decoded->result_count; i++)
-        ready = later(ready, clock->ready[decoded->result[i]]);
+        ready = max_uint64(ready, clock->ready[decoded->result[i]]);
     return ready;
 }
 
@@ -481,12 +473,12 @@ static uint64_t registers_ready(const struct clock *clock,
 static uint64_t stream_begin(const struct clock *clock, const struct decoded *decoded)
 {
     uint64_t startup = startup_of(clock, decoded);
-    uint64_t issue = later(clock->now, registers_ready(clock, decoded));
+    uint64_t issue = max_uint64(clock->now, registers_ready(clock, decoded));
     for (size_t i = 0; i < 2; i++)
         if (decoded->linked[i])
-            issue = later(issue, registers_ready(clock, decoded->linked[i]));
-    issue = later(issue, clock->loads_done);
-    return later(issue, vector_free_at(clock, startup)) + startup;
+            issue = max_uint64(issue, registers_ready(clock, decoded->linked[i]));
+    issue = max_uint64(issue, clock->loads_done);
+    return max_uint64(issue, vector_free_at(clock, startup)) + startup;
 }
 
 /* Returns the largest number of elements for which at_rate is at most clocks. */
@@ -520,11 +512,11 @@ static void keep_charged(struct clock *clock)
 static void cut_at(struct clock *clock, uint64_t until)
 {
     for (size_t i = 0; i < SLOTS; i++)
-        clock->ready[i] = lesser(clock->ready[i], until);
+        clock->ready[i] = min_uint64(clock->ready[i], until);
     for (size_t i = 0; i < clock->phase_count; i++)
-        clock->phase[i].end = lesser(clock->phase[i].end, until);
-    clock->vector_end = lesser(clock->vector_end, until);
-    clock->loads_done = lesser(clock->loads_done, until);
+        clock->phase[i].end = min_uint64(clock->phase[i].end, until);
+    clock->vector_end = min_uint64(clock->vector_end, until);
+    clock->loads_done = min_uint64(clock->loads_done, until);
 }
 
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until)
@@ -539,7 +531,7 @@ void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t unt
     wait_for_pair(&cut, decoded);
     wait_until(&cut, cut.loads_done, C205_MEMORY_WAIT, for_loads);
     wait_for_vector(&cut);
-    wait_until(&cut, lesser(begin, until), C205_VECTOR_STARTUP, no_wait);
+    wait_until(&cut, min_uint64(begin, until), C205_VECTOR_STARTUP, no_wait);
     wait_until(&cut, until, C205_VECTOR_STREAM, no_wait);
     clock->now = cut.now;
     check_sum(clock);

@@ -1,4 +1,5 @@
 /* projection.c - charges scalar instructions with the times of another machine. */
+#include "vm/min_max.h"
 #include "vm/time/projection.h"
 #include "vm/time/model.h"
 
@@ -104,11 +105,6 @@ void c205_projection_free(c205_projection *projection)
 
 /* ---- Units --------------------------------------------------------------- */
 
-static uint64_t later(uint64_t a, uint64_t b)
-{
-    return a > b ? a : b;
-}
-
 /* Returns the unit of a kind that is free first. */
 static uint64_t *first_free(c205_projection *projection, enum unit_kind kind)
 {
@@ -124,7 +120,7 @@ static uint64_t operands_ready(const c205_projection *projection,
 {
     uint64_t ready = 0;
     for (unsigned i = 0; i < decoded->source_count; i++)
-        ready = later(ready, projection->ready[decoded->source[i]]);
+        ready = max_uint64(ready, projection->ready[decoded->source[i]]);
     return ready;
 }
 
@@ -135,7 +131,7 @@ static uint64_t results_free(const uint64_t *times, const struct decoded *decode
 {
     uint64_t free_at = 0;
     for (unsigned i = 0; i < decoded->result_count; i++)
-        free_at = later(free_at, times[decoded->result[i]]);
+        free_at = max_uint64(free_at, times[decoded->result[i]]);
     return free_at;
 }
 
@@ -144,18 +140,18 @@ static void go_through_unit(c205_projection *projection, const struct decoded *d
 {
     enum unit_kind kind = classes[decoded->insn->timing].units;
     uint64_t *unit = first_free(projection, kind);
-    uint64_t issued = later(later(projection->now, *unit),
-                            results_free(projection->ready, decoded));
-    uint64_t begun = later(issued, operands_ready(projection, decoded));
-    uint64_t ended = later(begun + time, results_free(projection->read, decoded));
+    uint64_t issued = max_uint64(max_uint64(projection->now, *unit),
+                                 results_free(projection->ready, decoded));
+    uint64_t begun = max_uint64(issued, operands_ready(projection, decoded));
+    uint64_t ended = max_uint64(begun + time, results_free(projection->read, decoded));
     for (unsigned i = 0; i < decoded->source_count; i++) {
         uint64_t *read = &projection->read[decoded->source[i]];
-        *read = later(*read, begun);
+        *read = max_uint64(*read, begun);
     }
     for (unsigned i = 0; i < decoded->result_count; i++)
         projection->ready[decoded->result[i]] = ended;
     *unit = ended;
-    projection->done = later(projection->done, ended);
+    projection->done = max_uint64(projection->done, ended);
     projection->now = issued + projection->interval;
 }
 
@@ -163,7 +159,7 @@ static void go_through_unit(c205_projection *projection, const struct decoded *d
 
 static void wait_for_all(c205_projection *projection)
 {
-    projection->now = later(projection->now, projection->done);
+    projection->now = max_uint64(projection->now, projection->done);
 }
 
 static void operate(c205_projection *projection, const struct decoded *decoded)
@@ -190,7 +186,7 @@ static void swap(c205_projection *projection, const struct effect *effect)
     wait_for_all(projection);
     if (effect->swapped > 0)
         projection->now += effect->swapped * address / projection->units[UNITS_SINGLE]
-                           + later(loads ? load : 0, effect->saved ? store : 0);
+                           + max_uint64(loads ? load : 0, effect->saved ? store : 0);
 }
 
 static uint64_t branch_time(const c205_projection *projection,
@@ -213,7 +209,8 @@ static void branch(c205_projection *projection, const struct decoded *decoded,
                    const struct effect *effect)
 {
     if (projection->overlap)
-        projection->now = later(projection->now, operands_ready(projection, decoded));
+        projection->now = max_uint64(projection->now,
+                                     operands_ready(projection, decoded));
     projection->now += branch_time(projection, decoded, effect);
     for (unsigned i = 0; i < decoded->result_count; i++)
         projection->ready[decoded->result[i]] = projection->now;

@@ -6,6 +6,7 @@
 #include "vm/time/schedule.h"
 
 #include "vm/memory.h"
+#include "vm/min_max.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -133,17 +134,12 @@ void clock_measure(const struct clock *clock, struct code_block *block)
         block->longest += longest_of(clock, &block->insn[i]);
 }
 
-static uint64_t later(uint64_t a, uint64_t b)
-{
-    return a > b ? a : b;
-}
-
 uint64_t clock_all_done(const struct clock *clock)
 {
-    uint64_t done = later(clock->now, clock->vector_end);
+    uint64_t done = max_uint64(clock->now, clock->vector_end);
     for (size_t i = 0; i < C205_UNITS; i++)
-        done = later(done, clock->free_at[i]);
-    return later(done, clock->results_done);
+        done = max_uint64(done, clock->free_at[i]);
+    return max_uint64(done, clock->results_done);
 }
 
 /* ---- Blocks -------------------------------------------------------------- */

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "rt/scene/elementary.h"
 #include "rt/study/sweep/sweep_types.h"
+#include "vm/min_max.h"
 
 enum { SIDE = 256, SHARES = 10 };
 static const double degrees = 57.29577951308232; /* of a radian */
@@ -20,13 +21,6 @@ struct scout {
     bool *hit;                /* SIDE x SIDE pixels */
     size_t side, row, column; /* a square, its first pixel */
 };
-
-static size_t least_of(size_t a, size_t b, size_t c)
-{
-    size_t least = a < b ? a : b;
-
-    return least < c ? least : c;
-}
 
 /* Finds the largest square of hits by dynamic programming. The side of the largest
  * square that ends at a pixel is one more than the smallest of those that end to
@@ -44,7 +38,8 @@ static bool find_square(struct scout *scout)
             continue;
         sides[i] = 1;
         if (row > 0 && column > 0)
-            sides[i] += least_of(sides[i - 1], sides[i - SIDE], sides[i - SIDE - 1]);
+            sides[i] += min_size(min_size(sides[i - 1], sides[i - SIDE]),
+                                 sides[i - SIDE - 1]);
         if (sides[i] > scout->side) {
             scout->side = sides[i];
             scout->row = row + 1 - sides[i];
