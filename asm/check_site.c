@@ -8,8 +8,7 @@
 #include "base/plural.h"
 #include "vm/min_max.h"
 
-enum { CHUNK = 256, LENGTH_SHIFT = 48, FULL_LOOKS = 16 };
-#define ADDRESS_MASK ((UINT64_C(1) << LENGTH_SHIFT) - 1)
+enum { CHUNK = 256, FULL_LOOKS = 16 };
 
 /* Returns whether to run an expensive check: at the first 16 executions of an
  * instruction, then at the 32nd, the 64th and so on. Faults that depend on data appear
@@ -36,7 +35,7 @@ static void look_at_length(struct runtime_checker *watch, const struct site *sit
 {
     unsigned r = operand->number;
 
-    if (operand->word >> LENGTH_SHIFT)
+    if (c205_descriptor_length(operand->word) > 0)
         return;
     if (!watch->is_written[r])
         runtime_report(watch, site, WARNING_UNSET_LENGTH,
@@ -56,7 +55,7 @@ static void look_at_length(struct runtime_checker *watch, const struct site *sit
 static void look_at_storage(struct runtime_checker *watch, const struct site *site,
                             const struct operand_view *result)
 {
-    uint64_t base = result->word & ADDRESS_MASK, end, past;
+    uint64_t base = c205_descriptor_address(result->word), end, past;
     const char *name = storage_at(watch->storage, base, &end);
 
     past = result->address + (uint64_t)result->length * result->width;
@@ -87,7 +86,7 @@ static void look_at_store(struct runtime_checker *watch, const struct site *site
  * an index are ignored and may have any value, but no index in use reaches bit 46. */
 static bool is_float(c205_word word)
 {
-    unsigned field = (unsigned)(word >> LENGTH_SHIFT);
+    unsigned field = (unsigned)(word >> 48);
 
     return field != 0 && (field & 0xF000) != 0x7000 && (field & 0xF000) != 0x8000
            && ((word >> 47 ^ word >> 46) & 1);
@@ -142,7 +141,7 @@ static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
                 return;
             }
             if (scatters && table)
-                look_at_store(watch, site, table->word & ADDRESS_MASK,
+                look_at_store(watch, site, c205_descriptor_address(table->word),
                               c205_to_integer(words[i]), table->width);
         }
     }
@@ -160,7 +159,7 @@ static void look_at_period(struct runtime_checker *watch, const struct site *sit
     if (is_float(period->word))
         look_at_index(watch, site, period, "period");
     else if (source && source->length > 0)
-        look_at_store(watch, site, table->word & ADDRESS_MASK,
+        look_at_store(watch, site, c205_descriptor_address(table->word),
                       distance * (int64_t)(source->length - 1), table->width);
 }
 
@@ -424,7 +423,7 @@ static void before_memory(struct runtime_checker *watch, const c205 *machine,
     view_fill(&site->view, machine);
     look_at_index(watch, site, &operands[1], "index");
     if (tolower((unsigned char)operands[2].letter) == 'i')
-        look_at_store(watch, site, operands[0].word & ADDRESS_MASK,
+        look_at_store(watch, site, c205_descriptor_address(operands[0].word),
                       c205_to_integer(operands[1].word), width);
 }
 
@@ -435,7 +434,7 @@ static void before_enter(struct runtime_checker *watch, const c205 *machine,
 
     (void)machine;
     watch->is_entered[r] = true;
-    watch->entered[r] = (c205_word)site->view.fields.immediate & ADDRESS_MASK;
+    watch->entered[r] = c205_descriptor_address((c205_word)site->view.fields.immediate);
 }
 
 static void before_length(struct runtime_checker *watch, const c205 *machine,
@@ -444,7 +443,7 @@ static void before_length(struct runtime_checker *watch, const c205 *machine,
     unsigned r = site->view.operands[0].number;
 
     watch->is_emptied[r] = (site->view.fields.immediate & 0xFFFF) == 0;
-    watch->emptied[r] = c205_register(machine, r) & ADDRESS_MASK;
+    watch->emptied[r] = c205_descriptor_address(c205_register(machine, r));
     watch->is_entered[r] = false;
 }
 

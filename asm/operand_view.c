@@ -4,8 +4,7 @@
 #include <ctype.h>
 #include <string.h>
 
-enum { WORD_BITS = 64, HALF_BITS = 32, LENGTH_SHIFT = 48 };
-#define ADDRESS_MASK ((UINT64_C(1) << LENGTH_SHIFT) - 1)
+enum { WORD_BITS = 64, HALF_BITS = 32 };
 
 c205_word view_word_at(const c205 *machine, uint64_t address)
 {
@@ -126,15 +125,15 @@ static void describe(struct operand_view *operand, const c205 *machine)
 {
     int64_t skip = 0;
 
-    operand->address = operand->word & ADDRESS_MASK;
-    operand->length = (size_t)(operand->word >> LENGTH_SHIFT);
+    operand->address = c205_descriptor_address(operand->word);
+    operand->length = c205_descriptor_length(operand->word);
     if (operand->offset)
         skip = c205_to_integer(c205_register(machine, operand->offset));
     operand->is_bad = skip < 0;
     if (skip <= 0)
         return;
-    operand->address = (operand->address + (uint64_t)skip * operand->width)
-                       & ADDRESS_MASK;
+    operand->address = c205_descriptor_address(operand->address
+                                               + (uint64_t)skip * operand->width);
     operand->length -= (uint64_t)skip < operand->length ? (size_t)skip
                                                         : operand->length;
 }
@@ -210,10 +209,10 @@ static void pick(const struct operand_view *operand, uint64_t bit, c205_word *el
 bool view_read(const c205 *machine, const struct operand_view *operand, size_t first,
                size_t n, c205_word *words)
 {
-    uint64_t at = operand->address + (uint64_t)first * operand->width;
+    uint64_t at = c205_descriptor_address(operand->address
+                                          + (uint64_t)first * operand->width);
     size_t i;
 
-    at &= ADDRESS_MASK;
     if (operand->width == WORD_BITS)
         return c205_read(machine, at, words, n);
     for (i = 0; i < n; i++, at += operand->width) {

@@ -3,26 +3,15 @@
 
 #include <inttypes.h>
 
-/* Returns the 48-bit address of a descriptor; length_of returns its 16-bit length. */
-static uint64_t address_of(c205_word descriptor)
-{
-    return descriptor & ((UINT64_C(1) << 48) - 1);
-}
-
-static unsigned length_of(c205_word descriptor)
-{
-    return (unsigned)(descriptor >> 48);
-}
-
 /* Reads element i of a vector of elements of 1, 8 or 64 bits, right-aligned. If it is
  * not mapped, prints that and returns false. */
 static bool fetch(const struct printer *printer, const c205 *machine,
                   c205_word descriptor, unsigned i, unsigned bits, c205_word *element)
 {
-    uint64_t address = address_of(descriptor) / bits * bits;
+    uint64_t address = c205_descriptor_address(descriptor) / bits * bits;
     c205_word word;
 
-    address = address_of(address + (uint64_t)i * bits);
+    address = c205_descriptor_address(address + (uint64_t)i * bits);
     if (!c205_read(machine, address / 64 * 64, &word, 1)) {
         sink_print(&printer->sink, "(unmapped address %" PRIX64 ")", address);
         return false;
@@ -96,7 +85,7 @@ static void print_text(const struct printer *printer, const c205 *machine,
     c205_word byte;
     char c;
 
-    for (i = 0; i < length_of(event->r); i++) {
+    for (i = 0; i < c205_descriptor_length(event->r); i++) {
         if (!fetch(printer, machine, event->r, i, 8, &byte))
             return;
         c = (char)byte;
@@ -119,7 +108,7 @@ static void print_vector(const struct printer *printer, const c205 *machine,
     unsigned i;
     c205_word word;
 
-    for (i = 0; i < length_of(event->r); i++) {
+    for (i = 0; i < c205_descriptor_length(event->r); i++) {
         if (i > 0)
             sink_put(&printer->sink,
                      columns.in_line && i % columns.in_line == 0 ? "\n" : " ");
@@ -135,7 +124,7 @@ static void print_bits(const struct printer *printer, const c205 *machine,
     unsigned i;
     c205_word bit;
 
-    for (i = 0; i < length_of(event->r); i++) {
+    for (i = 0; i < c205_descriptor_length(event->r); i++) {
         if (!fetch(printer, machine, event->r, i, 1, &bit))
             return;
         sink_put(&printer->sink, bit ? "1" : "0");

@@ -11,8 +11,8 @@ const char *vector_elements(unsigned width)
 
 struct vector_view vector_described(c205_word word, unsigned width)
 {
-    return (struct vector_view){ .address = word & UINT64_C(0xFFFFFFFFFFFF),
-                                 .length = (size_t)(word >> 48),
+    return (struct vector_view){ .address = c205_descriptor_address(word),
+                                 .length = c205_descriptor_length(word),
                                  .width = width };
 }
 

@@ -61,6 +61,10 @@ double c205_to_double(c205_word word);
 c205_word c205_from_integer(int64_t value);
 /* Returns the low 48 bits, sign extended. */
 int64_t c205_to_integer(c205_word word);
+/* The parts of a descriptor of a vector: its bit address, the 48 bits at the right, and its
+ * length in elements, the 16 bits at the left. */
+uint64_t c205_descriptor_address(c205_word descriptor);
+size_t c205_descriptor_length(c205_word descriptor);
 
 /* Reads decimal text ("-12.5e-3") of any length and rounds its exact value down to a
  * normalised word. Sets *end to the first unused character; end == text: there is no

@@ -6,11 +6,21 @@
 
 /* ---- Describe ----------------------------------------------------------- */
 
+uint64_t c205_descriptor_address(c205_word descriptor)
+{
+    return descriptor & ADDRESS_MASK;
+}
+
+size_t c205_descriptor_length(c205_word descriptor)
+{
+    return (size_t)(descriptor >> LENGTH_SHIFT);
+}
+
 static struct vector describe(c205_word descriptor, unsigned width)
 {
     struct vector vector;
-    vector.address = descriptor & ADDRESS_MASK;
-    vector.length = (size_t)(descriptor >> LENGTH_SHIFT);
+    vector.address = c205_descriptor_address(descriptor);
+    vector.length = c205_descriptor_length(descriptor);
     vector.width = width;
     return vector;
 }

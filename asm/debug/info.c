@@ -9,8 +9,8 @@
 static void put_register(const struct debugger *debugger, unsigned number,
                          c205_word word)
 {
-    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE], length[8] = "";
-    unsigned elements = (unsigned)(word >> 48);
+    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE], length[12] = "";
+    unsigned elements = (unsigned)c205_descriptor_length(word);
 
     c205_to_hex(word, hex);
     c205_to_text(word, text);
@@ -18,7 +18,7 @@ static void put_register(const struct debugger *debugger, unsigned number,
         snprintf(length, sizeof length, "%u", elements);
     sink_print(&debugger->out, "r%-3u %-12s X'%s' %-22s %6s %12" PRIX64 "\n", number,
                debug_register_name(debugger, number), hex, text, length,
-               word & UINT64_C(0xFFFFFFFFFFFF));
+               c205_descriptor_address(word));
 }
 
 /* Lists the registers that are not 0. */

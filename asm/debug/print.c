@@ -17,11 +17,12 @@ void show_word(c205_word word, bool half, const struct sink *sink)
     if (half)
         hex[9] = '\0';
     sink_print(sink, "X'%s'  number %s", hex, text);
-    if (!half && word >> 48 == 0)
+    if (!half && c205_descriptor_length(word) == 0)
         sink_print(sink, "  address %" PRIX64, word);
     else if (!half)
-        sink_print(sink, "  length %u, address %" PRIX64, (unsigned)(word >> 48),
-                   word & UINT64_C(0xFFFFFFFFFFFF));
+        sink_print(sink, "  length %u, address %" PRIX64,
+                   (unsigned)c205_descriptor_length(word),
+                   c205_descriptor_address(word));
     sink_put(sink, "\n");
 }
 
@@ -144,8 +145,8 @@ static void look_at_register(const struct debugger *debugger, struct register_of
                                  .is_vector = true,
                                  .width = width,
                                  .word = word,
-                                 .address = word & UINT64_C(0xFFFFFFFFFFFF),
-                                 .length = (size_t)(word >> 48) };
+                                 .address = c205_descriptor_address(word),
+                                 .length = c205_descriptor_length(word) };
 }
 
 /* Parses "/", a count and letters: f numbers, i integers, x hex, h half words, b

@@ -19,7 +19,7 @@
 #include "asm/debug/debug_internal.h"
 #include "base/visible.h"
 
-enum { MAX_DEPTH = 100, LENGTH_SHIFT = 48, HALF_DIGITS = 8 };
+enum { MAX_DEPTH = 100, HALF_DIGITS = 8 };
 
 bool debug_fault(struct debugger *debugger, const char *format, ...)
 {
@@ -126,7 +126,7 @@ static struct value_of of_real(double real)
 
 static struct value_of of_word(c205_word word)
 {
-    return (struct value_of){ .is_real = word >> LENGTH_SHIFT != 0,
+    return (struct value_of){ .is_real = word >> 48 != 0,
                               .is_word = true,
                               .integer = c205_to_integer(word),
                               .real = c205_to_double(word),
@@ -278,7 +278,7 @@ c205_word debug_register_word(const struct debugger *debugger, struct register_o
 static void take_part(struct reading *reading, struct value_of *value)
 {
     if (take(reading, ".length"))
-        *value = of_integer((int64_t)(value->word >> LENGTH_SHIFT));
+        *value = of_integer((int64_t)c205_descriptor_length(value->word));
     else if (take(reading, ".i"))
         *value = of_integer(value->integer);
 }
@@ -411,7 +411,7 @@ static bool read_address(struct debugger *debugger, struct reading *reading,
 {
     if (!read_any(reading, value))
         return false;
-    *address = (uint64_t)value->integer & ((UINT64_C(1) << LENGTH_SHIFT) - 1);
+    *address = c205_descriptor_address((c205_word)value->integer);
     return reading->grammar || (!value->is_half && (value->is_word || !value->is_real))
            || debug_fault(debugger, "%g is no address; that of a descriptor is NAME.i",
                           value->real);

@@ -54,16 +54,6 @@ static c205_word register_of(const struct pixel_look *look, const char *name)
     return c205_register(look->machine, known->number);
 }
 
-static uint64_t address_in(c205_word descriptor)
-{
-    return descriptor & UINT64_C(0xFFFFFFFFFFFF);
-}
-
-static size_t length_in(c205_word descriptor)
-{
-    return (size_t)(descriptor >> 48);
-}
-
 static bool is_between(const struct pixel_look *look, uint64_t address,
                        const char *first, const char *end)
 {
@@ -109,15 +99,15 @@ static bool find_queue(const struct pixel_look *look, struct queue *queue)
     c205_word importance = word_of(look, "queue_importance");
     uint64_t levels = word_of(look, "scene_levels");
     uint64_t record = 64 * value_of(look, "LEVEL_SIZE");
-    uint64_t at = address_in(importance);
+    uint64_t at = c205_descriptor_address(importance);
 
-    *queue = (struct queue){ .count = length_in(importance) };
+    *queue = (struct queue){ .count = c205_descriptor_length(importance) };
     if (queue->count == 0 || is_outside(look))
         return false;
     if (at == value_of(look, "importance_one")) {
         queue->first = (size_t)c205_to_integer(
             word_at(look, levels + 64 * value_of(look, "LEVEL_POSITION")));
-        queue->order = address_in(word_of(look, "queue_order"));
+        queue->order = c205_descriptor_address(word_of(look, "queue_order"));
         return true;
     }
     queue->list = (size_t)((at - levels) / record);
@@ -208,7 +198,8 @@ static void list_queue(const struct pixel_look *look, const struct queue *queue,
  * has this link. */
 static bool is_seeking(const struct pixel_look *look)
 {
-    return address_in(register_of(look, "link")) == value_of(look, "levels_found");
+    return c205_descriptor_address(register_of(look, "link"))
+           == value_of(look, "levels_found");
 }
 
 /* Returns true if a kernel tests the current rays and its caller has set their
@@ -240,20 +231,21 @@ static void list_near(const struct pixel_look *look, const struct queue *queue,
     size_t near = (size_t)c205_to_integer(register_of(look, "near"));
     c205_word place = register_of(look, "place");
 
-    if (!meets_near(look) || length_in(place) != near)
+    if (!meets_near(look) || c205_descriptor_length(place) != near)
         return;
     for (size_t i = 0; i < near; i++) {
         const struct pixel_element of = {
             .group = PIXEL_NEAR, .list = queue->list, .lane = i, .length = near
         };
 
-        if (c205_to_integer(word_at(look, address_in(place) + 64 * i)) != (int64_t)ray)
+        if (c205_to_integer(word_at(look, c205_descriptor_address(place) + 64 * i))
+            != (int64_t)ray)
             continue;
         for (const char *const *name = names; *name; name++) {
             c205_word vector = register_of(look, *name);
 
-            if (length_in(vector) == near)
-                notify(look, &of, *name, address_in(vector) + 64 * i);
+            if (c205_descriptor_length(vector) == near)
+                notify(look, &of, *name, c205_descriptor_address(vector) + 64 * i);
         }
     }
 }
@@ -264,10 +256,12 @@ static bool shades_hits(const struct pixel_look *look)
 {
     return mode_of(look) == TRACE_VECTOR && !is_seeking(look)
            && !is_between(look, c205_pc(look->machine), "shade", "sort_done")
-           && !is_between(look, address_in(register_of(look, "link_inner")), "shade",
-                          "sort_done")
-           && !is_between(look, address_in(register_of(look, "link_kernel")), "shade",
-                          "sort_done");
+           && !is_between(look,
+                          c205_descriptor_address(register_of(look, "link_inner")),
+                          "shade", "sort_done")
+           && !is_between(look,
+                          c205_descriptor_address(register_of(look, "link_kernel")),
+                          "shade", "sort_done");
 }
 
 static void list_hits(const struct pixel_look *look, const struct queue *queue,
