@@ -13,7 +13,7 @@ enum { CHUNK = 256, FULL_LOOKS = 16 };
 /* Returns whether to run an expensive check: at the first 16 executions of an
  * instruction, then at the 32nd, the 64th and so on. Faults that depend on data appear
  * early, and the cost of a long run stays small. */
-static bool is_due(struct site *site)
+static bool should_sample(struct site *site)
 {
     uint64_t n = ++site->looks;
 
@@ -30,8 +30,8 @@ static bool has_length(const struct operand_view *operand)
            && strchr("vubldeq", tolower((unsigned char)operand->letter));
 }
 
-static void look_at_length(struct runtime_checker *watch, const struct site *site,
-                           const struct operand_view *operand)
+static void check_length(struct runtime_checker *watch, const struct site *site,
+                         const struct operand_view *operand)
 {
     unsigned r = operand->number;
 
@@ -52,8 +52,8 @@ static void look_at_length(struct runtime_checker *watch, const struct site *sit
 
 /* ---- Storage ------------------------------------------------------------ */
 
-static void look_at_storage(struct runtime_checker *watch, const struct site *site,
-                            const struct operand_view *result)
+static void check_storage(struct runtime_checker *watch, const struct site *site,
+                          const struct operand_view *result)
 {
     uint64_t base = c205_descriptor_address(result->word), end, past;
     const char *name = storage_at(watch->storage, base, &end);
@@ -67,8 +67,8 @@ static void look_at_storage(struct runtime_checker *watch, const struct site *si
 }
 
 /* Checks the store of one element at an index from a base address. */
-static void look_at_store(struct runtime_checker *watch, const struct site *site,
-                          uint64_t base, int64_t index, unsigned width)
+static void check_store(struct runtime_checker *watch, const struct site *site,
+                        uint64_t base, int64_t index, unsigned width)
 {
     uint64_t end;
     const char *name = storage_at(watch->storage, base, &end);
@@ -104,8 +104,8 @@ static void print_float_index(struct runtime_checker *watch, const struct site *
                    which, text);
 }
 
-static void look_at_index(struct runtime_checker *watch, const struct site *site,
-                          const struct operand_view *index, const char *what)
+static void check_index(struct runtime_checker *watch, const struct site *site,
+                        const struct operand_view *index, const char *what)
 {
     struct text_line which = { "", 0 };
     struct sink sink = text_line_sink(&which);
@@ -117,8 +117,8 @@ static void look_at_index(struct runtime_checker *watch, const struct site *site
 }
 
 /* Checks the index list of a gather or a scatter. The table of a scatter is written. */
-static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
-                            const struct site *site, const struct operand_view *list)
+static void check_indices(struct runtime_checker *watch, const c205 *machine,
+                          const struct site *site, const struct operand_view *list)
 {
     const struct operand_view *table = view_find(&site->view, "xX");
     bool scatters = site->view.insn->operands[0] == 'l'
@@ -141,26 +141,26 @@ static void look_at_indices(struct runtime_checker *watch, const c205 *machine,
                 return;
             }
             if (scatters && table)
-                look_at_store(watch, site, c205_descriptor_address(table->word),
-                              c205_to_integer(words[i]), table->width);
+                check_store(watch, site, c205_descriptor_address(table->word),
+                            c205_to_integer(words[i]), table->width);
         }
     }
 }
 
 /* Checks the period of a periodic gather or scatter. A scatter writes as many
  * elements as its source has. */
-static void look_at_period(struct runtime_checker *watch, const struct site *site,
-                           const struct operand_view *period)
+static void check_period(struct runtime_checker *watch, const struct site *site,
+                         const struct operand_view *period)
 {
     const struct operand_view *source = view_find(&site->view, "uU");
     const struct operand_view *table = view_find(&site->view, "xX");
     int64_t distance = c205_to_integer(period->word);
 
     if (is_float(period->word))
-        look_at_index(watch, site, period, "period");
+        check_index(watch, site, period, "period");
     else if (source && source->length > 0)
-        look_at_store(watch, site, c205_descriptor_address(table->word),
-                      distance * (int64_t)(source->length - 1), table->width);
+        check_store(watch, site, c205_descriptor_address(table->word),
+                    distance * (int64_t)(source->length - 1), table->width);
 }
 
 /* ---- Integers ----------------------------------------------------------- */
@@ -187,9 +187,9 @@ static void print_integer(struct runtime_checker *watch, const struct site *site
 }
 
 /* b: NULL if there is one source. */
-static bool look_at_pair(struct runtime_checker *watch, const struct site *site,
-                         const struct operand_view *a, const struct operand_view *b,
-                         int64_t element, c205_word word_a, c205_word word_b)
+static bool check_pair(struct runtime_checker *watch, const struct site *site,
+                       const struct operand_view *a, const struct operand_view *b,
+                       int64_t element, c205_word word_a, c205_word word_b)
 {
     struct precision precision;
     bool half = a->width == 32;
@@ -237,9 +237,9 @@ static bool is_permitted(const struct site *site, const struct operand_view *con
     return !control || bit != ((site->view.fields.g & C205_G_ZEROS) != 0);
 }
 
-static void look_at_integers(struct runtime_checker *watch, const c205 *machine,
-                             const struct site *site, const struct operand_view *a,
-                             const struct operand_view *b)
+static void check_integers(struct runtime_checker *watch, const c205 *machine,
+                           const struct site *site, const struct operand_view *a,
+                           const struct operand_view *b)
 {
     const struct operand_view *control = view_find(&site->view, "z");
     c205_word words_a[CHUNK], words_b[CHUNK], bits[CHUNK];
@@ -255,8 +255,8 @@ static void look_at_integers(struct runtime_checker *watch, const c205 *machine,
             return;
         for (i = 0; i < n; i++)
             if (is_permitted(site, control, bits[i])
-                && look_at_pair(watch, site, a, b, (int64_t)(first + i), words_a[i],
-                                words_b[i]))
+                && check_pair(watch, site, a, b, (int64_t)(first + i), words_a[i],
+                              words_b[i]))
                 return;
     }
 }
@@ -275,8 +275,8 @@ static size_t find_numbers(const struct instruction_view *view,
     return count;
 }
 
-static void look_at_numbers(struct runtime_checker *watch, const c205 *machine,
-                            struct site *site)
+static void check_numbers(struct runtime_checker *watch, const c205 *machine,
+                          struct site *site)
 {
     const struct operand_view *sources[2] = { NULL, NULL };
     size_t i, count = find_numbers(&site->view, sources);
@@ -287,7 +287,7 @@ static void look_at_numbers(struct runtime_checker *watch, const c205 *machine,
                 && sources[i]->number == site->is_handed))
             return;
     if (count > 0)
-        look_at_integers(watch, machine, site, sources[0], sources[1]);
+        check_integers(watch, machine, site, sources[0], sources[1]);
 }
 
 /* Returns whether the exponent is 0, which normalised numbers hardly ever have. */
@@ -310,13 +310,13 @@ static void before_scalar(struct runtime_checker *watch, const c205 *machine,
         && !may_be_integer(machine, &operands[1]))
         return;
     view_fill(&site->view, machine);
-    look_at_numbers(watch, machine, site);
+    check_numbers(watch, machine, site);
 }
 
 static void before_vector(struct runtime_checker *watch, const c205 *machine,
                           struct site *site)
 {
-    bool due = is_due(site);
+    bool due = should_sample(site);
     size_t i;
 
     view_fill(&site->view, machine);
@@ -328,17 +328,17 @@ static void before_vector(struct runtime_checker *watch, const c205 *machine,
             || (site->is_handed && operand->number == site->is_handed && !result))
             continue;
         if (has_length(operand))
-            look_at_length(watch, site, operand);
+            check_length(watch, site, operand);
         if (result && !site->hands_over)
-            look_at_storage(watch, site, operand);
+            check_storage(watch, site, operand);
         if (operand->letter == 'l' && due)
-            look_at_indices(watch, machine, site, operand);
+            check_indices(watch, machine, site, operand);
     }
     if (site->view.insn->format == C205_FORMAT_PERIODIC
         || site->view.insn->format == C205_FORMAT_SPACED)
-        look_at_period(watch, site, &site->view.operands[0]);
+        check_period(watch, site, &site->view.operands[0]);
     if (site->rule != PRECISION_FULL && due)
-        look_at_numbers(watch, machine, site);
+        check_numbers(watch, machine, site);
 }
 
 /* Checks results whose length the instruction itself has set. */
@@ -351,7 +351,7 @@ static void after_vector(struct runtime_checker *watch, const c205 *machine,
     for (i = 0; i < site->view.count; i++)
         if (strchr("cCo", site->view.operands[i].letter)
             && !site->view.operands[i].is_bad)
-            look_at_storage(watch, site, &site->view.operands[i]);
+            check_storage(watch, site, &site->view.operands[i]);
 }
 
 static bool recurs(const struct operand_view *read, const struct operand_view *written)
@@ -421,10 +421,10 @@ static void before_memory(struct runtime_checker *watch, const c205 *machine,
     if (operands[1].number == 0)
         return;
     view_fill(&site->view, machine);
-    look_at_index(watch, site, &operands[1], "index");
+    check_index(watch, site, &operands[1], "index");
     if (tolower((unsigned char)operands[2].letter) == 'i')
-        look_at_store(watch, site, c205_descriptor_address(operands[0].word),
-                      c205_to_integer(operands[1].word), width);
+        check_store(watch, site, c205_descriptor_address(operands[0].word),
+                    c205_to_integer(operands[1].word), width);
 }
 
 static void before_enter(struct runtime_checker *watch, const c205 *machine,

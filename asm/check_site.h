@@ -8,14 +8,14 @@
 #include "asm/runtime_check.h"
 
 struct site;
-typedef void spot_look(struct runtime_checker *watch, const c205 *machine,
-                       struct site *site);
+typedef void site_check(struct runtime_checker *watch, const c205 *machine,
+                        struct site *site);
 
 /* A check site: an instruction of the program, and the checks before and
  * after its execution. */
 struct site {
     struct instruction_view view;
-    spot_look *before, *after; /* NULL: nothing */
+    site_check *before, *after; /* NULL: nothing */
     enum precision_rule rule;
     uint64_t looks; /* number of executions */
     /* In a linked pair the first instruction passes its result to the second and stores
@@ -24,7 +24,7 @@ struct site {
     uint8_t hands_over, is_handed;
 };
 
-enum { SPOTS = 1 << 12, MAX_REPORTED = 200 };
+enum { CHECK_SITES = 1 << 12, MAX_REPORTED = 200 };
 
 struct reported {
     const char *file; /* "": number is an address */
@@ -47,13 +47,13 @@ struct runtime_checker {
     bool is_entered[C205_REGISTERS], is_emptied[C205_REGISTERS];
     c205_word entered[C205_REGISTERS], emptied[C205_REGISTERS];
     bool is_written[C205_REGISTERS]; /* by any instruction */
-    struct site spots[SPOTS];        /* a table by address */
+    struct site sites[CHECK_SITES];  /* a table by address */
     /* The checks before execution alone: usually there are none, and
      * this test must be fast. */
     struct {
         uint64_t pc;
-        spot_look *before;
-    } quick[SPOTS];
+        site_check *before;
+    } direct[CHECK_SITES];
 };
 
 /* Sets before and after (check_site.c). */

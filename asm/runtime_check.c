@@ -128,7 +128,7 @@ struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
                           uint64_t pc)
 {
     static const struct site empty;
-    struct site *site = &watch->spots[pc / 32 % SPOTS];
+    struct site *site = &watch->sites[pc / 32 % CHECK_SITES];
 
     if (site->view.pc == pc && site->view.halves)
         return site;
@@ -142,14 +142,14 @@ struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
 static void look_ahead(struct runtime_checker *watch, const c205 *machine)
 {
     uint64_t pc = c205_pc(machine);
-    size_t i = pc / 32 % SPOTS;
+    size_t i = pc / 32 % CHECK_SITES;
 
-    if (watch->quick[i].pc != pc) {
-        watch->quick[i].before = runtime_site(watch, machine, pc)->before;
-        watch->quick[i].pc = pc;
+    if (watch->direct[i].pc != pc) {
+        watch->direct[i].before = runtime_site(watch, machine, pc)->before;
+        watch->direct[i].pc = pc;
     }
-    if (watch->quick[i].before)
-        watch->quick[i].before(watch, machine, runtime_site(watch, machine, pc));
+    if (watch->direct[i].before)
+        watch->direct[i].before(watch, machine, runtime_site(watch, machine, pc));
 }
 
 /* Instructions like CPSV set the length of their result, also to 0. So their result
