@@ -97,10 +97,10 @@ c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
 #define UNARY_REGISTERS(name) \
     TO_T(name, arith_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
-#define BINARY_QUICK(name) \
+#define BINARY_COMMON(name) \
     TO_T(name, fast_##name(a, b, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, b, &machine->data_flags))
-#define UNARY_QUICK(name) \
+#define UNARY_COMMON(name) \
     TO_T(name, fast_##name(a, &machine->data_flags)) \
     TO_HALF(half_##name, half_##name(a, &machine->data_flags))
 /* These have no register instruction, or one that is written out below. */

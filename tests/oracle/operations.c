@@ -87,8 +87,8 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 
 /* One word at a time, by the fast path for common operands. */
 /* clang-format off */
-#define CALL_BINARY_QUICK(name) CALL_BINARY(fast_##name)
-#define CALL_UNARY_QUICK(name) CALL_UNARY(fast_##name)
+#define CALL_BINARY_COMMON(name) CALL_BINARY(fast_##name)
+#define CALL_UNARY_COMMON(name) CALL_UNARY(fast_##name)
 #define CALL_BINARY_REGISTERS(name)
 #define CALL_UNARY_REGISTERS(name)
 #define CALL_BINARY_VECTORS(name)
@@ -112,7 +112,7 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
     { #name, &oracle_full, oracle_##name, NULL, call_lanes_##name },
 #define SPAN_ROW_OF_HALVES(name) \
     { "half_" #name, &oracle_half, oracle_##name, NULL, call_halves_##name },
-#define ROW_QUICK(name) \
+#define ROW_COMMON(name) \
     { "fast_" #name, &oracle_full, oracle_##name, call_fast_##name, NULL },
 #define ROW_REGISTERS(name)
 #define ROW_VECTORS(name)
@@ -129,7 +129,7 @@ const struct operation operations[] = {
 #include "vm/arith.def"
 #define BINARY(name, spans, registers, specials) ROW_##registers(name)
 #define UNARY(name, spans, registers, specials) ROW_##registers(name)
-#define RELATION(name) ROW_QUICK(name)
+#define RELATION(name) ROW_COMMON(name)
 #include "vm/arith.def"
 };
 

@@ -167,7 +167,7 @@ static inline bool fast_ranks(c205_word a, c205_word b, int64_t *rank_a,
     return true;
 }
 
-#define QUICK_RELATION(name, relation) \
+#define FAST_RELATION(name, relation) \
     static inline bool fast_##name(c205_word a, c205_word b) \
     { \
         int64_t rank_a, rank_b; \
@@ -175,9 +175,9 @@ static inline bool fast_ranks(c205_word a, c205_word b, int64_t *rank_a,
                                                   : arith_##name(a, b); \
     }
 
-QUICK_RELATION(equal, ==)
-QUICK_RELATION(not_equal, !=)
-QUICK_RELATION(not_less, >=)
-QUICK_RELATION(less, <)
+FAST_RELATION(equal, ==)
+FAST_RELATION(not_equal, !=)
+FAST_RELATION(not_less, >=)
+FAST_RELATION(less, <)
 
 #endif

@@ -6,7 +6,7 @@
 #include "vm/number/half_lane.h"
 
 #define BINARY_FAST(name) \
-    BINARY_SPAN(halves_##name, NEVER_USUAL, lane_##name, half_##name) \
+    BINARY_SPAN(halves_##name, NEVER_COMMON, lane_##name, half_##name) \
     BINARY_VERSIONS(halves_##name, halves_##name##_span)
 #define BINARY_HALVES_FAST(name) BINARY_FAST(name)
 #define BINARY_EXACT(name) BINARY_WORDS(halves_##name, half_##name)

@@ -7,27 +7,27 @@
 
 /* Operations with a fast path first try to process a block whose words are all of one
  * kind. The BLOCK_ macros name the function that tries. */
-FLOORED_BLOCK(round_down_add_block, round_down_add)
-FLOORED_BLOCK(round_down_subtract_block, round_down_subtract)
-FLOORED_BLOCK(round_down_multiply_block, round_down_multiply)
+ROUND_DOWN_BLOCK(round_down_add_block, round_down_add)
+ROUND_DOWN_BLOCK(round_down_subtract_block, round_down_subtract)
+ROUND_DOWN_BLOCK(round_down_multiply_block, round_down_multiply)
 ZEROS_BLOCK(zeros_add, GIVE_OTHERS, GIVE_OTHERS)
 ZEROS_BLOCK(zeros_subtract, GIVE_NEITHER, GIVE_OTHERS)
 ZEROS_BLOCK(zeros_multiply, GIVE_ZEROS, GIVE_ZEROS)
-USUAL_BLOCK(common_multiply, common_multiply_significant)
+COMMON_BLOCK(common_multiply, common_multiply_significant)
 EITHER_BLOCK(common_block_add_normalised, zeros_add, round_down_add_block)
 EITHER_BLOCK(common_block_subtract_normalised, zeros_subtract,
              round_down_subtract_block)
 EITHER_BLOCK(round_down_or_common_multiply, round_down_multiply_block, common_multiply)
 EITHER_BLOCK(common_block_multiply_significant, zeros_multiply,
              round_down_or_common_multiply)
-USUAL_BLOCK(common_block_divide_significant, common_divide_significant)
-#define BLOCK_QUICK(name) common_block_##name
-#define BLOCK_REGISTERS(name) NEVER_USUAL
-#define BLOCK_VECTORS(name) NEVER_USUAL
+COMMON_BLOCK(common_block_divide_significant, common_divide_significant)
+#define BLOCK_COMMON(name) common_block_##name
+#define BLOCK_REGISTERS(name) NEVER_COMMON
+#define BLOCK_VECTORS(name) NEVER_COMMON
 
 /* On a host without vector units, an operation with a fast path runs it word by word.
  * kind is BINARY or UNARY. */
-#define VERSIONS_QUICK(kind, name) \
+#define VERSIONS_COMMON(kind, name) \
     static kind##_WORDS(lanes_##name##_words, fast_##name) \
         kind##_VERSIONS(lanes_##name, lanes_##name##_words)
 #define VERSIONS_REGISTERS(kind, name) \

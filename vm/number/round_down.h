@@ -22,8 +22,8 @@
 enum {
     DOUBLE_DIGITS = 52,
     DOUBLE_BIAS = 1023,
-    FLOORED_DIGITS = WORD_DIGITS - 1,
-    FLOORED_PLACE = 48 /* bits to the right of a word's exponent */
+    ROUND_DOWN_DIGITS = WORD_DIGITS - 1,
+    ROUND_DOWN_PLACE = 48 /* bits to the right of a word's exponent */
 };
 
 static inline uint64_t double_exponent(int e)
@@ -73,7 +73,7 @@ static inline bool moderate_pair(c205_word a, c205_word b)
  * 2^47 more than 2^52, so that a negative coefficient does not shorten it. */
 static inline double moderate_value(c205_word w)
 {
-    uint64_t exponent = w >> FLOORED_PLACE << DOUBLE_DIGITS;
+    uint64_t exponent = w >> ROUND_DOWN_PLACE << DOUBLE_DIGITS;
     uint64_t large = exponent
                      + (double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << WORD_DIGITS);
 
@@ -91,10 +91,11 @@ static inline c205_word round_down_word(double value)
     uint64_t bits = round_down_bits(value);
     uint64_t shorter = bits + (uint64_t)((int64_t)bits >> 63);
     uint64_t field = double_exponent(DOUBLE_BIAS + 1);
-    uint64_t places = (shorter & field) - double_exponent(FLOORED_DIGITS);
+    uint64_t places = (shorter & field) - double_exponent(ROUND_DOWN_DIGITS);
     uint64_t large = double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << 51;
     double c = round_down_double(bits - places) + round_down_double(large);
-    uint64_t exponent = (uint64_t)((int64_t)places >> (DOUBLE_DIGITS - FLOORED_PLACE));
+    uint64_t exponent = (uint64_t)((int64_t)places
+                                   >> (DOUBLE_DIGITS - ROUND_DOWN_PLACE));
 
     return format_with_coefficient(whole_words, exponent, round_down_bits(c));
 }
@@ -102,7 +103,7 @@ static inline c205_word round_down_word(double value)
 /* Returns the double, rounded down to 47 digits. */
 static inline double round_down_value(double value)
 {
-    enum { BEYOND = (1 << (DOUBLE_DIGITS - FLOORED_DIGITS)) - 1 };
+    enum { BEYOND = (1 << (DOUBLE_DIGITS - ROUND_DOWN_DIGITS)) - 1 };
     uint64_t bits = round_down_bits(value);
     uint64_t is_negative = (uint64_t)((int64_t)bits >> 63);
 
@@ -113,30 +114,30 @@ static inline double round_down_value(double value)
 
 /* A result that must still be rounded down to a word. If is_odd is set, the exact rule
  * must compute it. */
-typedef struct floored {
+typedef struct round_down {
     double value;
     bool is_odd;
-} floored;
+} round_down;
 
-static inline floored round_down_add(double x, double y)
+static inline round_down round_down_add(double x, double y)
 {
-    const floored sum = { x + y, false };
+    const round_down sum = { x + y, false };
 
     return sum;
 }
 
 /* The result is odd for every positive subtrahend below the last digit of x, because
  * the machine cuts off some of these entirely. */
-static inline floored round_down_subtract(double x, double y)
+static inline round_down round_down_subtract(double x, double y)
 {
-    const floored difference = { x - y, (x + y == x) & (y > 0) };
+    const round_down difference = { x - y, (x + y == x) & (y > 0) };
 
     return difference;
 }
 
-static inline floored round_down_multiply(double x, double y)
+static inline round_down round_down_multiply(double x, double y)
 {
-    const floored product = { x * y, false };
+    const round_down product = { x * y, false };
 
     return product;
 }
@@ -144,7 +145,7 @@ static inline floored round_down_multiply(double x, double y)
 /* ---- Blocks -------------------------------------------------------------- */
 
 /* Changing the rounding mode costs time; a shorter block does not gain from it. */
-enum { FLOORED_LEAST = 32 };
+enum { ROUND_DOWN_LEAST = 32 };
 
 /* Facts about a block that are known only after the whole block is computed. */
 typedef struct round_down_block {
@@ -163,7 +164,7 @@ static inline void take_edges(round_down_block *block, c205_word a, c205_word b)
     block->any |= x | y;
 }
 
-static inline double take_result(round_down_block *block, floored result)
+static inline double take_result(round_down_block *block, round_down result)
 {
     block->odd += result.is_odd;
     block->zeros += result.value == 0;
@@ -188,12 +189,12 @@ static inline bool round_down_end(const round_down_block *block, uint64_t *flags
 }
 
 /* Computes a block of n words. Returns false if it must be computed in another way. */
-#define FLOORED_BLOCK(name, operation) \
+#define ROUND_DOWN_BLOCK(name, operation) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
         round_down_block block = round_down_begin; \
         host_rounding before; \
-        if (n < FLOORED_LEAST || !moderate_pair(a[0], b[0]) \
+        if (n < ROUND_DOWN_LEAST || !moderate_pair(a[0], b[0]) \
             || !host_round_down(&before)) \
             return false; \
         EACH_LANE(take_edges(&block, a[j], b[j]); \

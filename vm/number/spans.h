@@ -168,7 +168,7 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n
  * function returns true if it computed the block.
  */
 
-#define NEVER_USUAL(to, a, b, n, flags) false
+#define NEVER_COMMON(to, a, b, n, flags) false
 
 LANEWISE bool common_lanes(const c205_word *a, const c205_word *b, size_t n)
 {
@@ -229,7 +229,7 @@ LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
         return block_of_zeros(to, a, b, n, first, flags) \
                || block_of_zeros(to, b, a, n, second, flags); \
     }
-#define USUAL_BLOCK(name, of_common) \
+#define COMMON_BLOCK(name, of_common) \
     LANEWISE bool name BLOCK_PARAMETERS \
     { \
         (void)flags; \
