@@ -20,7 +20,7 @@ static void put_line(FILE *file, const char *format, va_list list)
     putc('\n', file);
 }
 
-static void complain(const char *command, const char *format, va_list list)
+static void print_error(const char *command, const char *format, va_list list)
 {
     fflush(stdout);
     fprintf(stderr, "%s: ", command);
@@ -31,7 +31,7 @@ int cmd_usage(const char *command, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
-    complain(command, format, list);
+    print_error(command, format, list);
     va_end(list);
     fprintf(stderr, "%s --help tells how it is used\n", command);
     return CMD_USAGE;
@@ -41,7 +41,7 @@ int cmd_failed(const char *command, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
-    complain(command, format, list);
+    print_error(command, format, list);
     va_end(list);
     return CMD_FAILED;
 }

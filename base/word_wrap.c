@@ -7,7 +7,7 @@
 enum { NARROWEST = 20 };
 
 /* Returns the length of the text that fits a line of that width, at least one word. */
-static size_t fold(const char *text, size_t width)
+static size_t wrapped_length(const char *text, size_t width)
 {
     size_t length = 0;
     if (strlen(text) <= width) {
@@ -24,7 +24,7 @@ void word_wrap_put(const char *text, size_t column, const struct sink *sink)
     size_t width = column + NARROWEST <= WORD_WRAP_WIDTH ? WORD_WRAP_WIDTH - column
                                                          : SIZE_MAX;
     for (;;) {
-        size_t length = fold(text, width);
+        size_t length = wrapped_length(text, width);
         sink->put(sink->context, text, length);
         sink_put(sink, "\n");
         text += length + strspn(text + length, " ");

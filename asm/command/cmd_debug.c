@@ -13,17 +13,17 @@ static int debug_program(const struct c205_arguments *arguments,
                                           .clocks_most = CMD_LIMIT,
                                           .interrupted = repl_interrupted,
                                           .warm = arguments->warm };
-    const struct repl_setup dialogue = { .command = arguments->command,
-                                         .prompt = "(c205) ",
-                                         .verb = debugger_verb,
-                                         .scripts = &arguments->scripts };
+    const struct repl_setup repl = { .command = arguments->command,
+                                     .prompt = "(c205) ",
+                                     .verb = debugger_verb,
+                                     .scripts = &arguments->scripts };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
     if (!debugger) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    code = repl_hold(&dialogue, debugger);
+    code = repl_hold(&repl, debugger);
     debugger_free(debugger);
     return code;
 }

@@ -16,31 +16,31 @@ struct repl {
 
 /* An interruption by Ctrl-C applies to one movement, so it is
  * cleared after each line. */
-static void note_interrupt(struct repl *dialogue)
+static void note_interrupt(struct repl *repl)
 {
-    dialogue->interrupted |= interrupt_pending();
+    repl->interrupted |= interrupt_pending();
     interrupt_clear();
 }
 
 /* Executes all lines of a file. Lines that are not typed on a terminal are printed
  * after a prompt. Returns the reason of a read error, or NULL. */
-static const char *obey_all(struct repl *dialogue, FILE *file)
+static const char *obey_all(struct repl *repl, FILE *file)
 {
-    const char *prompt = dialogue->setup->prompt;
-    struct typed_lines lines = typed_lines_of(file, dialogue->setup->verb);
+    const char *prompt = repl->setup->prompt;
+    struct typed_lines lines = typed_lines_of(file, repl->setup->verb);
     const char *line, *fault;
     interrupt_catch_lines(lines.terminal);
-    while (!dialogue->quit && !interrupt_ends()
+    while (!repl->quit && !interrupt_ends()
            && (line = typed_lines_next(&lines, prompt)) != NULL) {
         if (!lines.terminal) {
             cmd_print_line(stdout, "%s%s", prompt, line);
         }
-        note_interrupt(dialogue);
-        dialogue->quit = !debugger_obey(dialogue->debugger, line);
-        note_interrupt(dialogue);
+        note_interrupt(repl);
+        repl->quit = !debugger_obey(repl->debugger, line);
+        note_interrupt(repl);
     }
-    dialogue->terminal |= lines.terminal;
-    if (lines.terminal && !dialogue->quit) {
+    repl->terminal |= lines.terminal;
+    if (lines.terminal && !repl->quit) {
         putchar('\n');
     }
     fault = lines.stream.fault;
@@ -48,35 +48,35 @@ static const char *obey_all(struct repl *dialogue, FILE *file)
     return fault;
 }
 
-static const char *obey_script(struct repl *dialogue, const char *path)
+static const char *obey_script(struct repl *repl, const char *path)
 {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    const char *fault = file ? obey_all(dialogue, file) : strerror(errno);
+    const char *fault = file ? obey_all(repl, file) : strerror(errno);
     if (file && file != stdin) {
         fclose(file);
     }
     return fault;
 }
 
-static bool is_good(const struct repl *dialogue)
+static bool is_good(const struct repl *repl)
 {
-    return dialogue->terminal
-           || (!dialogue->interrupted && debugger_faults(dialogue->debugger) == 0);
+    return repl->terminal
+           || (!repl->interrupted && debugger_faults(repl->debugger) == 0);
 }
 
 int repl_hold(const struct repl_setup *setup, struct debugger *debugger)
 {
     const struct command_texts *scripts = setup->scripts;
-    struct repl dialogue = { .setup = setup, .debugger = debugger };
+    struct repl repl = { .setup = setup, .debugger = debugger };
     const char *fault = NULL, *unread = "stdin";
     interrupt_catch();
     debugger_greet(debugger);
     if (scripts->count == 0) {
-        fault = obey_all(&dialogue, stdin);
+        fault = obey_all(&repl, stdin);
     }
-    for (size_t i = 0; i < scripts->count && !dialogue.quit && !fault; i++) {
+    for (size_t i = 0; i < scripts->count && !repl.quit && !fault; i++) {
         unread = scripts->items[i];
-        fault = obey_script(&dialogue, unread);
+        fault = obey_script(&repl, unread);
     }
     if (interrupt_ends()) {
         return cmd_failed(setup->command, "interrupted");
@@ -84,7 +84,7 @@ int repl_hold(const struct repl_setup *setup, struct debugger *debugger)
     if (fault) {
         return cmd_failed(setup->command, "%s cannot be read: %s", unread, fault);
     }
-    return is_good(&dialogue) ? CMD_DONE : CMD_FAILED;
+    return is_good(&repl) ? CMD_DONE : CMD_FAILED;
 }
 
 bool repl_interrupted(void *asked)

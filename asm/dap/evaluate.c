@@ -34,19 +34,19 @@ static bool put_value(struct dap *dap, struct json *body, const char *text,
 /* ---- Lines --------------------------------------------------------------- */
 
 /* The part of the state that a command may change. */
-struct stand {
+struct debug_location {
     uint64_t step, pc;
     bool halted;
 };
 
-static struct stand stand_of(const struct dap *dap)
+static struct debug_location debug_location_of(const struct dap *dap)
 {
-    return (struct stand){ .step = step_of(dap->debugger),
-                           .pc = c205_pc(machine_of(dap->debugger)),
-                           .halted = dap->debugger->halted };
+    return (struct debug_location){ .step = step_of(dap->debugger),
+                                    .pc = c205_pc(machine_of(dap->debugger)),
+                                    .halted = dap->debugger->halted };
 }
 
-static bool has_moved(struct stand a, struct stand b)
+static bool has_moved(struct debug_location a, struct debug_location b)
 {
     return a.step != b.step || a.pc != b.pc || a.halted != b.halted;
 }
@@ -75,7 +75,7 @@ static void send_changed(struct dap *dap)
  * may send requests that end the run. */
 static void obey_line(struct dap *dap, const char *text)
 {
-    struct stand before = stand_of(dap);
+    struct debug_location before = debug_location_of(dap);
     bool goes_on;
 
     dap->state = DAP_RUNNING;
@@ -86,7 +86,7 @@ static void obey_line(struct dap *dap, const char *text)
         dap->then = dap_finish;
     else if (dap->pending == PENDING_RESTART)
         dap->then = dap_begin;
-    else if (has_moved(before, stand_of(dap)))
+    else if (has_moved(before, debug_location_of(dap)))
         dap->then = send_moved;
     else if (dap->client_redraws)
         dap->then = send_changed;

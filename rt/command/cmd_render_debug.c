@@ -17,17 +17,17 @@ static int debug(const struct rt205_arguments *arguments, struct frame_pixel *pi
                                           .machine = pixel_machine,
                                           .verbs = pixel_verbs,
                                           .context = pixel };
-    const struct repl_setup dialogue = { .command = arguments->command,
-                                         .prompt = "(rt205) ",
-                                         .verb = pixel_verb,
-                                         .scripts = &arguments->scripts };
+    const struct repl_setup repl = { .command = arguments->command,
+                                     .prompt = "(rt205) ",
+                                     .verb = pixel_verb,
+                                     .scripts = &arguments->scripts };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
 
     if (!debugger)
         return cmd_failed(arguments->command, "%s", error.message);
-    code = repl_hold(&dialogue, debugger);
+    code = repl_hold(&repl, debugger);
     debugger_free(debugger);
     return code;
 }

@@ -50,7 +50,7 @@ struct printed {
 
 /* ---- A movement ----------------------------------------------------------------- */
 
-struct movement {
+struct execution {
     enum execution_end (*move)(struct engine *engine);
     uint64_t step, clock; /* the target */
     uint64_t left;        /* steps that remain */
@@ -91,7 +91,7 @@ struct engine {
     struct diagnostics diagnostics; /* of the text of this request */
     struct slice slice;
     engine_slice *goes_on; /* NULL: no unfinished work */
-    struct movement movement;
+    struct execution execution;
     struct replay replay;
     struct timeline timeline;
     struct laboratory *laboratory;      /* the current sweep, or NULL */

@@ -19,25 +19,25 @@ static enum execution_end go_to_stop(struct engine *engine)
 static enum execution_end go_steps(struct engine *engine)
 {
     return execution_steps(engine->debugger,
-                           engine->movement.step - debugger_step(engine->debugger));
+                           engine->execution.step - debugger_step(engine->debugger));
 }
 
 /* Steps over calls. A call that was interrupted continues up to its return. */
 static enum execution_end go_next(struct engine *engine)
 {
-    struct movement *movement = &engine->movement;
+    struct execution *execution = &engine->execution;
     enum execution_end ended = EXECUTION_COMPLETE;
 
-    while (movement->left > 0 && ended == EXECUTION_COMPLETE) {
-        if (!movement->inside)
-            movement->inside = execution_is_call(engine->debugger, &movement->behind);
-        ended = movement->inside ? execution_to(engine->debugger, movement->behind)
-                                 : execution_steps(engine->debugger, 1);
+    while (execution->left > 0 && ended == EXECUTION_COMPLETE) {
+        if (!execution->inside)
+            execution->inside = execution_is_call(engine->debugger, &execution->behind);
+        ended = execution->inside ? execution_to(engine->debugger, execution->behind)
+                                  : execution_steps(engine->debugger, 1);
         if (ended == EXECUTION_INTERRUPTED)
             break;
-        movement->inside = false;
-        movement->left--;
-        if (movement->left > 0 && ended == EXECUTION_COMPLETE && slice_is_over(engine))
+        execution->inside = false;
+        execution->left--;
+        if (execution->left > 0 && ended == EXECUTION_COMPLETE && slice_is_over(engine))
             ended = EXECUTION_INTERRUPTED;
     }
     return ended;
@@ -45,22 +45,22 @@ static enum execution_end go_next(struct engine *engine)
 
 static enum execution_end go_back(struct engine *engine)
 {
-    return execution_back(engine->debugger, engine->movement.left);
+    return execution_back(engine->debugger, engine->execution.left);
 }
 
 static enum execution_end go_back_to_stop(struct engine *engine)
 {
-    return execution_search_back(engine->debugger, &engine->movement.search);
+    return execution_search_back(engine->debugger, &engine->execution.search);
 }
 
 static enum execution_end go_to_step(struct engine *engine)
 {
-    return execution_to_step(engine->debugger, engine->movement.step);
+    return execution_to_step(engine->debugger, engine->execution.step);
 }
 
 static enum execution_end go_to_clock(struct engine *engine)
 {
-    return execution_to_clock(engine->debugger, engine->movement.clock);
+    return execution_to_clock(engine->debugger, engine->execution.clock);
 }
 
 static const struct {
@@ -112,7 +112,7 @@ static bool arrive(struct engine *engine, enum execution_end ended, struct json 
 
 static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
 {
-    enum execution_end ended = engine->movement.move(engine);
+    enum execution_end ended = engine->execution.move(engine);
 
     engine->goes_on = NULL;
     if (ended == EXECUTION_FAILED)
@@ -154,13 +154,13 @@ static bool take_movement(struct engine *engine, const struct json_value *reques
     if (!given && strstr(how, "-to"))
         return refuse(error, "\"n\" is missing: where to?");
     n = given ? n : 1;
-    engine->movement = (struct movement){
+    engine->execution = (struct execution){
         .move = ways[i].move, .step = n, .clock = n, .left = n
     };
     if (ways[i].move == go_steps)
-        engine->movement.step = plus(debugger_step(engine->debugger), n);
+        engine->execution.step = plus(debugger_step(engine->debugger), n);
     if (strcmp(how, "start") == 0)
-        engine->movement.step = 0;
+        engine->execution.step = 0;
     engine->slice.ends_at = plus(c205_clock(engine_machine(engine)), limit);
     return true;
 }
