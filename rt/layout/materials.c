@@ -7,64 +7,65 @@
 #include "base/array.h"
 #include "base/hash.h"
 
-struct look {
-    c205_word words[LOOK_WORDS];
+struct material {
+    c205_word words[MATERIAL_WORDS];
     uint64_t address;
 };
 
 /* A hash table with open addressing. An entry of places is 0 or an index of a row
  * plus 1. */
-struct looks {
+struct material_table {
     size_t count, mask;
-    struct look *rows;
+    struct material *rows;
     size_t *places;
 };
 
-struct looks *looks_new(size_t count)
+struct material_table *materials_new(size_t count)
 {
-    struct looks *looks = calloc(1, sizeof *looks);
+    struct material_table *materials = calloc(1, sizeof *materials);
     size_t room = 4;
 
-    if (!looks)
+    if (!materials)
         return NULL;
     while (room < 2 * count)
         room *= 2;
-    looks->mask = room - 1;
-    looks->places = calloc(room, sizeof *looks->places);
-    if (looks->places)
-        return looks;
-    free(looks);
+    materials->mask = room - 1;
+    materials->places = calloc(room, sizeof *materials->places);
+    if (materials->places)
+        return materials;
+    free(materials);
     return NULL;
 }
 
-void looks_free(struct looks *looks)
+void materials_free(struct material_table *materials)
 {
-    if (!looks)
+    if (!materials)
         return;
-    free(looks->rows);
-    free(looks->places);
-    free(looks);
+    free(materials->rows);
+    free(materials->places);
+    free(materials);
 }
 
-uint64_t looks_first(struct looks *looks, const c205_word words[LOOK_WORDS],
-                     uint64_t address)
+uint64_t materials_first(struct material_table *materials,
+                         const c205_word words[MATERIAL_WORDS], uint64_t address)
 {
-    size_t place = (size_t)hash_words(HASH_START, words, LOOK_WORDS);
-    struct look *rows;
+    size_t place = (size_t)hash_words(HASH_START, words, MATERIAL_WORDS);
+    struct material *rows;
 
-    for (place &= looks->mask; looks->places[place] > 0;
-         place = (place + 1) & looks->mask) {
-        const struct look *look = &looks->rows[looks->places[place] - 1];
+    for (place &= materials->mask; materials->places[place] > 0;
+         place = (place + 1) & materials->mask) {
+        const struct material *material = &materials
+                                               ->rows[materials->places[place] - 1];
 
-        if (memcmp(look->words, words, sizeof look->words) == 0)
-            return look->address;
+        if (memcmp(material->words, words, sizeof material->words) == 0)
+            return material->address;
     }
-    rows = array_grow(looks->rows, looks->count, sizeof *rows);
+    rows = array_grow(materials->rows, materials->count, sizeof *rows);
     if (!rows)
         return 0;
-    looks->rows = rows;
-    memcpy(rows[looks->count].words, words, sizeof rows->words);
-    rows[looks->count++].address = address;
-    looks->places[place] = looks->count;
+    materials->rows = rows;
+    memcpy(rows[materials->count].words, words, sizeof rows->words);
+    rows[materials->count++].address = address;
+    materials->places[place] = materials->count;
     return address;
 }

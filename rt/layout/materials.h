@@ -9,17 +9,17 @@
 
 #include "vm/c205.h"
 
-enum { LOOK_WORDS = 62 };
+enum { MATERIAL_WORDS = 62 };
 
-struct looks;
+struct material_table;
 
 /* Returns an empty set for up to count primitives, or NULL if out of memory. */
-struct looks *looks_new(size_t count);
-void looks_free(struct looks *looks);
+struct material_table *materials_new(size_t count);
+void materials_free(struct material_table *materials);
 
 /* Returns the address that is recorded for these words. If the words are new, it
  * records `address` and returns it. Returns 0 if out of memory. */
-uint64_t looks_first(struct looks *looks, const c205_word words[LOOK_WORDS],
-                     uint64_t address);
+uint64_t materials_first(struct material_table *materials,
+                         const c205_word words[MATERIAL_WORDS], uint64_t address);
 
 #endif

@@ -343,8 +343,8 @@ static size_t table_words(const struct scene *scene, const struct leaf_plan *pla
 
 /* Returns the address of the primitive's material. Spheres in world space with
  * equal surfaces share a material; any other primitive has its own. */
-static uint64_t look_of(struct record *record, const struct primitive *primitive,
-                        struct looks *looks)
+static uint64_t material_of(struct record *record, const struct primitive *primitive,
+                            struct material_table *materials)
 {
     enum {
         PIGMENT,
@@ -357,8 +357,8 @@ static uint64_t look_of(struct record *record, const struct primitive *primitive
         INTERIOR = 60,
         BUMP = 61
     };
-    c205_word words[LOOK_WORDS] = { 0 }, transformed = 0;
-    uint64_t look;
+    c205_word words[MATERIAL_WORDS] = { 0 }, transformed = 0;
+    uint64_t material;
 
     record_read(record, "P_TRANSFORMED", &transformed, 1);
     if (primitive->kind != PRIMITIVE_SPHERE || transformed != 0)
@@ -378,10 +378,10 @@ static uint64_t look_of(struct record *record, const struct primitive *primitive
         record_read(record, "P_INTERIOR", &words[INTERIOR], 1);
     if (object_symbol(record->layout->program, "P_BUMP"))
         record_read(record, "P_BUMP", &words[BUMP], 1);
-    look = looks_first(looks, words, record->address);
-    if (look == 0)
+    material = materials_first(materials, words, record->address);
+    if (material == 0)
         layout_fail(record->layout, "no memory");
-    return look;
+    return material;
 }
 
 /* Writes the positions of a primitive's crossings and of its value in the tree. */
@@ -400,16 +400,16 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
                   const struct row *crossings, const struct row *values,
                   const struct viewpoints *viewpoints)
 {
-    struct looks *looks = looks_new(scene->primitive_count);
+    struct material_table *materials = materials_new(scene->primitive_count);
     bool alike = false;
     struct record record;
     struct map_place map = { NULL, 0, images };
     struct clear_ranks ranks = ranks_of(scene);
     size_t space = 0;
     struct row row;
-    uint64_t look;
+    uint64_t material;
 
-    if (!looks)
+    if (!materials)
         layout_fail(layout, "no memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
                  table_words(scene, plans, viewpoints));
@@ -429,13 +429,13 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
         put_rank(&record, scene, i, &ranks);
         if (bumps[i] != 0)
             record_address(&record, "P_BUMP", bumps[i]);
-        look = look_of(&record, &scene->primitives[i], looks);
-        alike = alike || look != record.address;
-        record_address(&record, "P_MATERIAL", look);
+        material = material_of(&record, &scene->primitives[i], materials);
+        alike = alike || material != record.address;
+        record_address(&record, "P_MATERIAL", material);
         record_write(&record);
     }
     record_end(&record);
-    looks_free(looks);
+    materials_free(materials);
     layout_word(layout, "scene_alike", alike);
     layout_word(layout, "scene_primitives", row.first);
     layout_word(layout, "scene_primitive_count",
