@@ -299,32 +299,32 @@ static void put_triangle(const struct primitive *primitive,
 
 /* Rays with the same signs of direction share one set of links. */
 static void put_links(const struct mesh_table *table, size_t direction,
-                      unsigned char *ways)
+                      unsigned char *orders)
 {
     const struct mesh_hierarchy *hierarchy = table->hierarchy;
 
     for (size_t i = 0; i < hierarchy->node_count; i++) {
         const struct mesh_node *node = &hierarchy->nodes[i];
 
-        ways[i] = node->is_passed ? MESH_PASSED : 0;
+        orders[i] = node->is_passed ? MESH_PASSED : 0;
         if (direction >> node->axis & 1)
-            ways[i] |= MESH_UPPER_FIRST;
+            orders[i] |= MESH_UPPER_FIRST;
     }
-    mesh_hierarchy_thread(hierarchy, ways,
+    mesh_hierarchy_thread(hierarchy, orders,
                           &(struct mesh_rows){
                               table->nodes + NODE_LINKS + 2 * direction, NODE_ROW });
 }
 
 static bool put_nodes(const struct mesh_table *table)
 {
-    unsigned char *ways = malloc(table->hierarchy->node_count);
+    unsigned char *orders = malloc(table->hierarchy->node_count);
 
     for (size_t i = 0; i < table->hierarchy->node_count; i++)
         put_node(table, i);
-    for (size_t i = 0; ways && i < DIRECTIONS; i++)
-        put_links(table, i, ways);
-    free(ways);
-    return ways;
+    for (size_t i = 0; orders && i < DIRECTIONS; i++)
+        put_links(table, i, orders);
+    free(orders);
+    return orders;
 }
 
 static bool fill_table(const struct primitive *primitive,
@@ -379,12 +379,12 @@ static bool put_windows(const struct primitive *primitive,
                         double *table)
 {
     size_t nodes = NODE_ROW * (hierarchy->node_count + 1);
-    struct screen_bounds windows = { .hierarchy = hierarchy,
-                                     .triangles = table + nodes,
-                                     .row = row_size(primitive),
-                                     .triangles_place = (double)nodes };
+    struct screen_bounds bounds = { .hierarchy = hierarchy,
+                                    .triangles = table + nodes,
+                                    .row = row_size(primitive),
+                                    .triangles_place = (double)nodes };
     size_t planned;
-    bool good = screen_bounds_put(&windows, viewpoints, (double)place, table + place,
+    bool good = screen_bounds_put(&bounds, viewpoints, (double)place, table + place,
                                   &planned);
 
     table[EYES_FIRST] = (double)place;

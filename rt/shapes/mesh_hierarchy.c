@@ -122,7 +122,7 @@ static void plan_tests(struct mesh_node *nodes, size_t number, double above)
 
 struct threading {
     const struct mesh_node *nodes;
-    const unsigned char *ways;
+    const unsigned char *orders;
     const struct mesh_rows *rows;
 };
 
@@ -133,13 +133,13 @@ static double place_of(const struct threading *threading, size_t node)
 
 static bool upper_first(const struct threading *threading, size_t node)
 {
-    return threading->ways[node] & MESH_UPPER_FIRST;
+    return threading->orders[node] & MESH_UPPER_FIRST;
 }
 
 /* Returns the first node of a subtree that is tested. */
 static size_t first_asked(const struct threading *threading, size_t node)
 {
-    while (threading->ways[node] & MESH_PASSED)
+    while (threading->orders[node] & MESH_PASSED)
         node = upper_first(threading, node) ? threading->nodes[node + 1].next
                                             : node + 1;
     return node;
@@ -169,9 +169,9 @@ static void put_links(const struct threading *threading, size_t node, double mis
 }
 
 void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
-                           const unsigned char *ways, const struct mesh_rows *rows)
+                           const unsigned char *orders, const struct mesh_rows *rows)
 {
-    struct threading threading = { hierarchy->nodes, ways, rows };
+    struct threading threading = { hierarchy->nodes, orders, rows };
 
     put_links(&threading, 0, 0);
 }

@@ -57,6 +57,6 @@ struct mesh_rows {
  * that hit its bound, and of rays that miss it. After a leaf both continue at the same
  * node; the link of the hit is greater by MESH_MET, which marks the leaf. */
 void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
-                           const unsigned char *ways, const struct mesh_rows *rows);
+                           const unsigned char *orders, const struct mesh_rows *rows);
 
 #endif

@@ -217,24 +217,24 @@ static bool upper_is_first(const struct mesh_node *nodes, size_t node,
  * share is higher, since a test of a window is cheaper. Measured for camera rays and a
  * ball of 100,352 triangles: of the thresholds .4 to .7 the number of tests is least at
  * .6. */
-static void plan_ways(const struct mesh_node *nodes, size_t node,
-                      const struct viewpoint *viewpoint,
-                      const struct mesh_window *bounds, double above,
-                      unsigned char *ways)
+static void plan_orders(const struct mesh_node *nodes, size_t node,
+                        const struct viewpoint *viewpoint,
+                        const struct mesh_window *bounds, double above,
+                        unsigned char *orders)
 {
     double area = area_of(&bounds[node]);
 
-    ways[node] = 0;
+    orders[node] = 0;
     if (nodes[node].count > 0)
         return;
     if (upper_is_first(nodes, node, viewpoint))
-        ways[node] |= MESH_UPPER_FIRST;
+        orders[node] |= MESH_UPPER_FIRST;
     if (node > 0 && area > .6 * above)
-        ways[node] |= MESH_PASSED;
+        orders[node] |= MESH_PASSED;
     else
         above = area;
-    plan_ways(nodes, node + 1, viewpoint, bounds, above, ways);
-    plan_ways(nodes, nodes[node + 1].next, viewpoint, bounds, above, ways);
+    plan_orders(nodes, node + 1, viewpoint, bounds, above, orders);
+    plan_orders(nodes, nodes[node + 1].next, viewpoint, bounds, above, orders);
 }
 
 /* ---- Words --------------------------------------------------------------- */
@@ -271,7 +271,7 @@ static void put_eye(const struct viewpoint *viewpoint, double bounds, double *ro
 /* Working storage of one eye: its windows, and the traversal of all nodes. */
 struct view {
     struct mesh_window *bounds;
-    unsigned char *ways;
+    unsigned char *orders;
 };
 
 /* Writes the windows of an eye. Fails if they do not pay; then there are none. */
@@ -284,10 +284,10 @@ static bool put_view(const struct screen_bounds *of, const struct viewpoint *vie
     find_windows(of, viewpoint, view->bounds);
     if (!windows_pay(of, viewpoint, view->bounds))
         return false;
-    plan_ways(hierarchy->nodes, 0, viewpoint, view->bounds, 0, view->ways);
+    plan_orders(hierarchy->nodes, 0, viewpoint, view->bounds, 0, view->orders);
     for (size_t i = 0; i < hierarchy->node_count; i++)
         put_window(of, viewpoint, &view->bounds[i], i, first + WINDOW_ROW * i);
-    mesh_hierarchy_thread(hierarchy, view->ways,
+    mesh_hierarchy_thread(hierarchy, view->orders,
                           &(struct mesh_rows){ first + WINDOW_LINKS, WINDOW_ROW });
     return true;
 }
@@ -299,7 +299,7 @@ bool screen_bounds_put(const struct screen_bounds *of,
     size_t nodes = of->hierarchy->node_count, seeing, at;
     const struct box *whole = &of->hierarchy->nodes[0].box;
     struct view view = { malloc(nodes * sizeof *view.bounds), malloc(nodes) };
-    bool good = view.bounds && view.ways;
+    bool good = view.bounds && view.orders;
 
     screen_bounds_size(viewpoints, whole, nodes, &seeing);
     at = seeing * EYE_ROW;
@@ -315,7 +315,7 @@ bool screen_bounds_put(const struct screen_bounds *of,
         ++*planned;
     }
     free(view.bounds);
-    free(view.ways);
+    free(view.orders);
     return good;
 }
 
