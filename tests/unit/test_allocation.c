@@ -573,7 +573,7 @@ TEST_CALL(report_pipes, exhaust(report_pipes, false))
 
 /* A page that is allocated on its first access causes a trap that names the reason if
  * the allocation fails. It is mapped when memory is available. */
-TEST(untouched_page)
+TEST(unidentifiable_page)
 {
     static const char text[] = "        .entry first\n"
                                "first:  EX r4, 0x50000000\n"

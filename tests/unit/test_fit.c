@@ -345,14 +345,14 @@ TEST(constants)
     remove("test_fit.csv");
 }
 
-static bool is_among(const struct untouched_list *untouched, const char *name,
+static bool is_among(const struct unidentifiable_list *unidentifiable, const char *name,
                      const char **moved_by)
 {
-    for (size_t i = 0; i < untouched->count; i++)
-        if (strcmp(untouched->items[i].constant->name, name) == 0) {
-            assert_string_equal(untouched->items[i].machine, "cyber205");
-            *moved_by = untouched->items[i].moved_by
-                            ? untouched->items[i].moved_by->name
+    for (size_t i = 0; i < unidentifiable->count; i++)
+        if (strcmp(unidentifiable->items[i].constant->name, name) == 0) {
+            assert_string_equal(unidentifiable->items[i].machine, "cyber205");
+            *moved_by = unidentifiable->items[i].moved_by
+                            ? unidentifiable->items[i].moved_by->name
                             : "";
             return true;
         }
@@ -360,10 +360,10 @@ static bool is_among(const struct untouched_list *untouched, const char *name,
 }
 
 /* A fit to additions alone; a gather is only compared. */
-TEST(untouched)
+TEST(unidentifiable)
 {
     static struct constants constants;
-    static struct untouched_list untouched;
+    static struct unidentifiable_list unidentifiable;
     static const struct fit_change none;
     SCOPED_VALUE(observations) all = { 0 };
     struct run_options how = small();
@@ -384,16 +384,16 @@ TEST(untouched)
                                "start-ups,cyber205,startup.vadd startup.vdivide,"
                                "R,5,90,?\n"),
                        &found));
-    assert_true(untouched_find(&fit, &none, &untouched, &error));
-    assert_false(is_among(&untouched, "startup.vadd", &moved_by));
-    assert_false(is_among(&untouched, "stream.vadd", &moved_by));
-    assert_false(is_among(&untouched, "machine.pipes", &moved_by));
-    assert_false(is_among(&untouched, "clock.period", &moved_by));
-    assert_true(is_among(&untouched, "startup.vdivide", &moved_by));
+    assert_true(unidentifiable_find(&fit, &none, &unidentifiable, &error));
+    assert_false(is_among(&unidentifiable, "startup.vadd", &moved_by));
+    assert_false(is_among(&unidentifiable, "stream.vadd", &moved_by));
+    assert_false(is_among(&unidentifiable, "machine.pipes", &moved_by));
+    assert_false(is_among(&unidentifiable, "clock.period", &moved_by));
+    assert_true(is_among(&unidentifiable, "startup.vdivide", &moved_by));
     assert_string_equal(moved_by, "start-ups");
-    assert_true(is_among(&untouched, "stream.vgather", &moved_by));
+    assert_true(is_among(&unidentifiable, "stream.vgather", &moved_by));
     assert_string_equal(moved_by, "");
-    assert_true(is_among(&untouched, "latency.store", &moved_by));
+    assert_true(is_among(&unidentifiable, "latency.store", &moved_by));
     constants_free(&constants);
     remove("test_fit.csv");
 }

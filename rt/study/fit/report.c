@@ -82,7 +82,7 @@ static const struct table_column doubled[] = {
     { "change", "by %", TABLE_NUMBER, 1 },
 };
 
-static const struct table_column untouched[] = {
+static const struct table_column unidentifiable[] = {
     { "machine", "machine", TABLE_TEXT, 0 },
     { "constant", "constant", TABLE_TEXT, 0 },
     { "prior", "prior", TABLE_NUMBER, 2 },
@@ -348,8 +348,8 @@ static void fill_untouched(const struct study *study, const double *written,
                            struct table *table)
 {
     (void)written;
-    for (size_t i = 0; i < study->untouched.count; i++) {
-        const struct untouched *item = &study->untouched.items[i];
+    for (size_t i = 0; i < study->unidentifiable.count; i++) {
+        const struct unidentifiable *item = &study->unidentifiable.items[i];
         const char source[2] = { item->constant->source, '\0' };
 
         table_text(table, item->machine);
@@ -382,8 +382,8 @@ static const struct report_part {
     { "left_out", "Each row left out", TABLE_COLUMNS(left_out), false, fill_left_out },
     { "without", "All rows of a group left out", TABLE_COLUMNS(without), false,
       fill_without },
-    { "untouched", "Constants on which no row depends", TABLE_COLUMNS(untouched), false,
-      fill_untouched },
+    { "untouched", "Constants on which no row depends", TABLE_COLUMNS(unidentifiable),
+      false, fill_untouched },
     { "doubled", "Priors doubled, in width and in value, one at a time",
       TABLE_COLUMNS(doubled), false, fill_doubled },
 };

@@ -154,7 +154,8 @@ bool study_make(struct study *study, c205_error *error)
         return false;
     return study->brief
            || (leave_rows_out(study, error) && leave_groups_out(study, error)
-               && untouched_find(&study->fit, &study->held, &study->untouched, error)
+               && unidentifiable_find(&study->fit, &study->held, &study->unidentifiable,
+                                      error)
                && double_priors(study, error));
 }
 

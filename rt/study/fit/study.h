@@ -27,7 +27,7 @@ struct study {
     double left_out[MAX_FIT_OBSERVATIONS];
     size_t group_count; /* of more than one row */
     struct study_group groups[MAX_STUDY_GROUPS];
-    struct untouched_list untouched;
+    struct unidentifiable_list unidentifiable;
     /* Fits with the width of each constant's prior doubled, and with the prior itself
      * doubled. */
     struct fit_outcome wide[MAX_FREE], moved[MAX_FREE];

@@ -96,7 +96,7 @@ static const struct free_constant *find_mover(const struct constants *constants,
 }
 
 static void add_machine(const struct question *question, const char *machine,
-                        struct untouched_list *untouched)
+                        struct unidentifiable_list *unidentifiable)
 {
     const struct constants *constants = question->fit->constants;
     const c205_model *prior = constants_prior(constants, machine);
@@ -104,9 +104,9 @@ static void add_machine(const struct question *question, const char *machine,
     for (size_t i = 0; i < c205_model_size(prior); i++) {
         const c205_constant *constant = c205_model_constant(prior, i);
 
-        if (untouched->count < MAX_UNTOUCHED
+        if (unidentifiable->count < MAX_UNTOUCHED
             && !is_touched(question, machine, constant))
-            untouched->items[untouched->count++] = (struct untouched){
+            unidentifiable->items[unidentifiable->count++] = (struct unidentifiable){
                 machine, constant, find_mover(constants, machine, constant->name)
             };
     }
@@ -114,7 +114,7 @@ static void add_machine(const struct question *question, const char *machine,
 
 /* Adds each machine once. */
 static void add_machines(const struct question *question,
-                         struct untouched_list *untouched)
+                         struct unidentifiable_list *unidentifiable)
 {
     const struct constants *constants = question->fit->constants;
 
@@ -125,26 +125,26 @@ static void add_machines(const struct question *question,
         while (strcmp(constants->items[first].machine, machine) != 0)
             first++;
         if (first == i)
-            add_machine(question, machine, untouched);
+            add_machine(question, machine, unidentifiable);
     }
 }
 
-bool untouched_find(const struct fit *fit, const struct fit_change *change,
-                    struct untouched_list *untouched, c205_error *error)
+bool unidentifiable_find(const struct fit *fit, const struct fit_change *change,
+                         struct unidentifiable_list *unidentifiable, c205_error *error)
 {
     const struct observations *all = fit->observations;
     struct question question = { fit, change,
                                  calloc(all->timing_count, sizeof(region_clocks)) };
     bool good = question.before != NULL;
 
-    untouched->count = 0;
+    unidentifiable->count = 0;
     if (!good)
         error_set(error, "no memory");
     for (size_t i = 0; good && i < all->timing_count; i++)
         good = run_time(all->timings[i].run, all->timings[i].model, NULL, 0, RUN_FINE,
                         question.before[i], error);
     if (good)
-        add_machines(&question, untouched);
+        add_machines(&question, unidentifiable);
     free(question.before);
     return good;
 }
