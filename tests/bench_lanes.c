@@ -86,7 +86,7 @@ static double nanoseconds(task *run)
 }
 
 /* The compared loops: on words, on half words, in doubles. */
-typedef struct tasks {
+typedef struct thread_pool {
     task *lanes, *halves, *doubles;
 } tasks;
 

@@ -273,15 +273,15 @@ static void add_rule(struct table *table, const struct comparison *comparison,
 static bool run_rules(struct comparison *comparison, c205_error *error)
 {
     const struct trace_options *trace = &comparison->arguments->trace;
-    const struct tasks tasks = { .count = FALSI_RULES * TRACE_FORMS,
-                                 .jobs = trace->jobs,
-                                 .run = run_rule,
-                                 .weight = rule_weight,
-                                 .context = comparison,
-                                 .progress = trace->progress,
-                                 .progress_context = trace->context };
+    const struct thread_pool pool = { .count = FALSI_RULES * TRACE_FORMS,
+                                      .jobs = trace->jobs,
+                                      .run = run_rule,
+                                      .weight = rule_weight,
+                                      .context = comparison,
+                                      .progress = trace->progress,
+                                      .progress_context = trace->context };
 
-    return tasks_run(&tasks, error);
+    return thread_pool_run(&pool, error);
 }
 
 static int compare_rules(const struct rt205_arguments *arguments,

@@ -484,14 +484,14 @@ bool profile_run(struct profile *profile, const struct scene *scene,
                  const struct trace_options *options, c205_error *error)
 {
     struct profiling profiling = { profile, scene, options };
-    const struct tasks tasks = { .count = TRACE_MODES,
-                                 .run = run_stage,
-                                 .weight = stage_weight,
-                                 .context = &profiling,
-                                 .progress = options->progress,
-                                 .progress_context = options->context };
+    const struct thread_pool pool = { .count = TRACE_MODES,
+                                      .run = run_stage,
+                                      .weight = stage_weight,
+                                      .context = &profiling,
+                                      .progress = options->progress,
+                                      .progress_context = options->context };
 
-    if (!tasks_run(&tasks, error))
+    if (!thread_pool_run(&pool, error))
         return false;
     for (int i = 0; i < TRACE_MODES; i++)
         if (!agree(profile, i, error))

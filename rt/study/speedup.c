@@ -376,15 +376,15 @@ bool speedup_measure_all(const struct speedup_subject *subjects, size_t count,
                          c205_error *error)
 {
     struct measuring measuring = { subjects, view, options, measures };
-    const struct tasks tasks = { .count = TRACE_FORMS * count,
-                                 .jobs = options->jobs,
-                                 .run = measure_form,
-                                 .weight = form_weight,
-                                 .context = &measuring,
-                                 .progress = options->progress,
-                                 .progress_context = options->context };
+    const struct thread_pool pool = { .count = TRACE_FORMS * count,
+                                      .jobs = options->jobs,
+                                      .run = measure_form,
+                                      .weight = form_weight,
+                                      .context = &measuring,
+                                      .progress = options->progress,
+                                      .progress_context = options->context };
 
-    if (!tasks_run(&tasks, error))
+    if (!thread_pool_run(&pool, error))
         return false;
     for (size_t i = 0; i < count; i++) {
         const struct speedup_measure *forms = measures[i];

@@ -18,7 +18,7 @@ struct state {
 };
 
 struct crew {
-    const struct tasks *tasks;
+    const struct thread_pool *pool;
     struct lock *lock; /* of all fields below */
     size_t next;       /* the task to start next */
     bool cancelled;    /* by the observer of the progress */
@@ -32,7 +32,7 @@ static size_t steps_done(const struct crew *crew)
 {
     double done = 0;
 
-    for (size_t i = 0; i < crew->tasks->count; i++)
+    for (size_t i = 0; i < crew->pool->count; i++)
         done += crew->states[i].weight * crew->states[i].share;
     return (size_t)(STEPS * (done / crew->weight));
 }
@@ -44,20 +44,20 @@ static bool wanted(const struct crew *crew, size_t number)
     return !crew->cancelled && number < crew->failed;
 }
 
-/* Reports progress, but never all steps: the end is reported once, by tasks_run. */
+/* Reports progress, but never all steps: the end is reported once, by thread_pool_run. */
 static bool report_progress(void *context, size_t done, size_t all)
 {
     struct state *state = context;
     struct crew *crew = state->crew;
-    const struct tasks *tasks = crew->tasks;
+    const struct thread_pool *pool = crew->pool;
     bool go_on;
     size_t steps;
 
     lock_take(crew->lock);
     state->share = (double)done / (double)all;
     steps = steps_done(crew);
-    if (!tasks->progress(tasks->progress_context, steps < STEPS ? steps : STEPS - 1,
-                         STEPS))
+    if (!pool->progress(pool->progress_context, steps < STEPS ? steps : STEPS - 1,
+                        STEPS))
         crew->cancelled = true;
     go_on = wanted(crew, state->number);
     lock_give_back(crew->lock);
@@ -70,7 +70,7 @@ static bool take_next(struct crew *crew, size_t *number)
     bool more;
 
     lock_take(crew->lock);
-    more = crew->next < crew->tasks->count && wanted(crew, crew->next);
+    more = crew->next < crew->pool->count && wanted(crew, crew->next);
     if (more)
         *number = crew->next++;
     lock_give_back(crew->lock);
@@ -79,12 +79,11 @@ static bool take_next(struct crew *crew, size_t *number)
 
 static void run_one(struct crew *crew, size_t number)
 {
-    const struct tasks *tasks = crew->tasks;
+    const struct thread_pool *pool = crew->pool;
     struct state *state = &crew->states[number];
-    const struct task task = { number, tasks->progress ? report_progress : NULL,
-                               state };
+    const struct task task = { number, pool->progress ? report_progress : NULL, state };
     c205_error error;
-    bool good = tasks->run(tasks->context, &task, &error);
+    bool good = pool->run(pool->context, &task, &error);
 
     lock_take(crew->lock);
     state->share = 1;
@@ -107,8 +106,8 @@ static void work(void *context)
 /* The caller's thread also works. If no thread can be started, it works alone. */
 static void work_together(struct crew *crew)
 {
-    size_t jobs = crew->tasks->jobs, count = 0;
-    size_t most = jobs < crew->tasks->count ? jobs : crew->tasks->count;
+    size_t jobs = crew->pool->jobs, count = 0;
+    size_t most = jobs < crew->pool->count ? jobs : crew->pool->count;
     struct thread **threads = most > 1 ? calloc(most, sizeof *threads) : NULL;
 
     while (threads && count + 1 < most && (threads[count] = thread_begin(work, crew)))
@@ -121,24 +120,24 @@ static void work_together(struct crew *crew)
 
 static void weigh(struct crew *crew)
 {
-    const struct tasks *tasks = crew->tasks;
+    const struct thread_pool *pool = crew->pool;
 
-    for (size_t i = 0; i < tasks->count; i++) {
+    for (size_t i = 0; i < pool->count; i++) {
         struct state *state = &crew->states[i];
 
         state->crew = crew;
         state->number = i;
-        state->weight = tasks->weight ? tasks->weight(tasks->context, i) : 1;
+        state->weight = pool->weight ? pool->weight(pool->context, i) : 1;
         crew->weight += state->weight;
     }
 }
 
-bool tasks_run(const struct tasks *tasks, c205_error *error)
+bool thread_pool_run(const struct thread_pool *pool, c205_error *error)
 {
-    struct crew crew = { .tasks = tasks, .failed = SIZE_MAX };
+    struct crew crew = { .pool = pool, .failed = SIZE_MAX };
     bool good;
 
-    crew.states = calloc(tasks->count + 1, sizeof *crew.states);
+    crew.states = calloc(pool->count + 1, sizeof *crew.states);
     error_set(error, "no memory");
     crew.lock = lock_new();
     if (!crew.states || !crew.lock) {
@@ -149,12 +148,12 @@ bool tasks_run(const struct tasks *tasks, c205_error *error)
     weigh(&crew);
     work_together(&crew);
     lock_free(crew.lock);
-    good = crew.failed == SIZE_MAX && crew.next == tasks->count;
+    good = crew.failed == SIZE_MAX && crew.next == pool->count;
     error_set(error, "stopped");
     if (crew.failed != SIZE_MAX)
         *error = crew.error;
     free(crew.states);
-    if (good && tasks->progress)
-        tasks->progress(tasks->progress_context, STEPS, STEPS);
+    if (good && pool->progress)
+        pool->progress(pool->progress_context, STEPS, STEPS);
     return good;
 }

@@ -20,7 +20,7 @@ struct task {
     void *context;
 };
 
-struct tasks {
+struct thread_pool {
     size_t count, jobs; /* number of threads; 0: one */
     /* Runs a task. Returns false with the reason in the error; no more tasks are then
      * started. */
@@ -35,6 +35,6 @@ struct tasks {
 
 /* Runs all tasks. On failure the error is that of the failed task with the lowest
  * number, for any number of threads. */
-bool tasks_run(const struct tasks *tasks, c205_error *error);
+bool thread_pool_run(const struct thread_pool *pool, c205_error *error);
 
 #endif

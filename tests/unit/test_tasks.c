@@ -59,14 +59,14 @@ static double weight(const void *context, size_t number)
 
 static bool go(struct bench *bench, size_t jobs, bool watched, c205_error *error)
 {
-    const struct tasks tasks = { .count = bench->count,
-                                 .jobs = jobs,
-                                 .run = run,
-                                 .weight = jobs % 2 ? weight : NULL,
-                                 .context = bench,
-                                 .progress = watched ? watch : NULL,
-                                 .progress_context = bench };
-    return tasks_run(&tasks, error);
+    const struct thread_pool tasks = { .count = bench->count,
+                                       .jobs = jobs,
+                                       .run = run,
+                                       .weight = jobs % 2 ? weight : NULL,
+                                       .context = bench,
+                                       .progress = watched ? watch : NULL,
+                                       .progress_context = bench };
+    return thread_pool_run(&tasks, error);
 }
 
 static size_t below(uint64_t *random, size_t most)

@@ -256,12 +256,12 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t cou
 {
     const struct trace_options *options = &sweep->base.trace;
     struct plan plan = { sweep, NULL, 0 };
-    struct tasks tasks = { .jobs = options->jobs,
-                           .run = trace_form,
-                           .weight = run_weight,
-                           .context = &plan,
-                           .progress = options->progress,
-                           .progress_context = options->context };
+    struct thread_pool pool = { .jobs = options->jobs,
+                                .run = trace_form,
+                                .weight = run_weight,
+                                .context = &plan,
+                                .progress = options->progress,
+                                .progress_context = options->context };
     bool good;
 
     if (!make_room(sweep, count, error))
@@ -270,8 +270,8 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t cou
     if (!plan.runs)
         return false;
     plan_runs(&plan, points, count);
-    tasks.count = plan.count;
-    good = tasks_run(&tasks, error) && finish(&plan, error);
+    pool.count = plan.count;
+    good = thread_pool_run(&pool, error) && finish(&plan, error);
     free(plan.runs);
     return good;
 }
