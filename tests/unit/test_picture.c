@@ -183,13 +183,13 @@ TEST(bytes_without_gamma)
     frame_free(&frame);
 }
 
-struct note_place {
+struct warning_place {
     const char *file, *name, *text;
 };
 
 static const char described[] = "c205:scene: gear.pov\nc205:clocks: 123456\n";
 
-static const struct note_place note_places[] = {
+static const struct warning_place note_places[] = {
     { "n.png", "c205:clocks", "123456" },
     { "n.png", "ImageDescription", described },
     { "n.png", "oiio:ColorSpace", "sRGB" },
@@ -206,7 +206,7 @@ TEST(notes)
     SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error = { "" };
     for (size_t i = 0; i < COUNT(note_places); i++) {
-        const struct note_place *place = &note_places[i];
+        const struct warning_place *place = &note_places[i];
         const char *path = in_folder(place->file);
         char text[256];
         REQUIRE(picture_write(path, &frame, notes, false, &error)

@@ -1,7 +1,7 @@
 /* advance.c - advances from token to token, executing directives and macros. */
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/directive.h"
-#include "rt/scene/language/element.h"
+#include "rt/scene/language/array_element.h"
 #include "rt/scene/language/macro.h"
 #include "rt/scene/language/semicolon.h"
 

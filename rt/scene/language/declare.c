@@ -2,7 +2,7 @@
 #include "rt/scene/language/declare.h"
 
 #include "rt/scene/language/expression.h"
-#include "rt/scene/language/element.h"
+#include "rt/scene/language/array_element.h"
 #include "rt/scene/language/formula.h"
 #include "rt/scene/language/semicolon.h"
 #include "rt/scene/language/statement.h"
@@ -224,7 +224,7 @@ static bool copy_named(struct reader *reader, struct scene_value *value)
     const struct scene_value *from = reader_value(reader);
     bool done = true;
 
-    notes_use(&reader->warnings, from->notes);
+    value_warnings_use(&reader->warnings, from->value_warnings);
     if (from->kind == VALUE_OBJECT) {
         value->kind = VALUE_OBJECT;
         done = shape_copy(reader, &value->is.object, &from->is.object);
@@ -270,12 +270,12 @@ static bool read_statement(struct reader *reader, struct scene_value *value)
 /* Notes on the text of the value are reported only if the value is used. */
 static bool read_noted(struct reader *reader, struct scene_value *value)
 {
-    struct note_page page;
+    struct warning_page page;
     bool done;
 
-    notes_begin(&reader->warnings, &page);
+    value_warnings_begin(&reader->warnings, &page);
     done = read_statement(reader, value);
-    value->notes = notes_end(&reader->warnings);
+    value->value_warnings = value_warnings_end(&reader->warnings);
     return done;
 }
 

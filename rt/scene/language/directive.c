@@ -147,14 +147,14 @@ bool default_read(struct reader *reader)
 
 static bool read_default(struct reader *reader, void *subject, const struct item *item)
 {
-    struct note_page *page = notes_suspend(&reader->warnings);
+    struct warning_page *page = value_warnings_suspend(&reader->warnings);
     size_t hold = reader_hold(reader);
     bool done = default_read(reader);
 
     (void)subject;
     (void)item;
     reader_release(reader, hold);
-    notes_resume(&reader->warnings, page);
+    value_warnings_resume(&reader->warnings, page);
     return done;
 }
 

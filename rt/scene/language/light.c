@@ -298,7 +298,7 @@ bool light_read(struct reader *reader, struct scene_object *object)
         return false;
     value = reader_value_of(reader, VALUE_OBJECT);
     if (value && value->is.object.is_light) {
-        notes_use(&reader->warnings, value->notes);
+        value_warnings_use(&reader->warnings, value->value_warnings);
         good = shape_copy(reader, object, &value->is.object);
         reader_next(reader);
     } else {

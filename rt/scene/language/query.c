@@ -3,7 +3,7 @@
 
 #include "base/array.h"
 #include "rt/scene/language/expression.h"
-#include "rt/scene/language/element.h"
+#include "rt/scene/language/array_element.h"
 #include "rt/scene/language/string_value.h"
 #include "rt/shapes/shape.h"
 

@@ -74,17 +74,18 @@ bool reader_fault(struct reader *reader, const struct scene_token *at,
     return false;
 }
 
-static void note(struct reader *reader, const struct scene_token *at, bool in_any_case,
-                 const char *format, va_list arguments)
+static void warning(struct reader *reader, const struct scene_token *at,
+                    bool in_any_case, const char *format, va_list arguments)
 {
     char words[MESSAGE_LONGEST], calls[MESSAGE_LONGEST] = "";
-    struct note_place place = { at->source, at->place.at, token_position(at) };
+    struct warning_place place = { at->source, at->place.at, token_position(at) };
 
     if (reader->stopped)
         return;
     vsnprintf(words, sizeof words, format, arguments);
     add_calls(reader, at, calls, sizeof calls);
-    (in_any_case ? note_report : note_add)(&reader->warnings, &place, words, calls);
+    (in_any_case ? scene_warning_report : scene_warning_add)(&reader->warnings, &place,
+                                                             words, calls);
 }
 
 void reader_report(struct reader *reader, const struct scene_token *at,
@@ -93,7 +94,7 @@ void reader_report(struct reader *reader, const struct scene_token *at,
     va_list arguments;
 
     va_start(arguments, format);
-    note(reader, at, false, format, arguments);
+    warning(reader, at, false, format, arguments);
     va_end(arguments);
 }
 
@@ -103,7 +104,7 @@ void reader_warn(struct reader *reader, const struct scene_token *at,
     va_list arguments;
 
     va_start(arguments, format);
-    note(reader, at, true, format, arguments);
+    warning(reader, at, true, format, arguments);
     va_end(arguments);
 }
 
@@ -239,7 +240,7 @@ const struct scene_value *reader_use(struct reader *reader, enum scene_value_kin
     const struct scene_value *value = reader_value_of(reader, kind);
 
     if (value)
-        notes_use(&reader->warnings, value->notes);
+        value_warnings_use(&reader->warnings, value->value_warnings);
     return value;
 }
 

@@ -7,7 +7,7 @@
 #ifndef RT_SCENE_READER_H
 #define RT_SCENE_READER_H
 
-#include "rt/scene/language/note.h"
+#include "rt/scene/language/deduplicated_warnings.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/scene/language/symbol.h"
 

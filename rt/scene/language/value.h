@@ -2,7 +2,7 @@
 #ifndef RT_SCENE_VALUE_H
 #define RT_SCENE_VALUE_H
 
-#include "rt/scene/language/note.h"
+#include "rt/scene/language/deduplicated_warnings.h"
 #include "rt/scene/language/object.h"
 #include "rt/scene/language/token.h"
 
@@ -123,7 +123,7 @@ struct scene_value {
         struct spline *spline; /* with a reference held */
         struct data_file file;
     } is;
-    struct notes *notes; /* on its text */
+    struct value_warnings *value_warnings; /* on its text */
 };
 
 void value_free(struct scene_value *value);

@@ -78,8 +78,9 @@ static void find_material(const struct scene_part *parts, size_t count,
 }
 
 /* Records the name and the material of an object. */
-static bool note_object(struct reader *reader, size_t first,
-                        const struct scene_object *object, const struct scene_token *at)
+static bool scene_warning_object(struct reader *reader, size_t first,
+                                 const struct scene_object *object,
+                                 const struct scene_token *at)
 {
     struct scene *scene = reader->scene;
     const struct scene_part *parts = reader->world.parts;
@@ -148,7 +149,8 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
         if (!check_part(reader, part, at))
             return false;
     }
-    return reader->world.part_count == first || note_object(reader, first, object, at);
+    return reader->world.part_count == first
+           || scene_warning_object(reader, first, object, at);
 }
 
 static bool read_object(struct reader *reader, void *subject, const struct item *item)

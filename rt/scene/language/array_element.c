@@ -1,9 +1,9 @@
-/* element.c - parses arrays and their elements.
+/* array_element.c - parses arrays and their elements.
  *
  *   array[n]...  { { value, ... }, ... }
  *   NAME[i]...
  */
-#include "rt/scene/language/element.h"
+#include "rt/scene/language/array_element.h"
 
 #include "rt/scene/language/declare.h"
 #include "rt/scene/language/expression.h"

@@ -1,4 +1,4 @@
-/* element.h - arrays and their elements. */
+/* array_element.h - arrays and their elements. */
 #ifndef RT_SCENE_ELEMENT_H
 #define RT_SCENE_ELEMENT_H
 

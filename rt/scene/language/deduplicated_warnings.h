@@ -1,4 +1,4 @@
-/* note.h - notes: features of a scene that are replaced or ignored.
+/* deduplicated_warnings.h - notes: features of a scene that are replaced or ignored.
  *
  * A note has a cause, in words, and a place in the text. Notes belong to the value that
  * is being read. A named value keeps the notes of its text; they are reported when the
@@ -17,13 +17,13 @@
 #include "rt/scene/language/source.h"
 
 #define MAX_REPORTS 200
-enum { MAX_NOTES = 100000, NOTE_BUCKETS = 4096 };
+enum { MAX_WARNINGS = 100000, WARNING_BUCKETS = 4096 };
 
 /* The notes of a value, which live as long as the deduplicated warnings. */
-struct notes;
+struct value_warnings;
 
 /* The place of a note. */
-struct note_place {
+struct warning_place {
     const struct scene_source *source;
     size_t at; /* offset in it */
     struct position position;
@@ -31,41 +31,46 @@ struct note_place {
 
 /* The notes of a value that is being read. The page is on the stack of the function
  * that reads it. */
-struct note_page {
-    struct note_page *outer; /* of the enclosing value */
+struct warning_page {
+    struct warning_page *outer; /* of the enclosing value */
     size_t serial;
-    struct notes *notes;
+    struct value_warnings *list;
 };
 
 /* A deduplicated warnings is initialised with zeros. */
 struct deduplicated_warnings {
     struct arena arena;
-    struct note *buckets[NOTE_BUCKETS];
+    struct scene_warning *buckets[WARNING_BUCKETS];
     size_t count;
-    struct note_place lost; /* the first note beyond MAX_NOTES, if it has a source */
-    struct note_page *page; /* NULL: the scene itself */
+    struct warning_place lost; /* the first note beyond MAX_NOTES, if it has a source */
+    struct warning_page *page; /* NULL: the scene itself */
     size_t pages;
-    struct note_cause *causes, *last_cause; /* reported, in order */
+    struct warning_cause *causes, *last_cause; /* reported, in order */
     size_t cause_count;
 };
 
 /* Records a note. `calls` lists the macro calls that lead to the place, and may be
  * empty. */
-void note_add(struct deduplicated_warnings *book, const struct note_place *place,
-              const char *words, const char *calls);
+void scene_warning_add(struct deduplicated_warnings *book,
+                       const struct warning_place *place, const char *words,
+                       const char *calls);
 /* Records a note that is reported even if its value is not used. */
-void note_report(struct deduplicated_warnings *book, const struct note_place *place,
-                 const char *words, const char *calls);
+void scene_warning_report(struct deduplicated_warnings *book,
+                          const struct warning_place *place, const char *words,
+                          const char *calls);
 
-/* Begin and end a value: notes in between belong to it. notes_end returns NULL if there
+/* Begin and end a value: notes in between belong to it. value_warnings_end returns NULL if there
  * are none. */
-void notes_begin(struct deduplicated_warnings *book, struct note_page *page);
-struct notes *notes_end(struct deduplicated_warnings *book);
+void value_warnings_begin(struct deduplicated_warnings *book,
+                          struct warning_page *page);
+struct value_warnings *value_warnings_end(struct deduplicated_warnings *book);
 /* Suspend the current value: notes in between belong to the scene. */
-struct note_page *notes_suspend(struct deduplicated_warnings *book);
-void notes_resume(struct deduplicated_warnings *book, struct note_page *page);
+struct warning_page *value_warnings_suspend(struct deduplicated_warnings *book);
+void value_warnings_resume(struct deduplicated_warnings *book,
+                           struct warning_page *page);
 /* Adds the notes of a value that is used by the one that is being read. */
-void notes_use(struct deduplicated_warnings *book, struct notes *notes);
+void value_warnings_use(struct deduplicated_warnings *book,
+                        struct value_warnings *list);
 
 /* Adds the reports, with this severity. */
 void warnings_report(const struct deduplicated_warnings *book, enum severity severity,
