@@ -44,40 +44,40 @@ static bool lay_bare(const struct scene *scene, struct scene *bare)
     return bare->primitives;
 }
 
-static bool find_orders(struct ray_query *lines)
+static bool find_orders(struct ray_query *query)
 {
-    const struct scene *scene = lines->scene;
+    const struct scene *scene = query->scene;
 
-    lines->orders = calloc(scene->primitive_count + 1, sizeof *lines->orders);
-    for (size_t i = 0; lines->orders && i < scene->primitive_count; i++) {
+    query->orders = calloc(scene->primitive_count + 1, sizeof *query->orders);
+    for (size_t i = 0; query->orders && i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
 
         if (!primitive_is_mesh(primitive))
             continue;
-        lines->orders[i] = mesh_order(primitive);
-        if (!lines->orders[i])
+        query->orders[i] = mesh_order(primitive);
+        if (!query->orders[i])
             return false;
     }
-    return lines->orders;
+    return query->orders;
 }
 
-static bool lay_out(struct ray_query *lines, c205_error *error)
+static bool lay_out(struct ray_query *query, c205_error *error)
 {
-    const struct ray_query_options *options = &lines->options;
+    const struct ray_query_options *options = &query->options;
     enum bounding bounding = options->no_bounds ? BOUNDING_NONE
                              : options->flat    ? BOUNDING_FLAT
                                                 : BOUNDING_HIERARCHY;
     struct scene bare;
 
-    if (!find_orders(lines) || !lay_bare(lines->scene, &bare))
+    if (!find_orders(query) || !lay_bare(query->scene, &bare))
         return error_set(error, "no memory");
-    lines->program = form_assemble_lines(options->mode, options->queue,
+    query->program = form_assemble_lines(options->mode, options->queue,
                                          options->normals, options->bodies, &bare,
                                          error);
-    if (lines->program)
-        lines->layout = query_layout_new(lines->program, &bare, bounding, error);
+    if (query->program)
+        query->layout = query_layout_new(query->program, &bare, bounding, error);
     free(bare.primitives);
-    return lines->layout;
+    return query->layout;
 }
 
 static bool check_options(const struct ray_query_options *options, c205_error *error)
@@ -97,40 +97,40 @@ struct ray_query *ray_query_new(const struct scene *scene,
                                 const struct ray_query_options *options,
                                 c205_error *error)
 {
-    struct ray_query *lines;
+    struct ray_query *query;
 
     if (!check_options(options, error))
         return NULL;
-    lines = calloc(1, sizeof *lines);
-    if (!lines) {
+    query = calloc(1, sizeof *query);
+    if (!query) {
         error_set(error, "no memory");
         return NULL;
     }
-    lines->options = *options;
-    lines->scene = scene;
+    query->options = *options;
+    query->scene = scene;
     if (options->packet == 0)
-        lines->options.packet = QUERY_PACKET;
-    if (lay_out(lines, error))
-        return lines;
-    ray_query_free(lines);
+        query->options.packet = QUERY_PACKET;
+    if (lay_out(query, error))
+        return query;
+    ray_query_free(query);
     return NULL;
 }
 
-void ray_query_free(struct ray_query *lines)
+void ray_query_free(struct ray_query *query)
 {
-    if (!lines)
+    if (!query)
         return;
-    for (size_t i = 0; lines->orders && i < lines->scene->primitive_count; i++)
-        free(lines->orders[i]);
-    free(lines->orders);
-    query_layout_free(lines->layout);
-    object_free(lines->program);
-    free(lines);
+    for (size_t i = 0; query->orders && i < query->scene->primitive_count; i++)
+        free(query->orders[i]);
+    free(query->orders);
+    query_layout_free(query->layout);
+    object_free(query->program);
+    free(query);
 }
 
-const struct object *ray_query_program(const struct ray_query *lines)
+const struct object *ray_query_program(const struct ray_query *query)
 {
-    return lines->program;
+    return query->program;
 }
 
 /* ---- Results ------------------------------------------------------------- */
@@ -149,30 +149,30 @@ struct seen_fields {
     size_t normal, object_depth, scene_depth; /* if requested */
 };
 
-static size_t field(const struct ray_query *lines, const char *name)
+static size_t field(const struct ray_query *query, const char *name)
 {
-    const struct asm_symbol *symbol = object_symbol(lines->program, name);
+    const struct asm_symbol *symbol = object_symbol(query->program, name);
 
     return symbol ? (size_t)symbol->value : 0;
 }
 
-static struct seen_fields find_fields(const struct ray_query *lines)
+static struct seen_fields find_fields(const struct ray_query *query)
 {
     return (struct seen_fields){
-        .size = field(lines, "SEEN_SIZE"),
-        .distance = field(lines, "SEEN_DISTANCE"),
-        .primitive = field(lines, "SEEN_PRIMITIVE"),
-        .crossing = field(lines, "SEEN_SENSE"),
-        .point = field(lines, "SEEN_POINT"),
-        .normal = field(lines, "SEEN_NORMAL"),
-        .object_depth = field(lines, "SEEN_OBJECT_DEPTH"),
-        .scene_depth = field(lines, "SEEN_SCENE_DEPTH"),
+        .size = field(query, "SEEN_SIZE"),
+        .distance = field(query, "SEEN_DISTANCE"),
+        .primitive = field(query, "SEEN_PRIMITIVE"),
+        .crossing = field(query, "SEEN_SENSE"),
+        .point = field(query, "SEEN_POINT"),
+        .normal = field(query, "SEEN_NORMAL"),
+        .object_depth = field(query, "SEEN_OBJECT_DEPTH"),
+        .scene_depth = field(query, "SEEN_SCENE_DEPTH"),
     };
 }
 
 /* The planes of one column: the k-th crossing of every line, a word for each line. */
 struct column {
-    const struct ray_query *lines;
+    const struct ray_query *query;
     struct seen_fields fields;
     size_t count; /* of the lines */
     c205_word *words;
@@ -192,31 +192,31 @@ static int integer_of(const struct column *column, size_t field, size_t line)
  * position of the triangle's row in the table. */
 static size_t triangle_of(const struct column *column, size_t line, size_t primitive)
 {
-    const struct ray_query *lines = column->lines;
-    const size_t *order = lines->orders[primitive];
+    const struct ray_query *query = column->query;
+    const size_t *order = query->orders[primitive];
 
     return order
-               ? order[mesh_row(&lines->scene->primitives[primitive],
+               ? order[mesh_row(&query->scene->primitives[primitive],
                                 (size_t)integer_of(column, column->fields.point, line))]
                : 0;
 }
 
 static struct ray_hit crossing_of(const struct column *column, size_t line)
 {
-    const struct ray_query *lines = column->lines;
+    const struct ray_query *query = column->query;
     const struct seen_fields *fields = &column->fields;
     size_t id = (size_t)integer_of(column, fields->primitive, line) - 1;
     struct ray_hit seen = {
         .distance = word_of(column, fields->distance, line),
         .primitive = id,
-        .object = lines->scene->primitives[id].object,
+        .object = query->scene->primitives[id].object,
         .triangle = triangle_of(column, line, id),
         .crossing = integer_of(column, fields->crossing, line),
     };
 
-    for (size_t i = 0; lines->options.normals && i < 3; i++)
+    for (size_t i = 0; query->options.normals && i < 3; i++)
         seen.normal[i] = word_of(column, fields->normal + i, line);
-    if (lines->options.bodies) {
+    if (query->options.bodies) {
         seen.object_depth = integer_of(column, fields->object_depth, line);
         seen.scene_depth = integer_of(column, fields->scene_depth, line);
     }
@@ -282,12 +282,12 @@ static bool read_columns(struct column *column, const c205 *machine,
     return true;
 }
 
-static bool collect(const struct ray_query *lines, const c205 *machine,
+static bool collect(const struct ray_query *query, const c205 *machine,
                     const struct packet_layout *packet, struct ray_hits *found,
                     size_t line)
 {
-    struct column column = { .lines = lines,
-                             .fields = find_fields(lines),
+    struct column column = { .query = query,
+                             .fields = find_fields(query),
                              .count = packet->count };
     size_t *first = found->first + line, most = 0;
     bool good;
@@ -325,15 +325,15 @@ static bool check_lines(const struct scene_ray *list, size_t count, c205_error *
     return true;
 }
 
-static bool load_packet(const struct ray_query *lines, c205 *machine,
+static bool load_packet(const struct ray_query *query, c205 *machine,
                         struct packet_layout *packet, c205_error *error)
 {
-    packet->behind = lines->options.behind;
-    return c205_load(machine, &lines->program->program, error)
-           && query_layout_put(lines->layout, machine, packet, error);
+    packet->behind = query->options.behind;
+    return c205_load(machine, &query->program->program, error)
+           && query_layout_put(query->layout, machine, packet, error);
 }
 
-c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *list,
+c205 *ray_query_machine(const struct ray_query *query, const struct scene_ray *list,
                         size_t count, c205_error *error)
 {
     struct packet_layout packet = { .lines = list, .count = count };
@@ -341,31 +341,31 @@ c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *l
 
     if (!check_lines(list, count, error))
         return NULL;
-    machine = c205_new(lines->options.model, error);
-    if (machine && load_packet(lines, machine, &packet, error))
+    machine = c205_new(query->options.model, error);
+    if (machine && load_packet(query, machine, &packet, error))
         return machine;
     c205_free(machine);
     return NULL;
 }
 
-static bool find_packet(const struct ray_query *lines, c205 *machine,
+static bool find_packet(const struct ray_query *query, c205 *machine,
                         struct packet_layout *packet, struct ray_hits *found,
                         size_t line, c205_error *error)
 {
     bool stopped = false;
 
-    if (!load_packet(lines, machine, packet, error)
+    if (!load_packet(query, machine, packet, error)
         || !program_run(machine, NULL, NULL, &stopped, error))
         return false;
-    return collect(lines, machine, packet, found, line)
+    return collect(query, machine, packet, found, line)
            || error_set(error, "no memory");
 }
 
-static bool find_packets(const struct ray_query *lines, c205 *machine,
+static bool find_packets(const struct ray_query *query, c205 *machine,
                          const struct scene_ray *list, struct ray_hits *found,
                          c205_error *error)
 {
-    size_t most = lines->options.packet, count = found->line_count;
+    size_t most = query->options.packet, count = found->line_count;
 
     for (size_t i = 0; i < count; i += most) {
         struct packet_layout packet = {
@@ -373,27 +373,27 @@ static bool find_packets(const struct ray_query *lines, c205 *machine,
             .count = count - i < most ? count - i : most,
         };
 
-        if (!find_packet(lines, machine, &packet, found, i, error))
+        if (!find_packet(query, machine, &packet, found, i, error))
             return false;
     }
     return true;
 }
 
-bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
+bool ray_query_find(const struct ray_query *query, const struct scene_ray *list,
                     size_t count, struct ray_hits *found, c205_error *error)
 {
     c205 *machine;
     bool good;
 
     *found = (struct ray_hits){ .line_count = count,
-                                .accounts = { .model = lines->options.model } };
+                                .accounts = { .model = query->options.model } };
     if (!check_lines(list, count, error))
         return false;
     found->first = calloc(count + 1, sizeof *found->first);
     if (!found->first)
         return error_set(error, "no memory");
-    machine = c205_new(lines->options.model, error);
-    good = machine && find_packets(lines, machine, list, found, error);
+    machine = c205_new(query->options.model, error);
+    good = machine && find_packets(query, machine, list, found, error);
     c205_free(machine);
     if (!good)
         ray_hits_free(found);
@@ -402,7 +402,7 @@ bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
 
 /* ---- Checkpoints of queries ------------------------------------------------ */
 
-bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
+bool ray_query_keep(const struct ray_query *query, struct job_set *job_set,
                     const char *kind, const uint64_t *choices, size_t count,
                     c205_error *error)
 {
@@ -412,7 +412,7 @@ bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
 
     if (!job_set || job_set->path_count == 0 || job_set->file)
         return true;
-    machine = ray_query_machine(lines, &line, 1, error);
+    machine = ray_query_machine(query, &line, 1, error);
     good = machine
            && job_set_open(job_set, job_set_key(kind, machine, choices, count), error);
     c205_free(machine);

@@ -70,20 +70,20 @@ struct ray_query;
 struct ray_query *ray_query_new(const struct scene *scene,
                                 const struct ray_query_options *options,
                                 c205_error *error);
-void ray_query_free(struct ray_query *lines);
+void ray_query_free(struct ray_query *query);
 
 /* Computes the crossings of each line. The caller frees them. Threads may call
  * this concurrently. Fails for a direction of length 0, a number that is not
  * finite, a trap, or lack of memory; the error says which, and the result is
  * empty. */
-bool ray_query_find(const struct ray_query *lines, const struct scene_ray *list,
+bool ray_query_find(const struct ray_query *query, const struct scene_ray *list,
                     size_t count, struct ray_hits *found, c205_error *error);
 
 /* Returns the assembled program. */
-const struct object *ray_query_program(const struct ray_query *lines);
+const struct object *ray_query_program(const struct ray_query *query);
 /* Returns a machine that is loaded with these lines as one packet and has not run
  * yet. The caller frees it. */
-c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *list,
+c205 *ray_query_machine(const struct ray_query *query, const struct scene_ray *list,
                         size_t count, c205_error *error);
 
 /* Opens the checkpoint files of a job set (rt/jobs/job_set.h) for a run along these
@@ -91,7 +91,7 @@ c205 *ray_query_machine(const struct ray_query *lines, const struct scene_ray *l
  * job set is NULL or has no files, or if they are open. Returns false if a file
  * belongs to another run or cannot be opened. */
 struct job_set;
-bool ray_query_keep(const struct ray_query *lines, struct job_set *job_set,
+bool ray_query_keep(const struct ray_query *query, struct job_set *job_set,
                     const char *kind, const uint64_t *choices, size_t count,
                     c205_error *error);
 

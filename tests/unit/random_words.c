@@ -70,7 +70,7 @@ void random_say_wrong(const struct random_lesson *drawn, size_t wrong,
                       const struct sink *sink)
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];
-    size_t told = 0;
+    size_t reported = 0;
 
     if (test->n == 1) {
         sink_put(sink, "y");
@@ -86,14 +86,14 @@ void random_say_wrong(const struct random_lesson *drawn, size_t wrong,
         sink_print(sink, "%zu of the %zu elements of y %s", wrong, test->n,
                    wrong == 1 ? "is" : "are");
     sink_put(sink, " wrong: element");
-    for (size_t i = 0; i < test->n && told < 3; i++) {
+    for (size_t i = 0; i < test->n && reported < 3; i++) {
         if (is_near(drawn, found_at(drawn, i), test->wanted[i]))
             continue;
-        sink_print(sink, "%s %zu", told++ ? "," : "", i);
+        sink_print(sink, "%s %zu", reported++ ? "," : "", i);
         say_element(drawn, found_at(drawn, i), test->wanted[i], sink);
     }
-    if (wrong > told)
-        sink_print(sink, ", and %zu more", wrong - told);
+    if (wrong > reported)
+        sink_print(sink, ", and %zu more", wrong - reported);
     sink_put(sink, " (counted from 0).");
 }
 

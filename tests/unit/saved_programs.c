@@ -68,11 +68,11 @@ static struct object *assemble(const char *kernel, const struct asm_define *defi
                                c205_error *error)
 {
     char asked[ASKED_ROOM];
-    bool told = write_asked(kernel, defines, asked);
-    struct kept *kept = told ? find(asked) : NULL;
+    bool reported = write_asked(kernel, defines, asked);
+    struct kept *kept = reported ? find(asked) : NULL;
     if (!kept) {
         struct object *object = __real_program_assemble(kernel, defines, error);
-        kept = object && told ? make_room() : NULL;
+        kept = object && reported ? make_room() : NULL;
         if (!kept)
             return object;
         memcpy(kept->asked, asked, sizeof asked);

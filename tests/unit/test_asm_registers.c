@@ -174,7 +174,8 @@ struct declarations {
     size_t count, line;
     struct given around; /* the open blocks */
     unsigned blocks;
-    bool told[LINES + 2 * DEPTH]; /* lines with an expected warning; the first is 1 */
+    bool reported[LINES
+                  + 2 * DEPTH]; /* lines with an expected warning; the first is 1 */
 };
 
 static void say(struct declarations *declarations, const char *text)
@@ -229,8 +230,8 @@ static void name_one(struct declarations *declarations, uint64_t *seed)
                 new->owner = given[i].owner;
         }
     say(declarations, text);
-    declarations->told[declarations->line] = !strchr(strchr(text, ','), 'n')
-                                             && clashes(given, declarations->count);
+    declarations->reported[declarations->line] = !strchr(strchr(text, ','), 'n')
+                                                 && clashes(given, declarations->count);
     new->holds = true;
     declarations->count++;
 }
@@ -256,7 +257,7 @@ static void make_declarations(struct declarations *declarations, uint64_t *seed)
 TEST(random_declarations)
 {
     uint64_t seed = RANDOM_SEED;
-    size_t told = 0, silent = 0;
+    size_t reported = 0, silent = 0;
 
     for (size_t i = 0; i < 2000; i++) {
         static struct declarations declarations;
@@ -270,15 +271,15 @@ TEST(random_declarations)
         for (size_t line = 1; line <= LINES; line++) {
             bool here = next < found.count && found.items[next].line == line;
 
-            if (here != declarations.told[line])
+            if (here != declarations.reported[line])
                 fail_msg("%sline %zu", declarations.text, line);
             next += here;
-            told += here;
+            reported += here;
             silent += !here;
         }
         assert_int_equal(next, found.count);
         diagnostics_free(&found);
         object_free(object);
     }
-    assert_true(told > 1000 && silent > 1000);
+    assert_true(reported > 1000 && silent > 1000);
 }

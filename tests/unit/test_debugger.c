@@ -15,20 +15,22 @@ enum { PROGRAMS = COUNT(programs) };
 
 /* ---- Expected values of a line -------------------------------------------- */
 
-static bool begins_with_stop(const struct plain *plain, const struct plain_stops *told)
+static bool begins_with_stop(const struct plain *plain,
+                             const struct plain_stops *reported)
 {
     uint64_t pc = plain->moments[0].pc;
 
-    return (told->by_place && pc == told->place)
-           || (told->region && strcmp(plain_region(plain, pc), told->region) == 0);
+    return (reported->by_place && pc == reported->place)
+           || (reported->region
+               && strcmp(plain_region(plain, pc), reported->region) == 0);
 }
 
-static size_t to_place(const struct plain *plain, const struct plain_stops *told,
+static size_t to_place(const struct plain *plain, const struct plain_stops *reported,
                        size_t step, uint64_t place)
 {
     while (step < plain->end) {
         step++;
-        if (plain->moments[step].pc == place || plain_stops_at(plain, told, step))
+        if (plain->moments[step].pc == place || plain_stops_at(plain, reported, step))
             break;
     }
     return step;
@@ -39,7 +41,7 @@ static size_t to_place(const struct plain *plain, const struct plain_stops *told
 struct session {
     const struct plain *plain;
     struct debug_session debug;
-    struct plain_stops told; /* the breakpoints of the debugger */
+    struct plain_stops reported; /* the breakpoints of the debugger */
     size_t step;
 };
 
@@ -52,14 +54,14 @@ static void choose_place(struct session *session)
 {
     char line[80];
 
-    session->told.by_place = true;
-    session->told.place = session->plain->moments[below(session->plain->end)].pc;
-    session->told.every = 1 + below(below(2) ? 3 : 97);
+    session->reported.by_place = true;
+    session->reported.place = session->plain->moments[below(session->plain->end)].pc;
+    session->reported.every = 1 + below(below(2) ? 3 : 97);
     obey(session, "delete");
-    session->told.by_watch = false;
-    session->told.region = NULL;
+    session->reported.by_watch = false;
+    session->reported.region = NULL;
     snprintf(line, sizeof line, "break *%llu if $step %% %zu == 0",
-             (unsigned long long)session->told.place, session->told.every);
+             (unsigned long long)session->reported.place, session->reported.every);
     obey(session, line);
 }
 
@@ -68,10 +70,10 @@ static void choose_region(struct session *session)
     const c205_program *program = &session->plain->object->program;
     char line[80];
 
-    if (session->told.region || program->region_count == 0)
+    if (session->reported.region || program->region_count == 0)
         return;
-    session->told.region = program->regions[below(program->region_count)].name;
-    snprintf(line, sizeof line, "break region %s", session->told.region);
+    session->reported.region = program->regions[below(program->region_count)].name;
+    snprintf(line, sizeof line, "break region %s", session->reported.region);
     obey(session, line);
 }
 
@@ -79,9 +81,9 @@ static void choose_watch(struct session *session)
 {
     char line[80];
 
-    if (session->told.by_watch)
+    if (session->reported.by_watch)
         return;
-    session->told.by_watch = true;
+    session->reported.by_watch = true;
     snprintf(line, sizeof line, "watch *%llu",
              (unsigned long long)session->plain->watched);
     obey(session, line);
@@ -91,7 +93,7 @@ static void choose_watch(struct session *session)
 static size_t draw_line(struct session *session, char line[80])
 {
     const struct plain *plain = session->plain;
-    const struct plain_stops *told = &session->told;
+    const struct plain_stops *reported = &session->reported;
     size_t step = session->step;
     uint64_t number;
 
@@ -99,13 +101,13 @@ static size_t draw_line(struct session *session, char line[80])
     case 0:
         number = 1 + below(40);
         snprintf(line, 80, "step %llu", (unsigned long long)number);
-        return plain_on(plain, told, step, number);
+        return plain_on(plain, reported, step, number);
     case 1:
         number = 1 + below(40);
         snprintf(line, 80, "reverse-step %llu", (unsigned long long)number);
         return step > number ? step - (size_t)number : 0;
-    case 2: strcpy(line, "c"); return plain_on(plain, told, step, UINT64_MAX);
-    case 3: strcpy(line, "rc"); return plain_back(plain, told, step);
+    case 2: strcpy(line, "c"); return plain_on(plain, reported, step, UINT64_MAX);
+    case 3: strcpy(line, "rc"); return plain_back(plain, reported, step);
     case 4:
         number = below(plain->end + 1);
         snprintf(line, 80, "goto %llu", (unsigned long long)number);
@@ -116,11 +118,13 @@ static size_t draw_line(struct session *session, char line[80])
         return plain_to_clock(plain, step, number);
     case 6:
         strcpy(line, "run");
-        return begins_with_stop(plain, told) ? 0 : plain_on(plain, told, 0, UINT64_MAX);
+        return begins_with_stop(plain, reported)
+                   ? 0
+                   : plain_on(plain, reported, 0, UINT64_MAX);
     default:
         number = plain->moments[below(plain->end)].pc;
         snprintf(line, 80, "until *%llu", (unsigned long long)number);
-        return to_place(plain, told, step, number);
+        return to_place(plain, reported, step, number);
     }
 }
 
@@ -134,8 +138,9 @@ static void check_place(const struct session *session, const char *line)
         || memcmp(&found, expected, sizeof found) != 0)
         fail_msg(
             "'%s' (watch %d, place %d every %zu, region %s): step %llu, not %zu, or another state; it said %s",
-            line, session->told.by_watch, session->told.by_place, session->told.every,
-            session->told.region ? session->told.region : "none",
+            line, session->reported.by_watch, session->reported.by_place,
+            session->reported.every,
+            session->reported.region ? session->reported.region : "none",
             (unsigned long long)c205_history_step(session->debug.debugger->history),
             session->step, session->debug.said.text);
 }

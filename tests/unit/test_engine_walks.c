@@ -119,14 +119,14 @@ static void check_causes(const struct json_value *owner, const c205_account *acc
 
 static void check_accounts(const struct json_value *view, const c205 *machine)
 {
-    const struct json_value *told = json_member(view, "accounts");
-    const struct json_value *region = json_member_first(told, "regions");
+    const struct json_value *reported = json_member(view, "accounts");
+    const struct json_value *region = json_member_first(reported, "regions");
     struct accounts accounts = { .model = prior_model };
     c205_account all;
 
     assert_true(accounts_add(&accounts, machine));
     all = accounts_together(&accounts);
-    check_causes(told, &all);
+    check_causes(reported, &all);
     for (size_t i = 0; i < accounts.count; i++) {
         if (accounts_clocks(&accounts.items[i]) == 0)
             continue;

@@ -28,7 +28,7 @@ struct run {
     size_t jobs, seed;
     struct job_set *job_set;
     size_t stop;     /* stops after this many packets; 0: never */
-    size_t told;     /* highest number of packets reported as done */
+    size_t reported; /* highest number of packets reported as done */
     uint64_t clocks; /* of all packets */
     uint64_t words[WORDS];
     size_t count;
@@ -51,7 +51,7 @@ static bool tell(void *context, size_t done, size_t all)
 {
     struct run *run = context;
     (void)all;
-    run->told = done > run->told ? done : run->told;
+    run->reported = done > run->reported ? done : run->reported;
     return run->stop == 0 || done < run->stop;
 }
 
@@ -174,7 +174,7 @@ TEST(shares)
             };
             struct run share = begin(lines, &job_set);
             assert_true(do_run(&share));
-            assert_int_equal(share.told, (size_t)UNITS / SHARES);
+            assert_int_equal(share.reported, (size_t)UNITS / SHARES);
         }
         struct run together = begin(lines, &all);
         assert_true(do_run(&together));

@@ -91,7 +91,7 @@ static int strikes(const double o[3], const double d[3], const double words[WORD
     return from < to;
 }
 
-static void check(const struct bundle *bundle, const c205_word *told)
+static void check(const struct bundle *bundle, const c205_word *reported)
 {
     for (size_t i = 0; i < bundle->rays; i++) {
         int expected = 0;
@@ -100,14 +100,14 @@ static void check(const struct bundle *bundle, const c205_word *told)
                               bundle->words[k]);
             expected = one == 0 ? expected : one;
         }
-        if (expected >= 0 && c205_to_integer(told[i]) != expected)
+        if (expected >= 0 && c205_to_integer(reported[i]) != expected)
             fail_msg("ray %zu of %zu, %zu cylinders: told %d, not %d", i, bundle->rays,
-                     bundle->cylinders, (int)c205_to_integer(told[i]), expected);
+                     bundle->cylinders, (int)c205_to_integer(reported[i]), expected);
     }
 }
 
 static void run(const struct bundle *bundle, const char *form, size_t queue,
-                c205_word *told)
+                c205_word *reported)
 {
     const struct asm_define defines[] = { { "QUEUE", (int64_t)queue }, { NULL, 0 } };
     static c205_word planes[6 * MAX_RAYS], words[WORDS * MAX_CYLINDERS];
@@ -130,7 +130,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     single_run_word(&run, "hits_cylinders", bundle->cylinders);
     single_run_room(&run, "hits_list", words, WORDS * bundle->cylinders);
     uint64_t made = single_run_room(&run, "hits_made", NULL, n);
-    REQUIRE(single_run_end(&run, made, told, n, &clocks));
+    REQUIRE(single_run_end(&run, made, reported, n, &clocks));
 }
 
 TEST(rays)

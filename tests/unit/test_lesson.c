@@ -213,7 +213,7 @@ static void check_lines(const struct random_lesson *drawn,
                         const struct plain_trial *plain)
 {
     enum { LINES = 200 };
-    bool told[LINES] = { false };
+    bool reported[LINES] = { false };
     size_t count = line_profile_count(plain->profile);
 
     assert_true(count < LINES);
@@ -225,7 +225,7 @@ static void check_lines(const struct random_lesson *drawn,
         for (size_t k = 0; k < count; k++) {
             const struct profile_row *other = line_profile_row(plain->profile, k);
 
-            if (other->file && !told[k]
+            if (other->file && !reported[k]
                 && clocks_of(other) > (row ? clocks_of(row) : 0))
                 row = other;
         }
@@ -234,7 +234,7 @@ static void check_lines(const struct random_lesson *drawn,
             return;
         }
         link = strstr(row->source, "; a pair");
-        told[row - line_profile_row(plain->profile, 0)] = true;
+        reported[row - line_profile_row(plain->profile, 0)] = true;
         snprintf(wanted, sizeof wanted,
                  "Line %zu took %" PRIu64 " clocks, %.0f %%, in %" PRIu64 " %s%s:%s",
                  row->number, clocks_of(row),

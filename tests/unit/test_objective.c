@@ -22,13 +22,14 @@ double fit_error(const struct observation *observation, double predicted)
 }
 
 double study_speedup(const struct study *study, const double *predicted,
-                     const struct speedup_subject *subject, bool other, double *told)
+                     const struct speedup_subject *subject, bool other,
+                     double *reported)
 {
     (void)study;
     (void)predicted;
     (void)subject;
     (void)other;
-    *told = 10;
+    *reported = 10;
     return 10 * speedups[speedups_asked++];
 }
 

@@ -531,12 +531,12 @@ TEST(gamma_of_versions)
         SCOPED_VALUE(diagnostics) reports = { 0 };
         SCOPED(scene) *scene = scene_read_text("test.pov", rows[i].text,
                                                &reading_options, &reports);
-        size_t told = 0;
+        size_t reported = 0;
         assert_non_null(scene);
         for (size_t k = 0; k < reports.count; k++)
-            told += strstr(reports.items[k].message, "gamma correction") != NULL;
+            reported += strstr(reports.items[k].message, "gamma correction") != NULL;
         assert_int_equal(scene->gamma_off, rows[i].off);
-        assert_int_equal(told, rows[i].off);
+        assert_int_equal(reported, rows[i].off);
     }
 }
 

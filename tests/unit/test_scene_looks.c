@@ -146,32 +146,32 @@ static unsigned draw(struct drawing *drawing)
 {
     static const char *const words[LOOKS] = { "crand", "irid", "subsurface",
                                               "conserve_energy" };
-    unsigned told = 0;
+    unsigned reported = 0;
     drawing->names = 0;
     for (int i = 0; i < LOOKS; i++)
         fprintf(drawing->text, "#declare T%d = texture { finish { %s 1 } }\n", i,
                 words[i]);
     while (drawing->names < NAMES) {
         if (xorshift_between(&drawing->random, 0, 3) == 0) {
-            told |= put_thing(drawing);
+            reported |= put_thing(drawing);
             continue;
         }
         fprintf(drawing->text, "#declare N%zu = ", drawing->names);
         drawing->has[drawing->names] = put_thing(drawing);
         drawing->names++;
     }
-    return told;
+    return reported;
 }
 
 static unsigned told_of(const char *text)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
-    unsigned told = 0;
+    unsigned reported = 0;
     assert_non_null(scene);
     for (size_t i = 0; i < reports.count; i++)
-        told |= 1u << (reports.items[i].line - 1);
-    return told;
+        reported |= 1u << (reports.items[i].line - 1);
+    return reported;
 }
 
 TEST(told_by_chance)
@@ -186,9 +186,9 @@ TEST(told_by_chance)
         assert_non_null(drawing.text);
         unsigned expected = draw(&drawing);
         fclose(drawing.text);
-        unsigned told = told_of(text);
-        if (told != expected)
-            fail_msg("told %X, expected %X, of:\n%s", told, expected, text);
+        unsigned reported = told_of(text);
+        if (reported != expected)
+            fail_msg("told %X, expected %X, of:\n%s", reported, expected, text);
     }
 }
 

@@ -273,10 +273,10 @@ TEST(paper_lines)
         size_t error = line_of(table, printed[i].primitive, "error %");
         assert_true(ours > 0 && paper > 0 && error > 0);
         for (int k = 0; k < FIGURES; k++) {
-            double told = printed[i].figures[k];
-            assert_true(figure(table, paper, k) == told);
+            double reported = printed[i].figures[k];
+            assert_true(figure(table, paper, k) == reported);
             assert_near(figure(table, error, k),
-                        100 * (figure(table, ours, k) / told - 1));
+                        100 * (figure(table, ours, k) / reported - 1));
         }
     }
 }
@@ -349,14 +349,14 @@ TEST(formulations)
     assert_string_equal(csv_table(text, &csv), "");
     assert_int_equal(csv.rows, 2 + speedup_formulation_count);
     for (int i = 0; i < TRACE_FORMS + 1; i++) {
-        double told = strtod(csv.cell[1][1 + 2 * i], NULL);
-        assert_true(told == printed[1].figures[i]);
+        double reported = strtod(csv.cell[1][1 + 2 * i], NULL);
+        assert_true(reported == printed[1].figures[i]);
         assert_string_equal(csv.cell[1][2 + 2 * i], "");
         assert_near(strtod(csv.cell[2][1 + 2 * i], NULL),
                     figure(table1, line_of(table1, "cylinder", "ours"), i));
         for (size_t row = 2; row < csv.rows; row++)
             assert_near(strtod(csv.cell[row][2 + 2 * i], NULL),
-                        100 * (strtod(csv.cell[row][1 + 2 * i], NULL) / told - 1));
+                        100 * (strtod(csv.cell[row][1 + 2 * i], NULL) / reported - 1));
     }
     free(measures);
 }

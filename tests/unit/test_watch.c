@@ -264,16 +264,16 @@ static void check_loss(const char *mnemonic, arith_binary *operation,
         double wanted = exact(value(a), value(b));
         double found = value(operation(a, b, &flags));
         double off = fabs(found - wanted) / fabs(wanted);
-        bool told = precision_is_lost(precision_rule(insn), half, a, b, &precision);
+        bool reported = precision_is_lost(precision_rule(insn), half, a, b, &precision);
 
         if (!isfinite(wanted) || wanted == 0)
-            assert_false(told);
-        else if (told ? off < 0.9 * most : off > 1.1 * most)
+            assert_false(reported);
+        else if (reported ? off < 0.9 * most : off > 1.1 * most)
             fail_msg("%s %llX %llX: %g off by %g", mnemonic, (unsigned long long)a,
                      (unsigned long long)b, wanted, off);
-        if (told && wanted > 0 && isfinite(wanted))
+        if (reported && wanted > 0 && isfinite(wanted))
             assert_true(fabs(precision.kept - found) <= fabs(found) * 0x1p-12);
-        lost += told;
+        lost += reported;
     }
     assert_true(lost > 100);
 }
