@@ -1,12 +1,13 @@
-/* reference_operands.c - sources, results and control vectors. */
+/* reference_operands.c - sources, results and control vectors of vector instructions
+ * (reference_vector.h). */
 #include "reference_vector.h"
 
 #include <string.h>
 
 /* ---- Elements ---------------------------------------------------------- */
 
-/* Of a linked pair every element of the first one raises its flags, as it
- * has no control vector. */
+/* Reads one element.  In a linked pair every element of the first instruction sets its
+ * flags, as it has no control vector. */
 static c205_word read_element(struct reference *reference, const struct source *source,
                               uint64_t i)
 {
@@ -19,8 +20,8 @@ static c205_word read_element(struct reference *reference, const struct source *
     }
 }
 
-/* Sign control is applied to each element as it is read, not to those that
- * continue a short vector, and raises no flags of its own. */
+/* Sign control applies to each element as it is read, but not to the padding of a short
+ * vector, and sets no flags. */
 c205_word element(struct reference *reference, const struct source *source, uint64_t i)
 {
     const struct oracle_format *format = format_of(source->width);
@@ -97,7 +98,7 @@ void set_length(struct reference *reference, const struct vector *vector,
 
 /* ---- Taking operands --------------------------------------------------- */
 
-/* An offset moves a vector on and shortens it. */
+/* Applies an offset, which advances a vector's start and shortens it. */
 static struct target behind_offset(struct reference *reference, c205_word descriptor,
                                    unsigned offset, unsigned width)
 {

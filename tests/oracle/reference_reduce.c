@@ -1,7 +1,7 @@
-/* reference_reduce.c - vectors brought to one number or one index. */
+/* reference_reduce.c - reductions of vectors to one number or one index. */
 #include "reference_vector.h"
 
-/* All of them are looked at, as all addresses are. */
+/* Evaluates all elements, because all their addresses are used. */
 static void select_first(struct reference *reference, const struct vector *vector,
                          uint64_t length)
 {
@@ -14,7 +14,7 @@ static void select_first(struct reference *reference, const struct vector *vecto
     write_register(reference, vector->fields->c, first);
 }
 
-/* To the register, or half register, C, or to one behind it. */
+/* Writes to the register, or half register, C plus `behind`. */
 static void write_result(struct reference *reference, const struct vector *vector,
                          unsigned behind, c205_word word)
 {
@@ -28,7 +28,7 @@ struct parts {
     c205_word upper, lower;
 };
 
-/* One more term, which has itself an upper and perhaps a lower part. */
+/* Adds a term, which has an upper part and, if both, a lower one. */
 static struct parts add_term(const struct oracle_format *format, struct parts sum,
                              const struct parts *term, bool both, uint64_t *flags)
 {
@@ -40,7 +40,7 @@ static struct parts add_term(const struct oracle_format *format, struct parts su
     return sum;
 }
 
-/* Element i of A, or the parts of its product with that of B. */
+/* Returns element i of A, or the parts of its product with that of B. */
 static struct parts term(struct reference *reference, const struct vector *vector,
                          uint64_t i, uint64_t *flags)
 {
@@ -55,7 +55,7 @@ static struct parts term(struct reference *reference, const struct vector *vecto
     };
 }
 
-/* Register 0 has none behind it: neither part is wanted. */
+/* If C is register 0, neither part is written. */
 static void sum_up(struct reference *reference, const struct vector *vector,
                    uint64_t length)
 {
@@ -103,7 +103,8 @@ static bool is_machine_zero(c205_word word)
     return word >> 60 == 8;
 }
 
-/* The first of equals stays, and so does the first indefinite. */
+/* Returns whether word replaces best.  Of equal elements the first remains, as does the
+ * first indefinite one. */
 static bool surpasses(const struct oracle_format *format, c205_word word,
                       c205_word best, bool greatest)
 {
@@ -116,7 +117,7 @@ static bool surpasses(const struct oracle_format *format, c205_word word,
                     : oracle_less(format, word, best, &flags);
 }
 
-/* If both go to one register the value stays. */
+/* If both results are in one register, the value remains. */
 static void extreme(struct reference *reference, const struct vector *vector,
                     uint64_t length, bool greatest)
 {

@@ -26,7 +26,8 @@ static void apply_rule(struct reference *reference, const c205_insn *insn,
                   reference_rule(insn)(format, r, s, &reference->now.flags));
 }
 
-/* The low 24 bits of a half register; the others those of another. */
+/* Returns a half register with the low 24 bits of low; the other bits are those of
+ * high. */
 static c205_word half_of(uint64_t high, uint64_t low)
 {
     return (high & ~(LOW_24 << HALF_BITS)) | (low & LOW_24) << HALF_BITS;
@@ -61,9 +62,10 @@ static void exchange_flags(struct reference *reference, const c205_fields *field
     write_register(reference, fields->t, old);
 }
 
-/* Bits of a register: a length, a first bit, 0 the leftmost. */
+/* A field of a register: its descriptor has a length and a first bit; bit 0 is the
+ * leftmost. */
 struct field {
-    unsigned shift; /* of its last bit from the right end */
+    unsigned shift; /* of its last bit, from the right end */
     uint64_t mask;  /* right-justified */
 };
 
@@ -95,13 +97,13 @@ static void insert(struct reference *reference, const c205_fields *fields)
     write_register(reference, fields->t, rest | bits << field.shift);
 }
 
-/* A product modulo 2^48. */
+/* Returns a product modulo 2^48. */
 static uint64_t low_product(c205_word r, c205_word s)
 {
     return ((r & LOW_48) * (s & LOW_48)) & LOW_48;
 }
 
-/* They may be at fault as well. */
+/* Adds the possible faults of both vectors. */
 static void look_at_vectors(struct reference *reference, c205_word from, c205_word to)
 {
     for (unsigned i = 0; i < length_of(from); i++)
@@ -110,7 +112,7 @@ static void look_at_vectors(struct reference *reference, c205_word from, c205_wo
         leave_memory(reference, to + BITS * i, BITS);
 }
 
-/* Saved first, then loaded; the descriptors are read before either. */
+/* Saves registers, then loads them; both descriptors are read before. */
 static void swap(struct reference *reference, const c205_fields *fields)
 {
     c205_word from = read_bits(reference, fields->r);
@@ -132,7 +134,7 @@ static void swap(struct reference *reference, const c205_fields *fields)
     add_extent(reference, to, BITS * saved);
 }
 
-/* The size of T is that of what is moved. */
+/* The operand size of T is the size that is loaded or stored. */
 static void reach_memory(struct reference *reference, const c205_insn *insn,
                          const c205_fields *fields, bool store)
 {

@@ -1,12 +1,13 @@
-/* reference_sparse.c - sparse vectors: packed elements and their order. */
+/* reference_sparse.c - instructions on sparse vectors: packed elements and order
+ * vectors. */
 #include "reference_vector.h"
 
 #include <stdlib.h>
 
-/* A packed vector: as many elements as its order vector has ones. */
+/* A packed vector, with one element for each one of its order vector. */
 struct packed {
     struct source elements, order;
-    bool *present; /* as many as the longer order vector has bits */
+    bool *present; /* with the length of the longer order vector */
     uint64_t ones;
 };
 
@@ -22,7 +23,7 @@ struct order {
     uint64_t places, ones;
 };
 
-/* Order vectors are read as a whole; a shorter one continues with zeros. */
+/* Reads a whole order vector; a shorter one continues with zeros. */
 static void read_order(struct reference *reference, struct packed *packed, uint64_t n)
 {
     packed->present = plain_room(NULL, (size_t)n + 1, sizeof(bool));
@@ -33,7 +34,7 @@ static void read_order(struct reference *reference, struct packed *packed, uint6
     }
 }
 
-/* The order vectors first, as they are read first. */
+/* Uses the order vectors first, because they are read first. */
 static void use_packed(struct reference *reference, const struct vector *vector,
                        const struct packed *a, const struct packed *b,
                        const struct order *z)
@@ -46,7 +47,7 @@ static void use_packed(struct reference *reference, const struct vector *vector,
     use_source(reference, &b->elements, b->ones);
 }
 
-/* Add and subtract: where one is present; multiply and divide: both. */
+/* Multiply and divide need both elements; add and subtract need one. */
 static bool needs_both(const c205_insn *insn)
 {
     return insn->flags & C205_INSN_PADO;
@@ -59,7 +60,7 @@ static bool is_made(const struct vector *vector, const struct packed *a,
                                     : a->present[i] || b->present[i];
 }
 
-/* Which places have a result: where Z says so if it is given. */
+/* Determines which places have a result: by Z if it is given. */
 static void find_results(struct reference *reference, const struct vector *vector,
                          const struct packed *a, const struct packed *b,
                          struct order *z)
@@ -73,7 +74,7 @@ static void find_results(struct reference *reference, const struct vector *vecto
     }
 }
 
-/* The next packed element if place i has one; absent, it is machine zero. */
+/* Returns the next packed element if place i has one, or machine zero. */
 static c205_word next_element(struct reference *reference, const struct packed *packed,
                               uint64_t i, uint64_t *next)
 {
@@ -112,7 +113,7 @@ static void set_length_in(struct reference *reference, unsigned number, uint64_t
     write_register(reference, number, with_length(descriptor, length));
 }
 
-/* A Z that is made is stored last, and has as many bits as there are places. */
+/* Stores a result Z after the elements, with one bit for each place. */
 static void store_order(struct reference *reference, const struct vector *vector,
                         const struct order *z)
 {

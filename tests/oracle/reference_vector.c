@@ -1,4 +1,4 @@
-/* reference_vector.c - vector instructions, one element after the other. */
+/* reference_vector.c - vector instructions, one element at a time. */
 #include "reference_vector.h"
 
 #include <string.h>
@@ -14,7 +14,7 @@ static void each_element(struct reference *reference, const struct vector *vecto
     }
 }
 
-/* Each element and the one after it. */
+/* Combines each element with the next one. */
 static void each_neighbour(struct reference *reference, const struct vector *vector)
 {
     const struct source *a = &vector->sources.a;
@@ -28,7 +28,7 @@ static void each_neighbour(struct reference *reference, const struct vector *vec
     }
 }
 
-/* The polynomial with the coefficients B, highest first. */
+/* Evaluates the polynomial with the coefficients B, highest first. */
 static c205_word polynomial(struct reference *reference, const struct pair *pair,
                             c205_word x, uint64_t *flags)
 {
@@ -42,7 +42,7 @@ static c205_word polynomial(struct reference *reference, const struct pair *pair
     return value;
 }
 
-/* The first B to which x is in the relation, or the length. */
+/* Returns the index of the first B to which x has the relation, or the length. */
 static c205_word search(struct reference *reference, const struct pair *pair,
                         c205_word x, uint64_t *compared)
 {
@@ -55,11 +55,11 @@ static c205_word search(struct reference *reference, const struct pair *pair,
     return pair->b.length;
 }
 
-/* A polynomial or a search of more steps is not waited for: the comparison
- * ends there. */
+/* The limit of steps of a polynomial or a search; with more the comparison ends. */
 enum { PATIENCE = 100000 };
 
-/* Of a polynomial: A(i), or any of the coefficients. */
+/* Returns whether a polynomial's A(i) or one of its coefficients is an earlier
+ * result. */
 static bool scan_recurs(const struct vector *vector, uint64_t i)
 {
     const struct pair *pair = &vector->sources;
@@ -69,7 +69,7 @@ static bool scan_recurs(const struct vector *vector, uint64_t i)
     return found;
 }
 
-/* Each element goes through all of B. */
+/* Combines each element with all of B. */
 static void each_scan(struct reference *reference, const struct vector *vector)
 {
     const struct pair *pair = &vector->sources;
@@ -103,7 +103,7 @@ static void interval(struct reference *reference, const struct vector *vector)
     }
 }
 
-/* Comparisons and strings of bits. */
+/* Comparisons and bit strings. */
 static void each_bit(struct reference *reference, const struct vector *vector)
 {
     for (uint64_t i = 0; i < vector->c.length; i++) {
@@ -130,7 +130,7 @@ static void count_bits(struct reference *reference, const c205_fields *fields,
     write_register(reference, fields->t, count);
 }
 
-/* Groups of S bits, the first R of each like ones. */
+/* Fills groups of S bits; the first R of each equal ones. */
 static void repeat_bits(struct reference *reference, const c205_fields *fields,
                         bool ones)
 {
@@ -155,7 +155,7 @@ static bool takes_neighbours(const c205_insn *insn)
     return reference_which(insn) == DO_DELTAV || reference_which(insn) == DO_ADJMV;
 }
 
-/* For neighbours A is two sources, the first one element on. */
+/* Returns the second source of neighbours:  A from its next element. */
 static struct source next_of(const struct vector *vector)
 {
     struct source next = vector->sources.a;
@@ -166,7 +166,7 @@ static struct source next_of(const struct vector *vector)
     return next;
 }
 
-/* n elements of A, B, Z and C. */
+/* Uses n elements of A, B, Z and C. */
 static void use_operands(struct reference *reference, const struct vector *vector)
 {
     uint64_t n = vector->c.length;
@@ -191,7 +191,7 @@ bool lies_on_results(const struct source *source, uint64_t i, const struct targe
            && address < c->address + c->width * stored;
 }
 
-/* Elements of the result for which one of the sources at least does. */
+/* Counts the elements of the result with at least one source among earlier results. */
 static uint64_t recurrences(const struct source *sources, size_t count,
                             const struct target *c)
 {
@@ -212,7 +212,7 @@ static uint64_t own_recurrences(const struct vector *vector)
     return recurrences(sources, sizeof sources / sizeof sources[0], &vector->c);
 }
 
-/* What both read; the result is the second one's. */
+/* Counts those of both instructions' sources, for the result of the second. */
 static uint64_t linked_recurrences(const struct vector *first,
                                    const struct vector *second)
 {
@@ -223,7 +223,7 @@ static uint64_t linked_recurrences(const struct vector *first,
 
 /* ---- By kind ----------------------------------------------------------- */
 
-/* Words, bits or half words, one for each element of the sources. */
+/* Computes words, bits or half words, one per element of the sources. */
 static void each_result(struct reference *reference, const struct vector *vector)
 {
     if (strchr(vector->insn->operands, 'e'))
@@ -271,15 +271,15 @@ void do_vector(struct reference *reference, const c205_insn *insn,
 
 /* ---- Linked pairs ------------------------------------------------------ */
 
-/* How many streams of elements a pair takes from memory. */
+/* Returns the number of streams that a pair of sources reads from memory. */
 static unsigned streams(const struct pair *sources)
 {
     return (sources->a.kind == VECTOR ? 1u : 0u)
            + (sources->b.kind == VECTOR ? 1u : 0u);
 }
 
-/* A source that is the other instruction's result, by its register.  With an
- * offset it is none that can be handed over: false. */
+/* Replaces a source by the result of the first instruction if their registers are the
+ * same.  Returns false if it has an offset: it cannot be linked then. */
 static bool link_source(struct source *source, unsigned number, unsigned offset,
                         const struct vector *first)
 {
@@ -290,7 +290,8 @@ static bool link_source(struct source *source, unsigned number, unsigned offset,
     return offset == 0;
 }
 
-/* What the first must be for itself: no compare, whose result are bits. */
+/* The first instruction must have no control vector and no offset, and must not
+ * compare: its results would be bits. */
 static bool is_plain(const struct vector *first)
 {
     return first->c.width != BIT && first->fields->z == 0
@@ -309,7 +310,7 @@ static bool can_be_linked(const struct vector *first, struct vector *second)
            && streams(&first->sources) + streams(&second->sources) <= PAIR;
 }
 
-/* Two of the units that work element by element. */
+/* Returns whether both units work element by element, and differ. */
 static bool may_link(const struct deed *deed)
 {
     c205_unit first = deed->insns[1]->unit, second = deed->insns[2]->unit;

@@ -1,3 +1,5 @@
+/* register_owners.c - records the names under which registers are written, and reports
+ * reads under other names (register_owners.h). */
 #include "tests/oracle/register_owners.h"
 
 #include <inttypes.h>
@@ -9,31 +11,31 @@
 
 enum { ANYONE = -1, KEPT_WORDS = 1 << 12, MAX_FOUND = 1000, MAX_NAMES = 16 };
 
-/* A word that a SWAP put into memory. */
+/* A word that a SWAP saved in memory. */
 struct kept {
     uint64_t address; /* 0: none */
-    uint64_t begin;   /* of what was put there with it .. */
-    unsigned first;   /* .. from this register on */
+    uint64_t begin;   /* address of the saved vector */
+    unsigned first;   /* its first register */
     c205_word word;
     long owner;
 };
 
 struct found {
     uint64_t address;
-    size_t name;      /* under which it is read */
-    long owner;       /* whose it is */
-    uint64_t written; /* where it became that */
+    size_t name;      /* name of the read */
+    long owner;       /* name of the value */
+    uint64_t written; /* where the value was written */
 };
 
-/* What an instruction of the table does with its operands. */
+/* The operands of an instruction of the table. */
 struct row {
     char letters[ROLES];
     bool reads[ROLES], writes[ROLES];
-    bool offsets; /* X and Y may hold some, */
-    bool target;  /* Y and B a branch target */
+    bool offsets; /* X and Y may be offsets */
+    bool target;  /* Y and B are a branch target */
 };
 
-/* The names that an instruction mentions. */
+/* The names in an instruction. */
 struct names {
     const struct asm_mention *first;
     size_t count;
@@ -41,12 +43,12 @@ struct names {
 enum { KNOWN_NAMES = 1 << 12 };
 
 struct register_owners {
-    /* By their addresses: names that were looked up before. */
+    /* A cache of names by address. */
     struct known_names {
         uint64_t address;
         struct names names;
     } known[KNOWN_NAMES];
-    struct row *rows; /* as c205_insns */
+    struct row *rows; /* parallel to c205_insns */
     const struct object *program;
     long owner[C205_REGISTERS]; /* index of a name, or ANYONE */
     uint64_t written[C205_REGISTERS];
@@ -103,7 +105,7 @@ static unsigned whole_number(const struct asm_register *name)
     return name->half ? name->number / 2u : name->number;
 }
 
-/* The names that an instruction has. */
+/* Returns the names in the instruction at an address. */
 static struct names names_at(const struct object *program, uint64_t address)
 {
     struct names names = { program->mentions, 0 };
@@ -130,7 +132,7 @@ static struct names known_names(struct register_owners *owners, uint64_t address
     return known->names;
 }
 
-/* The last one for a register: results are behind sources. */
+/* Returns the last name of a register: results are after sources. */
 static long name_of(const struct object *program, struct names names, unsigned number)
 {
     long found = ANYONE;
@@ -145,7 +147,7 @@ static long owner_of(const struct object *program, long name)
     return name == ANYONE ? ANYONE : (long)program->registers[name].owner;
 }
 
-/* The name of the register so many behind a named one, if the names were given
+/* Returns the name of the register count after a named one, if the names were declared
  * one after another. */
 static long name_behind(const struct object *program, long name, size_t count)
 {
@@ -181,7 +183,7 @@ static void find(struct register_owners *owners, uint64_t address, size_t name,
         };
 }
 
-/* A register with two names in one instruction is read under either. */
+/* If an instruction has two names for a register, either is correct. */
 static void read_register(struct register_owners *owners, uint64_t address,
                           struct names names, unsigned number)
 {
@@ -250,8 +252,8 @@ static void load(struct register_owners *owners, const c205 *machine, uint64_t p
     }
 }
 
-/* The descriptors are as they were before it, unless they may be among what
- * was loaded: then nobody knows whose the registers are. */
+/* The descriptors are unchanged after a SWAP, unless they may be among the loaded
+ * registers.  In that case all owners become unknown. */
 static void swap(struct register_owners *owners, const c205 *machine,
                  const c205_event *event, struct names names)
 {

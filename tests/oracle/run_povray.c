@@ -1,4 +1,5 @@
-/* run_povray.c - see run_povray.h. */
+/* run_povray.c - runs POV-Ray in a child process and reads its picture
+ * (run_povray.h). */
 #include "tests/oracle/run_povray.h"
 
 #include <errno.h>
@@ -12,7 +13,7 @@
 
 enum { LONGEST_PATH = 4096 };
 
-/* Where POV-Ray writes. */
+/* The temporary files of POV-Ray. */
 struct workplace {
     char folder[64], picture[96], log[96];
 };
@@ -34,7 +35,7 @@ static void close_workplace(const struct workplace *place)
     rmdir(place->folder);
 }
 
-/* The words that ask for it, without jitter, or for none. */
+/* Sets the options of antialiasing without jitter, or without antialiasing. */
 static void put_method(const struct antialiasing *how, char words[2][32])
 {
     if (!how) {
@@ -46,7 +47,7 @@ static void put_method(const struct antialiasing *how, char words[2][32])
     snprintf(words[1], sizeof words[1], "+R%zu", how->samples);
 }
 
-/* In the new process: all that POV-Ray says goes to the log. */
+/* Runs POV-Ray in the child process; all of its output is written to the log. */
 static void become_povray(const char *scene, size_t width, size_t height,
                           const struct antialiasing *how, const struct workplace *place)
 {
@@ -58,13 +59,13 @@ static void become_povray(const char *scene, size_t width, size_t height,
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
     snprintf(input, sizeof input, "+I%s", scene);
-    /* Images are looked for beside the scene. */
+    /* POV-Ray searches images in the scene's folder. */
     snprintf(library, sizeof library, "+L%.*s", folder, slash ? scene : ".");
     snprintf(output, sizeof output, "+O%s", place->picture);
     snprintf(wide, sizeof wide, "+W%zu", width);
     snprintf(high, sizeof high, "+H%zu", height);
     put_method(how, method);
-    /* 16-bit PNG whose samples are linear; no display. */
+    /* 16-bit PNG with linear samples; no display. */
     execlp("povray", "povray", input, library, output, wide, high, "+FN16",
            "File_Gamma=1.0", "-D", "-J", method[0], method[1], "+WT1", (char *)NULL);
     perror("povray");
@@ -79,7 +80,7 @@ static bool succeeded(pid_t child)
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/* The end of the log as the message. */
+/* Sets the error message to the end of the log. */
 static bool fail_with_log(const struct workplace *place, struct picture_error *error)
 {
     FILE *log = fopen(place->log, "r");

@@ -1,5 +1,5 @@
-/* scene_words.h - parts of random scenes in the scene language: lights that shine to one
- * side, normals, closed meshes and fields of heights. */
+/* scene_words.h - parts of random scenes in the scene language: lights with a
+ * direction, normals, closed meshes and height fields. */
 #ifndef SCENE_WORDS_H
 #define SCENE_WORDS_H
 
@@ -7,22 +7,22 @@
 
 #include <stdint.h>
 
-/* Of every other light words of its beam, of its parallel rays, of how it fades, else
- * none.  They begin with an empty place.  What else a scene draws does not depend on
- * them: the state is a copy of that with which it continues. */
+/* For every other light, prints keywords of its beam, parallel rays and attenuation,
+ * otherwise none.  The text starts with a space.  The rest of the scene does not depend
+ * on it: the state is a copy of that with which the scene continues. */
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS]);
 
-/* To one in so many looks a normal is added.  What else a scene draws does not depend
- * on it: the state is a copy of that with which it continues. */
+/* Adds a normal to one look in `in`.  The rest of the scene does not depend on it: the
+ * state is a copy of that with which the scene continues. */
 void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS]);
 
-/* A box; each side is cut by either diagonal. */
+/* Prints a box; each side is split by one of its diagonals. */
 void mesh_box_words(uint64_t state, double corner[2][3], char words[SOLID_WORDS]);
-/* About the origin, within the distance 1: points all round, near and far, an apex
- * above and one below, so that a line may cross it many times. */
+/* Prints a star at the origin, within the radius 1: points all round, near and far, an
+ * apex above and one below, so that a line may cross it many times. */
 void mesh_star_words(uint64_t state, char words[SOLID_WORDS]);
-/* A field of heights as wide, perhaps with water. */
+/* Prints a height field of the same width, possibly with water. */
 void mesh_field_words(uint64_t state, char words[SOLID_WORDS]);
 
 #endif

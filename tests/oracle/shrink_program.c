@@ -1,12 +1,12 @@
-/* shrink_program.c - leave out and simplify what the difference does not
- * need. */
+/* shrink_program.c - removes and simplifies parts of a program on which the machine and
+ * the reference differ (shrink_program.h). */
 #include "shrink_program.h"
 
 #include "tests/oracle/compare_states.h"
 
 #include <string.h>
 
-/* Takes the trial over when the two still differ. */
+/* Keeps the trial if the results still differ. */
 static bool keep_if_differing(struct random_program *program,
                               const struct random_program *trial)
 {
@@ -30,7 +30,7 @@ static bool without_insns(struct random_program *program)
     return smaller;
 }
 
-/* Simpler words than one, the simplest first; the last is the word. */
+/* Simpler words than a given one, the simplest first; the last is the word itself. */
 enum { SIMPLER = 6 };
 static void simpler_words(c205_word word, c205_word simpler[SIMPLER])
 {

@@ -1,4 +1,4 @@
-/* solid_text.c - see solid_text.h. */
+/* solid_text.c - builds, copies and prints solids (solid_text.h). */
 #include "tests/oracle/solid_text.h"
 
 #include <stdarg.h>

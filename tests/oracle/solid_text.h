@@ -10,7 +10,7 @@ enum { SOLID_WORDS = 800 };
 
 enum solid_joining { SHAPE, UNION, MERGE, INTERSECTION, DIFFERENCE };
 
-/* A shape, or parts that are joined. */
+/* A shape, or an operation on parts. */
 struct solid {
     enum solid_joining joining;
     char shape[SOLID_WORDS]; /* up to its modifiers */
@@ -18,22 +18,22 @@ struct solid {
     bool inverse;
     size_t count;
     struct solid **parts;
-    struct solid *clip; /* what it is clipped by, before its motion; or NULL */
+    struct solid *clip; /* clips this solid before its motion; or NULL */
 };
 
-/* Zeros.  Without memory the test ends. */
+/* Allocates zeros; exits if memory is short. */
 void *test_room(size_t size);
-/* What is printed to it is the words, once it is closed. */
+/* Opens a stream whose output is in words after it is closed. */
 FILE *test_text(char **words);
-/* Into words of a solid. */
+/* Prints to a text of a solid. */
 void solid_words(char words[SOLID_WORDS], const char *format, ...);
 
-/* All are freed with the whole that they are part of. */
+/* Freeing a solid frees its parts. */
 struct solid *solid_new(enum solid_joining joining, size_t count);
 struct solid *solid_copy(const struct solid *solid);
 void solid_free(struct solid *solid);
 
-/* Line by line: what may be left out is a line or a block. */
+/* Prints line by line; a line or a block can be removed (text_shrink.h). */
 void solid_print(const struct solid *solid, FILE *text);
 
 #endif

@@ -1,4 +1,5 @@
-/* standing_scene.c - see standing_scene.h. */
+/* standing_scene.c - prints random bodies on a ground or in stacks
+ * (standing_scene.h). */
 #include "tests/oracle/standing_scene.h"
 
 #include "tests/oracle/chance.h"
@@ -7,12 +8,12 @@
 
 enum { WORDS = SOLID_WORDS, MAX_BODIES = 5 };
 
-/* Where a body stands; its half width and height. */
+/* The position of a body, its half width and its height. */
 struct stand {
     double x, y, z, size, height;
 };
 
-/* A shape of these words, of its half width s and height h. */
+/* Defines the function that prints a shape with the half width s and the height h. */
 #define SHAPE(name, ...) \
     static void name##_words(uint64_t *state, const struct stand *at, char *words) \
     { \
@@ -94,7 +95,7 @@ static void triangle_words(uint64_t *state, const struct stand *at, char *words)
 struct drawing {
     uint64_t state;
     enum standing_kind kind;
-    char motion[WORDS]; /* of everything */
+    char motion[WORDS]; /* of the whole scene */
     FILE *text;
 };
 
@@ -115,7 +116,7 @@ static struct stand random_stand(struct drawing *drawing)
                            (double)below(state, 2) - .5, .5, .5 };
 }
 
-/* A shape, closed but for its look and motion. */
+/* Prints a shape, whose block is closed after its look and motion. */
 static void put_body(struct drawing *drawing, bool clear)
 {
     uint64_t *state = &drawing->state;
@@ -135,7 +136,7 @@ static void put_body(struct drawing *drawing, bool clear)
             at.x, at.y, at.z, drawing->motion);
 }
 
-/* Its colour changes slowly. */
+/* Prints the ground, whose colour changes slowly. */
 static void put_ground(struct drawing *drawing, double lift)
 {
     uint64_t *state = &drawing->state;

@@ -1,4 +1,4 @@
-/* text_shrink.c - see text_shrink.h. */
+/* text_shrink.c - removes lines and blocks from a failing text (text_shrink.h). */
 #include "tests/oracle/text_shrink.h"
 
 #include "tests/oracle/solid_text.h"
@@ -20,7 +20,7 @@ static const char *next_line(const char *line)
     return end ? end + 1 : line + strlen(line);
 }
 
-/* How many directives a word opens. */
+/* Returns the change of the nesting depth by a directive. */
 static int opened_by(const char *word)
 {
     static const char *const openers[] = { "#if",  "#ifdef",  "#ifndef", "#while",
@@ -34,7 +34,7 @@ static int opened_by(const char *word)
     return 0;
 }
 
-/* How many blocks more are open behind a line than in front of it. */
+/* Returns the change of the nesting depth by a line. */
 static int opened(const char *line)
 {
     int open = 0;
@@ -46,7 +46,7 @@ static int opened(const char *line)
     return open;
 }
 
-/* The line that closes what this one opens; itself, if it opens nothing. */
+/* Returns the line that closes the block which this one opens, or the line itself. */
 static const char *last_line(const char *line)
 {
     int open = opened(line);
@@ -57,9 +57,9 @@ static const char *last_line(const char *line)
     return line;
 }
 
-/* The text without its line of that number, from 0 on, and if that opens a block,
- * without all up to the line that closes it; or, kept, without these two lines
- * alone.  NULL: there is no such line, or it opens none where one is asked for. */
+/* Returns the text without line number, from 0; if that line opens a block, without the
+ * whole block or, if kept, only without its first and last line.  NULL: there is no
+ * such line, or it opens no block although kept. */
 static char *text_without(const char *text, size_t number, bool kept)
 {
     const char *first = text;
