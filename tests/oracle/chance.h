@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Returns 0 .. count - 1. */
+/* Returns an integer from 0 to count - 1. */
 static inline size_t below(uint64_t *state, size_t count)
 {
     return (size_t)((xorshift(state) >> 16) % count);
@@ -24,7 +24,7 @@ static inline double between(uint64_t *state, double low, double high)
     return xorshift_real(state, low, high);
 }
 
-/* Returns a number with a uniform logarithm: 1 .. 2 is as likely as 100 .. 200. */
+/* Returns a number with a uniform logarithm: 1 to 2 is as likely as 100 to 200. */
 static inline double of_any_size(uint64_t *state, double low, double high)
 {
     return exp(between(state, log(low), log(high)));

@@ -57,7 +57,7 @@ static void show_mismatch(const char *room, const char *name, c205_word a, c205_
     printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word, got.flags);
 }
 
-/* Operands and results of one span. c has one more word, which must not change. */
+/* Operands and results of one span.  c has one more word, which must not change. */
 struct span {
     size_t n;
     c205_word a[SPAN], b[SPAN], c[SPAN + 1];

@@ -19,7 +19,7 @@
  * A failing scene is reduced, line by line and block by block, while it fails in the
  * same way; it is printed with its seed and written to language_N.pov.  Only the first
  * three of a run are reduced, because this takes minutes.  With --first the test stops
- * at the first failure without reducing it.  Exit status 1: a scene failed; 2:  POV-Ray
+ * at the first failure without reducing it.  Exit status 1: a scene failed; 2: POV-Ray
  * is missing.
  */
 #include "rt/picture/picture.h"

@@ -10,8 +10,8 @@
  *     read 0 SECONDS BEYOND PIXELS
  *
  * SECONDS is the processor time of the trace, in vector form.  If there are no reports,
- * the picture is compared with POV-Ray's picture of the same file:  BEYOND of the
- * PIXELS pixels have a channel that differs by more than .02.  Exit status 1:  POV-Ray
+ * the picture is compared with POV-Ray's picture of the same file: BEYOND of the
+ * PIXELS pixels have a channel that differs by more than .02.  Exit status 1: POV-Ray
  * made no picture; 2: wrong usage.
  *
  * With a threshold both trace more rays for pixels that differ from their neighbours.

@@ -111,7 +111,7 @@ static void verdict(bool good, const char *path, const char *what)
 struct file {
     const char *path;
     unsigned exceptions;
-    unsigned turn;        /* 0 .. 2, or ALL_TURNS */
+    unsigned turn;        /* 0 to 2, or ALL_TURNS */
     bool patches, lens;   /* it has Steiner patches or cylinders; a lens */
     size_t width, height; /* of the scene as last read */
     struct scene *scene;

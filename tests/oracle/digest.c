@@ -5,7 +5,7 @@
  * Runs the program texts and PROGRAMS random programs, each up to a limit of clocks,
  * and prints a hash of the complete state of each machine: registers, memory, clock,
  * accounts, operations in flight.  The hash must not depend on the compiler or the
- * host; tests/check_hosts.sh fails if it does. -v also prints a line for each program.
+ * host; tests/check_hosts.sh fails if it does.  -v also prints a line for each program.
  */
 #include "asm/assemble.h"
 #include "base/sink.h"

@@ -4,7 +4,7 @@
  *
  * Writes the upper 32 of the 47 bits of each number to stdout, ray by ray, in the
  * host's byte order, until the reader closes the pipe.  The machine computes them in
- * vector form (rt/kernels/points). --bare: the numbers of the generator without its
+ * vector form (rt/kernels/points).  --bare: the numbers of the generator without its
  * mixed output, by its definition; these are known to be bad.
  */
 #include "tests/oracle/points.h"

@@ -47,8 +47,8 @@ static bool is_zero_at(mpfr_t *c, int degree, const mpfr_t x, const mpfr_t value
     return zero;
 }
 
-/* Returns the exponent of Cauchy's bounds: all positive roots are in 2^-bound ..
- * 2^bound. c[0] and c[degree] are not 0. */
+/* Returns the exponent of Cauchy's bounds: all positive roots are from 2^-bound
+ * to 2^bound.  c[0] and c[degree] are not 0. */
 static long bound_exponent(mpfr_t *c, int degree)
 {
     mpfr_exp_t largest = mpfr_get_exp(c[0]);

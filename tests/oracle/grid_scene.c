@@ -292,13 +292,13 @@ static void random_view(uint64_t *state, struct grid *scene)
     double z = s * on_grid(state);
     bool parallel = *state % 8 == 0; /* no other choice depends on it */
     switch (below(state, 8)) {
-    case 0: /* rays run in faces */
+    case 0: /* rays run within faces */
     case 1:
         solid_words(scene->view,
                     "location <%g, %g, %g> direction 28*z right %d*x up %d*y", x, y,
                     -5 * s, GRID_WIDTH, GRID_HEIGHT);
         break;
-    case 2: /* rays begin in faces */
+    case 2: /* rays start in faces */
         solid_words(scene->view,
                     "location <%g, %g, %g> direction 14*z right %d*x up %d*y", x, y, z,
                     GRID_WIDTH, GRID_HEIGHT);

@@ -13,7 +13,7 @@ void say_turns(struct language *draw)
 
 /* --- pigments ------------------------------------------------------------- */
 
-/* Entries may have equal positions, and need not cover 0 .. 1. */
+/* Entries may have equal positions, and need not cover 0 to 1. */
 void say_map(struct language *draw)
 {
     double at = between(&draw->state, -.1, .3);

@@ -25,7 +25,7 @@
 
 #include <stdio.h>
 
-/* Kinds of declared names; N0, N1 .. are floats. */
+/* Kinds of declared names; N0, N1 and so on are floats. */
 enum language_name {
     NAME_FLOAT,
     NAME_VECTOR,

@@ -125,7 +125,7 @@ const struct language_rule language_rules[] = {
     { "box", NULL, "box {\n@-.8:-.2@, @.2:.8@\n" },
     { "cylinder", NULL, "cylinder {\n@-.7:-.2@, @.2:.7@, ~.2:.6~\n" },
     { "cone", NULL, "cone {\n@-.7:-.2@, ~.3:.6~, @.2:.7@, $3[0|~.2:.6~$]\n" },
-    /* The tube does not intersect itself:  POV-Ray returns normals of another part for
+    /* The tube does not intersect itself: POV-Ray returns normals of another part for
      * surfaces that are visible only from inside. */
     { "torus", NULL, "torus {\n~.5:.8~, ~.1:.4~\nsturm\n" },
     { "ellipsoid", NULL, "quadric {\n@1.4:4@, @-.5:.5@, @-.2:.2@, -^4.6:1^\n" },
@@ -154,7 +154,7 @@ const struct language_rule language_rules[] = {
     { "polygon", NULL,
       "polygon {\n$3[6, <0, .9>, <.53, -.73>, <-.86, .28>, <.86, .28>, <-.53, -.73>, "
       "<0, .9>|5, <-.8, -.7>, <.8, -.6>, <.7, .8>, <-.9, .6>, <-.8, -.7>$]\n" },
-    /* Characters with few curves:  POV-Ray stores them in 32 bits, which shows in
+    /* Characters with few curves: POV-Ray stores them in 32 bits, which shows in
      * highlights. */
     { "sign", NULL,
       "text {\nttf \"timrom.ttf\" \"$[A|H|M|L$]\" ^3.1:.5^, ^20:.2^*x\n" },

@@ -10,7 +10,7 @@
 
 /* --- declarations --------------------------------------------------------- */
 
-/* Without macros:  POV-Ray does not call them there. */
+/* Without macros: POV-Ray does not call them there. */
 void declare_array(struct language *draw)
 {
     draw->calling = false;

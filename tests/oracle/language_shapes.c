@@ -42,7 +42,7 @@ static void open_prism(struct language *draw)
 }
 
 /* Adds a ball or rod to a blob; a negative strength leaves a dent.  Parts are not
- * small, because POV-Ray finds no blob within a hundredth of the start of a ray. sturm
+ * small, because POV-Ray finds no blob within a hundredth of the start of a ray.  sturm
  * is not used, because POV-Ray sometimes loses a crossing with it. */
 void say_component(struct language *draw)
 {

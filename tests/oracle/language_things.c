@@ -7,7 +7,7 @@ enum standing { LISTED, JOINED, CUTTING };
 
 static void say_solid(struct language *draw, int depth, enum standing standing);
 
-/* Clips by a bounded shape that is not inverted:  POV-Ray searches quadrics and
+/* Clips by a bounded shape that is not inverted: POV-Ray searches quadrics and
  * quartics in the box of the clipping shape, inverted or not.  Meshes do not clip,
  * because POV-Ray loses crossings of a mesh while it tests whether they are inside
  * another one. */
@@ -39,7 +39,7 @@ static void say_cutter(struct language *draw, int depth)
         say_solid(draw, depth, CUTTING);
 }
 
-/* A disc is not used as a part:  POV-Ray drops the parts of an intersection outside the
+/* A disc is not used as a part: POV-Ray drops the parts of an intersection outside the
  * box of its disc.  A union is used only in a list: as a part of a solid it keeps its
  * inner faces in POV-Ray, which are visible where something is clipped or open. */
 static void say_joined(struct language *draw, int depth, enum standing standing)

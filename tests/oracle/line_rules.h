@@ -34,13 +34,13 @@ bool same_distances(const struct ray_hits *expected, const struct ray_hits *foun
 
 /* Checks that the hits are in order; that those of a region are more than PLAIN_DELTA
  * apart and enter and leave its body alternately, first leaving it if the line starts
- * inside (at the distance behind before its origin), and ending outside if the region
+ * inside (at the distance `behind` before its origin), and ending outside if the region
  * is bounded; that bodies are counted; that normals have length one and point against
  * the line; that hits with meshes are on their triangles. */
 bool keep_line_rules(const struct scene *scene, const struct scene_ray *list,
                      const struct ray_hits *found, double behind, char *reason);
 
-/* Compares with the plain tracer, which starts at the distance behind before the
+/* Compares with the plain tracer, which starts at the distance `behind` before the
  * origins.  Unless certain, only the distances are compared.  One line and a share of
  * them may differ, because rounding decides. */
 bool same_as_plain_lines(const struct scene *scene, const struct scene_ray *list,

@@ -27,9 +27,9 @@ bool same_frames(const struct trace *expected, const struct trace *found, size_t
  * text is also printed. */
 void keep_scene(const char *path, const char *text);
 
-/* Parses CHECK [SCENES [OF SHARE]] [--first] and checks the scenes 0 ..  SCENES - 1
+/* Parses CHECK [SCENES [OF SHARE]] [--first] and checks the scenes 0 to SCENES - 1
  * (300), or every OF-th of them from SHARE on; first: until one fails, which is not
- * reduced. begin, or NULL, is called for each scene, up to ahead scenes before it is
+ * reduced.  begin, or NULL, is called for each scene, up to ahead scenes before it is
  * checked.  Prints the counts; returns the exit status. */
 int check_many(int count, char **words, bool (*check)(size_t number, bool first),
                void (*begin)(size_t number), size_t ahead);
@@ -39,7 +39,7 @@ int check_many(int count, char **words, bool (*check)(size_t number, bool first)
  * whether it is visible at all. */
 enum certainty { NOTHING_CERTAIN, DEPTH_CERTAIN, ALL_CERTAIN };
 
-/* A random scene. other: a text with the same objects in another order or place, or
+/* A random scene.  other: a text with the same objects in another order or place, or
  * NULL. */
 struct random_scene {
     size_t number;

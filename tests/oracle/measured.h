@@ -17,7 +17,7 @@ struct measured {
     c205_error error; /* set on failure */
 };
 
-/* Measures a scene with density one; the inertia is about the origin. options need no
+/* Measures a scene with density one; the inertia is about the origin.  options need no
  * model and no parts.  Returns false and an error if it cannot be measured. */
 bool measure_scene(const char *text, struct columns_options options,
                    struct measured *measured);

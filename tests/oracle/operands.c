@@ -2,7 +2,7 @@
  * families. */
 #include "operands.h"
 
-/* splitmix64:  Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
+/* splitmix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators",
  * 2014. */
 uint64_t random_bits(uint64_t *random)
 {

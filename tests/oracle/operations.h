@@ -9,7 +9,7 @@ typedef c205_word scalar_rule(c205_word a, c205_word b, uint64_t *flags);
 typedef void span_rule(c205_word *c, const c205_word *a, const c205_word *b, size_t n,
                        uint64_t *flags);
 
-/* scalar: as in arith.h; NULL if only lanes.h has the operation. span: of at most SPAN
+/* scalar: as in arith.h; NULL if only lanes.h has the operation.  span: of at most SPAN
  * elements; NULL if only the fast path has it. */
 struct operation {
     const char *name; /* half_NAME: half words; fast_NAME: fast paths */

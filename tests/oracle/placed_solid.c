@@ -193,7 +193,7 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
     };
     struct solid *solid = solid_new(SHAPE, 0);
     uint64_t own = *state; /* nothing else depends on it */
-    if (one_in(state, 60)) /* the host takes long to lay one out */
+    if (one_in(state, 60)) /* the layout of a patch is slow */
         random_patch(state, place, solid);
     else
         shapes[below(state, sizeof shapes / sizeof *shapes)](state, place, solid);

@@ -222,9 +222,9 @@ static double dot(const double *a, const double *b)
 }
 
 /* The intersections of a torus and a ray.  The ray starts at p on the bounding sphere,
- * in the direction d of a point inside.  The torus is (|X|^2 - R^2 - r^2)^2 + 4 R^2
- * (y^2 - r^2) = 0.  Source:  POV-Ray's torus.cpp; the project's notes on ray tracing,
- * 1. */
+ * in the direction d of a point inside.  The torus is
+ *     (|X|^2 - R^2 - r^2)^2 + 4 R^2 (y^2 - r^2) = 0.
+ * Source: POV-Ray's torus.cpp; the project's notes on ray tracing, 1. */
 static void make_torus(struct polynomial *polynomial, uint64_t *state)
 {
     double major = 1, minor = 0.25;

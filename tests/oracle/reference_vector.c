@@ -155,7 +155,7 @@ static bool takes_neighbours(const c205_insn *insn)
     return reference_which(insn) == DO_DELTAV || reference_which(insn) == DO_ADJMV;
 }
 
-/* Returns the second source of neighbours:  A from its next element. */
+/* Returns the second source of neighbours: A from its next element. */
 static struct source next_of(const struct vector *vector)
 {
     struct source next = vector->sources.a;

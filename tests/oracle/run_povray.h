@@ -12,7 +12,7 @@ struct antialiasing {
 };
 
 /* Renders the scene in linear light between 0 and 1 in steps of 1/65535; only colours
- * are set.  how:  NULL for one ray per pixel.  Its files are in a temporary folder,
+ * are set.  how: NULL for one ray per pixel.  Its files are in a temporary folder,
  * which is removed.  The caller frees the frame.  After a failure the error is the end
  * of POV-Ray's output. */
 bool run_povray(const char *scene, size_t width, size_t height,
