@@ -57,8 +57,8 @@ void say_clear_look(struct language *draw)
 
 /* --- finishes ------------------------------------------------------------- */
 
-/* Not where light is transmitted: for a checker whose colours transmit different
- * shares, POV-Ray computes a metal differently. */
+/* Metals are not used where light is transmitted: for a checker whose colours transmit
+ * different shares, POV-Ray computes a metal differently. */
 void say_metallic(struct language *draw)
 {
     if (draw->metals && one_in(&draw->state, 3))

@@ -68,8 +68,8 @@ const struct language_rule language_rules[] = {
       "|rgbft <^2.4:1^, ^2.4:1^, ^2.4:1^, .5, ~.1:.4~>"
       "|$color;$[ transmit .6| filter .7| filter .4 transmit .3$]$]\n" },
     { "pigment", say_pigment, NULL },
-    /* For unbounded objects.  Far away POV-Ray's gradient differs, because its values
-     * are reduced modulo 1.00001 below -1. */
+    /* A pigment for unbounded objects.  Far away POV-Ray's gradient differs, because its
+     * values are reduced modulo 1.00001 below -1. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
     /* --- finishes --- */
     { "reflection", NULL,
@@ -224,7 +224,7 @@ const struct language_rule language_rules[] = {
     { "turned_camera", NULL,
       "$3[orthographic\n" AFTER_TURNED "$.right ^35:8^*x up ^34:6^*y\n"
       "|" AFTER_TURNED "$2[$width;|$]$]rotate <~-5:35~, ~-180:180~, ~-20:20~>\n" },
-    /* Below all lamps. */
+    /* The target is below all lamps. */
     { "point_at", NULL, "point_at @-3:3@\n" },
     { "spotlight", NULL,
       "spotlight\n$point_at;$2[radius ~5:60~\n|$]$2[falloff ~10:100~\n|$]"
@@ -232,8 +232,8 @@ const struct language_rule language_rules[] = {
     { "light_cylinder", NULL,
       "cylinder\n$point_at;$2[radius ~.5:3~\n|$]$2[falloff ~1:6~\n|$]"
       "$2[tightness ~0:8~\n|$]" },
-    /* Below everything else.  It is hollow, because an orthographic picture may start
-     * below it, and POV-Ray shows no fog inside a body that is not hollow. */
+    /* The ground is below all objects.  It is hollow, because an orthographic picture
+     * may start below it, and POV-Ray shows no fog inside a body that is not hollow. */
     { "ground", NULL,
       "$2[plane {\ny, -2.6137 hollow\n$far_pigment;|disc {\n-2.6137*y, y, 6\n$pigment;$]"
       "$3[$ground_finish;|$]}\n" },

@@ -34,9 +34,9 @@ void keep_scene(const char *path, const char *text);
 int check_many(int count, char **words, bool (*check)(size_t number, bool first),
                void (*begin)(size_t number), size_t ahead);
 
-/* What every tracer must agree on.  Where faces of several objects may coincide,
- * rounding decides which is visible; if the camera may be in a face, rounding decides
- * whether it is visible at all. */
+/* The values in which all tracers must agree.  Where faces of several objects may
+ * coincide, rounding decides which is visible; if the camera may be in a face, rounding
+ * decides whether it is visible at all. */
 enum certainty { NOTHING_CERTAIN, DEPTH_CERTAIN, ALL_CERTAIN };
 
 /* A random scene.  other: a text with the same objects in another order or place, or

@@ -309,7 +309,7 @@ static void sprinkled(struct draw draw, c205_word *a, c205_word *b)
         *b = random_word(draw.format, draw.random);
 }
 
-/* Like vectors with gaps: only normalised words and zeros. */
+/* Makes only normalised words and zeros, as in vectors with gaps. */
 static void with_zeros(struct draw draw, c205_word *a, c205_word *b)
 {
     fast_path(draw, a, b);

@@ -93,7 +93,7 @@ static void move_to(uint64_t *state, const struct place *place, struct solid *so
                 place->at[0], place->at[1], place->at[2]);
 }
 
-/* A spool, or an open surface. */
+/* Makes a spool or an open surface. */
 static void random_lathe(uint64_t *state, struct solid *solid)
 {
     double radius = .1 * (double)(1 + below(state, 6));
@@ -108,7 +108,7 @@ static void random_lathe(uint64_t *state, struct solid *solid)
                     radius, height, height + .1);
 }
 
-/* A torus or a lathe. */
+/* Makes a torus or a lathe. */
 static void random_torus(uint64_t *state, const struct place *place,
                          struct solid *solid)
 {
@@ -145,7 +145,7 @@ static void random_patch(uint64_t *state, const struct place *place,
     move_to(state, place, solid);
 }
 
-/* A cone, a sphere, an open cylinder, or the outside of a hyperboloid. */
+/* Makes a cone, a sphere, an open cylinder or the outside of a hyperboloid. */
 static void random_quadric(uint64_t *state, const struct place *place,
                            struct solid *solid)
 {
@@ -207,8 +207,8 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
     return solid;
 }
 
-/* A pyramid with an open front, a random top and one smooth side; or a closed body.  No
- * other random number depends on the choice. */
+/* Makes a pyramid with an open front, a random top and one smooth side, or a closed
+ * body.  No other random number depends on the choice. */
 struct solid *mesh_at(uint64_t *state, const struct place *place)
 {
     struct solid *solid = solid_new(SHAPE, 0);

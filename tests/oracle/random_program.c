@@ -290,7 +290,7 @@ static c205_word code_vector(uint64_t *random, const struct random_program *prog
     return (c205_word)random_between(random, 1, 5) << 48 | address / WORD * WORD;
 }
 
-/* In the program, on a read-only page, or at the end of a page. */
+/* Returns a table in the program, on a read-only page, or at the end of a page. */
 static c205_word table_elsewhere(uint64_t *random, const struct random_program *program)
 {
     uint64_t before = (uint64_t)random_between(random, 0, 90);
@@ -342,7 +342,7 @@ static uint64_t step_of(char role)
     return is_of_halves(role) ? HALF : WORD;
 }
 
-/* Near the previous vector; for half words, possibly near a vector of words. */
+/* Returns a vector near the previous one, or of half words near one of words. */
 static c205_word near_another(uint64_t *random, const struct random_program *program,
                               char role, unsigned number)
 {

@@ -48,7 +48,7 @@
         .reg    mesh_counts, r167               ; crossings per ray, integers
         .endshare
 
-; As the vectors of pairs in mesh_vector.s, with bits for the corners.
+; The vectors of pairs are those of mesh_vector.s, with bits for the corners.
         .share  scratch
         .regs   r251, side_b0, side_b1, side_b2
         .endshare
