@@ -68,8 +68,8 @@ const struct language_rule language_rules[] = {
       "|rgbft <^2.4:1^, ^2.4:1^, ^2.4:1^, .5, ~.1:.4~>"
       "|$color;$[ transmit .6| filter .7| filter .4 transmit .3$]$]\n" },
     { "pigment", say_pigment, NULL },
-    /* A pigment for unbounded objects.  Far away POV-Ray's gradient differs, because its
-     * values are reduced modulo 1.00001 below -1. */
+    /* A pigment for unbounded objects.  Far away POV-Ray's gradient differs, because
+     * its values are reduced modulo 1.00001 below -1. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
     /* --- finishes --- */
     { "reflection", NULL,
