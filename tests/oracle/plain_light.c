@@ -3,10 +3,10 @@
 #include "tests/oracle/plain_light.h"
 
 
-/* POV-Ray 3.7's limits.  The first applies to lights at grazing angles and to points
- * near the next cell of a pattern.  The second is the least distance of a shadow's
- * blocker from the point, from the light and, within one solid, from the next
- * blocker. */
+/* POV-Ray 3.7's limits.  A light more oblique than the first adds nothing, and a point
+ * nearer than that to the next cell of a pattern is in that cell.  The second is the
+ * least distance of a shadow's blocker from the point, from the light and, within one
+ * solid, from the next blocker. */
 #define SMALL_ANGLE 1e-10
 #define SHADOW_DISTANCE 1e-3
 

@@ -28,8 +28,8 @@ struct plain_memory {
     size_t change_count, change_room;
 };
 
-/* Clears the bits of a bit address that do not count: only the low 48 bits do, and
- * addresses are those of words. */
+/* Addresses are bit addresses of words.  Returns the low 48 bits of one, because the
+ * others do not count. */
 uint64_t plain_address(uint64_t address);
 uint64_t plain_page_number(uint64_t address);
 
