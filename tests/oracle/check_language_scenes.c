@@ -345,7 +345,7 @@ static struct judgement judge(const char *text, size_t number, struct sitting *s
     return judgement;
 }
 
-static struct judgement judge_anew(const char *text, size_t number)
+static struct judgement judge_again(const char *text, size_t number)
 {
     struct sitting sitting;
     begin_sitting(&sitting, text, number, "_less");
@@ -371,13 +371,13 @@ struct failure {
 static bool fails_as(const char *text, void *context)
 {
     const struct failure *failure = context;
-    struct judgement other = judge_anew(text, failure->number);
+    struct judgement other = judge_again(text, failure->number);
     return fails_alike(&failure->judgement, &other);
 }
 
 static void show(const char *text, size_t number)
 {
-    struct judgement judgement = judge_anew(text, number);
+    struct judgement judgement = judge_again(text, number);
     char path[PATH];
     snprintf(path, sizeof path, "language_%zu.pov", number);
     printf("FAIL %s (seed %016llX, -W %d -H %d): %s\n%s", path,

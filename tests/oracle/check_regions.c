@@ -61,7 +61,7 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
 }
 
 /* Appends the options of rt205 render for a configuration. */
-static void tell_way(const struct trace_options *way, char *words, size_t size)
+static void print_way(const struct trace_options *way, char *words, size_t size)
 {
     int used = snprintf(words, size, " with --mode %s", trace_mode_name(way->mode));
 #define TELL(condition, ...) \
@@ -189,7 +189,7 @@ static bool passes(struct random_scene *regions, char *reason)
     for (size_t i = 0; good && i < ways.count; i++)
         if (!same_in(&sight, expected, &ways.way[i], reason)) {
             size_t used = strlen(reason);
-            tell_way(&ways.way[i], reason + used, MANY_REASON - used);
+            print_way(&ways.way[i], reason + used, MANY_REASON - used);
             ways = (struct ways){ .count = 1, .way = { ways.way[i] } };
             good = false;
         }

@@ -82,8 +82,8 @@ static bool compare(const char *path, const struct trace_options *options,
     return true;
 }
 
-static bool tell_trace(const char *path, struct trace *trace,
-                       const struct trace_options *options, size_t reports)
+static bool print_trace(const char *path, struct trace *trace,
+                        const struct trace_options *options, size_t reports)
 {
     double begin = processor_seconds();
     struct frame frame;
@@ -108,21 +108,21 @@ static bool tell_trace(const char *path, struct trace *trace,
     return good;
 }
 
-static bool tell_scene(const char *path, const struct scene *scene,
-                       const struct trace_options *options, size_t reports)
+static bool print_scene(const char *path, const struct scene *scene,
+                        const struct trace_options *options, size_t reports)
 {
     c205_error error = { "no memory" };
     struct trace *trace = trace_new(scene, options, &error);
     bool good = true;
     if (trace)
-        good = tell_trace(path, trace, options, reports);
+        good = print_trace(path, trace, options, reports);
     else
         printf("untraced\t%s\n", error.message);
     trace_free(trace);
     return good;
 }
 
-static bool tell(const char *path, const struct trace_options *options)
+static bool print_case(const char *path, const struct trace_options *options)
 {
     const struct scene_options reading = { .width = (int)options->width,
                                            .height = (int)options->height,
@@ -131,7 +131,7 @@ static bool tell(const char *path, const struct trace_options *options)
     struct scene *scene = scene_read(path, &reading, &reports);
     bool good = true;
     if (scene)
-        good = tell_scene(path, scene, options, count_reports(&reports));
+        good = print_scene(path, scene, options, count_reports(&reports));
     else
         printf("refused\t%s\n", first_error(&reports));
     scene_free(scene);
@@ -159,7 +159,7 @@ int main(int count, char **words)
         options.threshold = strtod(words[5], NULL);
     }
     options.model = model = c205_model_find("cyber205-2pipe", &error);
-    bool good = model && tell(words[1], &options);
+    bool good = model && print_case(words[1], &options);
     c205_model_free(model);
     return good ? 0 : 1;
 }

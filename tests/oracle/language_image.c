@@ -15,7 +15,7 @@ const char language_image[] =
 
 /* An image that is shown once, planar or cylindrical, is surrounded by a transparent
  * colour. */
-static void say_image(struct language *draw, bool clear)
+static void write_image(struct language *draw, bool clear)
 {
     static const char *const types[] = { "", "map_type 0", "map_type 2", "map_type 1",
                                          "map_type 5" };
@@ -23,12 +23,12 @@ static void say_image(struct language *draw, bool clear)
     static const char *const between_them[] = { "", "interpolate 2", "interpolate 4" };
     size_t type = below(&draw->state, clear ? 3 : 5);
     size_t smooth = below(&draw->state, 3), gamma = below(&draw->state, 4);
-    say(draw, "image_map { $2[ppm|$] \"%s\" %s %s %s", LANGUAGE_IMAGE, gammas[gamma],
-        types[type], between_them[smooth]);
-    say(draw, clear ? " once }\n" : type >= 3 ? "$3[ once|$] }\n" : " }\n");
+    write_text(draw, "image_map { $2[ppm|$] \"%s\" %s %s %s", LANGUAGE_IMAGE,
+               gammas[gamma], types[type], between_them[smooth]);
+    write_text(draw, clear ? " once }\n" : type >= 3 ? "$3[ once|$] }\n" : " }\n");
     /* Borders of pixels are off the planes of the objects. */
-    say(draw, "$2[rotate <^2-90:90^, ^2-90:90^, ^2-90:90^>\n|$]scale ^4.7:2^\n"
-              "$.translate <^4.1:.3^, ^4.1:.3^, ^4.1:.3^>\n");
+    write_text(draw, "$2[rotate <^2-90:90^, ^2-90:90^, ^2-90:90^>\n|$]scale ^4.7:2^\n"
+                     "$.translate <^4.1:.3^, ^4.1:.3^, ^4.1:.3^>\n");
 }
 
 void begin_image(struct language *draw, size_t one_of, bool clear)
@@ -36,7 +36,7 @@ void begin_image(struct language *draw, size_t one_of, bool clear)
     uint64_t kept = draw->state;
     draw->state = stream_beside(kept, 7, 3);
     if (one_in(&draw->state, one_of)) {
-        say_image(draw, clear);
+        write_image(draw, clear);
         draw->text_of_all = draw->text;
         draw->text = fopen("/dev/null", "w");
     }

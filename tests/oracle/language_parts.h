@@ -61,16 +61,16 @@ struct language {
 /* A rule is a pattern, or a function if the text depends on previous choices. */
 struct language_rule {
     const char *name;
-    void (*say)(struct language *draw);
+    void (*write_text)(struct language *draw);
     const char *pattern;
 };
 extern const struct language_rule language_rules[];
 extern const size_t language_rule_count;
 
 /* Evaluates the pattern that the format makes. */
-void say(struct language *draw, const char *format, ...);
-void say_pattern(struct language *draw, const char *pattern);
-void say_number(struct language *draw, double low, double high);
+void write_text(struct language *draw, const char *format, ...);
+void write_pattern(struct language *draw, const char *pattern);
+void write_number(struct language *draw, double low, double high);
 
 /* Makes one pigment of one_of an image, which is surrounded by a transparent colour if
  * clear.  The pattern up to end_image is then evaluated but not printed. */
@@ -82,36 +82,36 @@ void end_image(struct language *draw);
 void open_solid_shape(struct language *draw, bool closed);
 
 /* The functions of the rules. */
-void say_color(struct language *draw);
-void say_turns(struct language *draw);
-void say_map(struct language *draw);
-void say_plain_color(struct language *draw);
-void say_pigment(struct language *draw);
-void say_clear_look(struct language *draw);
-void say_metallic(struct language *draw);
-void say_finish(struct language *draw);
-void say_ground_finish(struct language *draw);
-void say_steepness(struct language *draw);
-void say_bump_map(struct language *draw);
-void say_slopes(struct language *draw);
-void say_normal(struct language *draw);
-void say_steep_normal(struct language *draw);
-void say_texture_words(struct language *draw);
+void write_color(struct language *draw);
+void write_turns(struct language *draw);
+void write_map(struct language *draw);
+void write_plain_color(struct language *draw);
+void write_pigment(struct language *draw);
+void write_clear_look(struct language *draw);
+void write_metallic(struct language *draw);
+void write_finish(struct language *draw);
+void write_ground_finish(struct language *draw);
+void write_steepness(struct language *draw);
+void write_bump_map(struct language *draw);
+void write_slopes(struct language *draw);
+void write_normal(struct language *draw);
+void write_steep_normal(struct language *draw);
+void write_texture_words(struct language *draw);
 void declare_look(struct language *draw);
-void say_component(struct language *draw);
+void write_component(struct language *draw);
 void open_solid(struct language *draw);
 void open_quadric(struct language *draw);
 void open_lone_triangle(struct language *draw);
 void open_mesh(struct language *draw);
 void open_net(struct language *draw);
 void open_bicubic(struct language *draw);
-void say_clip(struct language *draw);
-void say_listed_solid(struct language *draw);
-void say_great_solid(struct language *draw);
+void write_clip(struct language *draw);
+void write_listed_solid(struct language *draw);
+void write_great_solid(struct language *draw);
 void declare_solid(struct language *draw);
-void say_for(struct language *draw);
-void say_macro(struct language *draw);
-void say_thing(struct language *draw);
+void write_for(struct language *draw);
+void write_macro(struct language *draw);
+void write_thing(struct language *draw);
 void declare_array(struct language *draw);
 void declare_palette(struct language *draw);
 

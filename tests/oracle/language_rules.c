@@ -13,7 +13,7 @@
 const struct language_rule language_rules[] = {
     /* --- values --- */
     { "arrow", NULL, "~.5:2~$2[*| * $]vnormalize(<.013, .027, .041> + $v2;)" },
-    { "color", say_color, NULL },
+    { "color", write_color, NULL },
     { "made_color", NULL,
       "$6[$[rgb |color rgb |srgb $]~.2:1~|red ~0:1~ green ~0:1~ blue ~0:1~"
       "|$[rgb |rgb |color rgb |srgb |color srgb $]@.05:1@$]" },
@@ -43,13 +43,13 @@ const struct language_rule language_rules[] = {
     { "turn", NULL,
       "$5[rotate @-90:90@|rotate ~-90:90~$[*x|*y|*z$]|scale @.6:1.2@|scale ~.7:1.1~"
       "|matrix <1, ^3-.3:.3^, 0, ^3-.3:.3^, .9, 0, 0, ^3-.3:.3^, 1, 0, ^3-.2:.2^, 0>$]\n" },
-    { "turns", say_turns, NULL },
+    { "turns", write_turns, NULL },
     /* --- pigments --- */
     /* Steps of a pattern are off the planes of the objects, where rounding would decide
      * between two of its colours. */
     { "pattern_place", NULL, "scale ^4.3:.9^\n$2[$turn;|$]" PLACE_OFF },
     { "checker", NULL, "checker$8[| $color;$[, | $]$color;$]\n$pattern_place;" },
-    { "map", say_map, NULL },
+    { "map", write_map, NULL },
     { "gradient", NULL, "gradient $arrow;$6[\n|$map;$]$pattern_place;" },
     /* More than two repetitions have edges as narrow as a pixel. */
     { "waves", NULL,
@@ -62,19 +62,19 @@ const struct language_rule language_rules[] = {
       "|$[planar|spherical|cylindrical|boxed|onion|leopard|radial|gradient x"
       "|gradient <1, 1, .5>$]$6[\n|$map;$]$waves;$]$pattern_place;" },
     { "mapped", NULL, "$2[$gradient;|$pattern;$]" },
-    { "plain_color", say_plain_color, NULL },
+    { "plain_color", write_plain_color, NULL },
     { "clear_color", NULL,
       "$4[rgbf <^2.4:1^, ^2.4:1^, ^2.4:1^, ~.5:.9~>|color rgbt ~.3:.9~"
       "|rgbft <^2.4:1^, ^2.4:1^, ^2.4:1^, .5, ~.1:.4~>"
       "|$color;$[ transmit .6| filter .7| filter .4 transmit .3$]$]\n" },
-    { "pigment", say_pigment, NULL },
+    { "pigment", write_pigment, NULL },
     /* A pigment for unbounded objects.  Far away POV-Ray's gradient differs, because
      * its values are reduced modulo 1.00001 below -1. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
     /* --- finishes --- */
     { "reflection", NULL,
       "$3[reflection { ^3.1:.5^ }\n|" SHARE("reflection", ".5") "$]" },
-    { "metallic", say_metallic, NULL },
+    { "metallic", write_metallic, NULL },
     /* A mirror that depends on the angle. */
     { "turned_mirror", NULL,
       "reflection {\nrgb <^30:.4^, ^30:.4^, ^30:.4^>, ^3.2:.9^\n"
@@ -88,8 +88,8 @@ const struct language_rule language_rules[] = {
                     ".3") "|$]"
                           "$3[phong ~.2:.9~\n$2[phong_size ~8:60~\n|$]|$]"
                           "$3[specular ~.2:.9~\n$2[roughness ~.02:.2~\n|$]|$]$metallic;" },
-    { "finish", say_finish, NULL },
-    { "ground_finish", say_ground_finish, NULL },
+    { "finish", write_finish, NULL },
+    { "ground_finish", write_ground_finish, NULL },
     /* --- normals --- */
     /* Without the functions and streams of other numbers, so that the other random
      * choices do not depend on normals. */
@@ -98,26 +98,26 @@ const struct language_rule language_rules[] = {
       "|cylindrical|planar|quilted$]"
       "$[| sine_wave| triangle_wave| scallop_wave| cubic_wave$] bump_size $steepness;"
       "$4[ phase ^30:1^|$] scale ^4.2:.6^" },
-    { "steepness", say_steepness, NULL },
+    { "steepness", write_steepness, NULL },
     { "bump_entry", NULL, " normal { $bump; }" },
     { "bump_list", NULL,
       "$[checker$2[, $steepness;|$bump_entry;$bump_entry;$]"
       "|hexagon$2[, $steepness;|$bump_entry;$bump_entry;$bump_entry;$]"
       "|brick$2[, $steepness;|$bump_entry;$bump_entry;$]"
       " brick_size <.713, .427, .531> mortar .061$]\n" },
-    { "bump_map", say_bump_map, NULL },
-    { "slopes", say_slopes, NULL },
+    { "bump_map", write_bump_map, NULL },
+    { "slopes", write_slopes, NULL },
     { "own_normal", NULL,
       "normal {\n$6[$bump_list;|$bump_map;|$slopes;|$bump;\n$]scale <1, ^4.6:1.2^, 1>\n"
       "$.rotate <^2-60:60^, ^2-60:60^, 0>\n$." PLACE_OFF "$6[no_bump_scale\n|$]}\n" },
-    { "normal", say_normal, NULL },
-    { "steep_normal", say_steep_normal, NULL },
+    { "normal", write_normal, NULL },
+    { "steep_normal", write_steep_normal, NULL },
     /* --- textures --- */
-    { "texture_words", say_texture_words, NULL },
+    { "texture_words", write_texture_words, NULL },
     { "look", NULL,
       "$4[$pigment;$steep_normal;|$pigment;$finish;$normal;"
       "|texture {\n$texture_words;}\n$]" },
-    { "clear_look", say_clear_look, NULL },
+    { "clear_look", write_clear_look, NULL },
     /* --- shapes --- */
     /* With a negative radius POV-Ray's bounding box is inside out: it shows the ball
      * only if there are fewer than three objects. */
@@ -133,7 +133,7 @@ const struct language_rule language_rules[] = {
     { "quartic", NULL,
       "quartic {\n<2, 0,0,0, ^30:1^,0,0, ^30:1^,0,^3-1:1^, 0,0,0,0,0,^3-.5:.5^, 0,0,0,0, "
       "3, 0,0, ^30:1^,0,^3-1:.5^, 0,0,0,0, 2, 0,^3-.7:.5^,0, -^3.4:1^>\nsturm\n" },
-    { "component", say_component, NULL },
+    { "component", write_component, NULL },
     { "blob_begin", NULL,
       "blob {\nthreshold ^4.2:.6^\n$.sphere { <^3-.3:.3^, 0, ^3-.3:.3^>, .8, 1.3 }\n" },
     { "shape", open_solid, NULL },
@@ -164,13 +164,13 @@ const struct language_rule language_rules[] = {
     { "place", NULL, "translate <~-2.2:2.2~, ~-1:1.6~, ~-2:2~>\n" },
     /* For a part of a solid, so that no faces coincide. */
     { "shift", NULL, SHIFT },
-    { "clip", say_clip, NULL },
+    { "clip", write_clip, NULL },
     { "cuts", NULL, "$8[$clip;|$]$10[hollow\n|$]" HIDDEN("10") },
     /* A texture before, between or after the transforms. */
     { "dress", NULL, "$turns;$look;$turns;" },
     /* --- solids --- */
-    { "listed_solid", say_listed_solid, NULL },
-    { "great_solid", say_great_solid, NULL },
+    { "listed_solid", write_listed_solid, NULL },
+    { "great_solid", write_great_solid, NULL },
     { "reference", NULL, "object {\n$=Solid;\n$2[$look;|$]$turns;" SHIFT "}\n" },
     /* --- things --- */
     { "shape_thing", NULL, "$shape;$dress;$cuts;$place;}\n" },
@@ -194,9 +194,9 @@ const struct language_rule language_rules[] = {
      * in POV-Ray, while here it leaves. */
     { "clear_thing", NULL, "$2[$bent;|$unbent;$]" HIDDEN("6") "$place;}\n" },
     { "bent", NULL, "$unbent;interior { ior ~1.1:1.7~ }\n" },
-    { "unbent", say_clear_look, NULL },
+    { "unbent", write_clear_look, NULL },
     { "small", NULL, "$shape;$turns;$look;scale ^3.3:.6^\n" },
-    { "for", say_for, NULL },
+    { "for", write_for, NULL },
     { "while", NULL,
       "#declare Turn = 0;\n#while (Turn < ^#2:4^)\n$4[#if (Turn > 2) #break #end\n|$]"
       "$small;translate <^3.7:1.2^*Turn - ^31:2.2^, ^3-1:1.5^, ^3-2:2^*mod(Turn, 2)>\n}\n"
@@ -209,8 +209,8 @@ const struct language_rule language_rules[] = {
       "#range (1, 2.5)\n$sheet_thing;#break\n#else\n$shape_thing;#end\n" },
     { "defined", NULL,
       "$2[#ifdef (N0)|#ifndef (Nobody)$]\n$shape_thing;#else\n$sheet_thing;#end\n" },
-    { "thing", say_thing, NULL },
-    { "macro", say_macro, NULL },
+    { "thing", write_thing, NULL },
+    { "macro", write_macro, NULL },
     { "any_thing", NULL,
       "$[$shape_thing;|$shape_thing;|$sheet_thing;|$sheet_thing;|$sheet_thing;"
       "|$solid_thing;|$solid_thing;|$solid_thing;|$group;|$bounded_thing;|$for;|$while;"

@@ -14,140 +14,144 @@
 void declare_array(struct language *draw)
 {
     draw->calling = false;
-    say(draw, "#declare $+List; = array[4] { $f1;, $f1;, $f1;, $f1; }\n$!List;");
+    write_text(draw, "#declare $+List; = array[4] { $f1;, $f1;, $f1;, $f1; }\n$!List;");
     draw->calling = true;
 }
 
 void declare_palette(struct language *draw)
 {
     draw->calling = false;
-    say(draw, "#declare $+Palette; = array[4] { $color;, $color;, $color;, $color; }\n"
-              "$!Palette;");
+    write_text(draw,
+               "#declare $+Palette; = array[4] { $color;, $color;, $color;, $color; }\n"
+               "$!Palette;");
     draw->calling = true;
 }
 
-static void say_times(struct language *draw, size_t count, const char *pattern)
+static void write_times(struct language *draw, size_t count, const char *pattern)
 {
     for (; count > 0; count--)
-        say_pattern(draw, pattern);
+        write_pattern(draw, pattern);
 }
 
-static void say_declarations(struct language *draw)
+static void write_declarations(struct language *draw)
 {
     if (one_in(&draw->state, 3)) {
-        say(draw, "#declare Stream = seed(^#0:1000^);\n");
+        write_text(draw, "#declare Stream = seed(^#0:1000^);\n");
         draw->streams = true;
     }
-    say(draw, "$float;");
-    say_times(draw, 2 + below(&draw->state, 8), "$declaration;");
+    write_text(draw, "$float;");
+    write_times(draw, 2 + below(&draw->state, 8), "$declaration;");
 }
 
 /* --- settings ------------------------------------------------------------- */
 
-static void say_settings(struct language *draw)
+static void write_settings(struct language *draw)
 {
     size_t level = 3 + below(&draw->state, 10);
-    say(draw,
-        "#version 3.7; global_settings { assumed_gamma $4[2.2|1.0$] "
-        "max_trace_level %zu }\n"
-        "$4[global_settings { ambient_light $color; }\n|$]",
-        level);
+    write_text(draw,
+               "#version 3.7; global_settings { assumed_gamma $4[2.2|1.0$] "
+               "max_trace_level %zu }\n"
+               "$4[global_settings { ambient_light $color; }\n|$]",
+               level);
     draw->library = one_in(&draw->state, 6);
     if (draw->library)
-        say(draw, "#include \"colors.inc\"\n");
+        write_text(draw, "#include \"colors.inc\"\n");
 }
 
-static void say_sky(struct language *draw)
+static void write_sky(struct language *draw)
 {
-    say(draw, "background { $color; }\n");
+    write_text(draw, "background { $color; }\n");
     if (!one_in(&draw->state, 4))
         return;
     bool named = one_in(&draw->state, 3);
-    say(draw, "%ssky_sphere {\npigment {\n", named ? "#declare Heaven = " : "");
+    write_text(draw, "%ssky_sphere {\npigment {\n", named ? "#declare Heaven = " : "");
     begin_image(draw, 3, false);
-    say(draw,
+    write_text(
+        draw,
         "$[gradient y|gradient y triangle_wave|planar|radial frequency 3|boxed"
         "|leopard frequency 2$]\ncolor_map { [0 rgb <.8, .7, ^20:1^>] "
         "[^2.1:.9^ rgb .4] [1 rgb <.1, .3, .6>] }\n$2[scale 2\n|$]translate -.37\n");
     end_image(draw);
-    say(draw, "}\n}\n");
+    write_text(draw, "}\n}\n");
     if (named)
-        say(draw, "sky_sphere { Heaven rotate <0, ^2-90:90^, 20> }\n");
+        write_text(draw, "sky_sphere { Heaven rotate <0, ^2-90:90^, 20> }\n");
 }
 
 /* With fog no object is transparent: here fog fills such an object, in POV-Ray only if
  * the object is hollow. */
-static void say_fog(struct language *draw)
+static void write_fog(struct language *draw)
 {
     size_t which = below(&draw->state, 5);
     draw->clear = which > 1;
     draw->metals = !draw->clear;
     if (which == 0)
-        say(draw, "fog { distance ^28:40^ color $3[rgbt <.6, .7, .8, .2>"
-                  "|rgbft <.6, .5, .8, .4, .1>|@.2:1@$] }\n");
+        write_text(draw, "fog { distance ^28:40^ color $3[rgbt <.6, .7, .8, .2>"
+                         "|rgbft <.6, .5, .8, .4, .1>|@.2:1@$] }\n");
 }
 
 /* --- cameras and lights --------------------------------------------------- */
 
 /* The camera looks obliquely, so that no ray is parallel to a face. */
-static void say_looking_camera(struct language *draw)
+static void write_looking_camera(struct language *draw)
 {
-    say(draw, "$5[orthographic\n|$]");
+    write_text(draw, "$5[orthographic\n|$]");
     double turn = between(&draw->state, -3.1, 3.1);
     double far = between(&draw->state, 7, 9);
-    say(draw, "location <%.4f, ^4-1:4^, %.4f>\n$2[$width;|$]$5[|angle ~30:48~\n$]$aim;",
+    write_text(
+        draw, "location <%.4f, ^4-1:4^, %.4f>\n$2[$width;|$]$5[|angle ~30:48~\n$]$aim;",
         far * sin(turn), -far * cos(turn));
 }
 
-static void say_camera(struct language *draw)
+static void write_camera(struct language *draw)
 {
-    say(draw, "camera {\n");
+    write_text(draw, "camera {\n");
     if (one_in(&draw->state, 4))
-        say(draw, "$turned_camera;");
+        write_text(draw, "$turned_camera;");
     else
-        say_looking_camera(draw);
-    say(draw, "}\n");
+        write_looking_camera(draw);
+    write_text(draw, "}\n");
 }
 
 /* Returns false if the rays of the lamp are parallel.  POV-Ray fades the far side of
  * such a light differently (docs/povray.md). */
-static bool say_beam(struct language *draw)
+static bool write_beam(struct language *draw)
 {
     bool cone = one_in(&draw->state, 2), parallel = one_in(&draw->state, 4);
-    say(draw, parallel ? "parallel\n$point_at;"
-              : cone   ? "$spotlight;"
-                       : "$light_cylinder;");
+    write_text(draw, parallel ? "parallel\n$point_at;"
+                     : cone   ? "$spotlight;"
+                              : "$light_cylinder;");
     return cone && !parallel;
 }
 
 /* The other random choices do not depend on it. */
-static void say_area(struct language *draw)
+static void write_area(struct language *draw)
 {
     uint64_t kept = draw->state;
     draw->state = stream_beside(kept, 5, 1);
     if (one_in(&draw->state, 5)) {
         size_t across = 1 + below(&draw->state, 6), down = 1 + below(&draw->state, 4);
-        say(draw, "area_light <^3.3:2^, 0, ^3-1:1^>, <0, ^3-1:1^, 1>, %zu, %zu\n",
-            across, down);
+        write_text(draw,
+                   "area_light <^3.3:2^, 0, ^3-1:1^>, <0, ^3-1:1^, 1>, %zu, %zu\n",
+                   across, down);
         if (across > 1 && down > 1)
-            say(draw, "$2[circular\n|$]");
+            write_text(draw, "$2[circular\n|$]");
     }
     draw->state = kept;
 }
 
-static void say_lamp(struct language *draw)
+static void write_lamp(struct language *draw)
 {
-    say(draw, "light_source {\n<~-9:9~, ~4:12~, ~-9:9~>, $color;\n");
+    write_text(draw, "light_source {\n<~-9:9~, ~4:12~, ~-9:9~>, $color;\n");
     bool fades = true;
     if (one_in(&draw->state, 5))
-        say(draw, "shadowless\n");
+        write_text(draw, "shadowless\n");
     else if (one_in(&draw->state, 3))
-        fades = say_beam(draw);
+        fades = write_beam(draw);
     if (fades)
-        say_area(draw);
+        write_area(draw);
     if (fades)
-        say(draw, "$5[fade_distance ~1:12~\nfade_power ~.5:4~\n|$]");
-    say(draw, "$5[translate <^3-2:2^, 1, .5>\n|$]}\n");
+        write_text(draw, "$5[fade_distance ~1:12~\nfade_power ~.5:4~\n|$]");
+    write_text(draw, "$5[translate <^3-2:2^, 1, .5>\n|$]}\n");
 }
 
 /* --- scenes --------------------------------------------------------------- */
@@ -160,17 +164,17 @@ char *language_scene_text(uint64_t seed)
                              .calling = true };
     for (int i = 0; i < 8; i++)
         xorshift(&draw.state);
-    say_settings(&draw);
-    say_declarations(&draw);
-    say_sky(&draw);
-    say_fog(&draw);
-    say_camera(&draw);
+    write_settings(&draw);
+    write_declarations(&draw);
+    write_sky(&draw);
+    write_fog(&draw);
+    write_camera(&draw);
     for (size_t left = 1 + below(&draw.state, 3); left > 0; left--)
-        say_lamp(&draw);
-    say(&draw, "$4[#default {\nfinish {\n$finish_words;}\n}\n|$]");
-    say_times(&draw, below(&draw.state, 4), "$look_declaration;");
-    say(&draw, "$2[$ground;|$]$6[$macro;|$]");
-    say_times(&draw, 2 + below(&draw.state, 5), "$thing;");
+        write_lamp(&draw);
+    write_text(&draw, "$4[#default {\nfinish {\n$finish_words;}\n}\n|$]");
+    write_times(&draw, below(&draw.state, 4), "$look_declaration;");
+    write_text(&draw, "$2[$ground;|$]$6[$macro;|$]");
+    write_times(&draw, 2 + below(&draw.state, 5), "$thing;");
     fclose(draw.text);
     return text_indented(words);
 }

@@ -16,13 +16,15 @@ static void open_prism(struct language *draw)
     bool curved = one_in(&state, 2);
     bool hole = one_in(&draw->state, 3);
     size_t corners = 3 + below(&draw->state, 4);
-    say(draw, "prism {\n");
+    write_text(draw, "prism {\n");
     if (curved)
-        say(draw, "quadratic_spline ");
-    say(draw, "$[|linear_sweep |linear_sweep %s$]", curved ? "" : "linear_spline ");
-    say(draw, "%.4f, %.4f, %zu", between(&draw->state, -.7, -.2),
-        between(&draw->state, .2, .7), corners + 1 + curved + (hole ? 4 + curved : 0));
-    say(draw, "\n");
+        write_text(draw, "quadratic_spline ");
+    write_text(draw, "$[|linear_sweep |linear_sweep %s$]",
+               curved ? "" : "linear_spline ");
+    write_text(draw, "%.4f, %.4f, %zu", between(&draw->state, -.7, -.2),
+               between(&draw->state, .2, .7),
+               corners + 1 + curved + (hole ? 4 + curved : 0));
+    write_text(draw, "\n");
     double points[7][2];
     for (size_t i = 0; i < corners; i++) {
         double angle = 6.2832 * (double)i / (double)corners + .3;
@@ -32,25 +34,27 @@ static void open_prism(struct language *draw)
     }
     memcpy(points[corners], points[0], sizeof *points);
     if (curved)
-        say(draw, "<%.4f, %.4f>, ", points[corners - 1][0], points[corners - 1][1]);
+        write_text(draw, "<%.4f, %.4f>, ", points[corners - 1][0],
+                   points[corners - 1][1]);
     for (size_t i = 0; i <= corners; i++)
-        say(draw, "%s<%.4f, %.4f>", i ? ", " : "", points[i][0], points[i][1]);
+        write_text(draw, "%s<%.4f, %.4f>", i ? ", " : "", points[i][0], points[i][1]);
     if (hole)
-        say(draw, "%s, <.2, .01>, <-.1, .17>, <-.12, -.16>, <.2, .01>",
-            curved ? ", <-.12, -.16>" : "");
-    say(draw, "\n");
+        write_text(draw, "%s, <.2, .01>, <-.1, .17>, <-.12, -.16>, <.2, .01>",
+                   curved ? ", <-.12, -.16>" : "");
+    write_text(draw, "\n");
 }
 
 /* Adds a ball or rod to a blob; a negative strength leaves a dent.  Parts are not
  * small, because POV-Ray finds no blob within a hundredth of the start of a ray.  sturm
  * is not used, because POV-Ray sometimes loses a crossing with it. */
-void say_component(struct language *draw)
+void write_component(struct language *draw)
 {
-    say(draw, "$2[cylinder {\n@-.4:.4@, @.1:.5@, |sphere {\n@-.4:.4@, $]~.4:.7~"
-              "$[, |, strength | strength $]");
+    write_text(draw, "$2[cylinder {\n@-.4:.4@, @.1:.5@, |sphere {\n@-.4:.4@, $]~.4:.7~"
+                     "$[, |, strength | strength $]");
     double strength = between(&draw->state, .5, 1.2);
-    say(draw, "$5[-|$]%.4f\n", strength);
-    say(draw,
+    write_text(draw, "$5[-|$]%.4f\n", strength);
+    write_text(
+        draw,
         "$3[scale <^3.7:1.2^, ^3.7:1.2^, 1> rotate <0, ^10:90^, ^10:90^>\n|$]}\n");
 }
 
@@ -62,10 +66,10 @@ static bool opens_blob(struct language *draw)
     if (!one_in(&state, 12))
         return false;
     draw->state = state;
-    say(draw, "$blob_begin;");
+    write_text(draw, "$blob_begin;");
     for (size_t left = below(&draw->state, 4); left > 0; left--)
-        say_component(draw);
-    say(draw, "$2[component .8, .7, <0, ^3-.5:.5^, 0>\n|$]");
+        write_component(draw);
+    write_text(draw, "$2[component .8, .7, <0, ^3-.5:.5^, 0>\n|$]");
     draw->state = kept;
     return true;
 }
@@ -81,7 +85,7 @@ static void open_closed(struct language *draw, size_t which)
     if (which == PRISM)
         open_prism(draw);
     else
-        say_pattern(draw, closed_shapes[which]);
+        write_pattern(draw, closed_shapes[which]);
 }
 
 /* Makes a path from axis to axis, or with open ends.  It rises, with some level and
@@ -92,19 +96,19 @@ static void open_lathe(struct language *draw, uint64_t *state, bool closed)
     size_t corners = 1 + below(state, 5);
     double height = -.4, radius = between(state, .2, .9);
     bool level = false;
-    say(draw, "lathe {\n");
-    say(draw, "%s%zu", one_in(state, 2) ? "linear_spline " : "",
-        corners + (open ? 2 : 4));
+    write_text(draw, "lathe {\n");
+    write_text(draw, "%s%zu", one_in(state, 2) ? "linear_spline " : "",
+               corners + (open ? 2 : 4));
     if (!open)
-        say(draw, ", <0, -.8>");
-    say(draw, ", <~.5:.8~, -.8>, <~.1:.4~, -.6>");
+        write_text(draw, ", <0, -.8>");
+    write_text(draw, ", <~.5:.8~, -.8>, <~.1:.4~, -.6>");
     for (size_t i = 0; i < corners; i++) {
-        say(draw, ", <%.4f, %.4f>", radius, height);
+        write_text(draw, ", <%.4f, %.4f>", radius, height);
         level = !level && one_in(state, 4);
         height += level ? 0 : between(state, .1, 1.2 / (double)corners);
         radius = level || !one_in(state, 4) ? between(state, .1, .9) : radius;
     }
-    say(draw, open ? "\n" : ", <0, %.4f>\n", height);
+    write_text(draw, open ? "\n" : ", <0, %.4f>\n", height);
 }
 
 /* Replaces a shape by a body of triangles; the shape is generated but not printed. */
@@ -113,7 +117,7 @@ static void open_star(struct language *draw, size_t which)
     struct language unseen = *draw;
     char *passed, words[SOLID_WORDS];
     mesh_star_words(draw->state, words);
-    say(draw, "%s\n", words);
+    write_text(draw, "%s\n", words);
     unseen.text = test_text(&passed);
     open_closed(&unseen, which);
     fclose(unseen.text);
@@ -139,7 +143,7 @@ void open_solid_shape(struct language *draw, bool closed)
         open_closed(draw, which);
     bool opens = which == 2 || which == 3 || which == PRISM;
     if (!closed && opens && one_in(&draw->state, 4) && !star)
-        say(draw, "open\n");
+        write_text(draw, "open\n");
 }
 
 void open_solid(struct language *draw)
@@ -156,9 +160,9 @@ void open_quadric(struct language *draw)
         "<1, 0, 2>, <.2, .1, .3>, 0, -.3%zu\n",
         "<1, 0, -1>, 0, <0, 1, 0>, .0%zu\n",
     };
-    say(draw, "quadric {\n");
+    write_text(draw, "quadric {\n");
     size_t digit = 1 + below(&draw->state, 8);
-    say(draw, quadrics[below(&draw->state, 4)], digit);
+    write_text(draw, quadrics[below(&draw->state, 4)], digit);
 }
 
 /* --- sheets --------------------------------------------------------------- */
@@ -170,15 +174,16 @@ static void open_triangle(struct language *draw, double bent)
 {
     static const double corner[3][2] = { { -.9, -.6 }, { .8, -.7 }, { 0, 1 } };
     bool smooth = one_in(&draw->state, 2);
-    say(draw, smooth ? "smooth_triangle {\n" : "triangle {\n");
+    write_text(draw, smooth ? "smooth_triangle {\n" : "triangle {\n");
     for (int i = 0; i < 3; i++) {
-        say(draw, "<%.4f, %.4f, %.4f>", corner[i][0] + between(&draw->state, -.2, .2),
-            corner[i][1] + between(&draw->state, -.2, .2),
-            between(&draw->state, -bent, bent));
+        write_text(draw, "<%.4f, %.4f, %.4f>",
+                   corner[i][0] + between(&draw->state, -.2, .2),
+                   corner[i][1] + between(&draw->state, -.2, .2),
+                   between(&draw->state, -bent, bent));
         if (smooth)
-            say(draw, ", <%.3f, %.3f, -1>", between(&draw->state, -bent, bent),
-                between(&draw->state, -bent, bent));
-        say(draw, i < 2 ? ", " : "\n");
+            write_text(draw, ", <%.3f, %.3f, -1>", between(&draw->state, -bent, bent),
+                       between(&draw->state, -bent, bent));
+        write_text(draw, i < 2 ? ", " : "\n");
     }
 }
 
@@ -189,10 +194,10 @@ void open_lone_triangle(struct language *draw)
 
 void open_mesh(struct language *draw)
 {
-    say(draw, "mesh {\n");
+    write_text(draw, "mesh {\n");
     for (size_t left = 1 + below(&draw->state, 4); left > 0; left--) {
         open_triangle(draw, .5);
-        say(draw, "}\n");
+        write_text(draw, "}\n");
     }
 }
 
@@ -200,37 +205,39 @@ void open_mesh(struct language *draw)
 void open_net(struct language *draw)
 {
     enum { NET = 3, POINTS = NET * NET };
-    say(draw, "mesh2 {\nvertex_vectors { %d,\n", POINTS);
+    write_text(draw, "mesh2 {\nvertex_vectors { %d,\n", POINTS);
     for (int i = 0; i < POINTS; i++)
-        say(draw, "<%.4f, %.4f, ^4-.4:.4^>%s\n", .7 * (i % NET - 1), .7 * (i / NET - 1),
-            i + 1 < POINTS ? "," : "");
-    say(draw, "}\n");
+        write_text(draw, "<%.4f, %.4f, ^4-.4:.4^>%s\n", .7 * (i % NET - 1),
+                   .7 * (i / NET - 1), i + 1 < POINTS ? "," : "");
+    write_text(draw, "}\n");
     if (one_in(&draw->state, 2)) {
-        say(draw, "normal_vectors { %d,\n", POINTS);
+        write_text(draw, "normal_vectors { %d,\n", POINTS);
         for (int i = 0; i < POINTS; i++)
-            say(draw, "<^3-.7:.7^, ^3-.7:.7^, -^3.5:1^>%s\n",
-                i + 1 < POINTS ? "," : "");
-        say(draw, "}\n");
+            write_text(draw, "<^3-.7:.7^, ^3-.7:.7^, -^3.5:1^>%s\n",
+                       i + 1 < POINTS ? "," : "");
+        write_text(draw, "}\n");
     }
-    say(draw, "face_indices { %d,\n", 2 * (NET - 1) * (NET - 1));
+    write_text(draw, "face_indices { %d,\n", 2 * (NET - 1) * (NET - 1));
     for (int i = 0; i < NET - 1; i++)
         for (int j = 0; j < NET - 1; j++) {
             int at = i * NET + j;
-            say(draw, "<%d, %d, %d>, <%d, %d, %d>%s\n", at, at + 1, at + NET + 1,
-                at + NET + 1, at + NET, at, i + j < 2 * NET - 4 ? "," : "");
+            write_text(draw, "<%d, %d, %d>, <%d, %d, %d>%s\n", at, at + 1, at + NET + 1,
+                       at + NET + 1, at + NET, at, i + j < 2 * NET - 4 ? "," : "");
         }
-    say(draw, "}\n");
+    write_text(draw, "}\n");
 }
 
 void open_bicubic(struct language *draw)
 {
     size_t steps = 1 + below(&draw->state, 3), across = 1 + below(&draw->state, 3);
     const char *flat = one_in(&draw->state, 2) ? "0" : ".05";
-    say(draw, "bicubic_patch {\ntype ^#0:2^ flatness %s u_steps %zu v_steps %zu\n",
-        flat, steps, across);
+    write_text(draw,
+               "bicubic_patch {\ntype ^#0:2^ flatness %s u_steps %zu v_steps %zu\n",
+               flat, steps, across);
     for (int i = 0; i < 16; i++)
-        say(draw, "<%.4f, %.4f, ^4-.6:.6^>%s", .55 * (i % 4 - 1.5), .55 * (i / 4 - 1.5),
-            i % 4 < 3 ? ", "
-            : i < 15  ? ", \n"
-                      : "\n");
+        write_text(draw, "<%.4f, %.4f, ^4-.6:.6^>%s", .55 * (i % 4 - 1.5),
+                   .55 * (i / 4 - 1.5),
+                   i % 4 < 3 ? ", "
+                   : i < 15  ? ", \n"
+                             : "\n");
 }

@@ -5,112 +5,114 @@
  * a difference or intersection. */
 enum standing { LISTED, JOINED, CUTTING };
 
-static void say_solid(struct language *draw, int depth, enum standing standing);
+static void write_solid(struct language *draw, int depth, enum standing standing);
 
 /* Clips by a bounded shape that is not inverted: POV-Ray searches quadrics and
  * quartics in the box of the clipping shape, inverted or not.  Meshes do not clip,
  * because POV-Ray loses crossings of a mesh while it tests whether they are inside
  * another one. */
-void say_clip(struct language *draw)
+void write_clip(struct language *draw)
 {
-    say(draw, "clipped_by {\n");
+    write_text(draw, "clipped_by {\n");
     draw->clipping = true;
     for (size_t left = 1 + one_in(&draw->state, 4); left > 0; left--)
-        say(draw, "$3[$shape;$turns;|$endless;$turns;$5[inverse\n|$]$]}\n");
+        write_text(draw, "$3[$shape;$turns;|$endless;$turns;$5[inverse\n|$]$]}\n");
     draw->clipping = false;
-    say(draw, "}\n");
+    write_text(draw, "}\n");
 }
 
 /* --- solids --------------------------------------------------------------- */
 
-static void say_leaf(struct language *draw, enum standing standing)
+static void write_leaf(struct language *draw, enum standing standing)
 {
-    say(draw, "$shape;$8[$clip;|$]$3[$look;|$]$turns;");
+    write_text(draw, "$shape;$8[$clip;|$]$3[$look;|$]$turns;");
     if (standing == CUTTING)
-        say(draw, "$6[inverse\n|$]");
-    say(draw, "$shift;}\n");
+        write_text(draw, "$6[inverse\n|$]");
+    write_text(draw, "$shift;}\n");
 }
 
-static void say_cutter(struct language *draw, int depth)
+static void write_cutter(struct language *draw, int depth)
 {
     if (one_in(&draw->state, 3))
-        say(draw, "$endless;$3[$look;|$]$turns;}\n");
+        write_text(draw, "$endless;$3[$look;|$]$turns;}\n");
     else
-        say_solid(draw, depth, CUTTING);
+        write_solid(draw, depth, CUTTING);
 }
 
 /* A disc is not used as a part: POV-Ray drops the parts of an intersection outside the
  * box of its disc.  A union is used only in a list: as a part of a solid it keeps its
  * inner faces in POV-Ray, which are visible where something is clipped or open. */
-static void say_joined(struct language *draw, int depth, enum standing standing)
+static void write_joined(struct language *draw, int depth, enum standing standing)
 {
     static const char *const words[] = { "union", "merge", "intersection", "difference",
                                          "difference" };
     size_t which = below(&draw->state, 5);
     which += which == 0 && standing != LISTED;
     enum standing part = which == 0 ? LISTED : JOINED;
-    say(draw, "%s {\n", words[which]);
-    say_solid(draw, depth - 1, part);
+    write_text(draw, "%s {\n", words[which]);
+    write_solid(draw, depth - 1, part);
     for (size_t left = 1 + below(&draw->state, 2); left > 0; left--)
         if (which < 2)
-            say_solid(draw, depth - 1, part);
+            write_solid(draw, depth - 1, part);
         else
-            say_cutter(draw, depth - 1);
-    say(draw, "$8[$clip;|$]$2[$look;|$]$turns;$shift;}\n");
+            write_cutter(draw, depth - 1);
+    write_text(draw, "$8[$clip;|$]$2[$look;|$]$turns;$shift;}\n");
 }
 
-static void say_solid(struct language *draw, int depth, enum standing standing)
+static void write_solid(struct language *draw, int depth, enum standing standing)
 {
     if (draw->names[NAME_SOLID] && one_in(&draw->state, 6))
-        say(draw, "$reference;");
+        write_text(draw, "$reference;");
     else if (depth > 0 && one_in(&draw->state, 2))
-        say_joined(draw, depth, standing);
+        write_joined(draw, depth, standing);
     else
-        say_leaf(draw, standing);
+        write_leaf(draw, standing);
 }
 
-void say_listed_solid(struct language *draw)
+void write_listed_solid(struct language *draw)
 {
-    say_solid(draw, 1, LISTED);
+    write_solid(draw, 1, LISTED);
 }
 
-void say_great_solid(struct language *draw)
+void write_great_solid(struct language *draw)
 {
-    say_joined(draw, 2, LISTED);
+    write_joined(draw, 2, LISTED);
 }
 
 void declare_solid(struct language *draw)
 {
-    say(draw, "#declare $+Solid; =\n");
+    write_text(draw, "#declare $+Solid; =\n");
     if (one_in(&draw->state, 2))
-        say_joined(draw, 1, JOINED);
+        write_joined(draw, 1, JOINED);
     else
-        say_leaf(draw, JOINED);
-    say(draw, "$!Solid;");
+        write_leaf(draw, JOINED);
+    write_text(draw, "$!Solid;");
 }
 
 /* --- things --------------------------------------------------------------- */
 
-void say_for(struct language *draw)
+void write_for(struct language *draw)
 {
     if (one_in(&draw->state, 2)) {
-        say(draw, "#for (I, 0, ^#1:4^)\n");
+        write_text(draw, "#for (I, 0, ^#1:4^)\n");
     } else {
         const char *step = one_in(&draw->state, 2) ? "1" : "1.5";
-        say(draw, "#for (I, ^#1:3^, 0, -%s)\n", step);
+        write_text(draw, "#for (I, ^#1:3^, 0, -%s)\n", step);
     }
     draw->turning = true;
-    say(draw,
+    write_text(
+        draw,
         "$small;translate <^3.7:1.2^*I - ^31:2.2^, ^3-1:1.5^, ^3-2:2^*mod(I, 2)>\n"
         "}\n");
     draw->turning = false;
-    say(draw, "#end\n");
+    write_text(draw, "#end\n");
 }
 
 /* Makes a macro with a number, a colour and a position, and two calls. */
-void say_macro(struct language *draw)
+void write_macro(struct language *draw)
 {
-    say(draw,
+    write_text(
+        draw,
         "#macro Made(Size, Share, Place)\n#local Half = Size/2;\nunion {\n"
         "cylinder { -Half*y, Size*y, Half*.7 }\nsphere { Size*y, Half*1.1 }\n"
         "pigment { rgb <Share, 1 - Share, .5> }\n$turns;translate Place\n}\n#end\n");
@@ -118,7 +120,8 @@ void say_macro(struct language *draw)
         double z = between(&draw->state, -2, 2), y = between(&draw->state, -1, 1);
         double x = between(&draw->state, -2, 2), size = between(&draw->state, .3, .7);
         const char *share = i ? "N0*.1" : ".3";
-        say(draw,
+        write_text(
+            draw,
             one_in(&draw->state, 2)
                 ? "Made(%.3f, %s, <%.3f, %.3f, %.3f>)\n"
                 : "object { Made(%.3f, (%s), <%.3f, %.3f, %.3f>) rotate 10*z }\n",
@@ -127,11 +130,11 @@ void say_macro(struct language *draw)
 }
 
 /* The object is at a random place. */
-void say_thing(struct language *draw)
+void write_thing(struct language *draw)
 {
     size_t which = below(&draw->state, 18);
     if (which == 0 && draw->names[NAME_SOLID])
-        say(draw, "$named_thing;");
+        write_text(draw, "$named_thing;");
     else
-        say(draw, which < 3 && draw->clear ? "$clear_thing;" : "$any_thing;");
+        write_text(draw, which < 3 && draw->clear ? "$clear_thing;" : "$any_thing;");
 }

@@ -20,7 +20,7 @@ static bool is_word(const char *word, const char *text, size_t length)
 }
 
 /* Prints an existing name or a new one. */
-static void say_name(struct language *draw, enum language_name kind, char use)
+static void write_name(struct language *draw, enum language_name kind, char use)
 {
     size_t *count = &draw->names[kind];
     if (use == '!')
@@ -32,43 +32,44 @@ static void say_name(struct language *draw, enum language_name kind, char use)
 
 /* --- expressions ---------------------------------------------------------- */
 
-static void say_float(struct language *draw, int depth);
-static void say_vector(struct language *draw, int depth);
+static void write_float(struct language *draw, int depth);
+static void write_vector(struct language *draw, int depth);
 
 /* Prints an operation: # becomes a float, @ a vector; other characters are copied. */
-static void say_operation(struct language *draw, const char *operation, int depth)
+static void write_operation(struct language *draw, const char *operation, int depth)
 {
     for (; *operation; operation++)
         if (*operation == '#')
-            say_float(draw, depth);
+            write_float(draw, depth);
         else if (*operation == '@')
-            say_vector(draw, depth);
+            write_vector(draw, depth);
         else
             putc(*operation, draw->text);
 }
 
 /* Prints a name if there is one, else a number. */
-static void say_float_leaf(struct language *draw)
+static void write_float_leaf(struct language *draw)
 {
     size_t *names = draw->names;
     size_t kind = below(&draw->state, 12);
     if (kind == 0 && draw->turning)
-        say(draw, "I");
+        write_text(draw, "I");
     else if (kind < 4 && names[NAME_FLOAT])
-        say(draw, "$=N;");
+        write_text(draw, "$=N;");
     else if (kind == 4 && names[NAME_ARRAY])
-        say(draw, "$=List;$4[[dimension_size(List0, 1) - 1]|[^#0:%d^]$]",
-            LANGUAGE_ELEMENTS);
+        write_text(draw, "$=List;$4[[dimension_size(List0, 1) - 1]|[^#0:%d^]$]",
+                   LANGUAGE_ELEMENTS);
     else if (kind == 5 && names[NAME_VECTOR])
-        say(draw, "$=V;$[.x|.y|.z$]");
+        write_text(draw, "$=V;$[.x|.y|.z$]");
     else if (kind == 6 && names[NAME_COLOR])
-        say(draw, "$=Color;$[.red|.green|.blue|.gray|.transmit$]");
+        write_text(draw, "$=Color;$[.red|.green|.blue|.gray|.transmit$]");
     else if (kind == 7)
-        say(draw, "$[pi|true|no|on|clock|version|image_width/20|1.5e-1|2.5E+0|.5$]");
+        write_text(draw,
+                   "$[pi|true|no|on|clock|version|image_width/20|1.5e-1|2.5E+0|.5$]");
     else if (kind == 8 && draw->streams)
-        say(draw, "rand(Stream)");
+        write_text(draw, "rand(Stream)");
     else
-        say(draw, "^30:3^");
+        write_text(draw, "^30:3^");
 }
 
 /* Arguments are in the domains of the functions.  No value grows so large that its sine
@@ -140,22 +141,22 @@ static const char *const float_patterns[] = {
     "<#, #>.v"
 };
 
-static void say_float(struct language *draw, int depth)
+static void write_float(struct language *draw, int depth)
 {
     size_t call = below(&draw->state, 16);
     const char *operation = "(#, #)";
     if (depth <= 0 || one_in(&draw->state, 4)) {
-        say_float_leaf(draw);
+        write_float_leaf(draw);
         return;
     }
     if (call == 0 && draw->names[NAME_FUNCTION])
-        say(draw, "$=Wave;");
+        write_text(draw, "$=Wave;");
     else if (call == 1 && draw->names[NAME_VALUE] && draw->calling)
-        say(draw, "$=Bent;");
+        write_text(draw, "$=Bent;");
     else
         operation = float_patterns[below(&draw->state, sizeof float_patterns
                                                            / sizeof *float_patterns)];
-    say_operation(draw, operation, depth - 1);
+    write_operation(draw, operation, depth - 1);
 }
 
 static const char *const vector_patterns[] = { "<#, #, #>",
@@ -177,46 +178,46 @@ static const char *const vector_patterns[] = { "<#, #, #>",
                                                "vaxis_rotate(@, <.3, .5, -.4>, 70*#)",
                                                "vnormalize(@ + <1.7, 2.3, 9>)" };
 
-static void say_vector(struct language *draw, int depth)
+static void write_vector(struct language *draw, int depth)
 {
     size_t count = sizeof vector_patterns / sizeof *vector_patterns;
     if (depth > 0 && !one_in(&draw->state, 4))
-        say_operation(draw, vector_patterns[below(&draw->state, count)], depth - 1);
+        write_operation(draw, vector_patterns[below(&draw->state, count)], depth - 1);
     else if (draw->names[NAME_VECTOR] && one_in(&draw->state, 2))
-        say(draw, "$=V;");
+        write_text(draw, "$=V;");
     else
-        say(draw, "$2[$[x|y|z$]|<^3-2:2^, ^3-2:2^, ^3-2:2^>$]");
+        write_text(draw, "$2[$[x|y|z$]|<^3-2:2^, ^3-2:2^, ^3-2:2^>$]");
 }
 
-void say_number(struct language *draw, double low, double high)
+void write_number(struct language *draw, double low, double high)
 {
     if (!one_in(&draw->state, 4))
-        say(draw, "%.4f", between(&draw->state, low, high));
+        write_text(draw, "%.4f", between(&draw->state, low, high));
     else
-        say(draw, "%.3f + %.3f*$2[abs(sin($f2;))|(.5 + .5*cos($f3;))$]", low,
-            high - low);
+        write_text(draw, "%.3f + %.3f*$2[abs(sin($f2;))|(.5 + .5*cos($f3;))$]", low,
+                   high - low);
 }
 
 /* --- colours -------------------------------------------------------------- */
 
 /* Prints an opaque colour with its keyword. */
-void say_color(struct language *draw)
+void write_color(struct language *draw)
 {
     if (draw->names[NAME_COLOR] && one_in(&draw->state, 3)) {
-        say(draw, "$[|color $]");
+        write_text(draw, "$[|color $]");
         if (draw->library && one_in(&draw->state, 2))
-            say(draw, "$[Red|SteelBlue|Gold|Gray60|Orange$]");
+            write_text(draw, "$[Red|SteelBlue|Gold|Gray60|Orange$]");
         else
-            say(draw, "$=Color;");
-        say(draw, "$4[*(~.3:1~)|*<.6, .8, .9>|$]");
+            write_text(draw, "$=Color;");
+        write_text(draw, "$4[*(~.3:1~)|*<.6, .8, .9>|$]");
     } else if (draw->names[NAME_PALETTE] && one_in(&draw->state, 5)) {
-        say(draw, "$=Palette;");
+        write_text(draw, "$=Palette;");
         if (draw->turning && one_in(&draw->state, 2))
-            say(draw, "[mod(I, %d)]", LANGUAGE_ELEMENTS);
+            write_text(draw, "[mod(I, %d)]", LANGUAGE_ELEMENTS);
         else
-            say(draw, "[^#0:%d^]", LANGUAGE_ELEMENTS);
+            write_text(draw, "[^#0:%d^]", LANGUAGE_ELEMENTS);
     } else
-        say(draw, "$made_color;");
+        write_text(draw, "$made_color;");
 }
 
 /* --- patterns ------------------------------------------------------------- */
@@ -233,8 +234,8 @@ static const char *read_range(const char *text, double *low, double *high)
 }
 
 /* Prints the numbers in ^, up to the next other part. */
-static const char *say_numbers(struct language *draw, const char *pattern,
-                               const char *end)
+static const char *write_numbers(struct language *draw, const char *pattern,
+                                 const char *end)
 {
     double number[8], low, high;
     const char *field[8];
@@ -258,11 +259,11 @@ static const char *say_numbers(struct language *draw, const char *pattern,
     return pattern;
 }
 
-static void say_point(struct language *draw, double low, double high)
+static void write_point(struct language *draw, double low, double high)
 {
     for (int i = 0; i < 3; i++) {
         fputs(i ? ", " : "<", draw->text);
-        say_number(draw, low, high);
+        write_number(draw, low, high);
     }
     putc('>', draw->text);
 }
@@ -276,7 +277,7 @@ static const char *alternative_end(const char *p)
     return p;
 }
 
-static const char *say_choice(struct language *draw, const char *pattern)
+static const char *write_choice(struct language *draw, const char *pattern)
 {
     const char *alternative[16];
     char *begin;
@@ -289,32 +290,32 @@ static const char *say_choice(struct language *draw, const char *pattern)
     return pattern + 2;
 }
 
-static void say_rule(struct language *draw, const char *name, size_t length)
+static void write_rule(struct language *draw, const char *name, size_t length)
 {
     const struct language_rule *rule = language_rules;
     if (length == 2 && strchr("123", name[1])) {
-        (*name == 'f' ? say_float : say_vector)(draw, name[1] - '0');
+        (*name == 'f' ? write_float : write_vector)(draw, name[1] - '0');
         return;
     }
     for (int kind = 0; strchr("=+!", *name) && kind < LANGUAGE_NAMES; kind++)
         if (is_word(name_of[kind], name + 1, length - 1)) {
-            say_name(draw, (enum language_name)kind, *name);
+            write_name(draw, (enum language_name)kind, *name);
             return;
         }
     while (!is_word(rule->name, name, length))
         if (++rule == language_rules + language_rule_count)
             abort();
-    rule->say ? rule->say(draw) : say_pattern(draw, rule->pattern);
+    rule->write_text ? rule->write_text(draw) : write_pattern(draw, rule->pattern);
 }
 
-static const char *say_part(struct language *draw, const char *name)
+static const char *write_part(struct language *draw, const char *name)
 {
     size_t length = strcspn(name, ";");
     if (*name == '.')
         return name + 1;
     if (name[strspn(name, "0123456789")] == '[')
-        return say_choice(draw, name);
-    say_rule(draw, name, length);
+        return write_choice(draw, name);
+    write_rule(draw, name, length);
     return name + length + 1;
 }
 
@@ -324,29 +325,29 @@ static void expand(struct language *draw, const char *pattern, const char *end)
     while (pattern < end)
         if (*pattern == '~') {
             pattern = read_range(pattern + 1, &low, &high);
-            say_number(draw, low, high);
+            write_number(draw, low, high);
         } else if (*pattern == '@') {
             pattern = read_range(pattern + 1, &low, &high);
-            say_point(draw, low, high);
+            write_point(draw, low, high);
         } else if (*pattern == '^')
-            pattern = say_numbers(draw, pattern, end);
+            pattern = write_numbers(draw, pattern, end);
         else if (*pattern == '$')
-            pattern = say_part(draw, pattern + 1);
+            pattern = write_part(draw, pattern + 1);
         else
             putc(*pattern++, draw->text);
 }
 
-void say_pattern(struct language *draw, const char *pattern)
+void write_pattern(struct language *draw, const char *pattern)
 {
     expand(draw, pattern, pattern + strlen(pattern));
 }
 
-void say(struct language *draw, const char *format, ...)
+void write_text(struct language *draw, const char *format, ...)
 {
     char pattern[1200];
     va_list values;
     va_start(values, format);
     vsnprintf(pattern, sizeof pattern, format, values);
     va_end(values);
-    say_pattern(draw, pattern);
+    write_pattern(draw, pattern);
 }

@@ -100,7 +100,7 @@ static void change_machine(struct run *run)
     run->restored = true;
 }
 
-static void hear_nothing(void *context, const c205 *machine, const c205_event *event)
+static void ignore_events(void *context, const c205 *machine, const c205_event *event)
 {
     (void)context, (void)machine, (void)event;
 }
@@ -109,7 +109,7 @@ static void hear_nothing(void *context, const c205 *machine, const c205_event *e
 static void listen(struct run *run)
 {
     change_machine(run);
-    c205_listen(run->machine, hear_nothing, NULL);
+    c205_listen(run->machine, ignore_events, NULL);
 }
 
 static uint64_t next_limit(struct run *run)

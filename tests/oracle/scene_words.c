@@ -35,7 +35,7 @@ static void fade(uint64_t *state, double size, char words[SOLID_WORDS])
 }
 
 /* Prints an axis with integer or with any components. */
-static void say_axis(uint64_t *state, double size, char words[SOLID_WORDS])
+static void write_axis(uint64_t *state, double size, char words[SOLID_WORDS])
 {
     double axis[3] = { 0, 0, 0 };
     if (one_in(state, 2))
@@ -49,8 +49,8 @@ static void say_axis(uint64_t *state, double size, char words[SOLID_WORDS])
 static void spread(uint64_t *state, double size, char words[SOLID_WORDS])
 {
     char one[SOLID_WORDS], other[SOLID_WORDS];
-    say_axis(state, size, one);
-    say_axis(state, size, other);
+    write_axis(state, size, one);
+    write_axis(state, size, other);
     size_t across = 1 + below(state, 4), down = 1 + below(state, 3);
     bool circular = across > 1 && down > 1 && one_in(state, 3);
     solid_words(words, " area_light %.60s, %.60s, %zu, %zu%s", one, other, across, down,

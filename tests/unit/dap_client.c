@@ -123,7 +123,7 @@ void client_command(struct dap_client *client, const char *command, const char *
 
 /* ---- Notifications ------------------------------------------------------------- */
 
-static void hear_more(struct dap_client *client)
+static void receive_more(struct dap_client *client)
 {
     struct sink sink = text_buffer_sink(&client->input);
     char bytes[4096];
@@ -148,7 +148,7 @@ static struct dap_message next_message(struct dap_client *client)
             break;
         if (state == MESSAGE_BROKEN)
             fail_msg("%s: %s", error.message, client->input.text);
-        hear_more(client);
+        receive_more(client);
     }
     message.text = arena_text(&client->arena, client->input.text + content.begin,
                               content.length);

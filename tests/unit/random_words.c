@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-static void say_value(const struct random_lesson *drawn, c205_word element,
-                      const struct sink *sink)
+static void format_value(const struct random_lesson *drawn, c205_word element,
+                         const struct sink *sink)
 {
     char text[C205_TEXT_SIZE];
 
@@ -19,13 +19,13 @@ static void say_value(const struct random_lesson *drawn, c205_word element,
     sink_put(sink, text);
 }
 
-static void say_element(const struct random_lesson *drawn, c205_word found,
-                        c205_word wanted, const struct sink *sink)
+static void format_element(const struct random_lesson *drawn, c205_word found,
+                           c205_word wanted, const struct sink *sink)
 {
     sink_put(sink, " is ");
-    say_value(drawn, found, sink);
+    format_value(drawn, found, sink);
     sink_put(sink, " and should be ");
-    say_value(drawn, wanted, sink);
+    format_value(drawn, wanted, sink);
 }
 
 /* Returns the element that the answer leaves in y. */
@@ -66,15 +66,15 @@ size_t random_count_wrong(const struct random_lesson *drawn)
     return wrong;
 }
 
-void random_say_wrong(const struct random_lesson *drawn, size_t wrong,
-                      const struct sink *sink)
+void random_mismatch(const struct random_lesson *drawn, size_t wrong,
+                     const struct sink *sink)
 {
     const struct random_test *test = &drawn->tests[drawn->faulty];
     size_t reported = 0;
 
     if (test->n == 1) {
         sink_put(sink, "y");
-        say_element(drawn, found_at(drawn, 0), test->wanted[0], sink);
+        format_element(drawn, found_at(drawn, 0), test->wanted[0], sink);
         sink_put(sink, ".");
         return;
     }
@@ -90,7 +90,7 @@ void random_say_wrong(const struct random_lesson *drawn, size_t wrong,
         if (is_near(drawn, found_at(drawn, i), test->wanted[i]))
             continue;
         sink_print(sink, "%s %zu", reported++ ? "," : "", i);
-        say_element(drawn, found_at(drawn, i), test->wanted[i], sink);
+        format_element(drawn, found_at(drawn, i), test->wanted[i], sink);
     }
     if (wrong > reported)
         sink_print(sink, ", and %zu more", wrong - reported);

@@ -10,8 +10,8 @@
 /* Returns the number of wrong elements of y in the test that must fail. */
 size_t random_count_wrong(const struct random_lesson *drawn);
 /* Writes the sentence about these wrong elements. */
-void random_say_wrong(const struct random_lesson *drawn, size_t wrong,
-                      const struct sink *sink);
+void random_mismatch(const struct random_lesson *drawn, size_t wrong,
+                     const struct sink *sink);
 /* Returns the sentence about the likely mistake, or "". Returns NULL if it cannot be
  * predicted: randomly flipped bits resemble many mistakes. */
 const char *random_likeness(const struct random_lesson *drawn);

@@ -201,7 +201,7 @@ static const char program_text[] =
     "; expect-print: 16\n";
 
 /* Copies the first error. An error that could not be allocated is not in the list. */
-static void tell_first(const struct diagnostics *errors, c205_error *error)
+static void print_first(const struct diagnostics *errors, c205_error *error)
 {
     error_set(error, "%.200s", errors->count ? errors->items[0].message : "no memory");
 }
@@ -211,7 +211,7 @@ static struct object *assembled(const char *text, c205_error *error)
     struct diagnostics errors = { 0 };
     struct object *made = assemble_text("test.s", text, NULL, &errors);
     if (!made)
-        tell_first(&errors, error);
+        print_first(&errors, error);
     diagnostics_free(&errors);
     return made;
 }
@@ -375,7 +375,7 @@ static bool run_example(FILE *out, c205_error *error)
     if (made)
         machine = loaded(made, error);
     else
-        tell_first(&errors, error);
+        print_first(&errors, error);
     bool done = machine && run_and_show(machine, out, error);
     c205_free(machine);
     diagnostics_free(&errors);

@@ -35,7 +35,7 @@ static void drop(struct contents *contents)
         free(contents->words[i]);
 }
 
-static bool is_told(const c205_event *event, uint64_t address)
+static bool is_reported(const c205_event *event, uint64_t address)
 {
     for (size_t i = 0; i < event->store_count; i++)
         if (event->store[i].address < address + 64
@@ -55,7 +55,7 @@ static void compare(const struct contents *before, const struct contents *after,
     for (size_t i = 0; i < random_area_count; i++)
         for (size_t k = 0; k < random_areas[i].words; k++)
             if (before->words[i][k] != after->words[i][k]
-                && !is_told(event, random_areas[i].address + 64 * k))
+                && !is_reported(event, random_areas[i].address + 64 * k))
                 fail_msg("%s at %llx changed %llx", event->insn->mnemonic,
                          (unsigned long long)event->pc,
                          (unsigned long long)(random_areas[i].address + 64 * k));

@@ -109,7 +109,7 @@ static void check_wrong(const struct random_lesson *drawn,
     struct sink sink = text_buffer_sink(&text);
     const char *likeness = random_likeness(drawn);
 
-    random_say_wrong(drawn, random_count_wrong(drawn), &sink);
+    random_mismatch(drawn, random_count_wrong(drawn), &sink);
     sink_put(&sink, likeness ? likeness : "");
     assert_false(trial->right);
     assert_int_equal(trial->report.count, 1);
@@ -191,8 +191,8 @@ static void check_cause(const struct random_lesson *drawn,
 
 /* After `sentences` sentences, the verdict says that the loop is scalar, if that is the
  * reason. */
-static void check_loop_told(const struct lesson_trial *trial,
-                            const struct plain_trial *plain, size_t sentences)
+static void check_loop_reported(const struct lesson_trial *trial,
+                                const struct plain_trial *plain, size_t sentences)
 {
     uint64_t instructions = 0;
 
@@ -230,7 +230,7 @@ static void check_lines(const struct random_lesson *drawn,
                 row = other;
         }
         if (!row || i == 5 || (i > 2 && clocks_of(row) * 10 < trial->clocks)) {
-            check_loop_told(trial, plain, i);
+            check_loop_reported(trial, plain, i);
             return;
         }
         link = strstr(row->source, "; a pair");

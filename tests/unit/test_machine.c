@@ -177,7 +177,7 @@ TEST(operand_traps)
 }
 
 /* Address 0 is reported like every other address. */
-TEST(address_0_is_told)
+TEST(address_0_is_reported)
 {
     struct small_machine fixture = make_small_machine();
     c205_error text;

@@ -142,7 +142,7 @@ static void expect_error(const struct plot *plot, const char *name, const char *
 
 /* ---- Plots ------------------------------------------------------------ */
 
-TEST_WITH(data_is_told, set_up, tear_down)
+TEST_WITH(data_is_reported, set_up, tear_down)
 {
     draw(&lines);
     FREED char *text = text_of("a b'c.dat");

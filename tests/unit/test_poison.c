@@ -13,9 +13,9 @@
  */
 #include "tests/unit/vector_case.h"
 
-enum { TWICE = 2, USUAL_CASES = 60 };
+enum { TWICE = 2, DEFAULT_CASES = 60 };
 
-static size_t cases = USUAL_CASES;
+static size_t cases = DEFAULT_CASES;
 
 /* The contents of the machine, before and after. */
 struct image {

@@ -336,7 +336,7 @@ static size_t value_place(const struct evaluation *evaluation, uint64_t address)
     return (size_t)(bits / (64 * symbol(stage, "VALUE_SIZE")));
 }
 
-static void tell_value(struct evaluation *evaluation, uint64_t address, bool value)
+static void print_value(struct evaluation *evaluation, uint64_t address, bool value)
 {
     size_t place = value_place(evaluation, address);
     evaluation->value[place] = value;
@@ -386,7 +386,7 @@ static void visit_nodes(struct evaluation *evaluation, size_t i)
         if (near && !leaf)
             evaluation->branches[evaluation->branch_count++] = node;
         else
-            tell_value(evaluation, value, near && is_inside(evaluation, leaf));
+            print_value(evaluation, value, near && is_inside(evaluation, leaf));
         node = near ? node + 64 * symbol(stage, "N_SIZE")
                     : node_word(evaluation, node, "N_NEXT");
     }
@@ -403,10 +403,10 @@ static void take_steps(struct evaluation *evaluation, uint64_t node)
                                field_of(stage, step, "T_SIZE", k, "T_RIGHT"));
         int64_t operation = c205_to_integer(
             field_of(stage, step, "T_SIZE", k, "T_OPERATION"));
-        tell_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_RESULT"),
-                   operation == STEP_AND  ? left && right
-                   : operation == STEP_OR ? left || right
-                                          : left && !right);
+        print_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_RESULT"),
+                    operation == STEP_AND  ? left && right
+                    : operation == STEP_OR ? left || right
+                                           : left && !right);
     }
 }
 

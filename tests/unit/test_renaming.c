@@ -14,14 +14,14 @@
 #include "tests/oracle/random_program.h"
 
 enum {
-    USUAL_PROGRAMS = 2000,
+    DEFAULT_PROGRAMS = 2000,
     STEPS = 200,
     TWO = 2,
     PAIR = 2,       /* instructions after a prefix */
     IN_HALVES = 128 /* registers that have half registers */
 };
 
-static unsigned long program_count = USUAL_PROGRAMS;
+static unsigned long program_count = DEFAULT_PROGRAMS;
 
 /* new_name[r]; tied[r]: r and r+1 stay together. */
 struct renaming {

@@ -7,7 +7,7 @@
 /* ---- Reports and their places ------------------------------------------ */
 
 /* Each text has exactly this report, or none. */
-TEST(told_when_used)
+TEST(reported_when_used)
 {
     static const struct {
         const char *text;
@@ -163,7 +163,7 @@ static unsigned draw(struct drawing *drawing)
     return reported;
 }
 
-static unsigned told_of(const char *text)
+static unsigned reported_of(const char *text)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
@@ -174,7 +174,7 @@ static unsigned told_of(const char *text)
     return reported;
 }
 
-TEST(told_by_chance)
+TEST(reported_by_chance)
 {
     enum { SCENES = 300 };
     struct drawing drawing = { .random = RANDOM_SEED };
@@ -186,7 +186,7 @@ TEST(told_by_chance)
         assert_non_null(drawing.text);
         unsigned expected = draw(&drawing);
         fclose(drawing.text);
-        unsigned reported = told_of(text);
+        unsigned reported = reported_of(text);
         if (reported != expected)
             fail_msg("told %X, expected %X, of:\n%s", reported, expected, text);
     }

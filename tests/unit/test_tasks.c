@@ -126,7 +126,7 @@ TEST(the_lowest_of_many)
     }
 }
 
-TEST(told_to_stop)
+TEST(reported_to_stop)
 {
     c205_error error;
     for (size_t jobs = 0; jobs < 5; jobs++) {

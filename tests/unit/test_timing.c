@@ -15,13 +15,13 @@
 
 #include <math.h>
 
-enum { MODELS = 3, USUAL_CASES = 20, MAX_BANKS = 64 };
+enum { MODELS = 3, DEFAULT_CASES = 20, MAX_BANKS = 64 };
 
 static const char *const model_names[MODELS] = { "cyber205-1pipe-prior",
                                                  "cyber205-2pipe-prior",
                                                  "cyber205-4pipe-prior" };
 static struct small_machine fixture[MODELS];
-static size_t cases = USUAL_CASES;
+static size_t cases = DEFAULT_CASES;
 
 FIXTURE(make_machines)
 {
