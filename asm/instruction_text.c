@@ -11,7 +11,7 @@ enum { HALF_BITS = 32, ADDRESS_BITS = 48 };
 
 /* ---- One instruction ----
  *
- * While an operand is written, its fields are copied to `told`. If the instruction
+ * While an operand is written, its fields are copied to `written`. If the instruction
  * that these fields encode differs from the original word, the text cannot express the
  * word. */
 
@@ -100,7 +100,7 @@ static void write_source(struct writer *writer, const struct operand *operand)
 }
 
 /* A target outside of the address space cannot be written, so its distance is
- * not copied to `told`. */
+ * not copied to `written`. */
 static void write_target(struct writer *writer)
 {
     uint64_t target = writer->address + (uint64_t)writer->fields.immediate * HALF_BITS;
@@ -124,7 +124,7 @@ static bool holds_address(const struct operand *operand)
 }
 
 /* An immediate that can be an address is written as one. A value out of range is
- * not copied to `told`. */
+ * not copied to `written`. */
 static void write_immediate(struct writer *writer, const struct operand *operand)
 {
     int64_t value = writer->fields.immediate;

@@ -2,9 +2,9 @@
 # check_words.sh - checks that no comment, page or name contains a word that
 # tests/words.txt replaces.
 #
-# Comments and identifiers are those of C files, pages are the text of README.md and
-# docs outside of code blocks. A fault of each section is planted in a copy and must be
-# found.
+# Comments are those of C files and kernels, identifiers those of C files; pages are the
+# text of README.md and docs outside of code blocks. A fault of each section is planted in a copy
+# and must be found.
 set -u
 . "$(dirname "$0")/count.sh"
 cd "$(dirname "$0")/.." || exit 1
@@ -25,7 +25,7 @@ faults() { # FILE ..
         }
         next
     }
-    FNR == 1 { page = FILENAME ~ /[.]md$/; comment = block = 0 }
+    FNR == 1 { page = FILENAME ~ /[.]md$/; kernel = FILENAME ~ /[.]s$/; comment = block = 0 }
     {
         prose = names = ""
         if (page) {
@@ -33,6 +33,8 @@ faults() { # FILE ..
                 block = !block
             if (!block && !/^(    |<!--|\|)/)
                 prose = $0
+        } else if (kernel) {
+            prose = index($0, ";") ? substr($0, index($0, ";")) : ""
         } else {
             rest = $0
             while (rest != "")
@@ -50,7 +52,7 @@ faults() { # FILE ..
             gsub(/"([^"\\]|\\.)*"/, "\"\"", names)
         }
         for (i = 1; i <= n; i++) {
-            text = place[i] == "[names]" ? names : page || place[i] != "[pages]" ? tolower(prose) : ""
+            text = place[i] == "[names]" ? names : tolower(prose)
             if (text != "" && match(" " text " ", "[^A-Za-z0-9_](" pattern[i] ")[^A-Za-z0-9_]"))
                 printf "%s:%d: \"%s\": write: %s\n", FILENAME, FNR,
                     substr(" " text " ", RSTART + 1, RLENGTH - 2), instead[i]
@@ -58,8 +60,8 @@ faults() { # FILE ..
     }' tests/words.txt "$@"
 }
 
-find vm base asm rt web/engine web/tracer/platform tests README.md docs \
-    \( -name '*.[ch]' -o -name '*.md' \) ! -name isa.md >"$work/files"
+find vm base asm/*.[ch] asm/*/*.[ch] asm/lib rt web/engine web/tracer/platform tests README.md docs \
+    \( -name "*.[chs]" -o -name '*.md' \) ! -name isa.md >"$work/files"
 # The names contain no blanks.
 # shellcheck disable=SC2046
 faults $(cat "$work/files") >"$work/faults"
@@ -83,5 +85,5 @@ planted base/arena.c '/* Blocks by chance,\n * one at the most. */' 'by chance'
 planted base/arena.c '/* Blocks,\n * one at the most. */' 'at the most'
 planted base/arena.c 'enum { BLOCKS_MOST = 1 };' BLOCKS_MOST
 planted README.md 'The clock goes on.' 'goes on'
-planted README.md 'That is told later.' 'is told'
+planted README.md 'That is told later.' told
 counted

@@ -22,7 +22,7 @@ enum execution_end {
     EXECUTION_FAILED
 };
 
-/* Acknowledges the stops that were met and deletes those with `once`. told: reports
+/* Acknowledges the stops that were met and deletes those with `once`. reported: reports
  * each of them first. */
 void breakpoints_pass(struct debugger *debugger, bool reported);
 

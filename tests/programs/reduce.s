@@ -51,7 +51,7 @@ SUMV.odd: .word   1.0, X'7000 0000 0000 0000', 2.0
 ; expect: [SUMV.two_small] = 1.0, X'FFA3 0004 0000 0000'
 ; What cancels leaves its exponent: 2^60 - 2^60 is 0 x 2^14 above.  Each 1.0 is
 ; below, with the exponent 14 - 47, and is not lost beside it; join_parts makes
-; one number of them, and ADDN with ADDL two, to go on with.
+; one number of them, and ADDN with ADDL two, which later steps use.
         total   SUMV, cancelled, SUMV.large, 4
 ; expect: [SUMV.cancelled] = X'000E 0000 0000 0000', X'FFDF 0004 0000 0000'
         join_parts value, index, value
@@ -157,7 +157,7 @@ MAXV.a: .word   1.0, -200.0, 3.0, 100.0, 100.0, -200.0
 MAXV.odd: .word   1.0, X'7000 0000 0000 0003', 2.0
         .bitvector MAXV.zeros, 3, "000"
         .code
-; the first of equals, counted over all elements; the index stands in the
+; the first of equals, counted over all elements; the index is in the
 ; word after
         .macro  greatest source, result
         MAXV    \source, index, \result

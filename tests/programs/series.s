@@ -18,7 +18,7 @@ INTVLV.large: .word   X'6FFF 7FFF FFFF FFFF'
         .code
         operands INTVLV.
         of_two  INTVLV, plain, x, y, [to]
-        of_two  INTVLV, where_ones, x, y, [to] ? [vz] ; the sums go on where none is stored
+        of_two  INTVLV, where_ones, x, y, [to] ? [vz] ; the sums continue where none is stored
         of_two  INTVLV, where_zeros, x, y, [to] ?! [vz]
         of_two  INTVLV, offset_result, x, y, [to, by] ? [vz] ; one element less, from the second on
         of_two  INTVLV, negated, -x, |y|, [to]

@@ -365,7 +365,7 @@ TEST(axes_are_labelled)
                   "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 4e+13 ");
 }
 
-/* If the y axis is cut off, the levels are still drawn, and the caption says so. */
+/* If the y axis is cut off, the levels are still drawn, and the caption states it. */
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;

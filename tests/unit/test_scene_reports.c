@@ -378,7 +378,7 @@ TEST(many_reports)
     assert_non_null(strstr(reports.items[MAX_TOLD].message, "left out"));
 }
 
-/* If more places occur than are recorded, the report says so. */
+/* If more places occur than are recorded, the report states it. */
 TEST(lost_notes)
 {
     enum { NOTES = 100001 };

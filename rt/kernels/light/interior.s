@@ -23,7 +23,7 @@
 ; which limits the number of successive rays; otherwise its level is the next
 ; one.  A reflected ray is in S.
 ;
-; S' has room for 46 bits.  If there are so many bodies that it might need more,
+; S' has room for 46 bits.  If the number of bodies could need more,
 ; the first body that the ray entered is dropped: F = B^k is the greatest number
 ; to which a body can still be added, and S - F floor(S / F) replaces S.  All
 ; these numbers are integers, and exact.

@@ -1,4 +1,4 @@
-; linpack.s - the LINPACK benchmark: a system of ORDER equations, 100 unless told,
+; linpack.s - the LINPACK benchmark: a system of ORDER equations, 100 unless it is set,
 ; solved by SGEFA and SGESL with called BLAS (sgefa.inc, blas.inc).
 ;
 ; The matrix is that of the published program: J := 3125 J mod 65536 from 1325,
