@@ -154,7 +154,7 @@ void interrupt_catch(void)
 void interrupt_catch_lines(bool terminal)
 {
     struct sigaction action = { .sa_handler = terminal ? note_again : note,
-                                .sa_flags = terminal ? 0 : SA_RESTART };
+                                .sa_flags = SA_RESTART };
     interrupt_catch();
     sigaction(SIGINT, &action, NULL);
 }
