@@ -56,7 +56,7 @@ static c205_model *open_file(const char *command, const char *name)
     if (!text)
         cmd_failed(command, "%s: %s", name, error.message);
     else if (memchr(text, '\0', length))
-        cmd_failed(command, "%s: this is no text", name);
+        cmd_failed(command, "%s: not a text file", name);
     else
         model = read_model(command, name, text);
     free(text);

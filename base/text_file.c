@@ -74,7 +74,7 @@ static bool check(struct text_stream *stream, size_t length)
 
     stream->begun = true;
     if (fault || nul)
-        return fail(stream, fault ? fault : "this is no text");
+        return fail(stream, fault ? fault : "not a text file");
     return true;
 }
 

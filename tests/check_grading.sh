@@ -57,7 +57,7 @@ check 1 broken
 tells err '^c205 check: test-one.s:2:9: '
 printf '; test: one\n; expect-model: nosuch\nwant_y: .word 1\n' >broken/test-one.s
 check 1 broken --folder .
-tells err "^c205 check: test-one.s: there is no machine model 'nosuch'"
+tells err "^c205 check: test-one.s: unknown machine model 'nosuch'"
 expect "a wrong test is told more than once" [ "$(wc -l <err)" -eq 1 ]
 
 # An answer.

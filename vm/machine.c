@@ -40,7 +40,7 @@ c205 *c205_new(const c205_model *model, c205_error *error)
 {
     if (c205_model_is_projection(model)) {
         snprintf(error->message, sizeof error->message,
-                 "%.100s is a projection, on which nothing runs",
+                 "%.100s is a projection and cannot run programs",
                  c205_model_name(model));
         return NULL;
     }
@@ -84,7 +84,7 @@ static bool load_segment(struct c205 *machine, const c205_segment *segment,
 {
     if (segment->address % WORD_BITS) {
         snprintf(error->message, sizeof error->message,
-                 "a segment at %llX does not begin at a word",
+                 "a segment at %llX does not begin on a word",
                  (unsigned long long)segment->address);
         return false;
     }

@@ -157,7 +157,8 @@ bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pag
         struct page **place = page_place(memory, address);
         if (!place || *place) {
             snprintf(error->message, sizeof error->message, "%s",
-                     place ? "pages are mapped there" : MEMORY_NO_PAGE);
+                     place ? "pages are already mapped at this address"
+                           : MEMORY_NO_PAGE);
             return false;
         }
         *place = &pages[i];

@@ -100,7 +100,7 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
 
 /* ---- Serialization ------------------------------------------------------ */
 
-static const char wrong_regions[] = "the regions of the saved machine are wrong";
+static const char wrong_regions[] = "the regions of the saved machine are invalid";
 
 /* Each region has an account. The first account is for all other code. */
 static void walk_names(struct c205 *machine, const char **names, size_t count,

@@ -166,7 +166,7 @@ static void walk_model(const c205_model *model, struct serializer *serializer)
     serializer_word(serializer, &hash);
     snprintf(other, sizeof other,
              "the machine was saved on the model %.60s, "
-             "whose constants are not those of %.60s",
+             "whose constants differ from those of %.60s",
              name, c205_model_name(model));
     serializer_require(serializer, hash == constants, other);
 }
@@ -178,7 +178,7 @@ static void walk_registers(struct c205 *machine, struct serializer *serializer)
     serializer_word(serializer, &machine->timer);
     serializer_word(serializer, &machine->pc);
     serializer_require(serializer, machine->pc <= ADDRESS_MASK,
-                       "the program address of the saved machine is wrong");
+                       "the program address of the saved machine is invalid");
 }
 
 static void walk_progress(struct c205 *machine, struct serializer *serializer)

@@ -55,7 +55,7 @@ static void write_word(struct serializer *serializer, uint64_t word)
     for (size_t i = 0; i < SERIALIZER_WORD_BYTES; i++)
         bytes[i] = (unsigned char)(word >> (8 * (SERIALIZER_WORD_BYTES - 1 - i)));
     if (!serializer->write(serializer->context, bytes, sizeof bytes))
-        serializer_refuse(serializer, "the machine cannot be saved there");
+        serializer_refuse(serializer, "cannot write the saved machine");
 }
 
 static uint64_t read_word(struct serializer *serializer)

@@ -46,8 +46,9 @@ bool shared_map(const c205_shared *shared, struct memory *memory, uint64_t addre
     if (address % PAGE_BITS == 0 && address <= ADDRESS_MASK
         && shared->count <= pages - address / PAGE_BITS)
         return memory_map_shared(memory, address, shared->pages, shared->count, error);
-    snprintf(error->message, sizeof error->message, "%zu page%s not begin at %llX",
-             shared->count, shared->count == 1 ? " does" : "s do",
-             (unsigned long long)address);
+    snprintf(error->message, sizeof error->message,
+             "%zu page%s at %llX must begin on a page and end within the "
+             "address space",
+             shared->count, shared->count == 1 ? "" : "s", (unsigned long long)address);
     return false;
 }

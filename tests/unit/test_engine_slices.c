@@ -123,7 +123,7 @@ TEST(limit)
     assert_non_null(strstr(text_of(talk.reply, "text"), "interrupted"));
     talk_ask(&talk, "{'do': 'compare', 'texts': [{'text': 'on: BIM on\\n'}, {'text': "
                     "' EXIT'}], 'limit': 262145, 'clocks': 1}");
-    talk_refused(&talk, "so many clocks were allowed", "{'do': 'more', 'clocks': 1}");
+    talk_refused(&talk, "the clock limit is reached", "{'do': 'more', 'clocks': 1}");
     talk_end(&talk);
 }
 

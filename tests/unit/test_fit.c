@@ -181,7 +181,7 @@ TEST(refused)
     assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
                    "test_fit.csv:2:3: there is no region sub");
     assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,,s,fit\n",
-                   "test_fit.csv:2:3: there is no machine model 'cyber205-9pipe'");
+                   "test_fit.csv:2:3: unknown machine model 'cyber205-9pipe'");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,,s,fit\n",
                    "test_fit.csv:2:33: there is no unit miles");
     assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,,s,fit\n",

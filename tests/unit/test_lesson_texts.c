@@ -152,7 +152,7 @@ TEST(refused)
                   "test-a.s: data are wanted at want_LABEL, not want_");
     check_refused("; test: a\n .data\nx: .word 1\nwant_y:\n", "test-a.s wants nothing");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
-                  "test-a.s: there is no machine model 'x'");
+                  "test-a.s: unknown machine model 'x'");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: cdc6600\n",
                   "test-a.s: nothing runs on its model, which only tells "
                   "times");

@@ -290,7 +290,7 @@ TEST(regions)
     program.region_count = 0;
     segment.address = CODE + 32;
     assert_false(c205_load(fixture.machine, &program, &error));
-    assert_string_equal(error.message, "a segment at 400020 does not begin at a word");
+    assert_string_equal(error.message, "a segment at 400020 does not begin on a word");
     free_small_machine(&fixture);
 }
 

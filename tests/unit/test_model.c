@@ -212,18 +212,18 @@ TEST(errors_in_changes)
         c205_setting setting;
         const char *message;
     } cases[] = {
-        { { "warp", 9 }, "there is no constant 'warp'" },
-        { { "time.add", 9 }, "there is no constant 'time.add'" },
-        { { "machine.pipes", 0 }, "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", -1 }, "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", 1e300 }, "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", NAN }, "machine.pipes must lie between 1 and 64" },
+        { { "warp", 9 }, "unknown constant 'warp'" },
+        { { "time.add", 9 }, "unknown constant 'time.add'" },
+        { { "machine.pipes", 0 }, "machine.pipes must be between 1 and 64" },
+        { { "machine.pipes", -1 }, "machine.pipes must be between 1 and 64" },
+        { { "machine.pipes", 1e300 }, "machine.pipes must be between 1 and 64" },
+        { { "machine.pipes", NAN }, "machine.pipes must be between 1 and 64" },
         { { "machine.pipes", 1.5 }, "machine.pipes must be a whole number, not 1.5" },
         { { "page.words", 1024 },
           "page.words must be 512, 2048, 8192 or 65536, not 1024" },
         { { "page.words", -3 }, "page.words must be 512, 2048, 8192 or 65536, not -3" },
         { { "memory.real_words", 0 },
-          "memory.real_words must lie between 1 and 268435456" },
+          "memory.real_words must be between 1 and 268435456" },
         { { "vector.word_rate", 3 },
           "vector.word_rate must not be more than vector.half_rate" }
     };
@@ -240,21 +240,22 @@ TEST(errors_in_changes)
 
 TEST(errors)
 {
-    assert_fails("", "test:1: a model begins with 'title TEXT'");
-    assert_fails("machine.pipes 2 pipes P", "test:1: a model begins with 'title TEXT'");
-    assert_fails("title T\ntitle T", "test:2: 'title' stands here for the second time");
+    assert_fails("", "test:1: expected 'title TEXT' at the beginning of the model");
+    assert_fails("machine.pipes 2 pipes P",
+                 "test:1: expected 'title TEXT' at the beginning of the model");
+    assert_fails("title T\ntitle T", "test:2: 'title' is given more than once");
     assert_fails("title T\nlike cyber205-2pipe-prior\n"
                  "like cyber205-2pipe-prior",
-                 "test:3: 'like' stands here for the second time");
-    assert_fails("title T\nlike cray1", "test:2: there is no machine model 'cray1'");
+                 "test:3: 'like' is given more than once");
+    assert_fails("title T\nlike cray1", "test:2: unknown machine model 'cray1'");
     assert_fails("title T\nprojection\nlike cyber205-2pipe-prior",
-                 "test:3: cyber205-2pipe-prior is no projection");
+                 "test:3: cyber205-2pipe-prior is not a projection");
     assert_fails("title T\nlike ./cyber205.model",
-                 "test:2: 'like' names a built-in model");
+                 "test:2: expected the name of a built-in model after 'like'");
     assert_fails("title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior",
-                 "test:3: 'like' must stand before the constants");
+                 "test:3: 'like' must be before the constants");
     assert_fails("title T\nstream.vlink 1 clk*pipe/element P\nlike cyber720",
-                 "test:3: 'like' must stand before the constants");
+                 "test:3: 'like' must be before the constants");
     assert_fails("title T\nmachine.pipes 2 pipes P",
                  "test:2: the constant clock.period is missing");
     assert_fails("title T\nlike cyber205-2pipe\n"
@@ -283,7 +284,7 @@ TEST(errors_in_beliefs)
     }
     assert_fails("title T\ncompared 3 figures, at most 5 % off: x\n"
                  "compared 3 figures, at most 5 % off: x\n",
-                 "test:3: 'compared' stands here for the second time");
+                 "test:3: 'compared' is given more than once");
 }
 
 TEST(errors_in_constants)
@@ -291,9 +292,9 @@ TEST(errors_in_constants)
     static const struct {
         const char *line, *message;
     } cases[] = {
-        { "warp 9 clk R", "there is no constant 'warp'" },
+        { "warp 9 clk R", "unknown constant 'warp'" },
         { "machine.pipes 2 pipes P\nmachine.pipes 2 pipes P",
-          "machine.pipes is already given in line 3" },
+          "machine.pipes is already defined in line 3" },
         { "machine.pipes two pipes P",
           "'two' is not a number with at most six decimals" },
         { "machine.pipes", "'' is not a number with at most six decimals" },
@@ -303,15 +304,16 @@ TEST(errors_in_constants)
           "'0.0000001' is not a number with at most six decimals" },
         { "machine.pipes 99999999999 pipes R",
           "'99999999999' is not a number with at most six decimals" },
-        { "machine.pipes 0 pipes P", "machine.pipes must lie between 1 and 64" },
+        { "machine.pipes 0 pipes P", "machine.pipes must be between 1 and 64" },
         { "machine.pipes 1.5 pipes P",
           "machine.pipes must be a whole number, not 1.5" },
         { "page.words 1024 words R",
           "page.words must be 512, 2048, 8192 or 65536, not 1024" },
         { "page.words 512.5 words R", "page.words must be a whole number, not 512.5" },
         { "memory.real_words 300000000 words R",
-          "memory.real_words must lie between 1 and 268435456" },
-        { "machine.pipes 2 clk P", "the unit of machine.pipes is pipes, not 'clk'" },
+          "memory.real_words must be between 1 and 268435456" },
+        { "machine.pipes 2 clk P",
+          "the unit of machine.pipes must be pipes, not 'clk'" },
         { "stream.vadd 1 clk R",
           "the unit of stream.vadd is "
           "clk*pipe/element, clk/element or clk/bit, not 'clk'" },
@@ -319,7 +321,8 @@ TEST(errors_in_constants)
           "the source of machine.pipes must be P, S, D, R or F, not ''" },
         { "machine.pipes 2 pipes X # no such source",
           "the source of machine.pipes must be P, S, D, R or F, not 'X'" },
-        { "machine.pipes 2 pipes P more words", "'more words' is not expected here" }
+        { "machine.pipes 2 pipes P more words",
+          "expected the end of the line, found 'more words'" }
     };
     for (size_t i = 0; i < COUNT(cases); i++) {
         char text[200], message[200];
@@ -362,7 +365,7 @@ TEST(files)
                                        "No such file or directory");
     assert_null(c205_model_find("/", &error));
     assert_null(c205_model_find("", &error));
-    assert_string_equal(error.message, "there is no machine model ''");
+    assert_string_equal(error.message, "unknown machine model ''");
 }
 
 static void assert_place(const char *text, unsigned line, unsigned column,
@@ -379,15 +382,15 @@ static void assert_place(const char *text, unsigned line, unsigned column,
 /* The column is that of the wrong word. */
 TEST(places)
 {
-    assert_place("title t\n  speed 3 clk R\n", 2, 3, "there is no constant 'speed'");
+    assert_place("title t\n  speed 3 clk R\n", 2, 3, "unknown constant 'speed'");
     assert_place("title t\nclock.period x ns P\n", 2, 14,
                  "'x' is not a number with at most six decimals");
     assert_place("title t\nclock.period 20  clk P\n", 2, 18,
-                 "the unit of clock.period is ns, not 'clk'");
+                 "the unit of clock.period must be ns, not 'clk'");
     assert_place("title t\nclock.period 20 ns Q\n", 2, 20,
                  "the source of clock.period must be P, S, D, R or F, "
                  "not 'Q'");
     assert_place("title t\nclock.period 20 ns P 7 # r\n", 2, 22,
-                 "'7' is not expected here");
-    assert_place("title t\nlike no\n", 2, 6, "there is no machine model 'no'");
+                 "expected the end of the line, found '7'");
+    assert_place("title t\nlike no\n", 2, 6, "unknown machine model 'no'");
 }

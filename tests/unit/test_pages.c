@@ -237,7 +237,7 @@ static void assert_refused(struct clock *clock, const struct bytes *bytes)
     c205_error error = { "" };
     assert_false(read_clock(clock, bytes, &error));
     assert_string_equal(error.message,
-                        "the list of pages of the saved machine is wrong");
+                        "the list of pages of the saved machine is invalid");
 }
 
 /* The list is at the end of a saved clock: its last pages are the last words. */

@@ -199,20 +199,19 @@ TEST(errors)
     assert_true(c205_listen(run.machine, c205_project, charged));
     assert_runs(run.machine);
     assert_false(c205_projection_holds(charged, &error));
-    assert_string_equal(error.message,
-                        "3 vector instructions, which cannot be projected");
+    assert_string_equal(error.message, "3 vector instructions cannot be projected");
     assert_false(
         c205_retime(run.recording, run.model, &unknown, 1, 1, clocks, 1, &error));
-    assert_string_equal(error.message, "there is no constant 'latency.none'");
+    assert_string_equal(error.message, "unknown constant 'latency.none'");
     assert_false(
         c205_retime(run.recording, run.model, &too_small, 1, 1, clocks, 1, &error));
-    assert_string_equal(error.message, "latency.load must lie between 1 and 1000000");
+    assert_string_equal(error.message, "latency.load must be between 1 and 1000000");
     assert_true(
         c205_retime(run.recording, projection, NULL, 0, 1, clocks, REGIONS, &error));
     assert_true(isnan(clocks[0]) || isnan(clocks[1]));
     assert_null(c205_new(projection, &error));
     assert_string_equal(error.message,
-                        "cyber720 is a projection, on which nothing runs");
+                        "cyber720 is a projection and cannot run programs");
     assert_null(c205_projection_new(run.model, &error));
     finish(&run);
 }
@@ -282,13 +281,14 @@ TEST(projection_models)
                                  "title t\nprojection\n"
                                  "startup.vadd 3 clk R\n",
                                  &error));
-    assert_string_equal(error.message, "t:3: there is no constant 'startup.vadd'");
+    assert_string_equal(error.message, "t:3: unknown constant 'startup.vadd'");
     assert_null(c205_model_parse("t", "title t\nprojection here\n", &error));
-    assert_string_equal(error.message, "t:2: 'here' is not expected here");
+    assert_string_equal(error.message,
+                        "t:2: expected the end of the line, found 'here'");
     assert_null(c205_model_parse("t",
                                  "title t\nlike cyber205-2pipe-prior\n"
                                  "projection\n",
                                  &error));
-    assert_string_equal(error.message, "t:3: 'projection' must stand before "
-                                       "the constants");
+    assert_string_equal(error.message,
+                        "t:3: 'projection' must be before the constants");
 }

@@ -41,7 +41,8 @@ TEST(rules)
 {
     CHECK(" .half 0\n", "test.s:1:2: error: trap undefined-instruction at",
           ": 00000000: no instruction has this code");
-    CHECK(" .half X'F080 0000', 0\n", "has no such fields or G bits");
+    CHECK(" .half X'F080 0000', 0\n",
+          "the fields or G bits of the instruction are invalid");
     CHECK(" ES r1, 64\n LOD [r1], r2\n", "test.s:2:2: error",
           "address 40: no memory is mapped there", "\n     LOD [r1], r2\n",
           "    r1 = X'0000 0000 0000 0040' (64)\n");
@@ -49,17 +50,18 @@ TEST(rules)
           "an offset must not be negative", "    [r10, r13]: its offset is negative\n",
           "    [r11]: 3 words from 800000 on\n");
     CHECK(DATA " ES b, -1\n EXTB a, b, c\n", "must end within its word");
-    CHECK(DATA " SWAP [a], r254, [r0]\n", "must end with 255");
-    CHECK(DATA " MRKO a, r0, [c]\n", "one bit at least");
+    CHECK(DATA " SWAP [a], r254, [r0]\n", "must end at r255 or below");
+    CHECK(DATA " MRKO a, r0, [c]\n", "at least one bit");
     CHECK(" .half X'DA00 000A', 11\n", "trap undefined-instruction",
-          "a sum in two registers begins with an even one");
+          "a sum in two registers must begin with an even register");
     CHECK(DATA " EX c, x + 32\n ELEN c, 2\n VTOV [a], [c]\n", "trap misaligned-operand",
-          "words must lie on words", "[r12]: 2 words from 800020 on");
-    CHECK(DATA " EX a, x + 1\n BSAVE b, [a]\n", "instructions must lie on half words");
+          "words must be at multiples of 64 bits", "[r12]: 2 words from 800020 on");
+    CHECK(DATA " EX a, x + 1\n BSAVE b, [a]\n",
+          "instructions must be at multiples of 32 bits");
     CHECK(DATA " EX a, x + 32\n ELEN a, 2\n EXIT a, r0, 6\n",
-          "what is to be printed must lie on");
+          "printed words at multiples of 64");
     CHECK(" EXIT r1, r2, 99\n", "trap bad-request",
-          "the monitor knows the requests 0 to 7");
+          "a monitor request must be between 0 and 7");
     CHECK(DATA " BIM .\n", "trap clock-limit");
 }
 
@@ -68,26 +70,27 @@ TEST(rules)
 TEST(links)
 {
     CHECK(LINK("ES a, 1", "ADDNV [c], [b], [c]"),
-          "behind the prefix must stand two vector instructions");
+          "the prefix must be followed by two vector instructions");
     CHECK(LINK("MPYSV [a], o, [c]", "SUMV [c], z"),
-          "behind the prefix must stand two vector instructions");
-    CHECK(LINK("SQRTV [a], [c]", "DIVSV [c], [b], [c]"), "must be of different units");
+          "the prefix must be followed by two vector instructions");
+    CHECK(LINK("SQRTV [a], [c]", "DIVSV [c], [b], [c]"), "must use different units");
     CHECK(LINK("CMPGEV [a], [b], [c]", "MPYSV [c], o, [c]"),
-          "must make numbers, not bits");
-    CHECK(LINK("MPYSV,H [a], h40, [c]", "ADDNV [c], [b], [c]"), "both on half words");
+          "must be numbers, not bits");
+    CHECK(LINK("MPYSV,H [a], h40, [c]", "ADDNV [c], [b], [c]"), "or both half words");
     CHECK(LINK("MPYSV [a], o, [c] ? [z]", "ADDNV [c], [b], [c]"),
           "must have no control vector");
     CHECK(LINK("MPYSV [a], o, [c, o]", "ADDNV [c], [b], [c]"),
-          "must have no offset of its result");
+          "must have no result offset");
     CHECK(LINK("MPYSV [a], o, [c]", "ADDNV [a], [b], [c]"),
           "must be the result of the first", "    MPYSV:\n", "    ADDNV:\n",
           "    r13 = X'0000 FFFF FFFF FFFF' (-1)\n");
     CHECK(LINK("MPYSV [a], o, [c]", "ADDNV [c, o], [b], [c]"),
-          "that is linked must have no offset");
-    CHECK(LINK("MPYSV [a], [b], [c]", "ADDNV [c], [b], [c]"), "two read paths");
+          "the linked source must have no offset");
+    CHECK(LINK("MPYSV [a], [b], [c]", "ADDNV [c], [b], [c]"),
+          "at most two vectors from memory");
     CHECK(DATA " ELEN b, 2\n LINKV\n MPYSV [a], o, [c]\n"
                " ADDNV [c], o, [b]\n",
-          "must have one length");
+          "must have the same length");
 }
 
 TEST(without_lines)

@@ -7,9 +7,9 @@
  * Adding the cost of one instruction to such a time cannot overflow. */
 #define LATEST (UINT64_MAX >> 2)
 
-static const char wrong_account[] = "the accounts of the saved machine are wrong";
-static const char wrong_flight[] = "what the saved machine has in flight is wrong";
-static const char wrong_pages[] = "the list of pages of the saved machine is wrong";
+static const char wrong_account[] = "the accounts of the saved machine are invalid";
+static const char wrong_flight[] = "the timing state of the saved machine is invalid";
+static const char wrong_pages[] = "the list of pages of the saved machine is invalid";
 
 /* ---- Accounts ------------------------------------------------------------ */
 

@@ -142,7 +142,7 @@ bool model_check_range(const struct rule *rule, const char *text, uint64_t milli
     if (rule->kind == PAGE)
         return check_page(rule, text, millionths, error);
     return (millionths >= rule->least * MILLION && millionths <= rule->most * MILLION)
-           || refuse(error, "%s must lie between %lu and %lu", rule->name,
+           || refuse(error, "%s must be between %lu and %lu", rule->name,
                      (unsigned long)rule->least, (unsigned long)rule->most);
 }
 
@@ -169,12 +169,12 @@ static bool check_unit(struct model_reader *reader, const struct rule *rule,
 {
     if (rule->kind != RATE)
         return !strcmp(unit, rule->unit)
-               || fail(reader, "the unit of %s is %s, not '%.20s'", rule->name,
+               || fail(reader, "the unit of %s must be %s, not '%.20s'", rule->name,
                        rule->unit, unit);
     for (size_t i = 0; i < RATE_UNITS; i++)
         if (!strcmp(unit, rate_units[i]))
             return true;
-    return fail(reader, "the unit of %s is %s, %s or %s, not '%.20s'", rule->name,
+    return fail(reader, "the unit of %s must be %s, %s or %s, not '%.20s'", rule->name,
                 rate_units[0], rate_units[1], rate_units[2], unit);
 }
 
@@ -193,9 +193,9 @@ static bool read_constant(struct model_reader *reader, const char *name, char *l
     c205_model *model = reader->model;
     size_t i;
     if (!model_find_rule(model, name, &i))
-        return fail(reader, "there is no constant '%.60s'", name);
+        return fail(reader, "unknown constant '%.60s'", name);
     if (model->constant[i].line)
-        return fail(reader, "%s is already given in line %u", name,
+        return fail(reader, "%s is already defined in line %u", name,
                     model->constant[i].line);
     uint64_t millionths;
     const char *text = next_word(reader, &line);
@@ -216,7 +216,8 @@ static bool read_constant(struct model_reader *reader, const char *name, char *l
                     "not '%.20s'",
                     name, source);
     if (*rest_of(reader, line))
-        return fail(reader, "'%.40s' is not expected here", rest_of(reader, line));
+        return fail(reader, "expected the end of the line, found '%.40s'",
+                    rest_of(reader, line));
     c205_constant shown = {
         model->rules[i].name,   text, (double)millionths / MILLION, unit, *source,
         rest_of(reader, remark)
@@ -238,11 +239,11 @@ static bool read_projection(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
     if (*rest_of(reader, line))
-        return fail(reader, "'%.40s' is not expected here", rest_of(reader, line));
+        return fail(reader, "expected the end of the line, found '%.40s'",
+                    rest_of(reader, line));
     for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].shown.text)
-            return fail(reader, "'projection' must stand before the "
-                                "constants");
+            return fail(reader, "'projection' must be before the constants");
     take_rules(model, true);
     return true;
 }
@@ -254,18 +255,18 @@ static bool read_like(struct model_reader *reader, char *line)
     c205_error why;
     const char *name = rest_of(reader, line);
     if (c205_model_is_file(name))
-        return fail(reader, "'like' names a built-in model");
+        return fail(reader, "expected the name of a built-in model after 'like'");
     if (model->like)
-        return fail(reader, "'like' stands here for the second time");
+        return fail(reader, "'like' is given more than once");
     model->own = c205_model_find(name, &why);
     model->like = model->own;
     if (!model->like)
         return fail(reader, "%.160s", why.message);
     for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].line)
-            return fail(reader, "'like' must stand before the constants");
+            return fail(reader, "'like' must be before the constants");
     if (c205_model_is_projection(model) && !c205_model_is_projection(model->like))
-        return fail(reader, "%.60s is no projection", name);
+        return fail(reader, "%.60s is not a projection", name);
     take_rules(model, c205_model_is_projection(model->like));
     for (size_t i = 0; i < model->count; i++) {
         model->constant[i] = model->like->constant[i];
@@ -277,7 +278,7 @@ static bool read_like(struct model_reader *reader, char *line)
 static bool read_title(struct model_reader *reader, char *line)
 {
     if (reader->model->title)
-        return fail(reader, "'title' stands here for the second time");
+        return fail(reader, "'title' is given more than once");
     reader->model->title = rest_of(reader, line);
     return true;
 }
@@ -289,13 +290,13 @@ static bool read_belief(struct model_reader *reader, const char *keyword,
     int used = 0;
     line = skip_blanks(line);
     if (belief->figures)
-        return fail(reader, "'%s' stands here for the second time", keyword);
+        return fail(reader, "'%s' is given more than once", keyword);
     sscanf(line, "%6u figures, at most %lf %% off: %n", &belief->figures,
            &belief->largest, &used);
     belief->worst = rest_of(reader, line + used);
     return (used && *line != '-' && belief->figures && fabs(belief->largest) < MILLION
             && *belief->worst)
-           || fail(reader, "after '%s' comes 'N figures, at most E %% off: NAME'",
+           || fail(reader, "expected 'N figures, at most E %% off: NAME' after '%s'",
                    keyword);
 }
 
@@ -312,7 +313,7 @@ static bool read_line(struct model_reader *reader, char *line)
     if (!strcmp(first, "title"))
         return read_title(reader, line);
     if (!reader->model->title)
-        return fail(reader, "a model begins with 'title TEXT'");
+        return fail(reader, "expected 'title TEXT' at the beginning of the model");
     if (!strcmp(first, "fitted"))
         return read_belief(reader, first, &reader->model->fitted, line);
     if (!strcmp(first, "compared"))
@@ -327,7 +328,7 @@ static bool read_line(struct model_reader *reader, char *line)
 static bool check_complete(struct model_reader *reader)
 {
     if (!reader->model->title)
-        return fail(reader, "a model begins with 'title TEXT'");
+        return fail(reader, "expected 'title TEXT' at the beginning of the model");
     const c205_model *model = reader->model;
     for (size_t i = 0; i < model->count; i++)
         if (!model->constant[i].shown.text)

@@ -48,7 +48,7 @@ static bool set_value(c205_model *model, const c205_setting *setting, bool whole
     uint64_t millionths = millionths_of(setting->value);
     size_t i;
     if (!model_find_rule(model, setting->name, &i)) {
-        snprintf(error->message, sizeof error->message, "there is no constant '%.60s'",
+        snprintf(error->message, sizeof error->message, "unknown constant '%.60s'",
                  setting->name);
         return false;
     }

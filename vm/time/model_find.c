@@ -50,7 +50,7 @@ static char *read_file(const char *path, c205_error *error)
     const char *fault = text && !ferror(file) ? c205_plain_text(text, &size)
                                               : strerror(errno);
     if (!fault && memchr(text, '\0', size))
-        fault = "this is no text";
+        fault = "not a text file";
     if (file && file != stdin)
         fclose(file);
     if (!fault)
@@ -68,8 +68,8 @@ static char *built_in_text(const char *name, c205_error *error)
             char *text = join_lines(model_texts[i].lines);
             return text ? text : model_out_of_memory(error);
         }
-    snprintf(error->message, sizeof error->message,
-             "there is no machine model '%.100s'", name);
+    snprintf(error->message, sizeof error->message, "unknown machine model '%.100s'",
+             name);
     return NULL;
 }
 

@@ -85,7 +85,7 @@ c205_projection *c205_projection_new(const c205_model *model, c205_error *error)
     if (!projection)
         wrong = "no memory left for a projection";
     else if (!c205_model_is_projection(model))
-        wrong = "the model is a machine, no projection";
+        wrong = "the model is a machine, not a projection";
     if (!wrong) {
         read_constants(projection, model);
         return projection;
@@ -276,7 +276,7 @@ bool c205_projection_holds(const c205_projection *projection, c205_error *error)
         strangers += projection_strangers(projection, i);
     if (strangers)
         snprintf(error->message, sizeof error->message,
-                 "%llu vector instruction%s, which cannot be projected",
+                 "%llu vector instruction%s cannot be projected",
                  (unsigned long long)strangers, strangers == 1 ? "" : "s");
     return projection_complete(projection, error) && strangers == 0;
 }

@@ -288,7 +288,7 @@ bool c205_retime(const c205_recording *recording, const c205_model *model,
     bool good = changed;
     if (good && recording->no_memory) {
         snprintf(error->message, sizeof error->message,
-                 "memory ran out while a run was recorded");
+                 "no memory left to record the run");
         good = false;
     }
     if (good && c205_model_is_projection(model))
