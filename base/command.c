@@ -93,8 +93,8 @@ static int no_command(const struct command_program *program, const char *word)
         spelling_try(&nearest, (*command)->name);
     }
     cmd_print_line(stderr,
-                   nearest.name ? "%s: no such command: %s (%s?)"
-                                : "%s: no such command: %s",
+                   nearest.name ? "%s: unknown command '%s'; did you mean '%s'?"
+                                : "%s: unknown command '%s'",
                    program->name, word, nearest.name);
     putc('\n', stderr);
     command_print_summary(program, stderr);

@@ -228,7 +228,7 @@ static void put_zsh_commands(FILE *file, const struct command_program *program)
         put_zsh_text(file, (*command)->summary);
         fputs("\" ", file);
     }
-    fputs("help\\:\"tell how a command is used\"))' '*::argument:->rest'\n"
+    fputs("help\\:\"print the help of a command\"))' '*::argument:->rest'\n"
           "    case $line[1] in\n",
           file);
     for (command = program->commands; *command; command++) {

@@ -33,7 +33,7 @@ int cmd_usage(const char *command, const char *format, ...)
     va_start(list, format);
     print_error(command, format, list);
     va_end(list);
-    fprintf(stderr, "%s --help tells how it is used\n", command);
+    fprintf(stderr, "%s --help prints the usage\n", command);
     return CMD_USAGE;
 }
 

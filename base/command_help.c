@@ -51,7 +51,7 @@ static void put_range(const struct command_option *option, const struct sink *si
         sink_print(sink, "a whole number from %.0f to %.0f", option->least,
                    option->most);
     } else {
-        sink_print(sink, "a number above %g, below %g", option->least, option->most);
+        sink_print(sink, "a number above %g and below %g", option->least, option->most);
     }
 }
 
@@ -66,8 +66,8 @@ void command_option_wants(const struct command_option *option, const struct sink
     case COMMAND_FOLDER: sink_put(sink, "a folder"); break;
     case COMMAND_INPUT:
     case COMMAND_OUTPUT: sink_put(sink, "a file, or - for a stream"); break;
-    case COMMAND_FILE: sink_put(sink, "a file that has a name"); break;
-    default: sink_put(sink, "some text");
+    case COMMAND_FILE: sink_put(sink, "the name of a file"); break;
+    default: sink_put(sink, "a text");
     }
 }
 
@@ -251,5 +251,5 @@ void command_print_summary(const struct command_program *program, FILE *file)
     for (; *command; command++) {
         fprintf(file, "  %-8s %s\n", (*command)->name, (*command)->summary);
     }
-    fprintf(file, "\n%s help COMMAND tells more of each\n", program->name);
+    fprintf(file, "\n%s help COMMAND describes a command\n", program->name);
 }

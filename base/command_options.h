@@ -18,7 +18,7 @@ command_choice command_model_choice;
 #define COMMAND_OPTION_INCLUDE(place) \
     { .name = "include", .letter = 'I', .value = "DIR", \
       .kind = COMMAND_FOLDER, .many = true, .offset = place, \
-      .help = "look for included files there as well" }
+      .help = "also search this folder for included files" }
 /* clang-format on */
 
 #endif

@@ -58,8 +58,9 @@ bool output_open(struct command_output *results, const char *command,
                     : is_stream(output)            ? stderr
                                                    : stdout;
     if (results->format == OUTPUT_JSON && is_stream(output)) {
-        cmd_failed(command, "stdout is for the output or for JSON, not for "
-                            "both");
+        cmd_failed(
+            command,
+            "stdout cannot hold both the output and JSON; write one of them to a file");
         return false;
     }
     return open_json(results);

@@ -44,15 +44,15 @@ command_choice output_format_choice;
     { .name = "format", .value = "FORMAT", .kind = COMMAND_CHOICE, \
       .offset = offsetof(arguments, member.format), \
       .choice = output_format_choice, \
-      .help = "how results are written on stdout" }, \
+      .help = "format of the results on stdout" }, \
     { .name = "json", .value = "FILE", .kind = COMMAND_OUTPUT, \
       .offset = offsetof(arguments, member.path), \
-      .help = "write the results to a file as well; on stdout: alone" }
+      .help = "also write the results to a file; with -: print only JSON" }
 /* The option of a command that prints figures of a model. */
 #define OUTPUT_OPTION_PROVENANCE(arguments, member) \
     { .name = "provenance", .kind = COMMAND_FLAG, \
       .offset = offsetof(arguments, member.provenance), \
-      .help = "how far the figures can be trusted, and why" }
+      .help = "print the sources and known errors of the model" }
 /* clang-format on */
 
 /* Opens the output. The format and the path must be set, the rest zero. output is

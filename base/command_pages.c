@@ -233,8 +233,8 @@ void command_print_man(const struct command_program *program, FILE *file)
     }
     fputs(".SH EXIT STATUS\n"
           ".TP\n0\nThe work is done.\n"
-          ".TP\n1\nIt failed; why is told on standard error.\n"
-          ".TP\n2\nThe command was not used as it has to be.\n",
+          ".TP\n1\nThe command failed. Standard error gives the reason.\n"
+          ".TP\n2\nThe command line is invalid.\n",
           file);
     if (program->files) {
         fputs(".SH FILES\n", file);

@@ -13,10 +13,10 @@
 const struct command_option command_help_option = { .name = "help",
                                                     .letter = 'h',
                                                     .kind = COMMAND_FLAG,
-                                                    .help = "tell how it is used" },
+                                                    .help = "print this help" },
                             command_version_option = { .name = "version",
                                                        .kind = COMMAND_FLAG,
-                                                       .help = "tell the version" };
+                                                       .help = "print the version" };
 
 bool command_is_row(const struct command_option *option)
 {
@@ -188,8 +188,8 @@ static int wrong_value(const struct parsing *parsing,
     struct sink wants_sink = text_line_sink(&wants);
     command_option_name(option, &name_sink);
     command_option_wants(option, &wants_sink);
-    return cmd_usage(parsing->name, "%s: wrong argument: %s (%s)", name.text,
-                     *text ? text : "''", wants.text);
+    return cmd_usage(parsing->name, "%s: expected %s, found '%s'", name.text,
+                     wants.text, text);
 }
 
 /* Returns another command with an option of that name, or NULL. */
@@ -244,15 +244,15 @@ static int no_long_option(const struct parsing *parsing, const char *word)
     const struct command *owner = owner_of(parsing, name);
     const char *nearest = nearest_option(parsing, name);
     if (find_beginnings(parsing, name, &sink)) {
-        return cmd_usage(parsing->name, "--%s is one of %s", name, several.text);
+        return cmd_usage(parsing->name, "--%s is ambiguous: %s", name, several.text);
     }
     if (owner) {
-        return cmd_usage(parsing->name, "no such option: --%s; it is for %s", name,
-                         owner->name);
+        return cmd_usage(parsing->name, "unknown option --%s; it is an option of %s",
+                         name, owner->name);
     }
-    return cmd_usage(parsing->name, "no such option: %s%s%s%s", word,
-                     nearest ? " (--" : "", nearest ? nearest : "",
-                     nearest ? "?)" : "");
+    return cmd_usage(parsing->name, "unknown option %s%s%s%s", word,
+                     nearest ? "; did you mean --" : "", nearest ? nearest : "",
+                     nearest ? "?" : "");
 }
 
 /* Reports a flag with a value, or an unknown option. */
@@ -260,7 +260,7 @@ static int wrong_option(const struct parsing *parsing, const char *word)
 {
     const struct command_option *option = parsing->command->options;
     if (word[0] != '-' || word[1] != '-') {
-        return cmd_usage(parsing->name, "no such option: -%c", optopt);
+        return cmd_usage(parsing->name, "unknown option -%c", optopt);
     }
     size_t length = strcspn(word + 2, "=");
     for (; word[2 + length] && command_is_row(option); option++) {
@@ -356,7 +356,7 @@ static int parse_options(const struct parsing *parsing,
                   != -1) {
         const char *word = argv[optind - 1];
         if (value == ':') {
-            code = cmd_usage(parsing->name, "%s needs an argument", word);
+            code = cmd_usage(parsing->name, "%s requires an argument", word);
         } else if (value == '?') {
             code = wrong_option(parsing, word);
         } else {
@@ -451,8 +451,8 @@ static int check_output(const struct parsing *parsing,
     const struct command *command = parsing->command;
     const struct command_option *other = row_naming(parsing, option + 1, true, path);
     if (other) {
-        return cmd_usage(parsing->name, "--%s and --%s name one file", option->name,
-                         other->name);
+        return cmd_usage(parsing->name, "--%s and --%s cannot write the same file",
+                         option->name, other->name);
     }
     if (!file_is_stream(path) && !outputs_add(path)) {
         return cmd_failed(parsing->name, "no memory");
@@ -460,7 +460,7 @@ static int check_output(const struct parsing *parsing,
     if (outputs_has(path)
         && (row_naming(parsing, command->options, false, path)
             || row_naming(parsing, command->operands, false, path))) {
-        return cmd_usage(parsing->name, "--%s would write over the input %s",
+        return cmd_usage(parsing->name, "--%s would overwrite the input %s",
                          option->name, path);
     }
     return CMD_DONE;
@@ -501,7 +501,7 @@ static int check_inputs(const struct parsing *parsing)
     size_t streams = streams_in(parsing, parsing->command->options)
                      + streams_in(parsing, parsing->command->operands);
     return streams <= 1 ? CMD_DONE
-                        : cmd_usage(parsing->name, "only one file can be -, stdin");
+                        : cmd_usage(parsing->name, "only one file can be - (stdin)");
 }
 
 /* ---- The whole command line --------------------------------------------- */

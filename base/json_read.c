@@ -64,7 +64,7 @@ static bool read_hex(struct json_reading *reading, unsigned long *code)
         const char *digit = c ? strchr(digits, c) : NULL;
 
         if (!digit)
-            return fail(reading, "\\u without four hex digits");
+            return fail(reading, "expected four hex digits after \\u");
         *code = *code << 4 | (unsigned long)((digit - digits) % 16);
         reading->at++;
     }
@@ -79,12 +79,12 @@ static bool read_code(struct json_reading *reading, unsigned long *code)
     if (!read_hex(reading, code))
         return false;
     if (*code == 0)
-        return fail(reading, "a text with a NUL");
+        return fail(reading, "a string must not contain a NUL");
     if (*code < 0xD800 || *code > 0xDFFF)
         return true;
     if (*code > 0xDBFF || !take(reading, '\\') || !take(reading, 'u')
         || !read_hex(reading, &low) || low < 0xDC00 || low > 0xDFFF)
-        return fail(reading, "half of a pair of surrogates");
+        return fail(reading, "unpaired surrogate");
     *code = 0x10000 + ((*code - 0xD800) << 10) + (low - 0xDC00);
     return true;
 }
@@ -103,7 +103,7 @@ static bool read_escape(struct json_reading *reading, char **to)
         return true;
     }
     if (!take(reading, 'u'))
-        return fail(reading, "no such escape");
+        return fail(reading, "unknown escape");
     if (!read_code(reading, &code))
         return false;
     *to += utf8_put(*to, code);
@@ -118,10 +118,10 @@ static bool read_character(struct json_reading *reading, char **to)
         return read_escape(reading, to);
     length = utf8_length(reading->at, (size_t)(reading->end - reading->at));
     if (length == 0)
-        return fail(reading, reading->at < reading->end ? "a byte that is no UTF-8"
-                                                        : "a text without end");
+        return fail(reading, reading->at < reading->end ? "invalid UTF-8"
+                                                        : "unterminated string");
     if ((unsigned char)*reading->at < ' ')
-        return fail(reading, "a control character in a text");
+        return fail(reading, "a control character in a string");
     memcpy(*to, reading->at, length);
     *to += length;
     reading->at += length;
@@ -180,16 +180,15 @@ static bool read_number(struct json_reading *reading, struct json_value *value)
     size_t length;
 
     if (!skip_number(reading))
-        return fail(reading, "no value");
+        return fail(reading, "expected a value");
     length = (size_t)(reading->at - from);
     if (length >= sizeof digits)
-        return fail(reading, "a number of " LIMIT_TEXT(MAX_DIGITS) " digits or more");
+        return fail(reading, "a number with " LIMIT_TEXT(MAX_DIGITS) " digits or more");
     memcpy(digits, from, length);
     digits[length] = '\0';
     value->kind = JSON_NUMBER;
     value->number = strtod(digits, NULL);
-    return isfinite(value->number)
-           || fail(reading, "a number too large, above 1.8e308");
+    return isfinite(value->number) || fail(reading, "a number above 1.8e308");
 }
 
 static bool take_name(struct json_reading *reading, const char *name)
@@ -221,12 +220,12 @@ static bool read_key(struct json_reading *reading, struct json_value *value)
 {
     skip_space(reading);
     if (next_of(reading) != '"')
-        return fail(reading, "no key");
+        return fail(reading, "expected a key");
     value->key = read_text(reading);
     if (!value->key)
         return false;
     skip_space(reading);
-    return take(reading, ':') || fail(reading, "no colon");
+    return take(reading, ':') || fail(reading, "expected ':'");
 }
 
 static struct json_value *read_item(struct json_reading *reading, bool has_key)
@@ -260,7 +259,7 @@ static bool read_items(struct json_reading *reading, struct json_value *value,
         *last = item;
         last = &item->next;
     } while (take(reading, ','));
-    return take(reading, closing) || fail(reading, "no comma and no end");
+    return take(reading, closing) || fail(reading, "expected ',' or a closing bracket");
 }
 
 static bool read_within(struct json_reading *reading, struct json_value *value)
@@ -269,8 +268,7 @@ static bool read_within(struct json_reading *reading, struct json_value *value)
     bool good;
 
     if (reading->depth == JSON_DEEPEST)
-        return fail(reading, "brackets too deep in each other, "
-                             "more than " LIMIT_TEXT(JSON_DEEPEST));
+        return fail(reading, "more than " LIMIT_TEXT(JSON_DEEPEST) " nested brackets");
     reading->depth++;
     good = read_items(reading, value, closing);
     reading->depth--;
@@ -303,7 +301,7 @@ const struct json_value *json_read(struct arena *arena, const char *text, size_t
     struct json_value *value = read_item(&reading, false);
 
     if (value && reading.at < reading.end) {
-        fail(&reading, "something behind the end");
+        fail(&reading, "expected the end of the text");
         return NULL;
     }
     return value;

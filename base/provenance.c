@@ -31,7 +31,7 @@ bool provenance_is_fitted(const c205_model *model)
 /* ---- Comparison with figures -------------------------------------------- */
 
 static const char left_out[] =
-    "fetching instructions, memory conflicts but those of gathers, the disc";
+    "instruction fetch, memory conflicts except those of gathers, the disc";
 static const char left_out_projected[] =
     "its own compiler and words, memory conflicts, channels";
 
@@ -40,7 +40,7 @@ const char *provenance_left_out(const c205_model *model)
     return c205_model_is_projection(model) ? left_out_projected : left_out;
 }
 
-static const char unknown[] = "compared with no published figure";
+static const char unknown[] = "not compared with published figures";
 
 /* Returns true if there are figures. */
 static bool format_belief(const char *how, c205_belief belief,
@@ -90,7 +90,7 @@ static void print_origin(const c205_model *model, const char *before, FILE *file
     const c205_model *origin = fitted_origin(model);
     fprintf(file, ",\n%s%s", before, unknown);
     if (origin) {
-        fprintf(file, "; it changes %s", c205_model_name(origin));
+        fprintf(file, "; it is derived from %s", c205_model_name(origin));
         print_belief_line("which was fitted to", c205_model_fitted(origin), before,
                           file);
     }
@@ -136,7 +136,7 @@ void provenance_print(const c205_model *model, bool whole, const char *before,
 {
     print_claim(model, before, file);
     if (!whole) {
-        fputs("; more by --provenance\n", file);
+        fputs("; details: --provenance\n", file);
         return;
     }
     print_belief(model, before, file);

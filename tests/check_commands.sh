@@ -84,7 +84,7 @@ for program in c205 rt205; do
     expect "$program help is not --help" cmp -s out summary
     ends 2 "$build/$program"
     ends 2 "$build/$program" nonsense
-    tells err 'no such command: nonsense'
+    tells err 'unknown command .nonsense.'
     ends 2 "$build/$program" help nonsense
 done
 for program in c205 rt205 fit205; do
@@ -115,7 +115,7 @@ refuses() { # ARGUMENT ..: reports wrong usage, with the choices and a reference
     # No word means no argument.
     # shellcheck disable=SC2086
     ends 2 "$build/$program" $word "$@"
-    tells err "$program $word${word:+ }--help tells how it is used"
+    tells err "$program $word${word:+ }--help prints the usage"
     expect "wrong usage prints on stdout: $*" [ ! -s out ]
 }
 wrong_values() { # for each option a value that it rejects, and no value
@@ -137,12 +137,12 @@ wrong_values() { # for each option a value that it rejects, and no value
             ;;
         *) refuses "$name" '' ;;
         esac
-        tells err "$name: wrong argument"
+        tells err "$name: expected"
         refuses "$name"
-        tells err "$name needs an argument"
+        tells err "$name requires an argument"
         near=${name%?}${name#"${name%?}"}x
         refuses "$near" 1
-        tells err "no such option: $near"
+        tells err "unknown option $near"
     done <"$program.list"
 }
 for program in c205 rt205 fit205; do
@@ -320,10 +320,10 @@ verdict $? "the classes do not have each instruction once"
 rows arguments
 for define in NAME =1 NAME=x; do
     ends 2 "$build/c205" run --define $define good.s
-    tells err "wrong argument: $define"
+    tells err "expected NAME=VALUE, .*, found .$define.$"
 done
 ends 2 "$build/c205" run --define k=1 --define k=2 flat.s
-tells err "wrong argument: k=2 (NAME=VALUE, a name and an integer, each name once)"
+tells err "expected NAME=VALUE, a name and an integer, each name once, found .k=2."
 # Invalid or unused names of constants, in every command that takes them.
 for define in "a b" r5 h255 ADDN 3x .code "" unused; do
     code=1
@@ -335,7 +335,7 @@ for define in "a b" r5 h255 ADDN 3x .code "" unused; do
         ends $code "$build/c205" $command flat.s --define k=1 --define "$define=1" \
             </dev/null
         cat out >>err
-        tells err "'$define' \(is defined, and not used\|cannot be defined: it is\)\|wrong argument"
+        tells err "'$define' \(is defined, and not used\|cannot be defined: it is\)\|expected NAME=VALUE"
     done
     ends $code "$build/c205" sweep flat.s --define k=1:9 --define "$define=1"
     ends $code "$build/c205" sweep flat.s --define "$define=1:9" --define k=1
@@ -561,8 +561,8 @@ verdict $? "a picture lacks the date of SOURCE_DATE_EPOCH"
 ends 0 env SOURCE_DATE_EPOCH=today "$build/rt205" render "$scene" -o a.exr \
     -W 40 -H 30
 rows render
-tells out "on the model cyber205-2pipe; more by --provenance$"
-tells out "on the model cyber720; more by --provenance$"
+tells out "on the model cyber205-2pipe; details: --provenance$"
+tells out "on the model cyber720; details: --provenance$"
 rows speedup
 for row in sphere cylinder Steiner torus; do
     tells out "^$row.* vector "
@@ -579,8 +579,8 @@ done
 for row in cylinder Steiner torus; do
     tells out "^$row, ours  *ours "
 done
-tells out "Projected, .* on the model cyber720; more by --provenance$"
-tells out "Projected, .* on the model cdc6600; more by --provenance$"
+tells out "Projected, .* on the model cyber720; details: --provenance$"
+tells out "Projected, .* on the model cdc6600; details: --provenance$"
 tells out "frame are equal"
 for key in table1 projections rays times projected shares steps passes causes; do
     expect "speedup.json has no $key" grep -q "\"$key\": \[" speedup.json
@@ -625,14 +625,14 @@ ends 1 env PATH=missing "$build/rt205" sweep length sphere --points 1,2,4 \
 rows sweep_errors
 for points in 0 '1,' ',1' 2,1 1,1 1,65536 x 1,,2; do
     ends 2 sweep queue sphere --points $points
-    tells err "points: wrong argument: $points"
+    tells err "points: expected .*, found .$points.$"
 done
 rows sweep_models
 
 # The accuracy of the figures, in one line and in full.
 whole() { # COMMAND ..: with --provenance the line continues
     ends 0 "$@"
-    tells out 'on the model cyber205-2pipe; more by --provenance$'
+    tells out 'on the model cyber205-2pipe; details: --provenance$'
     ends 0 "$@" --provenance
     tells out 'on the model cyber205-2pipe,$'
     tells out 'fitted to 15 published figures, the largest error'
@@ -752,7 +752,7 @@ done
 ordered --mode kernels | cmp -s - whole && tells order.json '"order": "rows"'
 ordered | cmp -s - whole && tells order.json '"order": "tiles"'
 ends 2 "$build/rt205" render "$scene" -o order.png --order spiral
-tells err "--order: wrong argument: spiral"
+tells err "--order: expected .*, found .spiral."
 ends 0 "$build/rt205" profile "$scene" -W 40 -H 30 --order tiles
 ends 0 "$build/rt205" sweep queue "$scene" --points 1,50 -W 16 -H 12 --order tiles
 

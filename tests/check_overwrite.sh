@@ -80,7 +80,7 @@ refuses() { # FILE ENDING OPTION COMMAND ..
     shift 3
     before=$(sums)
     ! "$@" "$output" "$name" >said 2>&1 </dev/null &&
-        grep -Eq 'would write over the input|output of this command' said
+        grep -Eq 'would overwrite the input|output of this command' said
     verdict $? "$* $output $name does not refuse to write over $file"
     expect "$* $output $name changes its inputs" [ "$(sums)" = "$before" ]
 }

@@ -349,31 +349,31 @@ static void refused(const char *word, const char *value, const char *why)
 TEST(wrong_lines)
 {
     refused("--count", "2",
-            "--count: wrong argument: 2 (a whole number from "
-            "3 to 1000)");
-    refused("--count", "1001", "wrong argument");
-    refused("--count", "-5", "wrong argument");
-    refused("--count", "5x", "wrong argument");
-    refused("-c", "", "wrong argument: ''");
-    refused("--count=99999999999999999999", NULL, "wrong argument");
-    refused("--clocks", "18446744073709551616", "wrong argument");
-    refused("--clocks", "-1", "wrong argument");
-    refused("--number", "2", "a number above -2, below 2");
-    refused("--number", "-2", "wrong argument");
-    refused("--number", "nan", "wrong argument");
-    refused("--number", "1,5", "wrong argument");
-    refused("--colour", "black", "(red, green or blue)");
-    refused("--colour", "", "wrong argument");
-    refused("--own", "ninechars", "(eight letters)");
-    refused("--kept", "-", "(a file that has a name)");
-    refused("--text", "", "wrong argument: ''");
+            "--count: expected a whole number from 3 to 1000, found '2'");
+    refused("--count", "1001", "found '1001'");
+    refused("--count", "-5", "found '-5'");
+    refused("--count", "5x", "found '5x'");
+    refused("-c", "", "found ''");
+    refused("--count=99999999999999999999", NULL, "found '99999999999999999999'");
+    refused("--clocks", "18446744073709551616", "found '18446744073709551616'");
+    refused("--clocks", "-1", "found '-1'");
+    refused("--number", "2", "a number above -2 and below 2");
+    refused("--number", "-2", "found '-2'");
+    refused("--number", "nan", "found 'nan'");
+    refused("--number", "1,5", "found '1,5'");
+    refused("--colour", "black", "expected red, green or blue, found");
+    refused("--colour", "", "found ''");
+    refused("--own", "ninechars", "expected eight letters, found");
+    refused("--kept", "-", "expected the name of a file, found");
+    refused("--text", "", "found ''");
     refused("--loud=yes", NULL, "--loud takes no argument");
-    refused("--lodu", NULL, "no such option: --lodu (--loud?)");
-    refused("--colr=red", NULL, "(--colour?)");
-    refused("--co", "red", "--co is one of --count, --colour");
-    refused("-x", NULL, "no such option: -x");
-    refused("-lx", NULL, "no such option: -x");
-    refused("--output=a", "--kept=./a", "--output and --kept name one file");
+    refused("--lodu", NULL, "unknown option --lodu; did you mean --loud?");
+    refused("--colr=red", NULL, "did you mean --colour?");
+    refused("--co", "red", "--co is ambiguous: --count, --colour");
+    refused("-x", NULL, "unknown option -x");
+    refused("-lx", NULL, "unknown option -x");
+    refused("--output=a", "--kept=./a",
+            "--output and --kept cannot write the same file");
 }
 
 /* Runs a line of words, which end with NULL. Returns its exit code. */
@@ -411,8 +411,8 @@ TEST(missing_and_too_many)
     release(&caught);
     assert_non_null(strstr(caught.text, "test look: FIRST is missing: a text"));
     assert_non_null(strstr(caught.text, "too many arguments: look"));
-    assert_non_null(strstr(caught.text, "no such command: lok (look?)"));
-    assert_non_null(strstr(caught.text, "only one file can be -, stdin"));
+    assert_non_null(strstr(caught.text, "unknown command 'lok'; did you mean 'look'?"));
+    assert_non_null(strstr(caught.text, "only one file can be - (stdin)"));
 }
 
 /* ---- Names, times -------------------------------------------------------- */

@@ -77,13 +77,13 @@ TEST(models)
           "    \"not_modelled\": \"fetching instructions, " },
         { "title T\nlike cyber205-2pipe-prior\n",
           "# Cycle-accounted, not cycle-accurate, on the model test,\n"
-          "# compared with no published figure.\n",
+          "# not compared with published figures.\n",
           "\n# Not modelled: ",
           "\"fitted\": false,\n    \"fit\": null,\n    \"comparison\": null,\n"
           "    \"not_modelled\": " },
         { "title T\nlike cyber205-2pipe\n" MOVED,
           "# Cycle-accounted, not cycle-accurate, on the model test,\n"
-          "# compared with no published figure; it changes cyber205-2pipe,\n"
+          "# not compared with published figures; it is derived from cyber205-2pipe,\n"
           "# which was fitted to %u published figures, the largest error %+.1f %% (%s).\n",
           "\n# Not modelled: ",
           "\"changes\": {\n      \"name\": \"cyber205-2pipe\",\n"
@@ -108,7 +108,7 @@ TEST(models)
         snprintf(expected, sizeof expected, cases[i].json, belief.figures);
         holds(json, expected);
         /* Without --provenance only the first line is printed. */
-        snprintf(expected, sizeof expected, "%.*s; more by --provenance\n", first,
+        snprintf(expected, sizeof expected, "%.*s; details: --provenance\n", first,
                  text);
         assert_string_equal(line, expected);
         assert_int_equal(provenance_is_fitted(model),
@@ -201,5 +201,6 @@ TEST(line)
                 "like cyber205-2pipe-prior\n",
                 "compared with 1 published figure, the largest error "
                 "+2.0 % (c)");
-    assert_line("title T\nlike cyber205-2pipe\n", "compared with no published figure");
+    assert_line("title T\nlike cyber205-2pipe\n",
+                "not compared with published figures");
 }
