@@ -19,7 +19,7 @@ static const char *name_fault(const char *name)
 
     while (is_name_part(*at))
         at++;
-    return !is_name_start(*name) || *at           ? "is no name"
+    return !is_name_start(*name) || *at           ? "is not a name"
            : register_named(name, length, &named) ? "is a register"
            : c205_insn_named(name, length)        ? "is an instruction"
                                                   : NULL;

@@ -42,8 +42,8 @@ static void check_length(struct runtime_checker *watch, const struct site *site,
                        "r%u is never set, so it describes no vector", r);
     else if (watch->is_entered[r] && watch->entered[r] == operand->word)
         runtime_report(watch, site, WARNING_UNSET_LENGTH,
-                       "r%u has the address %" PRIX64 ", but no length: ELEN or"
-                       " the macro descriptor gives it one",
+                       "r%u has the address %" PRIX64
+                       " but no length; set it with ELEN or the macro descriptor",
                        r, operand->word);
     else if (watch->is_emptied[r] && watch->emptied[r] == operand->word)
         runtime_report(watch, site, WARNING_ZERO_LENGTH,
@@ -61,8 +61,8 @@ static void check_storage(struct runtime_checker *watch, const struct site *site
     past = result->address + (uint64_t)result->length * result->width;
     if (name && result->length > 0 && past > end)
         runtime_report(watch, site, WARNING_PAST_STORAGE,
-                       "this writes up to address %" PRIX64
-                       ", and the storage of '%s' ends at %" PRIX64,
+                       "the result extends to address %" PRIX64
+                       ", but the storage of '%s' ends at %" PRIX64,
                        past, name, end);
 }
 
@@ -75,8 +75,8 @@ static void check_store(struct runtime_checker *watch, const struct site *site,
 
     if (name && index > 0 && (uint64_t)index * width >= end - base)
         runtime_report(watch, site, WARNING_PAST_STORAGE,
-                       "index %" PRId64 " lies behind the storage of '%s', which"
-                       " ends at %" PRIX64,
+                       "index %" PRId64
+                       " is beyond the storage of '%s', which ends at %" PRIX64,
                        index, name, end);
 }
 
@@ -98,10 +98,10 @@ static void print_float_index(struct runtime_checker *watch, const struct site *
     char text[C205_TEXT_SIZE];
 
     c205_to_text(word, text);
-    runtime_report(watch, site, WARNING_FLOAT_INDEX,
-                   "%s is %s, which is no integer: TRU, FLR or their vector forms"
-                   " make one of it",
-                   which, text);
+    runtime_report(
+        watch, site, WARNING_FLOAT_INDEX,
+        "%s is %s, not an integer; convert it with TRU, FLR or their vector forms",
+        which, text);
 }
 
 static void check_index(struct runtime_checker *watch, const struct site *site,
@@ -180,10 +180,11 @@ static void print_integer(struct runtime_checker *watch, const struct site *site
     else
         sink_print(&sink, "%c%u", half ? 'h' : 'r', operand->number);
     (half ? c205_half_to_text : c205_to_text)(word, number);
-    runtime_report(watch, site, WARNING_INTEGER_OPERAND,
-                   "%s is the integer %s, not %s.0, so few bits are kept: %.15g"
-                   " becomes %.15g; ADDN with r0 would normalise it",
-                   where.text, number, number, precision->exact, precision->kept);
+    runtime_report(
+        watch, site, WARNING_INTEGER_OPERAND,
+        "%s is the integer %s, not %s.0, so bits are lost: %.15g becomes %.15g; "
+        "normalise it with ADDN and r0",
+        where.text, number, number, precision->exact, precision->kept);
 }
 
 /* b: NULL if there is one source. */
@@ -377,16 +378,14 @@ void runtime_recurrence(struct runtime_checker *watch, const c205 *machine,
     if (read)
         runtime_report(watch, site, WARNING_RECURRENCE,
                        "%zu element%s of [r%u] %s of this instruction,"
-                       " and %s; the real machine promised"
-                       " nothing here",
+                       " and %s; the result on the real machine is undefined",
                        elements, plural(elements), read->number,
                        elements == 1 ? "is a result" : "are results",
                        elements == 1 ? "waits for it" : "wait for them one by one");
     else
         runtime_report(watch, site, WARNING_RECURRENCE,
                        "%zu element%s of a source %s of this %s, and"
-                       " %s; the real machine promised"
-                       " nothing here",
+                       " %s; the result on the real machine is undefined",
                        elements, plural(elements),
                        elements == 1 ? "is a result" : "are results",
                        view->insn->timing == C205_TIMING_vlink ? "pair" : "instruction",

@@ -58,7 +58,7 @@ static void open(struct expander *expander, struct cursor *cursor,
 
     if (expander->condition_depth == MAX_CONDITIONS) {
         report(expander->assembler, cursor->line, cursor->line->begin,
-               "conditions are nested more than %u deep", MAX_CONDITIONS);
+               "more than %u nested conditions", MAX_CONDITIONS);
         expander->halted = true;
         return;
     }
@@ -78,7 +78,7 @@ static struct asm_condition *innermost(struct expander *expander, struct cursor 
     if (expander->condition_depth > frame->conditions)
         return &expander->conditions[expander->condition_depth - 1];
     report(expander->assembler, cursor->line, cursor->line->begin,
-           "there is no .if before this in the same text");
+           "expected an .if before this line, in the same text");
     return NULL;
 }
 
@@ -91,7 +91,7 @@ static void go_on(struct expander *expander, struct cursor *cursor,
         return;
     if (condition->last)
         report(expander->assembler, cursor->line, cursor->line->begin,
-               "expected .endif: there was an .else already");
+               "expected .endif after .else");
     condition->last = !test;
     condition->active = condition->outside && !condition->decided
                         && (test ? test(cursor) : expect_end(cursor));

@@ -54,7 +54,7 @@ static bool parse_org(struct cursor *cursor)
                       HALF_BITS);
     if (assembler->open_region.line && assembler->region_section == assembler->section)
         return report(assembler, cursor->line, at,
-                      "a .kernel cannot be torn apart by .org");
+                      ".org cannot be used inside a .kernel");
     assembler->section->at = (uint64_t)address;
     assembler->section->moved = true;
     assembler->section->full = false;
@@ -82,7 +82,7 @@ static bool parse_entry(struct cursor *cursor)
 
     if (assembler->entry)
         return report(assembler, cursor->line, cursor->line->begin,
-                      "there is an .entry already, in %s:%zu",
+                      ".entry is already defined, in %s:%zu",
                       assembler->entry_line->file, assembler->entry_line->number);
     assembler->entry = parse_expression(cursor);
     assembler->entry_line = cursor->line;
@@ -107,7 +107,7 @@ static const char *parse_region_name(struct cursor *cursor)
 
         name = expect_string(cursor, &length);
         if (name && !*name)
-            report(cursor->assembler, cursor->line, at, "a kernel has a name");
+            report(cursor->assembler, cursor->line, at, "a kernel must have a name");
         return name && *name ? name : NULL;
     }
     if (!expect_name(cursor, "the kernel's name", &name, &length))
@@ -122,8 +122,8 @@ static bool parse_kernel(struct cursor *cursor)
 
     if (open->line)
         return report(assembler, cursor->line, cursor->line->begin,
-                      "expected .endkernel first, for that of %s:%zu", open->line->file,
-                      open->line->number);
+                      "expected .endkernel first, for the .kernel in %s:%zu",
+                      open->line->file, open->line->number);
     open->name = parse_region_name(cursor);
     if (!open->name)
         return false;
@@ -153,7 +153,7 @@ static bool parse_endkernel(struct cursor *cursor)
 
     if (!open->line)
         return report(assembler, cursor->line, cursor->line->begin,
-                      "there is no .kernel open");
+                      ".endkernel without a .kernel");
     open->line = NULL;
     region.end = assembler->region_section->at;
     return region.begin == region.end || add_region(assembler, region);
@@ -278,8 +278,8 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind, uint64_t 
     *rest = (uint64_t)length - given;
     return given <= (uint64_t)length
            || report(cursor->assembler, cursor->line, at,
-                     "%lu value%s: more than the vector holds, %lu",
-                     (unsigned long)given, plural(given), (unsigned long)length);
+                     "%lu value%s, but the vector holds only %lu", (unsigned long)given,
+                     plural(given), (unsigned long)length);
 }
 
 static bool parse_vector(struct cursor *cursor)
@@ -317,7 +317,7 @@ static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
                           "expected a string of the digits 0 and 1");
         if (*count == size)
             return report(cursor->assembler, cursor->line, begin,
-                          "these are more bits than the vector holds");
+                          "more bits than the vector holds");
         words[*count / WORD_BITS] |= (c205_word)(text[i] == '1')
                                      << (WORD_BITS - 1 - *count % WORD_BITS);
         ++*count;

@@ -32,11 +32,12 @@ static bool encode_target(struct assembler *assembler, const struct layout_item 
                       " address %" PRIX64,
                       target);
     if (fields->immediate < INT16_MIN || fields->immediate > INT16_MAX)
-        return report(assembler, item->line, item->line->begin,
-                      "the branch target is %" PRId64 " half words away,"
-                      " more than 16 bits can tell; give its address in"
-                      " registers [y, b]",
-                      fields->immediate);
+        return report(
+            assembler, item->line, item->line->begin,
+            "the branch target is %" PRId64
+            " half words away, too far for 16 bits; give its address in registers [y, "
+            "b]",
+            fields->immediate);
     return true;
 }
 
@@ -171,7 +172,7 @@ static bool check_overlap(struct assembler *assembler)
             if (!run || items[i].order != run->order + 1
                 || items[i].address != end_of(run))
                 report(assembler, items[i].line, items[i].line->begin,
-                       "address %" PRIX64 " is taken already, by %s:%zu",
+                       "address %" PRIX64 " is already used, by %s:%zu",
                        items[i].address, items[last].line->file,
                        items[last].line->number);
             run = &items[i];
@@ -419,7 +420,7 @@ static void grant_tolerance(struct assembler *assembler,
                          &made->tolerance)
         && !(c205_to_double(made->tolerance) >= 0))
         report(assembler, expectation->line, expectation->line->begin,
-               "a tolerance is a number that is not negative");
+               "a tolerance must be a number and must not be negative");
 }
 
 typedef bool evaluator(struct assembler *, const struct line *,

@@ -53,7 +53,7 @@ static void print_form(char *message, size_t size, struct assembler *assembler)
     if (!writing)
         return;
     syntax_write(writing->insn, writing->fields.g & C205_G_HALF, &sink);
-    snprintf(message + used, size - used, "; its form: %s", form.text);
+    snprintf(message + used, size - used, "; syntax: %s", form.text);
 }
 
 bool report(struct assembler *assembler, const struct line *line, const char *at,

@@ -20,7 +20,7 @@ static const char *divide(int code, int64_t a, int64_t b, uint64_t *result)
     if (b == 0)
         return "division by zero";
     if (a == INT64_MIN && b == -1)
-        return "this quotient does not fit 64 bits";
+        return "the quotient does not fit in 64 bits";
     *result = (uint64_t)(code == '/' ? a / b : a % b);
     return NULL;
 }
@@ -28,7 +28,7 @@ static const char *divide(int code, int64_t a, int64_t b, uint64_t *result)
 static const char *shift(int code, int64_t a, int64_t b, uint64_t *result)
 {
     if (b < 0 || b > 63)
-        return "a shift count goes from 0 to 63";
+        return "a shift count must be between 0 and 63";
     if (code == OPERATOR('<', '<'))
         *result = (uint64_t)a << b;
     else
@@ -96,7 +96,7 @@ static bool value_of_symbol(struct assembler *assembler, const struct line *line
     case SYMBOL_REGISTER:
     case SYMBOL_HALF_REGISTER:
         return report(assembler, line, expression->at,
-                      "expected a number, '%s' is a register", symbol->name);
+                      "expected a number, found the register '%s'", symbol->name);
     default: return report_undefined(assembler, line, expression);
     }
 }
@@ -112,9 +112,9 @@ static bool word_of(struct assembler *assembler, const struct line *line,
     if (value->kind != VALUE_INTEGER)
         return true;
     if (integer < -((int64_t)1 << 47) || integer >= (int64_t)1 << 48)
-        return report(assembler, line, expression->at,
-                      "expected a value of"
-                      " 48 bits; all 64 are written X'..' or word(..)");
+        return report(
+            assembler, line, expression->at,
+            "expected a value of 48 bits; write 64 bits as X'..' or word(..)");
     *word = c205_from_integer(integer);
     return true;
 }
@@ -162,12 +162,11 @@ static bool compute(struct assembler *assembler, const struct line *line,
     value->kind = VALUE_FLOATING;
     value->bits = constant_folder_compute(assembler->constant_folder, function, x, y);
     if (value->bits == C205_INDEFINITE)
-        return report(assembler, line, expression->at,
-                      "the machine has no number for this");
+        return report(assembler, line, expression->at, "the result is indefinite");
     if (!function->is_integer)
         return true;
     if (fabs(c205_to_double(value->bits)) >= 0x1p47)
-        return report(assembler, line, expression->at, "expected less than 2^47");
+        return report(assembler, line, expression->at, "the result must be below 2^47");
     value->kind = VALUE_INTEGER;
     value->bits = (uint64_t)c205_to_integer(value->bits);
     return true;
@@ -229,8 +228,7 @@ static bool calculate_numbers(struct assembler *assembler, const struct line *li
 
     if (!rule)
         return report(assembler, line, expression->at,
-                      "this operator is for integers,"
-                      " not for floating-point numbers");
+                      "this operator requires integers, not floating-point numbers");
     return number_of(assembler, line, expression->left, left, &x)
            && number_of(assembler, line, expression->right, right, &y)
            && compute(assembler, line, expression,
@@ -283,8 +281,7 @@ static bool evaluate_unary(struct assembler *assembler, const struct line *line,
                        C205_MACHINE_ZERO, value.bits, result);
     if (value.kind == VALUE_FLOATING)
         return report(assembler, line, expression->at,
-                      "this operator is for integers,"
-                      " not for floating-point numbers");
+                      "this operator requires integers, not floating-point numbers");
     result->bits = integer_negation(expression->code, value.bits);
     return true;
 }

@@ -24,8 +24,7 @@ static struct expansion *push(struct expander *expander, const struct line *line
 
     if (expander->depth == MAX_FRAMES) {
         halt(expander, line,
-             "includes and macros are nested too deeply, more than %zu;"
-             " does one contain itself?",
+             "more than %zu nested includes and macros; does one contain itself?",
              MAX_FRAMES);
         return NULL;
     }
@@ -73,8 +72,7 @@ static bool spend(struct expander *expander, const struct line *line, size_t byt
     expander->expansion += bytes + sizeof(struct line);
     if (expander->expansion <= MAX_EXPANSION)
         return true;
-    return halt(expander, line,
-                "macros and repetitions make too much text: at most %zu bytes",
+    return halt(expander, line, "macros and repetitions expand to more than %zu bytes",
                 MAX_EXPANSION);
 }
 
@@ -98,8 +96,7 @@ static struct line *file_line(struct expander *expander, struct expansion *frame
     frame->at = newline + (newline < frame->end);
     if ((size_t)(line->end - line->begin) > MAX_LINE) {
         line->text_end = line->end = line->begin + 40;
-        halt(expander, line, "this line is too long: a line has at most %zu bytes",
-             MAX_LINE);
+        halt(expander, line, "the line has more than %zu bytes", MAX_LINE);
     }
     return line;
 }
@@ -138,8 +135,7 @@ static struct line *body_line(struct expander *expander, struct expansion *frame
         return NULL;
     *line = *model;
     if (length > MAX_LINE) {
-        halt(expander, model, "this line expands to too long a line: at most %zu bytes",
-             MAX_LINE);
+        halt(expander, model, "the line expands to more than %zu bytes", MAX_LINE);
         return NULL;
     }
     line->caller = frame->caller;
@@ -225,7 +221,7 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
         return;
     symbol = symbol_intern(expander->assembler, macro->name, strlen(macro->name));
     if (symbol && symbol->macro)
-        report(expander->assembler, cursor->line, at, "there is a macro '%s' already",
+        report(expander->assembler, cursor->line, at, "macro '%s' is already defined",
                symbol->name);
     else if (symbol)
         symbol->macro = macro;
@@ -268,14 +264,14 @@ static void include(struct expander *expander, struct cursor *cursor)
     if (source_find(expander->assembler, name, from, &source, &error))
         push_source(expander, cursor->line, &source);
     else
-        report(expander->assembler, cursor->line, at, "'%.200s' cannot be read: %.200s",
+        report(expander->assembler, cursor->line, at, "cannot read '%.200s': %.200s",
                name, error.message);
 }
 
 static void stray(struct expander *expander, struct cursor *cursor)
 {
     report(expander->assembler, cursor->line, cursor->line->begin,
-           "this ends nothing: .endm goes with .macro, .endr with .rept");
+           ".endm without .macro, or .endr without .rept");
 }
 
 static void call(struct expander *expander, struct cursor *cursor,

@@ -83,8 +83,9 @@ static void print_why(const struct outcome *outcome,
 {
     if (expectation->kind != EXPECT_FLAGS
         && number_of(half, wanted) == number_of(half, found))
-        sink_put(outcome->report, ": equal numbers in other words: 5 is an integer, 5.0"
-                                  " normalised, and with ~ 0 both will do");
+        sink_put(outcome->report,
+                 ": the numbers are equal, the words are not: 5 is an integer, 5.0 is "
+                 "normalised; ~ 0 accepts both");
 }
 
 static bool compare(const struct outcome *outcome,
@@ -155,7 +156,7 @@ static bool unmapped(const struct outcome *outcome,
                      const struct asm_expectation *expectation, uint64_t address)
 {
     print_where(outcome, expectation);
-    sink_print(outcome->report, "a value at %" PRIX64 ", found no memory there\n",
+    sink_print(outcome->report, "a value at %" PRIX64 ", found unmapped memory\n",
                address);
     return false;
 }
@@ -286,8 +287,7 @@ static bool check_warning(struct outcome *outcome,
     if (warning < WARNINGS && outcome->warned & WARNING_BIT(warning))
         return true;
     print_where(outcome, expectation);
-    sink_print(outcome->report, "the warning %s, and there was none\n",
-               expectation->text);
+    sink_print(outcome->report, "the warning %s, found none\n", expectation->text);
     return false;
 }
 
@@ -366,7 +366,7 @@ static bool check_rest(const struct outcome *outcome, const struct object *objec
     if (!*outcome->printed || !find(object, EXPECT_PRINT))
         return true;
     sink_print(outcome->report,
-               "expected nothing more printed, found "
+               "expected the end of the output, found "
                "'%.*s'\n",
                length < 400 ? (int)length : 400, outcome->printed);
     return false;

@@ -64,7 +64,7 @@ static bool parse_expect(struct cursor *cursor, struct expectation *expectation)
     expectation->number = named.number;
     return expectation->count == 1
            || report(cursor->assembler, cursor->line, cursor->line->begin,
-                     "expected one value: a register holds one");
+                     "expected one value for a register");
 }
 
 /* Parses [label] = 1011 0010. */
@@ -150,7 +150,7 @@ static bool parse_model(struct cursor *cursor, struct expectation *expectation)
     for (i = 0; i < assembler->expectation_count; i++)
         if (assembler->expectations[i].kind == EXPECT_MODEL)
             return report(cursor->assembler, cursor->line, cursor->token.begin,
-                          "there is an expect-model already, in %s:%zu",
+                          "expect-model is already defined, in %s:%zu",
                           assembler->expectations[i].line->file,
                           assembler->expectations[i].line->number);
     if (cursor_at_end(cursor))
@@ -275,8 +275,7 @@ bool parse_expectation(struct cursor *cursor)
         return parse_named(cursor, name, length, at + 1);
     if (resembles(name, at) && goes_on(at, end, memchr(name, '-', length)))
         warn(cursor->assembler, WARNING_MISSPELT_EXPECT, cursor->line, name,
-             "is this an expectation? '%.*s' makes it none; it would begin"
-             " with '; expect%s'",
+             "'%.*s' does not begin an expectation; did you mean '; expect%s'?",
              (int)(length < 40 ? length : 40), name,
              memchr(name, '-', length) ? "-..:" : ":");
     return true;

@@ -84,8 +84,7 @@ static struct expression *join(struct cursor *cursor, struct expression *node, i
     fold(node);
     if (node->depth > MAX_EXPRESSION_DEPTH) {
         report(cursor->assembler, cursor->line, node->at,
-               "this expression is nested too deeply: at most %u levels",
-               MAX_EXPRESSION_DEPTH);
+               "the expression has more than %u nested levels", MAX_EXPRESSION_DEPTH);
         return NULL;
     }
     return node;
@@ -308,8 +307,7 @@ static const struct expression *parse_binary(struct cursor *cursor, int level)
 
     if (cursor->depth >= MAX_EXPRESSION_DEPTH) {
         report(cursor->assembler, cursor->line, cursor->token.begin,
-               "this expression is nested too deeply: at most %u levels",
-               MAX_EXPRESSION_DEPTH);
+               "the expression has more than %u nested levels", MAX_EXPRESSION_DEPTH);
         return NULL;
     }
     cursor->depth++;

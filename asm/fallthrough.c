@@ -55,6 +55,6 @@ void check_ends(struct assembler *assembler)
             && !(i + 1 < count && goes_on_with(&items[i + 1], &items[i]))
             && !ends_program(assembler, &items[i]))
             warn(assembler, WARNING_RUN_OFF, items[i].line, items[i].line->begin,
-                 "the program can run on behind this, where there is no"
-                 " code; let it end with EXIT or a branch");
+                 "the program can continue after this line, where there is no code; "
+                 "end it with EXIT or a branch");
 }

@@ -127,7 +127,7 @@ static bool find_column(struct number_file *file)
             file->column = i;
             return true;
         }
-    return fault(file, file->line.begin, "this heading has no column of that name");
+    return fault(file, file->line.begin, "the heading has no column of this name");
 }
 
 static bool add_number(struct number_file *file, const struct csv_field *field)
@@ -141,9 +141,10 @@ static bool add_number(struct number_file *file, const struct csv_field *field)
         return fault(file, field->begin, "this is not a number");
     value = c205_to_double(word);
     if (file->integers && (fabs(value) >= 0x1p47 || value != floor(value)))
-        return fault(file, field->begin, "expected an integer of less than 2^47");
+        return fault(file, field->begin, "expected an integer below 2^47");
     if (word == C205_INDEFINITE)
-        return fault(file, field->begin, "the machine has no such number");
+        return fault(file, field->begin,
+                     "the number is outside the range of the machine");
     if (file->integers)
         word = c205_from_integer((int64_t)value);
     grown = arena_grow(file->cursor->assembler->arena, file->words, file->count,
@@ -229,7 +230,7 @@ static bool read_column(struct number_file *file)
 
     if (file->wanted || file->column > 0)
         return report(cursor->assembler, cursor->line, cursor->token.begin,
-                      "one column is taken, or all of them");
+                      "at most one column is allowed");
     if (cursor->token.kind == TOKEN_STRING) {
         file->wanted = expect_string(cursor, &length);
         return file->wanted != NULL;
@@ -270,6 +271,6 @@ bool parse_incfile(struct cursor *cursor)
         return false;
     if (!source_find(cursor->assembler, name, file_of(cursor->line), &source, &error))
         return report(cursor->assembler, cursor->line, at,
-                      "'%.200s' cannot be read: %.200s", name, error.message);
+                      "cannot read '%.200s': %.200s", name, error.message);
     return read_lines(&file, &source) && layout_known(cursor, file.words, file.count);
 }

@@ -26,7 +26,7 @@ static bool check_words(struct cursor *cursor, uint64_t halves)
     if (assembler->words <= MAX_WORDS)
         return true;
     assembler->words = MAX_WORDS;
-    snprintf(message, sizeof message, "a program has at most %lu words",
+    snprintf(message, sizeof message, "the program has more than %lu words",
              (unsigned long)MAX_WORDS);
     return report_full(cursor, message);
 }
@@ -40,11 +40,13 @@ static bool check_room(struct cursor *cursor, uint64_t halves)
     if (section->full || !check_words(cursor, halves))
         return false;
     if (end > (uint64_t)1 << ADDRESS_BITS)
-        return report_full(cursor, "this lies beyond the last address");
+        return report_full(cursor, "this is beyond the last address");
     if (section == &assembler->sections[0] && !section->moved && end > DATA_ORIGIN
         && section->at <= DATA_ORIGIN)
-        return report_full(cursor, "the code outgrows its page and runs into "
-                                   "the data; move it with .org");
+        return report_full(
+            cursor,
+            "the code is larger than its page and overlaps the data; move it with "
+            ".org");
     return true;
 }
 

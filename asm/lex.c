@@ -44,7 +44,7 @@ static void lex_hex(struct token *token, const char *end)
 
     while (at < end && hex_digit(*at) >= 0) {
         if (bits >> 60) {
-            bad(token, at, "this number does not fit 64 bits");
+            bad(token, at, "the number does not fit in 64 bits");
             return;
         }
         bits = bits << 4 | (uint64_t)hex_digit(*at++);
@@ -52,7 +52,7 @@ static void lex_hex(struct token *token, const char *end)
     token->value.bits = bits;
     token->end = at;
     if (at == token->begin + 2)
-        bad(token, at, "there are no digits after 0x");
+        bad(token, at, "expected hex digits after 0x");
 }
 
 static void lex_decimal(struct token *token)
@@ -62,7 +62,7 @@ static void lex_decimal(struct token *token)
 
     for (at = token->begin; at < token->end; at++) {
         if (bits > ((uint64_t)INT64_MAX - (uint64_t)(*at - '0')) / 10) {
-            bad(token, token->end, "this number does not fit 63 bits");
+            bad(token, token->end, "the number does not fit in 63 bits");
             return;
         }
         bits = 10 * bits + (uint64_t)(*at - '0');
@@ -120,9 +120,9 @@ static void lex_any_number(struct token *token, const char *end)
         bad(token, token->end + 1,
             strchr("fFlLuU", *token->end)
                     && !(token->end + 1 < end && is_name_part(token->end[1]))
-                ? "a number has no suffix: there is one floating-point format,"
-                  " which is cut where 32 bits are wanted"
-                : "a number goes over into a name");
+                ? "a number must not have a suffix: there is one floating-point "
+                  "format, which is shortened for 32 bits"
+                : "expected the end of the number, found a name");
 }
 
 /* Reads X'FFD2 4000 0000 0000'. */
@@ -138,9 +138,9 @@ static void lex_word(struct token *token, const char *end)
             token->value.bits = token->value.bits << 4 | (uint64_t)hex_digit(*at);
     token->end = at + 1;
     if (at == end || *at != '\'')
-        bad(token, at, "a word X'..' has hex digits and ends with '");
+        bad(token, at, "a word X'..' must have hex digits and end with '");
     else if (digits < 1 || digits > 16)
-        bad(token, at, "a word X'..' has 1 to 16 hex digits");
+        bad(token, at, "a word X'..' must have 1 to 16 hex digits");
 }
 
 static void lex_string(struct token *token, const char *end)
@@ -152,7 +152,7 @@ static void lex_string(struct token *token, const char *end)
         if (*at == '\\' && end - at > 1)
             at++;
     if (at == end)
-        bad(token, at, "a string without its closing \"");
+        bad(token, at, "expected a closing \" at the end of the string");
     else
         token->end = at + 1;
 }
@@ -174,9 +174,9 @@ static void lex_operator(struct token *token, const char *end)
         }
     if (*at == '\0' || !strchr("+-*/%~!<>=&^|()[],:?.", *at))
         bad(token, at + 1,
-            *at == '#' ? "'#' has no meaning here: numbers stand without it,"
-                         " and comments begin with ';'"
-                       : "this character has no meaning here");
+            *at == '#'
+                ? "unexpected '#': numbers have no prefix, and comments begin with ';'"
+                : "unexpected character");
 }
 
 static void lex_name(struct token *token, const char *end, enum token_kind kind)

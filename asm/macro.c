@@ -155,7 +155,8 @@ const struct span *macro_arguments(struct cursor *cursor, const struct macro *ma
     while (!cursor_at_end(cursor)) {
         if (i == macro->parameter_count) {
             report(cursor->assembler, cursor->line, cursor->token.begin,
-                   "macro %s has %zu parameter%s, not more", macro->name, i, plural(i));
+                   "too many arguments: macro %s has %zu parameter%s", macro->name, i,
+                   plural(i));
             return NULL;
         }
         arguments[i++] = take_argument(cursor);

@@ -37,10 +37,10 @@ static bool next_line(struct object_reader *reader)
     const char *newline;
 
     if (reader->at >= reader->end)
-        return wrong(reader, "the file ends before its end line");
+        return wrong(reader, "the end line is missing");
     newline = memchr(reader->at, '\n', (size_t)(reader->end - reader->at));
     if (!newline)
-        return wrong(reader, "the last line is torn");
+        return wrong(reader, "the last line is incomplete");
     reader->field = reader->at;
     reader->line_end = newline;
     reader->at = newline + 1;
@@ -53,7 +53,7 @@ static bool next_line(struct object_reader *reader)
 static bool end_field(struct object_reader *reader, const char *end)
 {
     if (end < reader->line_end && *end != ' ')
-        return wrong(reader, "a field holds what it should not");
+        return wrong(reader, "expected a blank or the end of the line");
     reader->field = end + (end < reader->line_end);
     return true;
 }
@@ -81,7 +81,7 @@ static bool take_count(struct object_reader *reader, uint64_t most, size_t *coun
     while (at < reader->line_end && isdigit((unsigned char)*at)) {
         number = 10 * number + (uint64_t)(*at++ - '0');
         if (number > most)
-            return wrong_limit(reader, "this number is too large", most);
+            return wrong_limit(reader, "the number is too large", most);
     }
     if (at == reader->field)
         return wrong(reader, "expected a number");
@@ -93,7 +93,7 @@ static bool take_address(struct object_reader *reader, uint64_t *address)
 {
     return take_hex(reader, address)
            && (*address >> ADDRESS_BITS == 0
-               || wrong(reader, "an address has 48 bits"));
+               || wrong(reader, "an address must fit in 48 bits"));
 }
 
 static const char *take_rest(struct object_reader *reader)
@@ -126,7 +126,7 @@ static const c205_word *take_words(struct object_reader *reader, size_t count)
     size_t i;
 
     if (count > (size_t)(reader->end - reader->at) / LINE) {
-        wrong(reader, "the file ends before its words do");
+        wrong(reader, "the file ends before its last word");
         return NULL;
     }
     words = arena_take(&reader->storage->arena, count * sizeof *words);
@@ -156,9 +156,9 @@ static bool read_extent(struct object_reader *reader, c205_segment *segment)
         return false;
     reader->words += segment->length;
     if (segment->address % 64)
-        return wrong(reader, "a segment begins on a word");
+        return wrong(reader, "a segment must begin on a word");
     if (reader->words > MAX_WORDS)
-        return wrong_limit(reader, "these are too many words", MAX_WORDS);
+        return wrong_limit(reader, "too many words", MAX_WORDS);
     if (segment->address + 64 * (uint64_t)segment->length > (uint64_t)1 << ADDRESS_BITS)
         return wrong(reader, "this segment ends beyond the last address");
     return true;
@@ -188,7 +188,7 @@ static bool read_region(struct object_reader *reader)
         return false;
     region->name = take_rest(reader);
     if (region->begin >= region->end)
-        return wrong(reader, "a region ends after it begins");
+        return wrong(reader, "a region must end after it begins");
     return region->name != NULL;
 }
 
@@ -276,7 +276,7 @@ static bool check_count(struct object_reader *reader,
     return expectation->kind == EXPECT_WORDS || expectation->kind == EXPECT_HALVES
            || expectation->kind == EXPECT_BITS
            || expectation->count == counts[expectation->kind]
-           || wrong(reader, "this expectation has another number of words");
+           || wrong(reader, "wrong number of words in an expectation");
 }
 
 static bool has_text(enum expectation_kind kind)
@@ -320,19 +320,19 @@ static bool read_line(struct object_reader *reader)
     for (i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (take_keyword(reader, kinds[i].keyword))
             return kinds[i].read(reader);
-    return wrong(reader, "no line of an object file begins like this");
+    return wrong(reader, "unknown keyword");
 }
 
 static bool read_all(struct object_reader *reader)
 {
     if (!next_line(reader) || !take_keyword(reader, "c205-object"))
-        return wrong(reader, "this is no object file");
+        return wrong(reader, "not an object file");
     if (!take_keyword(reader, "1"))
-        return wrong(reader, "this version of object files is not known");
+        return wrong(reader, "unknown version of the object file format");
     while (next_line(reader)) {
         if (take_keyword(reader, "end"))
             return reader->at == reader->end
-                   || wrong(reader, "something follows the end line");
+                   || wrong(reader, "expected the end of the file after the end line");
         if (!read_line(reader))
             return false;
     }

@@ -172,7 +172,8 @@ static bool parse_control(struct cursor *cursor, const struct operand *operand,
     if (!parse_bracket(cursor, operand, fields))
         return false;
     return fields->z != 0
-           || report(cursor->assembler, cursor->line, at, "r0 is no control vector");
+           || report(cursor->assembler, cursor->line, at,
+                     "r0 cannot be a control vector");
 }
 
 static bool parse_operand(struct cursor *cursor, const struct operand *operand,

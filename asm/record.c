@@ -11,7 +11,7 @@ static bool is_open(struct cursor *cursor)
 {
     return cursor->assembler->record.line
            || report(cursor->assembler, cursor->line, cursor->line->begin,
-                     "there is no .record open");
+                     "expected .record before this line");
 }
 
 static bool define_place(struct cursor *cursor, const char *at, const char *name,
@@ -40,8 +40,8 @@ bool parse_record(struct cursor *cursor)
 
     if (open->line)
         return report(assembler, cursor->line, cursor->line->begin,
-                      "expected .endrecord first, for that of %s:%zu", open->line->file,
-                      open->line->number);
+                      "expected .endrecord first, for the .record in %s:%zu",
+                      open->line->file, open->line->number);
     memset(open, 0, sizeof *open);
     if (!expect_name(cursor, "the record's name", &name, &length))
         return false;
@@ -61,7 +61,7 @@ bool parse_field(struct cursor *cursor)
     if (!is_open(cursor) || !expect_name(cursor, "the field's name", &name, &length)
         || (cursor_take(cursor, ',')
             && !parse_integer(cursor, 0, (int64_t)MAX_WORDS - open->next,
-                              "how many words the field has", &count))
+                              "a number of words", &count))
         || !define_place(cursor, name, name, length, open->next))
         return false;
     go_to(open, open->next + count);
@@ -75,7 +75,7 @@ bool parse_at(struct cursor *cursor)
     int64_t place;
 
     if (!is_open(cursor)
-        || !parse_integer(cursor, 0, MAX_WORDS, "a place in the record", &place))
+        || !parse_integer(cursor, 0, MAX_WORDS, "a position in the record", &place))
         return false;
     go_to(&cursor->assembler->record, place);
     return true;

@@ -97,8 +97,8 @@ static void check_owner(struct cursor *cursor, const struct naming *naming)
     other = other_owner(&cursor->assembler->registers, naming);
     if (other)
         warn(cursor->assembler, WARNING_SHARED_REGISTER, cursor->line, naming->at,
-             "%c%u is '%s' already, of %s:%zu; names that are to share a"
-             " register say so by .share",
+             "%c%u is already '%s', in %s:%zu; declare names that share a register "
+             "with .share",
              naming->named.half ? 'h' : 'r', naming->named.number, other->symbol->name,
              other->line->file, other->line->number);
 }
@@ -230,7 +230,7 @@ bool parse_share(struct cursor *cursor)
     share->depth = share->outer ? share->outer->depth + 1 : 1;
     if (share->depth > MAX_SHARES)
         return report(cursor->assembler, cursor->line, cursor->line->begin,
-                      ".share is nested more than %u deep", MAX_SHARES);
+                      "more than %u nested .share", MAX_SHARES);
     registers->share = share;
     if (cursor_at_end(cursor))
         return true;
@@ -247,7 +247,7 @@ bool parse_endshare(struct cursor *cursor)
 
     if (!registers->share)
         return report(cursor->assembler, cursor->line, cursor->line->begin,
-                      "there is no .share open");
+                      ".endshare without .share");
     registers->share = registers->share->outer;
     return true;
 }

@@ -83,7 +83,7 @@ static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
            && symbol->value.kind == value.kind && symbol->value.bits == value.bits;
 }
 
-static const char defined_by_command[] = "'%s' is defined by the command already";
+static const char defined_by_command[] = "'%s' is already defined by the command";
 
 /* Defines a symbol. A name has one meaning in a program, with two exceptions: a
  * register name may be declared again, by each routine, and a constant may be defined
@@ -100,7 +100,7 @@ bool symbol_define(struct assembler *assembler, const struct line *line, const c
     if (symbol->kind != SYMBOL_UNDEFINED && !is_same(symbol, kind, value)) {
         if (!symbol->defined)
             return report(assembler, line, at, defined_by_command, symbol->name);
-        return report(assembler, line, at, "'%s' is defined already, in %s:%zu",
+        return report(assembler, line, at, "'%s' is already defined, in %s:%zu",
                       symbol->name, symbol->defined->file, symbol->defined->number);
     }
     symbol->kind = kind;

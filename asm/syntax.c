@@ -179,14 +179,14 @@ static const char *refuse_one(const struct operand *operand, c205_fields *fields
 
     if (operand->second == SECOND_IS_NEXT && number == LAST_REGISTER
         && (fields->g & C205_G_OFFSET))
-        return "the offset of a result is in the register after it, and"
-               " there is none after r255";
+        return "the offset of a result is in the register after it, but r255 is the "
+               "last register";
     if (operand->in_two && number % 2)
-        return "the sum has two parts, in a register with an even number and"
-               " the one after it";
+        return "the sum has two parts: it requires an even register and the one after "
+               "it";
     if (operand->kind == OPERAND_CONTROL && number == 0
         && (!operand->may_be_left_out || (fields->g & C205_G_ZEROS)))
-        return "r0 is no control vector";
+        return "r0 cannot be a control vector";
     return NULL;
 }
 
@@ -207,8 +207,7 @@ const char *syntax_refusal(const c205_insn *insn, const struct operand *operands
     if (problem || vector)
         return problem;
     *blamed = 0;
-    return "a source must be a vector [..], since nothing else tells the"
-           " length";
+    return "a source must be a vector [..], because it sets the length";
 }
 
 /* ---- The syntax as text ------------------------------------------------- */

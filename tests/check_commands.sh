@@ -261,10 +261,10 @@ tells err "^c205 sweep: slow.s with n = [0-9]*: interrupted$"
 # A message about a limit contains the limit.
 { printf '        .data\nv:      .word   1'; seq -f ', %.0f' -s '' 20000; } >wide_line.s
 ends 1 "$build/c205" asm wide_line.s
-tells err "too long: a line has at most 65536 bytes"
+tells err "the line has more than 65536 bytes"
 printf ' .macro m\n m\n .endm\n m\n' >deep.s
 ends 1 "$build/c205" asm deep.s
-tells err "nested too deeply, more than 64"
+tells err "more than 64 nested"
 
 # An empty program is reported as empty.
 : >empty.s

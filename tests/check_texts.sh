@@ -170,7 +170,7 @@ for order in little big; do
         done
         printf '        .include "program.s"\n        .code\n EXIT\n' >outer.s
         ends 1 "$build/c205" run outer.s
-        tells err 'outer.s:1:18: error: .program.s. cannot be read: .*UTF-16'
+        tells err 'outer.s:1:18: error: cannot read .program.s.: .*UTF-16'
         printf '#include "scene.pov"\n' >outer.pov
         ends 1 "$build/rt205" render outer.pov -o never.png
         tells err 'outer.pov:1:10: error: .*UTF-16'

@@ -10,11 +10,11 @@ TEST(expressions)
         { " .word 1,\n", 1, 10, "expected a number" },
         { " .word 1 2\n", 1, 10, "the end of the statement, found '2'" },
         { " .word (1\n", 1, 10, "expected ')'" },
-        { " .word 1.5.2\n", 1, 8, "goes over into a name" },
+        { " .word 1.5.2\n", 1, 8, "expected the end of the number" },
         { " .word 1/0\n", 1, 9, "division by zero" },
         { " .word 1 % 0\n", 1, 10, "division by zero" },
-        { " .word 1 << 64\n", 1, 10, "0 to 63" },
-        { " .word 1.5 % 1\n", 1, 12, "for integers" },
+        { " .word 1 << 64\n", 1, 10, "between 0 and 63" },
+        { " .word 1.5 % 1\n", 1, 12, "requires integers" },
         { " .word 1 + later\n", 1, 12, "'later' is not defined" },
         { " .word later + 1\n", 1, 8, "'later' is not defined" },
         { " .word bits(5\n", 1, 14, "expected ')'" },
@@ -23,7 +23,7 @@ TEST(expressions)
         { " .word length(5)\n", 1, 15, "expected a string" },
         { " .word length(\"a\"\n", 1, 18, "expected ')'" },
         { " .word X'12345678901234567'\n", 1, 8, "1 to 16 hex digits" },
-        { " .word X'12\n", 1, 8, "ends with '" },
+        { " .word X'12\n", 1, 8, "end with '" },
         { " .word 99999999999999999999\n", 1, 8, "63 bits" },
         { " .word -1000000000000000000000000000000000000000000000000000000000"
           "000000000000000000000000000000.0\n",
@@ -40,9 +40,9 @@ TEST(directives)
         { " .reg a r1\n", 1, 9, "expected ','" },
         { " .regs 5\n", 1, 8, "expected a register" },
         { " .regs r1, 5\n", 1, 12, "expected a name" },
-        { " .reg a, r1\na: EXIT\n", 2, 1, "defined already, in test.s:1" },
-        { "a: EXIT\n .reg a, r1\n", 2, 7, "defined already" },
-        { "a: EXIT\n .regs r1, a\n", 2, 12, "defined already" },
+        { " .reg a, r1\na: EXIT\n", 2, 1, "already defined, in test.s:1" },
+        { "a: EXIT\n .reg a, r1\n", 2, 7, "already defined" },
+        { "a: EXIT\n .regs r1, a\n", 2, 12, "already defined" },
         { " .equ r1, 5\n", 1, 7, "'r1' is a register" },
         { " .equ a 5\n", 1, 9, "expected ','" },
         { " .org )\n", 1, 7, "expected a number" },
@@ -61,7 +61,7 @@ TEST(directives)
         { " .text \"a\\x4\"\n", 1, 10, "expected one of" },
         { " .entry )\n", 1, 9, "expected a number" },
         { " .kernel\n", 1, 9, "expected the kernel's name" },
-        { " .kernel \"\"\n EXIT\n", 1, 10, "a kernel has a name" },
+        { " .kernel \"\"\n EXIT\n", 1, 10, "a kernel must have a name" },
         { " .kernel \"a\\q\"\n", 1, 12, "expected one of" },
         { " .error 5\n", 1, 9, "expected a string" },
     };
@@ -74,7 +74,7 @@ TEST(expansion)
     static const struct asm_error errors[] = {
         { " .include 5\n", 1, 11, "expected a string" },
         { " .include \"a\" b\n", 1, 15, "the end of the statement" },
-        { " .include \"/no such file\"\n", 1, 11, "cannot be read" },
+        { " .include \"/no such file\"\n", 1, 11, "cannot read '" },
         { " .rept -1\n .endr\n", 1, 8, "a count from 0" },
         { " .rept 1 2\n .endr\n", 1, 10, "the end of the statement" },
         { " .macro\n .endm\n", 1, 8, "the macro's name" },
@@ -125,10 +125,11 @@ TEST(expectations)
         { "; expect-clocks: later\n", 1, 18, "'later' is not defined" },
         { "; expect-trap:\n", 1, 15, "the name of a trap" },
         { "; expect: r1 = 1 ~\n", 1, 19, "expected a number" },
-        { "; expect: r1 = 1 ~ -1\n", 1, 11, "a tolerance is" },
-        { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11, "a tolerance is" },
+        { "; expect: r1 = 1 ~ -1\n", 1, 11, "a tolerance must be" },
+        { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11, "a tolerance must be" },
         { "; expect-model:\n", 1, 16, "the name of a model" },
-        { "; expect-model: a\n; expect-model: b\n", 2, 17, "already, in test.s:1" },
+        { "; expect-model: a\n; expect-model: b\n", 2, 17,
+          "already defined, in test.s:1" },
     };
 
     assert_asm_errors(errors, COUNT(errors));
@@ -166,12 +167,14 @@ TEST(bounds)
 {
     char *model = repeated(" .macro m a\n .text \"", "\\a", 100, "\"\n .endm\n m ");
 
-    check_long(repeated("a:", " ", 70000, "EXIT\n"), 1, 1, "too long");
-    check_long(repeated(model, "1234567890", 70, "\n"), 2, 2, "too long a line");
+    check_long(repeated("a:", " ", 70000, "EXIT\n"), 1, 1, "the line has more than");
+    check_long(repeated(model, "1234567890", 70, "\n"), 2, 2,
+               "the line expands to more than");
     free(model);
-    check_long(repeated("", " .if 1\n", 300, ""), 65, 2, "nested more than");
-    check_long(repeated(" .word ", "(", 300, "1\n"), 1, 208, "too deeply");
-    check_long(repeated(" .word later", " + later", 300, "\n"), 1, 1614, "too deeply");
+    check_long(repeated("", " .if 1\n", 300, ""), 65, 2, "nested conditions");
+    check_long(repeated(" .word ", "(", 300, "1\n"), 1, 208, "nested levels");
+    check_long(repeated(" .word later", " + later", 300, "\n"), 1, 1614,
+               "nested levels");
     check_long(repeated(" .include \"", "long/", 1000, "name\"\n"), 1, 11,
                "'long/long");
 }
@@ -195,7 +198,7 @@ TEST(names_of_the_command)
     struct diagnostics errors = { 0 };
 
     assert_null(assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
-    assert_one_error(&errors, "N", 2, 1, "defined by the command already");
+    assert_one_error(&errors, "N", 2, 1, "already defined by the command");
     diagnostics_free(&errors);
 }
 
@@ -246,7 +249,7 @@ TEST(all_of_a_line)
 {
     ALL(" ADDNV [1], [r300], 5 ? [)]\n",
         { NULL, 1, 9,
-          "expected a register, found '1'; its form: ADDNV [r] or"
+          "expected a register, found '1'; syntax: ADDNV [r] or"
           " r, [r] or r, [r] (? [r])" },
         { NULL, 1, 14, "expected a register, r0 .. r255 or h0 .. h255" },
         { NULL, 1, 21, "expected '['" }, { NULL, 1, 26, "a register" });
@@ -254,9 +257,9 @@ TEST(all_of_a_line)
         { NULL, 1, 17, "a register" });
     ALL(" BEQ r1 r2, 5\n", { NULL, 1, 9, "expected ','" },
         { NULL, 1, 13, "a register" });
-    ALL(" ADDN 1, 2 ; expect: r1\n", { NULL, 1, 7, "its form: ADDN r, r, r" },
+    ALL(" ADDN 1, 2 ; expect: r1\n", { NULL, 1, 7, "syntax: ADDN r, r, r" },
         { NULL, 1, 10, "a register" }, { NULL, 1, 24, "expected '='" });
-    ALL("a: EXIT\na: NOPES\n", { NULL, 2, 1, "defined already" },
+    ALL("a: EXIT\na: NOPES\n", { NULL, 2, 1, "already defined" },
         { NULL, 2, 4, "expected an instruction" });
     ALL(" .word 1, ), 2+, 4, *\n", { NULL, 1, 11, "found ')'" },
         { NULL, 1, 16, "found ','" }, { NULL, 1, 21, "found '*'" });
@@ -273,13 +276,13 @@ TEST(what_was_meant)
         { NULL, 2, 2, "did you mean descriptor?" });
     ALL(" .reg total, r9\n ES totla, 5\n", { NULL, 2, 5, "did you mean total?" });
     ALL("here: BIM hree\n", { NULL, 1, 11, "did you mean here?" });
-    ALL(" ES r1, 1.0f\n", { NULL, 1, 9, "a number has no suffix" });
-    ALL(" ES r1, 10x\n", { NULL, 1, 9, "goes over into a name" });
-    ALL(" ES r1, #5\n", { NULL, 1, 9, "numbers stand without it" });
+    ALL(" ES r1, 1.0f\n", { NULL, 1, 9, "a number must not have a suffix" });
+    ALL(" ES r1, 10x\n", { NULL, 1, 9, "expected the end of the number" });
+    ALL(" ES r1, #5\n", { NULL, 1, 9, "numbers have no prefix" });
     ALL(" ELEN r1, 65536\n", { NULL, 1, 11, "at most 65535 elements" });
     ALL(" .descriptor 65536, 0\n", { NULL, 1, 14, "at most 65535 elements" });
     ALL(" LOD r1, r2\n",
-        { NULL, 1, 6, "expected '[', found 'r1'; its form: LOD [r, r], r" });
-    ALL(" MPYSH 1, h2, h3\n", { NULL, 1, 8, "its form: MPYSH h, h, h" });
-    ALL(" EXIT 5\n", { NULL, 1, 7, "its form: EXIT (r, (r, (number)))" });
+        { NULL, 1, 6, "expected '[', found 'r1'; syntax: LOD [r, r], r" });
+    ALL(" MPYSH 1, h2, h3\n", { NULL, 1, 8, "syntax: MPYSH h, h, h" });
+    ALL(" EXIT 5\n", { NULL, 1, 7, "syntax: EXIT (r, (r, (number)))" });
 }

@@ -135,33 +135,33 @@ TEST(errors)
     char deep[500] = "";
 
     expect_failure("(1 << 63) / -1", "does not fit");
-    expect_failure("1 >> -1", "from 0 to 63");
-    expect_failure("~F", "for integers");
+    expect_failure("1 >> -1", "between 0 and 63");
+    expect_failure("~F", "requires integers");
     expect_failure("F && 1", "expected an integer");
-    expect_failure("log(-1)", "no number");
-    expect_failure("F / 0", "no number");
-    expect_failure("1e8000 * 1e8000", "no number");
-    expect_failure("floor(1e20)", "less than 2^47");
+    expect_failure("log(-1)", "the result is indefinite");
+    expect_failure("F / 0", "the result is indefinite");
+    expect_failure("1e8000 * 1e8000", "the result is indefinite");
+    expect_failure("floor(1e20)", "below 2^47");
     expect_failure("sin(1, 2)", "expected ')'");
     expect_failure("atan2(1)", "expected ','");
     expect_failure("sin()", "expected a number");
     expect_failure("1.5 + (1 << 50)", "48 bits");
-    expect_failure("x", "is a register");
+    expect_failure("x", "found the register");
     expect_failure("1 +", "found the end of the statement");
-    expect_failure("12ab", "goes over into a name");
-    expect_failure("0x", "no digits");
-    expect_failure("0x10000000000000000", "does not fit 64 bits");
+    expect_failure("12ab", "expected the end of the number");
+    expect_failure("0x", "expected hex digits");
+    expect_failure("0x10000000000000000", "does not fit in 64 bits");
     expect_failure("X''", "1 to 16");
     expect_failure("X'123456789ABCDEF01'", "1 to 16");
     expect_failure("1 << 50", "48 bits");
-    expect_failure("9223372036854775808", "does not fit 63 bits");
+    expect_failure("9223372036854775808", "does not fit in 63 bits");
     expect_failure("1 << 48", "48 bits");
     expect_failure("-(1 << 47) - 1", "48 bits");
     expect_failure("\"text\"", "found '\"text\"'");
     memset(deep, '(', sizeof deep - 1);
-    expect_failure(deep, "too deeply");
+    expect_failure(deep, "nested levels");
     memset(deep, '-', sizeof deep - 1);
-    expect_failure(deep, "too deeply");
+    expect_failure(deep, "nested levels");
 }
 
 static char *times(char *text, const char *part, int count)
@@ -182,9 +182,9 @@ TEST(depth)
     assert_int_equal(value(text), 5);
     *text = '\0';
     times(strcat(times(text, "(", DEEPEST), "5"), ")", DEEPEST);
-    expect_failure(text, "too deeply");
+    expect_failure(text, "nested levels");
     strcpy(text, "N");
     assert_int_equal(value(times(text, "+N", DEEPEST)), 7 * (DEEPEST + 1));
     strcpy(text, "F");
-    expect_failure(times(text, "+F", DEEPEST + 1), "too deeply");
+    expect_failure(times(text, "+F", DEEPEST + 1), "nested levels");
 }

@@ -262,15 +262,15 @@ TEST(last_address)
 
 TEST(refused_files)
 {
-    check_refused("", "ends before");
-    check_refused("hello\n", "no object file");
+    check_refused("", "the end line is missing");
+    check_refused("hello\n", "not an object file");
     check_refused("c205-object 2\nend\n", "version");
-    check_refused("c205-object 1\nfrob\nend\n", "line 2: no line");
+    check_refused("c205-object 1\nfrob\nend\n", "line 2: unknown keyword");
     check_refused("c205-object 1\nentry 1000000000000\nend\n", "48 bits");
     check_refused("c205-object 1\nentry 00000000000400000\nend\n",
                   "1 to 16 hex digits");
     check_refused("c205-object 1\nsegment 20 0\nend\n", "on a word");
-    check_refused("c205-object 1\nsegment 40 9999999\nend\n", "before its words");
+    check_refused("c205-object 1\nsegment 40 9999999\nend\n", "before its last word");
     check_refused("c205-object 1\nzeros 40 99999999\nend\n", "too large");
     check_refused("c205-object 1\nzeros FFFFFFFFFFC0 2\nend\n", "the last address");
     check_refused("c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\n"
@@ -279,5 +279,5 @@ TEST(refused_files)
     check_refused("c205-object 1\nregion 40 40 x\nend\n", "after it begins");
     check_refused("c205-object 1\nexpect half 0 0 0 1 x\nend\n", "number of words");
     check_refused("c205-object 1\nexpect clocks 0 0 0 1 x\nend\n", "number of words");
-    check_refused("c205-object 1\nend\nend\n", "follows");
+    check_refused("c205-object 1\nend\nend\n", "after the end line");
 }

@@ -177,14 +177,14 @@ TEST(errors)
                   { "ADDNH,H h, i, j", 6, "ADDNH has no form with ,H" },
                   { "ADDNV,Q [a], [b], [c]", 7, "expected H, for 32-bit operands" },
                   { "EXH h, 0x1000000", 8, "from -8388608 to 16777215" },
-                  { "SUMV [a], s", 11, "an even number" },
-                  { "SUMV,H [a], h255", 13, "an even number" },
-                  { "ADDNV [a], [b], [r255, r0]", 17, "there is none after r255" },
+                  { "SUMV [a], s", 11, "an even register" },
+                  { "SUMV,H [a], h255", 13, "an even register" },
+                  { "ADDNV [a], [b], [r255, r0]", 17, "r255 is the last register" },
                   { "SUMV a, c", 6, "a source must be a vector" },
                   { "SELEQV a, b, s", 8, "a source must be a vector" },
                   { "ACPSV a, b, [c], [z]", 7, "a source must be a vector" },
-                  { "ADDNV [a], [b], [c] ? [r0]", 23, "r0 is no control vector" },
-                  { "CPSV [a], [c] ?! [r0]", 18, "r0 is no control vector" } };
+                  { "ADDNV [a], [b], [c] ? [r0]", 23, "r0 cannot be a control vector" },
+                  { "CPSV [a], [c] ?! [r0]", 18, "r0 cannot be a control vector" } };
     size_t i;
 
     for (i = 0; i < COUNT(cases); i++) {

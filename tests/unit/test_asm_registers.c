@@ -11,12 +11,12 @@ TEST(warnings)
     static const struct asm_error warnings[] = {
         { " .reg a, r5\n .reg b, r6\n .reg h, h8\n .reg i, h9\n", 0, 0, "" },
         { " .reg a, r5\n .reg b, r5\n", 2, 7,
-          "r5 is 'a' already, of test.s:1; names that are to share a register"
-          " say so by .share" },
-        { " .regs r5, a, b\n .regs r4, c, d\n", 2, 15, "r5 is 'a' already" },
-        { " .reg a, r5\n .reg h, h11\n", 2, 7, "h11 is 'a' already" },
-        { " .reg h, h10\n .reg a, r5\n", 2, 7, "r5 is 'h' already" },
-        { " .reg h, h10\n .reg i, h10\n", 2, 7, "h10 is 'h' already" },
+          "r5 is already 'a', in test.s:1; declare names that share a register"
+          " with .share" },
+        { " .regs r5, a, b\n .regs r4, c, d\n", 2, 15, "r5 is already 'a'" },
+        { " .reg a, r5\n .reg h, h11\n", 2, 7, "h11 is already 'a'" },
+        { " .reg h, h10\n .reg a, r5\n", 2, 7, "r5 is already 'h'" },
+        { " .reg h, h10\n .reg i, h10\n", 2, 7, "h10 is already 'h'" },
         /* Names of r0 never conflict. */
         { " .reg a, r0\n .reg b, r0\n .reg h, h1\n", 0, 0, "" },
         /* A repeated declaration, and aliases. */
@@ -24,9 +24,9 @@ TEST(warnings)
         { " .reg a, r5\n .reg b, a\n .reg a, a\n .reg c, b\n", 0, 0, "" },
         { " .regs r5, a, b\n .regs a, c, d\n", 0, 0, "" },
         { " .reg b, r6\n .reg a, r5\n .regs a, c, d\n", 3, 14,
-          "r6 is 'b' already, of test.s:1" },
+          "r6 is already 'b', in test.s:1" },
         { " .reg a, r5\n .reg b, a\n .reg a, r6\n .reg c, r5\n", 4, 7,
-          "r5 is 'b' already, of test.s:2" },
+          "r5 is already 'b', in test.s:2" },
         /* A name may be given to another register. */
         { " .reg a, r5\n .reg a, r6\n .reg b, r5\n", 0, 0, "" },
         { " .reg a, r5\n .reg a, r6\n .reg b, r6\n", 3, 7, "'a' already" },
@@ -59,7 +59,7 @@ TEST(warnings)
           0, 0, "" },
         /* Every earlier name of a register is an owner, not only the last one. */
         { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n .reg c, r5\n", 5, 7,
-          "'a' already, of test.s:1" },
+          "already 'a', in test.s:1" },
     };
 
     assert_asm_warnings(warnings, COUNT(warnings));
@@ -71,7 +71,7 @@ TEST(errors)
                                  " .rept 65\n .endshare\n .endr\n";
     static const struct asm_error errors[] = {
         { " .share\n", 1, 2, "this .share has no .endshare" },
-        { " .endshare\n", 1, 2, "there is no .share open" },
+        { " .endshare\n", 1, 2, ".endshare without .share" },
         { " .share 5\n .endshare\n", 1, 9, "expected a word" },
         { " .share a b\n .endshare\n", 1, 11, "the end of the statement" },
         { " .share\n .endshare 5\n", 2, 12, "the end of the statement" },
@@ -83,7 +83,7 @@ TEST(errors)
     assert_null(assemble_text("test.s", nested, NULL, &found));
     first = found;
     first.count = 1;
-    assert_one_error(&first, nested, 2, 2, "nested more than 64 deep");
+    assert_one_error(&first, nested, 2, 2, "more than 64 nested");
     diagnostics_free(&found);
 }
 

@@ -68,7 +68,7 @@ TEST(equal_decimals)
 {
     check_said(RUN "; expect: r12 = 5\n",
                "r12 = X'0000 0000 0000 0005' (5), found X'FFD4 5000 0000"
-               " 0000' (5): equal numbers in other words");
+               " 0000' (5): the numbers are equal, the words are not");
     check_said(RUN "; expect: r12 = 6\n", "(5)\n");
 }
 

@@ -31,7 +31,8 @@ static void check_none(const char *text, const char *choice)
 TEST(misspelt)
 {
     static const struct asm_error cases[] = {
-        { "; expct: r1 = 5\n", 1, 3, "is this an expectation? 'expct'" },
+        { "; expct: r1 = 5\n", 1, 3,
+          "'expct' does not begin an expectation; did you mean '; expect:'?" },
         { "; Expect: r1 = 5\n", 1, 3, "[-Wmisspelt-expect]" },
         { "; expect r1 = 5\n", 1, 3, "'expect'" },
         { "; expect : r1 = 5\n", 1, 3, "'expect'" },
@@ -57,12 +58,12 @@ TEST(run_off)
 {
     static const struct asm_error cases[] = {
         { " ES r1, 5\n", 1, 2, "[-Wrun-off]" },
-        { " EXIT\n ADDN r1, r1, r1\n", 2, 2, "run on behind this" },
+        { " EXIT\n ADDN r1, r1, r1\n", 2, 2, "can continue after this line" },
         { " EXIT r1, r0, 1\n", 1, 2, "EXIT or a branch" },
-        { " BEQ r1, r2, [r3]\n", 1, 2, "run on" },
-        { " ES r1, 5\n .align 512\n EXIT\n", 1, 2, "run on" },
-        { " ES r1, 5\n .word 5\n", 1, 2, "run on" },
-        { " BIM far\n .org 0x900000\nfar: LINKV\n", 3, 1, "run on" },
+        { " BEQ r1, r2, [r3]\n", 1, 2, "can continue" },
+        { " ES r1, 5\n .align 512\n EXIT\n", 1, 2, "can continue" },
+        { " ES r1, 5\n .word 5\n", 1, 2, "can continue" },
+        { " BIM far\n .org 0x900000\nfar: LINKV\n", 3, 1, "can continue" },
         { " .macro two\n ES r1, 1\n ES r1, 2\n .endm\n two\n", 3, 2,
           "(expanded from test.s:5)" },
         { " EXIT\n", 0, 0, NULL },

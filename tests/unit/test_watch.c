@@ -62,7 +62,7 @@ TEST(integers)
     check(DATA " MPYSV [xs], a, [ys]\n EXIT\n", "");
     check(DATA "\n ES a, 3\n MPYSV [xs], a, [ys]\n EXIT\n",
           "test.s:16:2: warning: element 0 of [r10] is the integer 1, not"
-          " 1.0, so few bits are kept: 3 becomes 2");
+          " 1.0, so bits are lost: 3 becomes 2");
     check(DATA " MPYSV [xs], [fs], [xs]\n EXIT\n",
           LINE "element 2 of [r10] is the integer 3");
     check(DATA " MPYSV [xs], [fs], [ys] ? [zs]\n EXIT\n", "");
@@ -77,8 +77,8 @@ TEST(integers)
                " EXIT\n",
           "test.s:15:2: warning: element 2");
     check(" ES r1, 3\n ES r2, 1\n MPYS r1, r2, r1\n EXIT\n",
-          "test.s:3:2: warning: r1 is the integer 3, not 3.0, so few bits are"
-          " kept: 3 becomes 2");
+          "test.s:3:2: warning: r1 is the integer 3, not 3.0, so bits are"
+          " lost: 3 becomes 2");
     check(" ES r1, 3\n ADDN r1, r0, r1\n MPYS r1, r1, r1\n EXIT\n", "");
     check(" ES r1, 4\n ES r2, 2\n MPYS r1, r2, r1\n EXIT\n", "");
     check(" ES r1, 2\n SQRT r1, r1\n EXIT\n", "1.4142135623731 becomes 1");
@@ -130,14 +130,14 @@ TEST(lengths)
 TEST(indices)
 {
     check(DATA " VXTOV [fs], [xs], [ys]\n EXIT\n",
-          LINE "element 0 of the index list [r11] is 1, which is no integer");
+          LINE "element 0 of the index list [r11] is 1, not an integer");
     check(DATA " ELEN xs, 2\n VXTOV [xs], [fs], [ys]\n EXIT\n", "");
     check(DATA " VTOVX [fs], [fs], [ys]\n EXIT\n", "[-Wfloat-index]");
     check(DATA " load_constant a, 2.0\n VGATHP a, [fs], [ys]\n EXIT\n",
           "[-Wfloat-index]");
     check(DATA " ES a, 3\n VGATHP a, [fs], [ys]\n EXIT\n", "");
     check(DATA " load_constant a, 2.0\n LOD [fs, a], r20\n EXIT\n",
-          "the index in r14 is 2, which is no integer");
+          "the index in r14 is 2, not an integer");
     check(DATA " ES a, 2\n LOD [fs, a], r20\n EXIT\n", "");
     check(DATA " load_constant a, 0.0\n LOD [fs, a], r20\n EXIT\n", "");
 }
@@ -145,29 +145,29 @@ TEST(indices)
 TEST(storage)
 {
     /* A result without elements keeps its length. */
-    check(
-        DATA
-        " EX ys, y\n ELEN zs, 1\n CPSV [fs], [ys] ? [zs]\n ADDNV [ys], [ys], [ys]\n EXIT\n",
-        "");
+    check(DATA
+          " EX ys, y\n ELEN zs, 1\n CPSV [fs], [ys] ? [zs]\n ADDNV [ys], [ys], [ys]\n "
+          "EXIT\n",
+          "");
     /* After the end nothing is executed. */
     check(DATA " ES a, 11\n EXIT\n STO [ys, a], a\n EXIT\n", "");
     check(DATA " ES a, 11\n STO [ys, a], a\n EXIT\n",
-          "index 11 lies behind the storage of 'y'");
+          "index 11 is beyond the storage of 'y'");
     check(DATA " ELEN ys, 4\n VTOV [fs], [ys]\n EXIT\n",
-          "test.s:15:2: warning: this writes up to address 800280, and the"
-          " storage of 'y' ends at 800240 [-Wpast-storage]");
+          "test.s:15:2: warning: the result extends to address 800280, but"
+          " the storage of 'y' ends at 800240 [-Wpast-storage]");
     check(DATA " ELEN ys, 2\n VTOV [fs], [ys]\n EXIT\n", "");
     check(DATA " ES r13, 1\n VTOV [fs], [ys, r13]\n EXIT\n", "");
     check(DATA " EX ys, y\n ADDLEN ys, xs, ys\n ELEN ys, 3\n"
                " IX ys, 64\n VTOV [fs], [ys]\n EXIT\n",
           "'y' ends at 800240");
     check(DATA " ELEN fs, 3\n VTOVX [xs], [fs], [ys]\n EXIT\n",
-          "test.s:15:2: warning: index 3 lies behind the storage of 'y'");
+          "test.s:15:2: warning: index 3 is beyond the storage of 'y'");
     check(DATA " ELEN fs, 3\n ES a, 2\n VSCATP a, [fs], [ys]\n EXIT\n",
-          "test.s:16:2: warning: index 4 lies behind the storage of 'y'");
+          "test.s:16:2: warning: index 4 is beyond the storage of 'y'");
     check(DATA " ELEN fs, 3\n ES a, 1\n VSCATP a, [fs], [ys]\n EXIT\n", "");
     check(DATA " ES a, 3\n STO [ys, a], a\n EXIT\n",
-          "index 3 lies behind the storage of 'y', which ends at 800240");
+          "index 3 is beyond the storage of 'y', which ends at 800240");
     check(DATA " ES a, 2\n STO [ys, a], a\n EXIT\n", "");
     check(DATA " EX ys, after\n EX zs, odd\n ELEN zs, 65\n"
                " ELEN ys, 8\n CMPEQV [ys], [ys], [zs]\n EXIT\n",
