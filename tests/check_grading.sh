@@ -78,7 +78,7 @@ cp "$lesson/solution.s" .
 printf '        .include "solution.s"\n' >includes.s
 ends 0 "$build/c205" run includes.s
 check 1 "$lesson" includes.s
-tells out "'solution.s' cannot be read"
+tells out "cannot read 'solution.s'"
 check 1 "$lesson" missing.s
 tells err '^c205 check: missing.s: '
 check 1 "$lesson" begun.s --json missing/verdict.json

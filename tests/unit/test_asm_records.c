@@ -126,7 +126,7 @@ TEST(errors)
         { " .endrecord\n", 1, 2, "expected .record before this line" },
         { " .field a\n", 1, 2, "expected .record before this line" },
         { " .at 5\n", 1, 2, "expected .record before this line" },
-        { " .record a\n .endrecord\n .field b\n", 3, 2, "no .record open" },
+        { " .record a\n .endrecord\n .field b\n", 3, 2, "expected .record before" },
         { " .record a\n .field 5\n .endrecord\n", 2, 9, "the field's name" },
         { " .record a\n .field b, -1\n .endrecord\n", 2, 12, "from 0 to" },
         { " .record a\n .field b 2\n .endrecord\n", 2, 11, "the end" },

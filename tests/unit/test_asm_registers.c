@@ -29,7 +29,7 @@ TEST(warnings)
           "r5 is already 'b', in test.s:2" },
         /* A name may be given to another register. */
         { " .reg a, r5\n .reg a, r6\n .reg b, r5\n", 0, 0, "" },
-        { " .reg a, r5\n .reg a, r6\n .reg b, r6\n", 3, 7, "'a' already" },
+        { " .reg a, r5\n .reg a, r6\n .reg b, r6\n", 3, 7, "already 'a'" },
         /* .share */
         { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n", 0, 0, "" },
         { " .share\n .reg a, r5\n .endshare\n .reg b, r5\n", 0, 0, "" },
@@ -40,16 +40,16 @@ TEST(warnings)
           0, 0, "" },
         { " .share x\n .reg a, r5\n .endshare\n"
           " .share y\n .reg b, r5\n .endshare\n",
-          5, 7, "'a' already" },
+          5, 7, "already 'a'" },
         { " .share x\n .reg a, r5\n .endshare\n"
           " .share y\n .share x\n .reg b, r5\n .endshare\n .endshare\n",
           0, 0, "" },
         { " .share\n .share x\n .reg a, r5\n .endshare\n"
           " .share y\n .reg b, r5\n .endshare\n .endshare\n",
-          6, 7, "'a' already" },
+          6, 7, "already 'a'" },
         { " .share\n .reg a, r5\n .share x\n .reg b, r5\n .endshare\n"
           " .endshare\n",
-          4, 7, "'a' already" },
+          4, 7, "already 'a'" },
         { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
           " .endshare\n",
           0, 0, "" },

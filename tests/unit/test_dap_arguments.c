@@ -238,8 +238,8 @@ TEST(defines)
         const char *defines, *said;
     } wrong[] = {
         { "{\"N\": 1, \"r5\": 1}", "'r5' cannot be defined: it is a regis" },
-        { "{\"N\": 1, \"a b\": 1}", "'a b' cannot be defined: it is no" },
-        { "{\"N\": 1, \"\": 1}", "'' cannot be defined: it is no name" },
+        { "{\"N\": 1, \"a b\": 1}", "'a b' cannot be defined: it is not" },
+        { "{\"N\": 1, \"\": 1}", "'' cannot be defined: it is not a name" },
         { "{\"N\": 1, \"SUMV\": 1}", "'SUMV' cannot be defined: it is an in" },
         { "{\"N\": 1, \"M\": 1}", "'M' is defined, and not used" },
     };

@@ -279,8 +279,8 @@ TEST(errors_in_beliefs)
         char text[200];
         snprintf(text, sizeof text, "title T\nfitted %s\nlike cyber205-2pipe\n",
                  beliefs[i]);
-        assert_fails(text, "test:2: after 'fitted' comes 'N figures, at most "
-                           "E % off: NAME'");
+        assert_fails(text, "test:2: expected 'N figures, at most E % off: NAME' "
+                           "after 'fitted'");
     }
     assert_fails("title T\ncompared 3 figures, at most 5 % off: x\n"
                  "compared 3 figures, at most 5 % off: x\n",
@@ -315,7 +315,7 @@ TEST(errors_in_constants)
         { "machine.pipes 2 clk P",
           "the unit of machine.pipes must be pipes, not 'clk'" },
         { "stream.vadd 1 clk R",
-          "the unit of stream.vadd is "
+          "the unit of stream.vadd must be "
           "clk*pipe/element, clk/element or clk/bit, not 'clk'" },
         { "machine.pipes 2 pipes",
           "the source of machine.pipes must be P, S, D, R or F, not ''" },

@@ -110,7 +110,7 @@ TEST(recurrences)
 TEST(lengths)
 {
     check(DATA " EX a, y\n ADDNV [fs], [fs], [a]\n EXIT\n",
-          "test.s:15:2: warning: r14 has the address 800180, but no length");
+          "test.s:15:2: warning: r14 has the address 800180 but no length");
     check(DATA " EX a, y\n ADDNV [a], [fs], [ys]\n EXIT\n", "r14 has the");
     check(DATA " ADDNV [fs], [fs], [a]\n EXIT\n",
           LINE "r14 is never set, so it describes no vector");
