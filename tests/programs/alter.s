@@ -7,7 +7,7 @@
 
         .regs   r130, count, passes, one
 
-; BAB: if the bit at address A + B is as I4 says go to C; alter it as I4 says
+; BAB: if the bit at address A + B is as I4 specifies go to C; alter it as I4 specifies
         .macro  BAB.one_bit name, bit, how
         .data
 cell_\name: .word pattern
@@ -31,8 +31,8 @@ BAB.altering:
         register_is BAB, r50, 6
         flags_are BAB, X'0000 0000 0000 0000'
 
-; BADF: if bit A of the data flag register is as I4 says go to C; alter it as
-; I4 says
+; BADF: if bit A of the data flag register is as I4 specifies go to C; alter it as
+; I4 specifies
         .macro  BADF.one_bit name, bit, how
         fetch   left, pattern
         fetch   right, \bit
@@ -57,7 +57,7 @@ BADF.fault:
         register_is BADF, taken, 1
         flags_are BADF, X'0000 0000 0002 0000'
 
-; BARB: if bit B of A is as I4 says go to C; alter it as I4 says
+; BARB: if bit B of A is as I4 specifies go to C; alter it as I4 specifies
         .macro  BARB.one_bit name, bit, how
         fetch   left, pattern
         fetch   right, \bit

@@ -314,8 +314,8 @@ TEST(all_errors_with_carets)
 {
     static const char text[] = " ADDN r1, r2\n\n\tES\tr1, nowhere\n FROB\n";
     static const char printed[] =
-        "test.s:1:13: error: expected ',', found the end of the statement; its"
-        " form: ADDN r, r, r\n"
+        "test.s:1:13: error: expected ',', found the end of the statement; "
+        "syntax: ADDN r, r, r\n"
         "     ADDN r1, r2\n"
         "                ^\n"
         "test.s:4:2: error: expected an instruction or a macro, found"
