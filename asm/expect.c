@@ -353,7 +353,7 @@ static bool check_end(const struct outcome *outcome, const struct object *object
     if (outcome->stop->trap == C205_TRAP_NONE || find(object, EXPECT_TRAP))
         return true;
     c205_describe_stop(outcome->machine, outcome->stop, &found);
-    sink_print(outcome->report, "expected the program to EXIT, found: %s\n",
+    sink_print(outcome->report, "expected the program to end with EXIT, found: %s\n",
                found.message);
     return false;
 }

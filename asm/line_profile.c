@@ -281,7 +281,7 @@ static void put_name(struct table *table, const struct line_profile *profile,
     else
         snprintf(name, sizeof name, "%s",
                  row == &profile->rows[profile->row_count + ROW_END]
-                     ? "stopped within one"
+                     ? "stopped inside an instruction"
                      : "no line");
     table_text(table, name);
 }

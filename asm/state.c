@@ -8,9 +8,10 @@
 #include "base/file.h"
 #include "base/atomic_file.h"
 
-static void set_path_error(c205_error *error, const char *path, const char *why)
+static void set_path_error(c205_error *error, const char *action, const char *path,
+                           const char *why)
 {
-    error_set(error, "%.100s: %.150s", path, why);
+    error_set(error, "cannot %s %.100s: %.130s", action, path, why);
 }
 
 /* A limit of the size: file_read reads a saved machine only up to FILE_LARGEST. */
@@ -43,7 +44,7 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
     if (output.left < sizeof(c205_word)) {
         error_set(&reason, "the saved machine has more than %d bytes", FILE_LARGEST);
     }
-    set_path_error(error, path, reason.message);
+    set_path_error(error, "write", path, reason.message);
     atomic_file_discard(whole);
     return false;
 }
@@ -55,7 +56,7 @@ c205 *state_load(const char *path, const c205_model *model, c205_error *error)
     char *bytes = file_read(path, FILE_LARGEST, &length, &reason);
     c205 *machine = bytes ? c205_restore(bytes, length, model, &reason) : NULL;
     if (!machine) {
-        set_path_error(error, path, reason.message);
+        set_path_error(error, "read", path, reason.message);
     }
     free(bytes);
     return machine;

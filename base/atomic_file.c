@@ -17,7 +17,7 @@ enum { SUFFIX_SIZE = 16, ATTEMPTS = 100, MAX_LINKS = 40, PATH_SIZE = 4096 };
 
 static void set_path_error(c205_error *error, const char *path, const char *why)
 {
-    error_set(error, "%.180s: %.60s", path, why);
+    error_set(error, "cannot write %.180s: %.60s", path, why);
 }
 
 static bool is_stream(const struct stat *status, int number)

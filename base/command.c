@@ -41,7 +41,7 @@ static int print_version(const struct command_program *program)
 static int finish(const char *name, int code)
 {
     if (fflush(stdout) != 0 || ferror(stdout)) {
-        return cmd_failed(name, "standard output: write error");
+        return cmd_failed(name, "cannot write standard output: write error");
     }
     return code;
 }

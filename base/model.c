@@ -54,9 +54,9 @@ static c205_model *open_file(const char *command, const char *name)
     c205_model *model = NULL;
 
     if (!text)
-        cmd_failed(command, "%s: %s", name, error.message);
+        cmd_failed(command, "cannot read %s: %s", name, error.message);
     else if (memchr(text, '\0', length))
-        cmd_failed(command, "%s: not a text file", name);
+        cmd_failed(command, "cannot read %s: not a text file", name);
     else
         model = read_model(command, name, text);
     free(text);
@@ -69,7 +69,7 @@ c205_model *model_find(const char *name, c205_error *error)
 
     if (c205_model_is_file(name) && stat(name, &status) == 0
         && outputs_refuse(&status)) {
-        error_set(error, "%.180s: %s", name, file_reason(ETXTBSY));
+        error_set(error, "cannot read %.180s: %s", name, file_reason(ETXTBSY));
         return NULL;
     }
     return c205_model_find(name, error);

@@ -112,7 +112,7 @@ static bool run_object(const struct program_sweep *sweep, const struct object *o
         else if (stop.trap != C205_TRAP_NONE)
             c205_describe_stop(machine, &stop, error);
         else
-            error_set(error, "it ended with status %" PRId64, stop.status);
+            error_set(error, "the program ended with status %" PRId64, stop.status);
     }
     c205_free(machine);
     return good;
@@ -122,7 +122,7 @@ static bool run_at(struct program_sweep *sweep, int which, uint64_t value,
                    c205_account *account, c205_error *error)
 {
     const struct swept_program *program = &sweep->programs[which];
-    c205_error reason = { "it cannot be assembled" };
+    c205_error reason = { "the program cannot be assembled" };
     struct object *object = assemble_at(sweep, program, value);
     bool good = object && run_object(sweep, object, account, &reason);
 

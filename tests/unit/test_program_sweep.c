@@ -490,12 +490,12 @@ TEST(faults)
                 "fault.s with n = 8: trap unmapped-address");
     check_fault("        .if n > 20\n        NOPE\n        .endif\n"
                 "        EXIT\n",
-                "fault.s with n = 32: it cannot be assembled");
+                "fault.s with n = 32: the program cannot be assembled");
     check_fault("        .if n > 2\nloop:   BIM loop\n        .endif\n"
                 "        EXIT\n",
                 "fault.s with n = 4: trap clock-limit");
     check_fault("        ES r1, n / 16\n        EXIT r1, r0, 0\n",
-                "fault.s with n = 16: it ended with status 1");
+                "fault.s with n = 16: the program ended with status 1");
     sweep.range.factor = 2;
     sweep.goes_on = never;
     add_text(&sweep, "good.s", good_text);

@@ -411,10 +411,12 @@ TEST(no_folder)
 {
     c205_error error;
     assert_null(atomic_file_open("/nonexistent/file", &error));
-    assert_string_equal(error.message, "/nonexistent/file: No such file or directory");
+    assert_string_equal(error.message,
+                        "cannot write /nonexistent/file: No such file or directory");
     error.message[0] = '\0';
     assert_false(atomic_file_check("/nonexistent/file", &error));
-    assert_string_equal(error.message, "/nonexistent/file: No such file or directory");
+    assert_string_equal(error.message,
+                        "cannot write /nonexistent/file: No such file or directory");
     assert_true(atomic_file_check("/dev/full", &error));
 }
 
