@@ -637,10 +637,10 @@ whole() { # COMMAND ..: with --provenance the line continues
     tells out 'on the model cyber205-2pipe,$'
     tells out 'fitted to 15 published figures, the largest error'
     tells out 'compared with 1 published figure,'
-    tells out 'Not modelled: fetching instructions'
+    tells out 'Not modelled: instruction fetch'
     tells out '77 constants: 10 from a primary source (P)'
     ends 0 "$@" --json model.json
-    grep -q '"not_modelled": "fetching instructions' model.json
+    grep -q '"not_modelled": "instruction fetch' model.json
     verdict $? "the JSON tells not all of the model: $*"
 }
 printf '1,-10,35,-50,24\n' >four.csv

@@ -67,14 +67,14 @@ TEST(models)
           "# Cycle-accounted, not cycle-accurate, on the model test,\n"
           "# fitted to 3 published figures, the largest error -12.5 %% (the worst),\n"
           "# compared with 1 published figure, the largest error +7.0 %% (another).\n",
-          "\n# Not modelled: fetching instructions, ",
+          "\n# Not modelled: instruction fetch, ",
           "\"name\": \"test\",\n    \"title\": \"T\",\n    \"fitted\": true,\n"
           "    \"fit\": {\n      \"figures\": 3,\n"
           "      \"largest_error_percent\": -12.5,\n"
           "      \"of\": \"the worst\"\n    },\n"
           "    \"comparison\": {\n      \"figures\": 1,\n"
           "      \"largest_error_percent\": 7,\n      \"of\": \"another\"\n    },\n"
-          "    \"not_modelled\": \"fetching instructions, " },
+          "    \"not_modelled\": \"instruction fetch, " },
         { "title T\nlike cyber205-2pipe-prior\n",
           "# Cycle-accounted, not cycle-accurate, on the model test,\n"
           "# not compared with published figures.\n",
