@@ -407,20 +407,20 @@ echo "sphere { 0, 1 } sphere { 0, .5 }" >hidden.pov
 cp hidden.pov hidden_2.pov
 echo "sphere { 0, .2 }" >>hidden_2.pov
 ends 0 "$build/rt205" heat hidden.pov --rays 16 --json heat.json
-tells out "^1 surface has no area that is seen; --details lists it$"
+tells out "^1 surface has no visible area; --details lists it$"
 [ "$(grep -c '^[0-9]* *sphere' out)" -eq 1 ] && [ "$(grep -c '"kind"' heat.json)" -eq 2 ]
 verdict $? "heat does not leave out the surface that is not seen"
 ends 0 "$build/rt205" heat hidden_2.pov --rays 16
-tells out "^2 surfaces have no area that is seen; --details lists them$"
+tells out "^2 surfaces have no visible area; --details lists them$"
 ends 0 "$build/rt205" heat hidden.pov --rays 16 --details
-[ "$(grep -c '^[0-9]* *sphere' out)" -eq 2 ] && ! grep -q 'no area that' out
+[ "$(grep -c '^[0-9]* *sphere' out)" -eq 2 ] && ! grep -q 'no visible area' out
 verdict $? "heat --details does not list the surface that is not seen"
 rows heat
 for wish in --stages --smooth --exchange "--tolerance .1" "-o hits.png"; do
     # An option and its value are two words.
     # shellcheck disable=SC2086
     ends 2 "$build/rt205" heat bay.pov --hits --from 1 $wish
-    tells err "hits tells what rays strike, and no more"
+    tells err "hits cannot be combined with"
 done
 ends 1 "$build/rt205" heat bay.pov --rays 16 --tolerance 1e-9 --limit 40 --show factor --from 1 -o never.png
 expect "factors that are not good enough are drawn" [ ! -e never.png ]
@@ -477,7 +477,7 @@ tells out "^CDC 6600, projected  *1  "
 tells out "^vector  *2000  "
 tells heat.json "\"hits\""
 heat_hits 1
-tells err "^rt205 heat: --hits asks --from NAME"
+tells err "^rt205 heat: --hits requires --from NAME"
 heat_hits 1 --from Stove
 tells err "no part and no material is called 'Stove'"
 heat_hits 1 --from Tube
@@ -529,7 +529,7 @@ ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 --samples 2
 tells err 'a pixel of this frame has 2 x 2 rays: only one alone is followed$'
 ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 40,15
 ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -o never.png
-tells err '--debug writes nothing'
+tells err '--debug cannot be combined with'
 ends 2 "$build/rt205" render "$scene" --no-picture -x pixel.lines
 # A queue of the pixel, clock by clock.
 for kind in svg kanata json; do
@@ -799,7 +799,7 @@ tells err "does not hold units of work"
 printf '#version 3.7;\n' >none.pov
 ends 0 "$build/rt205" render none.pov -o none.png -W 40 -H 30 --resume none.kept
 tells err "the scene has no objects"
-tells err "the frame begins: none.kept has no band yet"
+tells err "the frame starts: none.kept has no band yet"
 
 # Ctrl-C during a sweep.
 "$build/rt205" sweep queue steiner --json long.json >out 2>err &
@@ -828,7 +828,7 @@ while [ "$(stat -c %s bands.kept 2>/dev/null || echo 0)" -lt 100 ] \
 done
 kill -INT $child
 wait $child
-tells err 'goes on from bands.kept'
+tells err 'continues from bands.kept'
 frame --mode scalar >serial
 printf 'half a band' >>bands.kept
 frame --mode scalar --resume bands.kept | cmp -s - serial

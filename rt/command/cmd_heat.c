@@ -71,7 +71,9 @@ static void warn_of_receivers(const struct rt205_arguments *arguments,
 
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (heat->refusals[i])
-            cmd_print_line(stderr, "%s:%zu: warning: the %s receives alone: %s",
+            cmd_print_line(stderr,
+                           "%s:%zu: warning: the %s receives radiation but "
+                           "emits none: %s",
                            arguments->scene, scene->primitives[i].line,
                            primitive_kind_name(scene->primitives[i].kind),
                            heat->refusals[i]);
@@ -132,13 +134,11 @@ static bool print_areas(const struct heat *heat, bool details,
     printed.json = NULL;
     kept.file = NULL;
     if (!print_part(&printed, heat_table_of_areas(heat, details), "areas",
-                    "Areas that are seen")
+                    "Visible areas")
         || !print_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
         return false;
     if (unseen > 0)
-        output_printf(results,
-                      "\n%zu surface%s no area that is seen; --details lists "
-                      "%s\n",
+        output_printf(results, "\n%zu surface%s no visible area; --details lists %s\n",
                       unseen, unseen == 1 ? " has" : "s have",
                       unseen == 1 ? "it" : "them");
     return true;
@@ -170,7 +170,7 @@ static bool print_result(const struct rt205_arguments *arguments,
     output_printf(results, "%s: %zu repeats of %zu %s%s %s, %s\n", arguments->scene,
                   request->repeats, heat->drawn, request->by_lines ? "line" : "point",
                   plural(heat->drawn),
-                  request->by_lines ? "through all of it" : "of each primitive",
+                  request->by_lines ? "through the scene" : "of each primitive",
                   request->lattice ? "of the lattice" : "random");
     output_model(results, request->model);
     if (json) {
@@ -196,9 +196,9 @@ static bool check_strictly(const struct heat *heat, c205_error *error)
 
             if (sigmas > strict_sigmas)
                 return error_set(error,
-                                 "A F from %s to %s is not that back: %.1f "
-                                 "standard errors lie between, and --strict "
-                                 "allows %g",
+                                 "A F from %s to %s differs from the reverse "
+                                 "direction by %.1f standard errors; --strict allows "
+                                 "%g",
                                  surfaces->list[i].name, surfaces->list[j].name, sigmas,
                                  strict_sigmas);
         }
@@ -209,9 +209,8 @@ static bool check_precision(const struct heat *heat, c205_error *error)
 {
     return heat_is_precise(heat)
            || error_set(error,
-                        "the tolerance %g is not reached: the error "
-                        "of the factor from %s to %s is %.2g with the most "
-                        "that are drawn, --limit %zu",
+                        "the tolerance %g is not reached: the error of the factor "
+                        "from %s to %s is %.2g at --limit %zu",
                         heat->request->tolerance,
                         heat->surfaces.list[heat->worst_from].name,
                         heat_receiver(heat, heat->worst_to), heat->worst,
@@ -305,26 +304,23 @@ static const char *contradiction(const struct rt205_arguments *arguments)
     bool apart = units->ranks > 0 || units->job_set.parts > 0;
 
     if (arguments->heat.hits && (apart || units->resume.count > 0))
-        return "--hits is one run: it has no units for --ranks, --part or "
-               "--resume";
+        return "--hits cannot be combined with --ranks, --part or --resume";
     if (arguments->heat.stages && apart)
-        return "--stages compares what this process finds: not with --ranks "
-               "or --part";
+        return "--stages cannot be combined with --ranks or --part";
     if (arguments->heat.hits
         && (arguments->heat.stages || arguments->heat.smooth || arguments->heat.exchange
             || arguments->heat.tolerance > 0 || arguments->output))
-        return "--hits tells what rays strike, and no more: not with "
-               "--stages, --smooth, --exchange, --tolerance or -o";
+        return "--hits cannot be combined with --stages, --smooth, --exchange, "
+               "--tolerance or -o";
     if (arguments->output && arguments->heat.shown == SHOWN_FLOW
         && !arguments->heat.exchange)
-        return "a picture shows flows, which --exchange finds; or --show "
-               "factor --from NAME";
+        return "-o requires --exchange, or --show factor --from NAME";
     if (arguments->output && arguments->heat.shown == SHOWN_FACTOR
         && !arguments->heat.from)
-        return "factors are shown from a surface: --from NAME";
+        return "--show factor requires --from NAME";
     if (arguments->heat.tolerance > 0 && units->job_set.parts > 0)
-        return "--part does not go with --tolerance: what comes next hangs "
-               "on all of them";
+        return "--part cannot be combined with --tolerance: each round depends on "
+               "all units";
     return NULL;
 }
 
@@ -376,71 +372,70 @@ static const struct command_option options[] = {
       .kind = COMMAND_CHOICE,
       .offset = CMD_PLACE(heat.shown),
       .choice = shown_choice,
-      .help = "in the picture; factors are those --from one surface" },
+      .help = "quantity in the picture; factor requires --from" },
     CMD_SIZE(320, 240),
     { .name = "by",
       .value = "WHAT",
       .kind = COMMAND_CHOICE,
       .offset = CMD_PLACE(heat.by),
       .choice = by_choice,
-      .help = "what the surfaces are" },
+      .help = "the group of primitives that forms one surface" },
     CMD_FLAG("exchange", heat.exchange,
-             "also what they lose, of grey diffuse surfaces; lengths are metres"),
+             "also the net flow of each surface, grey and diffuse; lengths are metres"),
     CMD_FLAG("smooth", heat.smooth,
-             "also the nearest factors that have reciprocity and closure; "
-             "the exchange is by these"),
+             "also the nearest factors that have reciprocity and closure; --exchange "
+             "uses these"),
     { .name = "temperature",
       .value = "NAME=KELVINS",
       .kind = COMMAND_TEXT,
       .many = true,
       .offset = CMD_PLACE(heat.temperatures),
-      .help = "of a part or a material, or adiabatic; of the environment (0); "
-              "default: of all that have none" },
+      .help = "temperature of a part, a material, environment (0 K), or default for "
+              "all others; adiabatic instead of a number: no net flow" },
     { .name = "emissivity",
       .value = "NAME=SHARE",
       .kind = COMMAND_TEXT,
       .many = true,
       .offset = CMD_PLACE(heat.emissivities),
-      .help = "of a part or a material; of all others 1" },
+      .help = "emissivity of a part or a material; all others have 1" },
     { .name = "from",
       .value = "NAME",
       .kind = COMMAND_TEXT,
       .offset = CMD_PLACE(heat.from),
-      .help = "the part or material that emits, under --hits; the surface "
-              "whose factors are shown" },
+      .help = "the emitting part or material, with --hits; else the surface whose "
+              "factors are shown" },
     CMD_FLAG("hits", heat.hits,
-             "whether rays strike cylinders, and no more, on a scalar machine "
-             "and in queues, the longest ones too"),
+             "only test whether rays hit cylinders: in scalar form, and in queues up "
+             "to the longest"),
     { CMD_COUNT("lines", heat.lines, 0, 1 << 30, 0,
-                "through all of the scene, in all repeats at least, in place "
-                "of rays") },
+                "at least N lines through the scene, over all repeats, instead of "
+                "rays") },
     { CMD_COUNT("rays", heat.rays, 1, MAX_FACTORS_POINTS, 1024,
-                "points of a surface in each repeat, and rays of those that "
-                "are seen") },
+                "points on a surface in each repeat; each visible point emits a ray") },
     { CMD_COUNT("repeats", heat.repeats, 2, 1000, 16,
-                "by whose spread errors are told") },
+                "repeats; errors are computed from their spread") },
     { .name = "tolerance",
       .value = "ERROR",
       .kind = COMMAND_NUMBER,
       .offset = CMD_PLACE(heat.tolerance),
       .most = 1,
       .preset_text = "none",
-      .help = "four times the rays, or lines, until no factor's standard "
-              "error is larger" },
+      .help = "multiply the rays or lines by 4 until no factor has a larger standard "
+              "error" },
     { CMD_COUNT("limit", heat.limit, 1, 1 << MAX_GLOBAL_LINES_LOG, 32768,
-                "of each repeat at most, where there is a tolerance") },
+                "at most N rays or lines in a repeat, with --tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,
       .offset = CMD_PLACE(heat.points),
       .choice = points_choice,
-      .help = "what they are made of" },
-    { CMD_COUNT("seed", heat.seed, 0, 1e9, 1, "another one makes other points") },
-    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
+      .help = "source of the sample points" },
+    { CMD_COUNT("seed", heat.seed, 0, 1e9, 1, "selects other points") },
+    CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
     CMD_FLAG("stages", heat.stages,
-             "also in the other two modes, which must find the same: clocks "
-             "of all, step by step"),
-    CMD_FLAG("details", details, "also the surfaces that have no area that is seen"),
+             "also run the other two modes, whose results must be equal: clocks of "
+             "all, step by step"),
+    CMD_FLAG("details", details, "also list surfaces without visible area"),
     CMD_QUEUE("points and rays in the vector queue"),
     CMD_JOBS("packets of rays at a time"),
     CMD_RESUME("packets"),
@@ -457,10 +452,10 @@ static const struct command_example examples[] = {
     { "rt205 heat SCENE --by part --tolerance 1e-3",
       "until no error is above a thousandth" },
     { "rt205 heat SCENE --by part --show factor --from NAME -o PICTURE",
-      "where the radiation of one goes" },
+      "the receivers of one part's radiation, as a picture" },
     { "rt205 heat SCENE --by part --exchange "
       "--temperature default=300",
-      "and what they exchange" },
+      "also the heat that they exchange" },
     { NULL, NULL }
 };
 
@@ -471,9 +466,8 @@ const struct command heat_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details = "Each primitive radiates on its outward side, where it is seen; what "
-               "its rays meet first receives them. Errors are standard errors. "
-               "Floats NAME_Temperature and NAME_Emissivity of the scene are "
-               "those of NAME; options come first. Under --strict reciprocity "
-               "counts, too.",
+    .details = "Each primitive radiates from the visible part of its outward side; "
+               "the first surface on a ray receives it. Errors are standard errors. "
+               "A float NAME_Temperature or NAME_Emissivity in the scene sets the "
+               "value of NAME; options override it. --strict also checks reciprocity.",
 };

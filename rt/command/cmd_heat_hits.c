@@ -60,7 +60,7 @@ static bool find_ways(struct hits_ways *ways)
             || memcmp(&ways->found[way].factor, &ways->found[WAY_SCALAR].factor,
                       sizeof ways->found[way].factor)
                    != 0)
-            return error_set(&ways->error, "the forms differ");
+            return error_set(&ways->error, "the results of the forms differ");
     return true;
 }
 
@@ -148,10 +148,10 @@ static bool print_result(const struct hits_ways *ways,
         json_number(results->json, "error", found->factor.error);
         provenance_json(arguments->trace.model, results->json);
     }
-    good = table && output_part(results, table, "hits", "Whether rays strike");
+    good = table && output_part(results, table, "hits", "Rays that hit");
     table_free(table);
-    output_printf(results, "The paper's: 600 s on a CDC 6600 became 3 s, 200 times; "
-                           "its geometry is unknown.\n");
+    output_printf(results, "The paper reports 600 s on a CDC 6600 and 3 s, a speedup "
+                           "of 200; its geometry is unknown.\n");
     return good;
 }
 
@@ -163,7 +163,8 @@ static bool begin(struct hits_ways *ways)
                                                  SPEEDUP_6600);
 
     if (!ways->arguments->heat.from)
-        return error_set(&ways->error, "--hits asks --from NAME: the part that emits");
+        return error_set(&ways->error, "--hits requires --from NAME, the emitting "
+                                       "part");
     if (!named_parts_find(ways->scene, &ways->parts))
         return error_set(&ways->error, "no memory");
     ways->other = c205_model_find(other, &ways->error);

@@ -48,9 +48,9 @@ static int check_share(const struct rt205_arguments *arguments)
     if (arguments->units.job_set.parts == 0)
         return CMD_DONE;
     if (arguments->units.resume.count == 0)
-        why = "--part keeps its units in a file: name it with --resume";
+        why = "--part requires --resume FILE";
     else if (arguments->output || arguments->results.path)
-        why = "--part keeps units and writes nothing else";
+        why = "--part cannot be combined with -o or --json";
     return why ? cmd_usage(arguments->command, "%s", why) : CMD_DONE;
 }
 
@@ -72,10 +72,10 @@ static int begin_ranks(const struct rt205_arguments *arguments)
      * would take 0.2 s first. */
     setenv("OMPI_MCA_pml", "ob1", 0);
     process_become(words);
-    return cmd_failed(arguments->command,
-                      errno == ENOENT ? "mpirun is not there: the package openmpi-bin "
-                                        "has it"
-                                      : "mpirun cannot be begun");
+    return cmd_failed(arguments->command, errno == ENOENT
+                                              ? "mpirun is not installed; install the "
+                                                "package openmpi-bin"
+                                              : "cannot start mpirun");
 }
 
 /* Redirects all output of a rank other than 0. */
@@ -96,8 +96,8 @@ static int work_in_ranks(struct rt205_arguments *arguments, cmd_work *work)
 
     if (arguments->trace.jobs > 1)
         return cmd_usage(arguments->command,
-                         "each rank does a unit at a time: --jobs does not "
-                         "go with ranks");
+                         "--jobs cannot be combined with ranks: each rank runs one "
+                         "unit at a time");
     if (!ranks_join(ranks, &error))
         return cmd_failed(arguments->command, "%s", error.message);
     arguments->units.job_set.ranks = ranks;
@@ -105,7 +105,7 @@ static int work_in_ranks(struct rt205_arguments *arguments, cmd_work *work)
     if (ranks->rank > 0)
         be_silent(arguments);
     code = cmd_with_machine(arguments, work);
-    ranks_leave(ranks, code == CMD_DONE ? NULL : "it cannot work");
+    ranks_leave(ranks, code == CMD_DONE ? NULL : "its run failed");
     return ranks->rank > 0 ? CMD_DONE : code;
 }
 

@@ -149,8 +149,8 @@ static bool check_precision(const struct mass *mass, c205_error *error)
 {
     return mass_is_precise(mass)
            || error_set(error,
-                        "the tolerance %g is not reached: the error of %s of "
-                        "%s is %.2g of it with the most rays, --limit %zu",
+                        "the tolerance %g is not reached: the error of %s of %s is "
+                        "%.2g of its value at --limit %zu",
                         mass->request->tolerance, figure_name(mass->worst_figure),
                         mass->rows[mass->worst_row].name, mass->worst,
                         mass->request->limit);
@@ -185,7 +185,7 @@ static void warn_of_endless(const struct rt205_arguments *arguments,
         const struct named_part *part = &mass->parts.list[i];
 
         if (part->endless && part->left_out && mass->request->part_count == 0)
-            cmd_print_line(stderr, "%s: warning: %s has no end: it is left out",
+            cmd_print_line(stderr, "%s: warning: %s is unbounded and is ignored",
                            arguments->scene, part->name);
     }
 }
@@ -247,12 +247,11 @@ static int run_command_line(void *given)
     if (arguments->mass.stages
         && (arguments->units.ranks > 0 || arguments->units.job_set.parts > 0))
         return cmd_usage(arguments->command,
-                         "--stages compares what this process finds: not "
-                         "with --ranks or a share");
+                         "--stages cannot be combined with --ranks or --part K/N");
     if (arguments->units.job_set.parts > 0 && arguments->mass.tolerance > 0)
         return cmd_usage(arguments->command,
-                         "--part does not go with --tolerance: what comes "
-                         "next hangs on all of them");
+                         "--part cannot be combined with --tolerance: each round "
+                         "depends on all units");
     arguments->trace.width = arguments->trace.height = 1;
     return cmd_with_jobs(arguments, run);
 }
@@ -301,69 +300,69 @@ static const struct command_option options[] = {
       .kind = COMMAND_TEXT,
       .many = true,
       .offset = CMD_PLACE(mass.parts),
-      .help = "these parts or materials alone, else all that have an end; "
-              "the K-th of N shares of the packets, kept by --resume" },
+      .help = "only this part or material (default: all bounded ones); K/N: only the "
+              "K-th of N shares of the packets, stored by --resume" },
     { .name = "density",
       .value = "NAME=VALUE",
       .kind = COMMAND_TEXT,
       .many = true,
       .offset = CMD_PLACE(mass.density),
-      .help = "of a part or a material; default: of all that have none" },
+      .help = "density of a part, a material, or default for all others" },
     { .name = "densities",
       .value = "FILE",
       .kind = COMMAND_INPUT,
       .offset = CMD_PLACE(mass.densities),
-      .help = "a file of them: lines of a number, a density, a name" },
+      .help = "file of densities; a line has a number, a density and a name" },
     { .name = "units",
       .value = "LENGTH,MASS",
       .kind = COMMAND_CUSTOM,
       .offset = CMD_PLACE(mass.units),
       .take = take_units,
-      .wants = "a length (mm cm dm m in ft) and a mass (mg g kg t oz lb), "
-               "with a comma between",
-      .help = "of the scene and of the tables; densities are in g/cm^3 then" },
+      .wants = "a length (mm cm dm m in ft) and a mass (mg g kg t oz lb), separated "
+               "by a comma",
+      .help = "units of the scene and of the tables; densities are then in g/cm^3" },
     { .name = "about",
       .value = "X,Y,Z",
       .kind = COMMAND_CUSTOM,
       .offset = CMD_PLACE(mass.about),
       .take = take_about,
-      .wants = "three numbers with commas between",
+      .wants = "three numbers separated by commas",
       .preset_text = "0,0,0",
-      .help = "the point of the inertia I" },
+      .help = "the reference point of the inertia I" },
     { .name = "by",
       .value = "WHAT",
       .kind = COMMAND_CHOICE,
       .offset = CMD_PLACE(mass.by),
       .choice = by_choice,
       .preset = MASS_BY_PART,
-      .help = "what is added up" },
+      .help = "the group of solids whose results are added" },
     CMD_FLAG("overlaps", mass.overlaps,
-             "also the volumes that several objects claim, pair by pair"),
+             "also the volumes in which two objects overlap, pair by pair"),
     { CMD_COUNT("rays", mass.rays, 1, MAX_RAYS, 65536,
-                "of a view, in all shifts; made a power of two in each") },
+                "rays of a view, over all shifts; rounded to a power of two in each") },
     { CMD_COUNT("repeats", mass.repeats, 4, MAX_REPEATS, 16,
-                "shifts of the points, of which errors are found") },
+                "shifts of the points; errors are computed from their spread") },
     { .name = "tolerance",
       .value = "SHARE",
       .kind = COMMAND_NUMBER,
       .offset = CMD_PLACE(mass.tolerance),
       .most = 1,
       .preset_text = "none",
-      .help = "four times the rays until no error is larger" },
+      .help = "multiply the rays by 4 until no error is larger" },
     { CMD_COUNT("limit", mass.limit, 1, MAX_RAYS, 1 << 19,
-                "rays of a view at most, where there is a tolerance") },
+                "at most N rays of a view, with --tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,
       .offset = CMD_PLACE(mass.points),
       .choice = points_choice,
       .preset = POINTS_LATTICE,
-      .help = "where rays are" },
-    { CMD_COUNT("seed", mass.seed, 0, 1000000, 1, "of shifts and points") },
-    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
+      .help = "positions of the rays" },
+    { CMD_COUNT("seed", mass.seed, 0, 1000000, 1, "seed of shifts and points") },
+    CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
     CMD_FLAG("stages", mass.stages,
-             "also in the other two modes, which must find the same: clocks "
-             "of all, step by step"),
+             "also run the other two modes, whose results must be equal: clocks of "
+             "all, step by step"),
     CMD_QUEUE("rays in the vector queue"),
     CMD_MODEL,
     CMD_JOBS("packets of rays at a time"),
@@ -375,7 +374,7 @@ static const struct command_option options[] = {
 };
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
-    { "rt205 mass SCENE --density default=1", "as if all were of one stuff" },
+    { "rt205 mass SCENE --density default=1", "all solids of one material" },
     { "rt205 mass SCENE --density Copper=8.96 --units mm,g --tolerance 1e-3",
       "until no error is above a thousandth" },
     { NULL, NULL }
@@ -388,7 +387,7 @@ const struct command mass_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details = "Parts are called by the #declare that they come from, materials "
-               "by their texture's; a float NAME_Density of the scene is the "
-               "density of NAME.",
+    .details = "A part has the name of the #declare that defines it, a material that "
+               "of its texture. A float NAME_Density in the scene sets the density "
+               "of NAME.",
 };

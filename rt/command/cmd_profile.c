@@ -106,7 +106,7 @@ static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 
 const struct command profile_command = {
     .name = "profile",
-    .summary = "what each part of a frame costs, in three stages",
+    .summary = "clocks of each part of a frame, in three stages",
     .function = run_command_line,
     .options = options,
     .operands = operands,

@@ -164,7 +164,7 @@ static struct root_search *search(const struct polynomials *polynomials,
     if (!found)
         return NULL;
     if (!roots_watch(found, iterations))
-        error_set(error, "the program lacks labels to count its steps by");
+        error_set(error, "the program has no labels for counting its steps");
     else if (roots_run(found, error))
         return found;
     roots_free(found);
@@ -333,7 +333,7 @@ static int run_command_line(void *given)
     struct rt205_arguments *arguments = given;
 
     if (arguments->all && arguments->first)
-        return cmd_usage(arguments->command, "--all or --first, not both of them");
+        return cmd_usage(arguments->command, "--all cannot be combined with --first");
     arguments->trace.width = arguments->trace.height = 1;
     return cmd_with_machine(arguments, run);
 }
@@ -346,9 +346,9 @@ static const char *falsi_choice(size_t number)
 }
 
 static const struct command_option options[] = {
-    CMD_FLAG("all", all, "all roots (this is what happens anyway)"),
-    CMD_FLAG("first", first, "the first root of each alone"),
-    CMD_MODE(cmd_form_choice, "in which form"),
+    CMD_FLAG("all", all, "all roots (the default)"),
+    CMD_FLAG("first", first, "only the first root of each polynomial"),
+    CMD_MODE(cmd_form_choice, "form of the program"),
     CMD_QUEUE("polynomials in the vector queue"),
     { .name = "falsi",
       .value = "RULE",
@@ -356,7 +356,8 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(falsi),
       .choice = falsi_choice,
       .preset = FALSI_DEFAULT,
-      .help = "with all a table of their clocks instead of the roots" },
+      .help = "rule of the root solver; all: a table of their clocks instead of the "
+              "roots" },
     CMD_MODEL,
     CMD_JOBS("rules compared at a time"),
     CMD_RESULTS,
@@ -366,14 +367,14 @@ static const struct command_option operands[] = {
     { .value = "FILE",
       .kind = COMMAND_INPUT,
       .offset = CMD_PLACE(scene),
-      .help = "a file of polynomials: lines c4,c3,c2,c1,c0 and perhaps a "
-              "bound (0)" },
+      .help =
+          "a file of polynomials: lines c4,c3,c2,c1,c0 with an optional bound (0)" },
     COMMAND_END
 };
 
 const struct command quartic_command = {
     .name = "quartic",
-    .summary = "the real roots of polynomials, and what they cost",
+    .summary = "real roots of polynomials, and their clocks",
     .function = run_command_line,
     .options = options,
     .operands = operands,

@@ -249,11 +249,11 @@ static void print_kept(const struct rt205_arguments *arguments,
     const char *path = arguments->units.resume.items[0];
 
     if (arguments->units.job_set.kept > 0)
-        cmd_print_line(stderr, "%s: the frame goes on from %s: %zu of %zu band%s",
+        cmd_print_line(stderr, "%s: the frame continues from %s: %zu of %zu band%s",
                        arguments->command, path, arguments->units.job_set.kept,
                        trace_bands(trace), plural(trace_bands(trace)));
     else
-        cmd_print_line(stderr, "%s: the frame begins: %s has no band yet",
+        cmd_print_line(stderr, "%s: the frame starts: %s has no band yet",
                        arguments->command, path);
 }
 
@@ -292,11 +292,11 @@ static void print_resume(const struct rt205_arguments *arguments,
     size_t kept = trace_bands_done(trace);
 
     if (arguments->units.resume.count > 0 && kept > 0)
-        snprintf(reported, size, "; --resume goes on from %.100s: %zu of %zu band%s",
+        snprintf(reported, size, "; --resume continues from %.100s: %zu of %zu band%s",
                  arguments->units.resume.items[0], kept, trace_bands(trace),
                  plural(trace_bands(trace)));
     else if (arguments->units.resume.count > 0)
-        snprintf(reported, size, "; no band is done: --resume begins again");
+        snprintf(reported, size, "; no band is done: --resume starts again");
 }
 
 static int end_early(const struct rt205_arguments *arguments, const struct trace *trace,
@@ -387,21 +387,21 @@ static int check_files(const struct rt205_arguments *arguments)
     int code;
 
     if (arguments->output && arguments->no_picture)
-        return cmd_usage(arguments->command, "-o does not go with --no-picture");
+        return cmd_usage(arguments->command, "-o cannot be combined with --no-picture");
     if (arguments->half && arguments->no_picture)
-        return cmd_usage(arguments->command, "--half does not go with --no-picture");
+        return cmd_usage(arguments->command, "--half cannot be combined with "
+                                             "--no-picture");
     if (arguments->no_picture)
         return CMD_DONE;
     if (!arguments->output && arguments->units.job_set.parts > 0)
         return CMD_DONE;
     if (!arguments->output)
-        return cmd_usage(arguments->command,
-                         "name the picture with -o (--no-picture: none)");
+        return cmd_usage(arguments->command, "expected -o FILE or --no-picture");
     code = cmd_check_picture(arguments);
     if (code != CMD_DONE)
         return code;
     if (arguments->half && !picture_holds_half(arguments->output))
-        return cmd_usage(arguments->command, "--half is for .exr alone");
+        return cmd_usage(arguments->command, "--half requires a picture in .exr");
     return CMD_DONE;
 }
 
@@ -413,8 +413,8 @@ static int check_debug(const struct rt205_arguments *arguments)
     if (arguments->output || arguments->accounts || arguments->profile
         || arguments->results.path || units->resume.count > 0 || units->ranks > 1)
         return cmd_usage(arguments->command,
-                         "--debug writes nothing: -o, --accounts, --profile, "
-                         "--json, --resume and --ranks do not go with it");
+                         "--debug cannot be combined with -o, --accounts, --profile, "
+                         "--json, --resume or --ranks");
     return cmd_check_pixel(arguments);
 }
 
@@ -425,12 +425,12 @@ static int check_profile(const struct rt205_arguments *arguments)
     const struct cmd_units *units = &arguments->units;
 
     if (arguments->in_order && !arguments->profile)
-        return cmd_usage(arguments->command, "--in-order goes with --profile");
+        return cmd_usage(arguments->command, "--in-order requires --profile");
     if (arguments->profile
         && (units->resume.count > 0 || units->ranks > 1 || ranks_are_many()))
         return cmd_usage(arguments->command,
-                         "--profile watches all bands: it does not go with "
-                         "--resume and --ranks");
+                         "--profile cannot be combined with --resume or --ranks: it "
+                         "needs all bands in one process");
     return CMD_DONE;
 }
 
@@ -444,7 +444,7 @@ static int run_command_line(void *given)
         return code == CMD_DONE ? cmd_with_machine(arguments, cmd_debug_pixel) : code;
     }
     if (arguments->scripts.count > 0)
-        return cmd_usage(arguments->command, "-x goes with --debug");
+        return cmd_usage(arguments->command, "-x requires --debug");
     code = check_files(arguments);
     if (code == CMD_DONE)
         code = check_profile(arguments);
@@ -459,10 +459,9 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(output),
       .help = "the picture: .png .jpg (8-bit sRGB), .exr .tif (linear, with "
               "depth, normal and id); on stdout a .png" },
-    CMD_FLAG("no-picture", no_picture,
-             "none is written: what it took the machine is told"),
+    CMD_FLAG("no-picture", no_picture, "write no picture, only report the clocks"),
     CMD_SIZE(640, 480),
-    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
+    CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
     CMD_SAMPLES,
     CMD_THRESHOLD,
@@ -473,34 +472,33 @@ static const struct command_option options[] = {
     CMD_RESUME("bands"),
     CMD_PART("bands"),
     CMD_RANKS,
-    CMD_FLAG("accounts", accounts,
-             "also where the clocks went, cause by cause and region by region"),
+    CMD_FLAG("accounts", accounts, "also the clocks by cause and by region"),
     CMD_FLAG("profile", profile,
-             "also where the clocks went line by line of the kernels, the "
-             "hottest region first; macros where they are called"),
-    CMD_FLAG("in-order", in_order, "lines of --profile as they stand in memory"),
+             "also the clocks by line of the kernels, hottest region first; a macro "
+             "counts where it is called"),
+    CMD_FLAG("in-order", in_order, "lines of --profile in the order of memory"),
     CMD_FLAG("half", half, "16-bit colours in an .exr"),
-    CMD_PIXEL("debug", "no picture, but a debugger of the machine of that "
-                       "pixel's band"),
+    CMD_PIXEL("debug", "start a debugger for the band of this pixel; write no picture"),
     { .name = "script",
       .letter = 'x',
       .value = "FILE",
       .kind = COMMAND_INPUT,
       .many = true,
       .offset = CMD_PLACE(scripts),
-      .help = "lines for the debugger, which ends with 1 if one of them "
-              "fails, as an assert does" },
+      .help = "commands for the debugger; the exit status is 1 if one fails, such as "
+              "an assert" },
     CMD_READ,
     CMD_RESULTS,
     COMMAND_END
 };
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
-    { "rt205 render SCENE -o PICTURE", "the picture, and what it took the machine" },
-    { "rt205 render SCENE --no-picture --accounts", "where the machine's clocks went" },
-    { "rt205 render SCENE --no-picture --profile", "the same by lines of the kernels" },
+    { "rt205 render SCENE -o PICTURE", "the picture, and its clocks" },
+    { "rt205 render SCENE --no-picture --accounts", "the clocks by cause and region" },
+    { "rt205 render SCENE --no-picture --profile",
+      "the clocks by line of the kernels" },
     { "rt205 render SCENE --debug 320,240",
-      "a debugger, to see what becomes of that pixel's ray" },
+      "a debugger that follows the ray of this pixel" },
     { NULL, NULL }
 };
 
@@ -511,6 +509,6 @@ const struct command render_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details = "The debugger is that of c205 debug; its verbs seek and lane are "
-               "about the pixel. help tells all of them.",
+    .details = "The debugger is that of c205 debug, with the additional commands "
+               "seek and lane for the pixel. Its command help lists all commands.",
 };

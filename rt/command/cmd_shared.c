@@ -26,7 +26,7 @@ static int open_and_work(struct rt205_arguments *arguments, cmd_work *work)
 
     if (c205_model_is_projection(arguments->trace.model))
         return cmd_failed(arguments->command,
-                          "%s is a projection, on which nothing runs",
+                          "%s is a projection and cannot run programs",
                           c205_model_name(arguments->trace.model));
     if (!output_open(&results, arguments->command, arguments->output))
         return CMD_FAILED;
@@ -41,10 +41,11 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     int code;
 
     if (trace->height > 0 && trace->width > MAX_TRACE_PIXELS / trace->height)
-        return cmd_usage(arguments->command, "at most %zu pixels", MAX_TRACE_PIXELS);
+        return cmd_usage(arguments->command, "at most %zu pixels are allowed",
+                         MAX_TRACE_PIXELS);
     if (trace->threshold > 0 && trace->samples < 2)
         return cmd_usage(arguments->command,
-                         "--threshold goes with --samples 2 or more");
+                         "--threshold requires --samples 2 or more");
     model = model_open(arguments->command, arguments->model);
     if (!model)
         return CMD_FAILED;
@@ -131,8 +132,8 @@ int cmd_check_pixel(const struct rt205_arguments *arguments)
     if (!pixel->given || (pixel->x < trace->width && pixel->y < trace->height))
         return CMD_DONE;
     return cmd_usage(arguments->command,
-                     "there is no pixel %zu,%zu: the frame has %zu x %zu", pixel->x,
-                     pixel->y, trace->width, trace->height);
+                     "pixel %zu,%zu is outside of the frame of %zu x %zu pixels",
+                     pixel->x, pixel->y, trace->width, trace->height);
 }
 
 /* ---- Names of the choices of options ------------------------------------- */

@@ -229,13 +229,13 @@ static int run_command_line(void *given)
     for (size_t i = 0; i < rows->count; i++)
         if (!is_row(rows->items[i]))
             return cmd_usage(arguments->command,
-                             "%s: no row of Table 1 (sphere, cylinder, "
-                             "Steiner, torus)",
+                             "unknown row '%s' of Table 1: expected sphere, "
+                             "cylinder, Steiner or torus",
                              rows->items[i]);
     if (rows->count > 0 && arguments->formulations)
         return cmd_usage(arguments->command,
-                         "--formulations are of the cylinder, whatever rows "
-                         "are named");
+                         "--formulations cannot be combined with names of rows: it "
+                         "compares forms of the cylinder");
     return cmd_with_machine(arguments,
                             arguments->formulations ? formulations : speedup);
 }
@@ -245,12 +245,11 @@ static const struct command_option options[] = {
     CMD_VIEW(SPEEDUP_ANGLE, NULL),
     CMD_QUEUE("rays in the vector queue"),
     CMD_FLAG("details", details,
-             "also where the clocks went, what the root solver takes, and a "
-             "machine that Table 1 lacks"),
-    CMD_FLAG("passes", passes, "also the root solver's vectors pass by pass"),
+             "also clocks by cause, the steps of the root solver, and a machine that "
+             "Table 1 lacks"),
+    CMD_FLAG("passes", passes, "also the vectors of the root solver, pass by pass"),
     CMD_FLAG("formulations", formulations,
-             "the cylinder in the formulations that were tried, in place of "
-             "Table 1"),
+             "compare formulations of the cylinder instead of Table 1"),
     CMD_MODEL,
     CMD_JOBS("frames traced at a time"),
     CMD_RESULTS,
@@ -269,8 +268,8 @@ static const struct command_option operands[] = {
       .optional = true,
       .offset = CMD_PLACE(rows),
       .choice = row_choice,
-      .help = "a primitive of the table, with or without what stands behind "
-              "its comma; none: all of them" },
+      .help = "a primitive of the table, with or without the text after its comma; "
+              "default: all" },
     COMMAND_END
 };
 
@@ -281,9 +280,9 @@ const struct command speedup_command = {
     .options = options,
     .operands = operands,
     .details =
-        "The paper's Table 1 beside ours: 100,000 rays against a sphere, a "
-        "cylinder, a Steiner patch, and more. That the scalar and the vector "
-        "frame of each are equal, bit for bit, is checked. The CYBER 720 is projected "
-        "with cyber720, but with cyber720-prior where the machine model has "
-        "no fitted constant.",
+        "Compares the paper's Table 1 with the emulator: 100,000 rays against a "
+        "sphere, a cylinder, a Steiner patch, and more. Checks that the scalar and "
+        "the vector frame of each are equal, bit for bit. The CYBER 720 is projected "
+        "with cyber720, or with cyber720-prior if the machine model has no fitted "
+        "constant.",
 };

@@ -38,11 +38,11 @@ static int check_lengths(const struct rt205_arguments *arguments,
 
     if (longest > 0 && !kind->takes_lengths)
         return cmd_usage(arguments->command,
-                         "--points are lengths: of queue and length");
+                         "--points requires a sweep of queue or length");
     if (kind->takes_lengths && arguments->trace.queue != TRACE_QUEUE)
         return cmd_usage(arguments->command,
-                         "--queue is for pipes and hits; --points names "
-                         "lengths");
+                         "--queue requires a sweep of pipes or hits; use --points "
+                         "for lengths");
     if (kind == &sweep_queue && longest > rays)
         return cmd_usage(arguments->command, "%zu ray%s not fill a queue of %zu", rays,
                          rays == 1 ? " does" : "s do", longest);
@@ -55,14 +55,12 @@ static int check_subject(const struct rt205_arguments *arguments,
     const char *name = arguments->scene;
 
     if (kind->primitive_only && names_scene(name))
-        return cmd_usage(arguments->command,
-                         "%s takes a primitive: what a "
-                         "scene's rays hit is its own",
+        return cmd_usage(arguments->command, "%s requires a primitive, not a scene",
                          kind->name);
     if (!names_scene(name) && !subject_named(name))
         return cmd_usage(arguments->command,
-                         "%s: no primitive of Table 1 "
-                         "(sphere, cylinder, Steiner, torus), and no .pov",
+                         "%s: expected a primitive of Table 1 (sphere, cylinder, "
+                         "Steiner, torus) or a .pov file",
                          name);
     return CMD_DONE;
 }
@@ -86,7 +84,7 @@ static int check_files(const struct rt205_arguments *arguments)
         snprintf(path, sizeof path, "%.*s%s", (int)strlen(arguments->output) - 3,
                  arguments->output, endings[i]);
         if (arguments->results.path && file_is_one(path, arguments->results.path))
-            return cmd_usage(arguments->command, "-o and --json name one file");
+            return cmd_usage(arguments->command, "-o and --json name the same file");
         if (!outputs_add(path))
             return cmd_failed(arguments->command, "no memory");
     }
@@ -300,17 +298,17 @@ static const struct command_option options[] = {
       .value = "FILE",
       .kind = COMMAND_FILE,
       .offset = CMD_PLACE(output),
-      .help = "a plot, NAME.svg or .png, by gnuplot; NAME.dat and NAME.gp too" },
+      .help = "plot by gnuplot, NAME.svg or .png; also writes NAME.dat and NAME.gp" },
     { .name = "points",
       .value = "N,N,..",
       .kind = COMMAND_CUSTOM,
       .offset = CMD_PLACE(points),
       .take = take_points,
-      .wants = "numbers that rise, up to 65535, with commas between",
-      .help = "these lengths (queue, length: 1, 2, 4 .. 65535, 2000)" },
+      .wants = "ascending numbers up to 65535, separated by commas",
+      .help = "lengths for queue and length (1, 2, 4 .. 65535, 2000)" },
     CMD_SIZE(256, 256),
     CMD_VIEW(0, "10; hits: 37"),
-    CMD_MODE(queue_mode_choice, "of the queues; kernels is that of 1984"),
+    CMD_MODE(queue_mode_choice, "form of the queues; kernels is that of 1984"),
     CMD_QUEUE("rays in the queue (pipes, hits)"),
     CMD_ORDER(ORDER_ROWS),
     CMD_MODEL,
@@ -325,7 +323,7 @@ static const struct command_option operands[] = {
       .kind = COMMAND_CHOICE,
       .offset = CMD_PLACE(sweep),
       .choice = kind_choice,
-      .help = "what changes" },
+      .help = "the quantity that changes" },
     { .value = "SCENE|PRIMITIVE",
       .kind = COMMAND_INPUT,
       .offset = CMD_PLACE(scene),
@@ -335,16 +333,15 @@ static const struct command_option operands[] = {
 static const struct command_example examples[] = {
     { "rt205 sweep queue SCENE|PRIMITIVE", "lengths of the queue" },
     { "rt205 sweep pipes SCENE|PRIMITIVE", "1, 2, 4 pipes; 64, 32 bits" },
-    { "rt205 sweep hits PRIMITIVE", "how many of the rays hit it" },
+    { "rt205 sweep hits PRIMITIVE", "the share of the rays that hit it" },
     { "rt205 sweep length SCENE|PRIMITIVE",
-      "as many rays as the queue is long: where a queue costs less than "
-      "scalar code" },
+      "one queue of rays: the length from which queues cost less than scalar code" },
     { NULL, NULL }
 };
 
 const struct command sweep_command = {
     .name = "sweep",
-    .summary = "clocks per ray as one thing changes, as table and plot",
+    .summary = "clocks per ray against one quantity, as table and plot",
     .function = run_command_line,
     .options = options,
     .operands = operands,

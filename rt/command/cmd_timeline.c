@@ -22,8 +22,8 @@ static bool find_stretch(const struct rt205_arguments *arguments,
         stretch->to = arguments->to;
     if (stretch->from >= stretch->to)
         return error_set(error,
-                         "of the queue, clocks %" PRIu64 " to %" PRIu64
-                         ", nothing is left",
+                         "the range of clocks %" PRIu64 " to %" PRIu64
+                         " is empty: change --from or --to",
                          stretch->from, stretch->to);
     return !arguments->region
            || pixel_region_clocks(pixel, arguments->region, stretch, error);
@@ -50,13 +50,12 @@ static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
         return error_set(error, "no memory");
     if (timeline->full)
         return error_set(error,
-                         "these are more than %d instructions: choose some by "
-                         "--region NAME, --from CLOCK and --to CLOCK, or a "
-                         "shorter --queue; the queue is at work in clocks "
-                         "%" PRIu64 " to %" PRIu64,
+                         "more than %d instructions: select fewer with --region "
+                         "NAME, --from CLOCK and --to CLOCK, or a shorter --queue; "
+                         "the range is clocks %" PRIu64 " to %" PRIu64,
                          MAX_TIMELINE, timeline->from, timeline->to);
     return timeline->insn_count > 0
-           || error_set(error, "no instruction is at work then");
+           || error_set(error, "no instruction runs in this range of clocks");
 }
 
 static bool save(const struct rt205_arguments *arguments,
@@ -129,12 +128,14 @@ static int run_command_line(void *given)
     struct rt205_arguments *arguments = given;
 
     if (!arguments->output)
-        return cmd_usage(arguments->command, "where to? -o FILE");
+        return cmd_usage(arguments->command, "expected -o FILE");
     if (!timeline_is_named(arguments->output))
-        return cmd_usage(arguments->command, "%s: a timeline is .svg, .kanata or .json",
+        return cmd_usage(arguments->command,
+                         "%s: the name of a timeline must end in "
+                         ".svg, .kanata or .json",
                          arguments->output);
     if (arguments->from != C205_NO_LIMIT && arguments->from >= arguments->to)
-        return cmd_usage(arguments->command, "--from is before --to");
+        return cmd_usage(arguments->command, "--from must be below --to");
     return cmd_check_pixel(arguments) == CMD_DONE
                ? cmd_with_machine(arguments, trace_and_draw)
                : CMD_USAGE;
@@ -148,25 +149,26 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(output),
       .help = ".svg, a picture; .kanata, for Konata; .json, trace events for "
               "Perfetto" },
-    CMD_PIXEL("pixel", "the queue that its ray is in (the middle one)"),
+    CMD_PIXEL("pixel", "show the queue with the ray of this pixel (default: the "
+                       "centre)"),
     { .name = "region",
       .value = "NAME",
       .kind = COMMAND_TEXT,
       .offset = CMD_PLACE(region),
-      .help = "of that the first time that control is in this region" },
+      .help = "show only the first execution of this region in the queue" },
     { .name = "from",
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
       .offset = CMD_PLACE(from),
-      .help = "what is at work from that clock of the band on (where the "
-              "queue begins)" },
+      .help = "show instructions from this clock of the band on (default: the start "
+              "of the queue)" },
     { .name = "to",
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
       .offset = CMD_PLACE(to),
-      .help = "before that clock (where the queue is done with)" },
+      .help = "show instructions before this clock (default: the end of the queue)" },
     CMD_SIZE(640, 480),
-    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
+    CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
     CMD_ORDER(ORDER_DEFAULT),
     CMD_MODEL,
@@ -177,7 +179,7 @@ static const struct command_option options[] = {
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 timeline SCENE --pixel 320,240 --region sphere -o sphere.svg",
-      "a queue meets a sphere" },
+      "a queue in the kernel of the sphere" },
     { "rt205 timeline SCENE --mode scalar -o pixel.kanata",
       "a pixel in the serial form, for Konata" },
     { NULL, NULL }
@@ -190,7 +192,7 @@ const struct command timeline_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details = "A queue is taken from where its rays are made to where their "
-               "colours are stored; of the serial form it is one pixel, with all "
-               "that comes of its ray.",
+    .details = "The timeline of a queue begins where its rays are generated and ends "
+               "where their colours are stored. In serial form it shows one pixel, "
+               "with all rays that its camera ray spawns.",
 };

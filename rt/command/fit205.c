@@ -38,7 +38,7 @@ static bool is_read(bool good, const char *path, struct diagnostics *diagnostics
     diagnostics_print(diagnostics, stderr);
     diagnostics_free(diagnostics);
     if (!good)
-        error_set(error, "%.200s cannot be used", path);
+        error_set(error, "cannot use %.200s", path);
     return good;
 }
 
@@ -83,7 +83,7 @@ static bool hold_out(const struct arguments *arguments, const struct observation
             if (strcmp(all->items[k].name, arguments->held.items[i]) == 0)
                 study->held.held[k] = found = true;
         if (!found)
-            return error_set(error, "there is no observation '%.100s'",
+            return error_set(error, "unknown observation '%.100s'",
                              arguments->held.items[i]);
     }
     return true;
@@ -179,17 +179,17 @@ static const struct command_option options[] = {
       .kind = COMMAND_FOLDER,
       .offset = PLACE(data),
       .preset_text = "rt/study/fit",
-      .help = "constants.csv, observations, programs" },
+      .help = "folder of constants.csv, observations and programs" },
     { .name = "hold-out",
       .value = "NAME",
       .kind = COMMAND_TEXT,
       .many = true,
       .offset = PLACE(held),
-      .help = "leave that observation out, and compare it" },
+      .help = "exclude this observation from the fit, and compare it" },
     { .name = "brief",
       .kind = COMMAND_FLAG,
       .offset = PLACE(brief),
-      .help = "the fit alone: nothing left out or doubled" },
+      .help = "only the fit, without runs that leave out rows or double priors" },
     { .name = "width",
       .letter = 'W',
       .value = "N",
@@ -198,7 +198,7 @@ static const struct command_option options[] = {
       .least = 1,
       .most = 1000,
       .preset = 32,
-      .help = "rays across a frame in scalar form" },
+      .help = "width of a frame in scalar form, in rays" },
     { .name = "height",
       .letter = 'H',
       .value = "N",
@@ -207,14 +207,14 @@ static const struct command_option options[] = {
       .least = 1,
       .most = 1000,
       .preset = 20,
-      .help = "rays down" },
+      .help = "height of a frame in scalar form, in rays" },
     { .name = "angle",
       .value = "DEGREES",
       .kind = COMMAND_NUMBER,
       .offset = PLACE(angle),
       .most = 180,
       .preset = SPEEDUP_ANGLE,
-      .help = "that a frame's rays span across; all hit at the usual angle" },
+      .help = "horizontal angle of view of a frame; at the default all rays hit" },
     { .name = "jobs",
       .value = "N",
       .kind = COMMAND_COUNT,
@@ -228,8 +228,8 @@ static const struct command_option options[] = {
       .kind = COMMAND_FILE,
       .many = true,
       .offset = PLACE(written),
-      .help = "the fitted model; its name says of which priors: "
-              "cyber205-2pipe.model of cyber205-2pipe-prior" },
+      .help = "write the fitted model; its name selects the priors: "
+              "cyber205-2pipe.model for cyber205-2pipe-prior" },
     OUTPUT_OPTIONS(struct arguments, results),
     COMMAND_END
 };

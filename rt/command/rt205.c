@@ -26,15 +26,14 @@ int main(int argc, char **argv)
     static const struct rt205_arguments arguments = { .from = C205_NO_LIMIT,
                                                       .to = C205_NO_LIMIT };
     static const struct command_example files[] = {
-        { "NAME.pov", "A scene, in the part of POV-Ray's language that is "
-                      "read." },
+        { "NAME.pov", "A scene, in the supported part of POV-Ray's language." },
         { "NAME.model",
-          "A machine model: constants of time, each with unit and source; or "
-          "changes of one that is built in." },
+          "A machine model: time constants, each with unit and source; or changes to "
+          "a built-in model." },
         { "rt205_oiio.so",
-          "What writes pictures, by OpenImageIO: in the folder that the "
-          "environment's RT205_LIBDIR names, beside rt205, or in "
-          "../lib/rt205 of it." },
+          "The library that writes pictures with OpenImageIO. It is searched in the "
+          "folder of the environment variable RT205_LIBDIR, in the folder of rt205, "
+          "and in its ../lib/rt205." },
         { NULL, NULL }
     };
     static const struct command_program program = {

@@ -135,59 +135,59 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_c
 #define CMD_RESUME(what) \
     { .name = "resume", .value = "FILE", .kind = COMMAND_FILE, \
       .many = true, .offset = CMD_PLACE(units.resume), \
-      .help = "keep finished " what " there, go on from those it has; of " \
-              "further files take theirs, too" }
+      .help = "store finished " what " in FILE and continue from those it has; " \
+              "read those of further files, too" }
 #define CMD_PART(what) \
     { .name = "part", .value = "K/N", .kind = COMMAND_CUSTOM, \
       .offset = CMD_PLACE(units.job_set), .take = cmd_take_part, \
-      .wants = "two numbers, the first not above the second: 1/4", \
-      .help = "the K-th of N shares of the " what " alone, kept by --resume" }
+      .wants = "K/N, with K between 1 and N, such as 1/4", \
+      .help = "only the K-th of N shares of the " what ", stored by --resume" }
 #define CMD_RANKS \
-    { CMD_COUNT("ranks", units.ranks, 1, MAX_RANKS, 0, "processes, by MPI"), \
-      .preset_text = "this one" }
+    { CMD_COUNT("ranks", units.ranks, 1, MAX_RANKS, 0, "MPI processes"), \
+      .preset_text = "this process" }
 #define CMD_VIEW(usual, usual_text) \
     { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
       .offset = CMD_PLACE(view.distance), .most = 1e6, \
       .preset = SPEEDUP_DISTANCE, \
-      .help = "from the eye to the middle of the shape" }, \
+      .help = "distance from the eye to the centre of the shape" }, \
     { .name = "angle", .value = "DEGREES", .kind = COMMAND_NUMBER, \
       .offset = CMD_PLACE(view.angle), .most = 180, .preset = usual, \
-      .preset_text = usual_text, .help = "that the rays span across" }
+      .preset_text = usual_text, .help = "horizontal angle of view" }
 #define CMD_MODE(choices, what) \
     { .name = "mode", .value = "MODE", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.mode), .choice = choices, \
       .preset = TRACE_VECTOR, .help = what }
 #define CMD_BOUNDS \
     CMD_FLAG("historical", trace.historical, \
-             "cylinders and Steiner patches the way of 1984"), \
+             "use the methods of 1984 for cylinders and Steiner patches"), \
     CMD_FLAG("no-bounds", trace.no_bounds, \
-             "every ray goes against every primitive"), \
+             "test every ray against every primitive"), \
     CMD_FLAG("flat", trace.flat, \
-             "regions in the scene's order and trees as they are written, " \
-             "without a hierarchy"), \
+             "use no hierarchy: regions in the order of the scene, CSG trees " \
+             "as written"), \
     { .name = "visible", .value = "WAY", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.visible), .choice = cmd_visible_choice, \
-      .help = "crossings of solids, vector form" }
+      .help = "method for CSG solids in vector form" }
 #define CMD_SAMPLES \
     { CMD_COUNT("samples", trace.samples, 1, MAX_TRACE_SAMPLES, 1, \
-                "N x N rays a pixel, averaged") }
+                "N x N rays per pixel, averaged") }
 #define CMD_THRESHOLD \
     { .name = "threshold", .value = "T", .kind = COMMAND_NUMBER, \
       .offset = CMD_PLACE(trace.threshold), .most = 1000, \
-      .help = "the samples are for pixels alone whose colour differs by as much " \
+      .help = "take the samples only in pixels whose colour differs by T or more " \
               "from a neighbour's; all others have one ray" }
 #define CMD_ORDER(usual) \
     { .name = "order", .value = "ORDER", .kind = COMMAND_CHOICE, \
       .offset = CMD_PLACE(trace.order), .choice = cmd_order_choice, \
-      .preset = usual, .help = "pixels of a queue; by default tiles in vector form" }
+      .preset = usual, .help = "order of the pixels; by default tiles in vector form" }
 #define CMD_READ \
     CMD_FLAG("strict", strict, \
-             "what would be replaced or left out is an error"), \
+             "report replaced or ignored features as errors"), \
     COMMAND_OPTION_INCLUDE(CMD_PLACE(search))
 #define CMD_PIXEL(option, what) \
     { .name = option, .value = "X,Y", .kind = COMMAND_CUSTOM, \
       .offset = CMD_PLACE(pixel), .take = cmd_take_pixel, \
-      .wants = "column and row of a pixel, from 0 on: 12,7", .help = what }
+      .wants = "column and row of a pixel, counted from 0, such as 12,7", .help = what }
 #define CMD_SCENE \
     { .value = "SCENE", .kind = COMMAND_INPUT, .offset = CMD_PLACE(scene), \
       .help = "a scene file" }
