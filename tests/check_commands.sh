@@ -447,7 +447,7 @@ tells out "^all  *-*[0-9]"
 tells heat.json "\"flows\""
 heat_shell 0 --temperature Shell=adiabatic --temperature environment=20
 heat_shell 1
-tells err "no temperature is known of: Shell; --temperature NAME=KELVINS, or default=300"
+tells err "no temperature is set for: Shell; use --temperature NAME=KELVINS, or default=300"
 heat_shell 1 --temperature Lid=3
 tells err "no part and no material is called 'Lid'; parts: Ball, Shell"
 heat_shell 1 --temperature Shell=-3
@@ -460,9 +460,9 @@ cat >room.pov <<'END'
 object { Room } object { Ball }
 END
 ends 1 "$build/rt205" heat room.pov --by part --rays 64 --exchange --temperature default=adiabatic
-tells err "the exchange has no solution: surface [A-Z][a-z]* is of some that are adiabatic"
+tells err "the exchange has no solution: surface [A-Z][a-z]* belongs to a group of adiabatic surfaces"
 ends 1 "$build/rt205" heat floor.pov --rays 64 --exchange --temperature default=300
-tells err "surface 1, the plane of line 1, receives alone"
+tells err "surface 1, the plane of line 1, receives radiation but emits none"
 heat_shell 0 --temperature Shell=300 --smooth -W 40 -H 30 -o flows.png
 tells out "^picture flows.png: flow from -.* W/m^2; "
 tells out "^Smoothed factors:"
@@ -481,7 +481,7 @@ tells err "^rt205 heat: --hits requires --from NAME"
 heat_hits 1 --from Stove
 tells err "no part and no material is called 'Stove'"
 heat_hits 1 --from Tube
-tells err "the disc of line 1 is no solid cylinder"
+tells err "the disc of line 1 is not a separate solid cylinder"
 rows lines_and_mass
 [ "$(sed '1d; /^stage/,$d' out)" = "$(sed '1d; /^stage/,$d' vector)" ]
 verdict $? "scalar and vector form find other masses"
@@ -526,7 +526,7 @@ tells out '^lane .VECTOR.$'
 ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -x bad.lines
 tells out '^error: there is no .stpe.: was it step?$'
 ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 --samples 2
-tells err 'a pixel of this frame has 2 x 2 rays: only one alone is followed$'
+tells err 'a pixel of this frame has 2 x 2 rays: only a pixel with one ray can be followed$'
 ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 40,15
 ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -o never.png
 tells err '--debug cannot be combined with'

@@ -52,7 +52,7 @@ static void put_place(struct record *record, const struct primitive *primitive,
 
     if (!transform_invert(&map, &inverse))
         layout_fail(record->layout,
-                    "the object of line %zu has no volume to be moved in",
+                    "the transformation of the object of line %zu cannot be inverted",
                     primitive->line);
     record_numbers(record, "EMISSION_AREA", &area, 1);
     record_numbers(record, "EMISSION_TO_WORLD", map.rows[0], 12);
@@ -137,13 +137,15 @@ static const char *const programs[TRACE_FORMS] = {
 static bool check_options(const struct emission_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_FORMS)
-        return error_set(error, "emission is scalar or vector");
+        return error_set(error, "the form of emission must be scalar or vector");
     if (options->points < 1 || options->points > MAX_EMISSION)
-        return error_set(error, "%zu points: 1 .. %d", options->points, MAX_EMISSION);
+        return error_set(error, "%zu points: the number must be between 1 and %d",
+                         options->points, MAX_EMISSION);
     if (options->mode == TRACE_VECTOR
         && (options->queue < 1 || options->queue > MAX_EMISSION))
-        return error_set(error, "a queue of %zu points: 1 .. %d", options->queue,
-                         MAX_EMISSION);
+        return error_set(error,
+                         "a queue of %zu points: the length must be between 1 and %d",
+                         options->queue, MAX_EMISSION);
     return true;
 }
 
@@ -168,7 +170,7 @@ static const char *find_emitter(const struct primitive *primitive,
 
     *emitter = (struct emitter){ .to_own = placement_none.to_world };
     return shape->emit ? shape->emit(primitive, emitter)
-                       : "its surface is found by lines alone";
+                       : "only lines can sample its surface";
 }
 
 const char *emission_refusal(const struct primitive *primitive)

@@ -19,7 +19,9 @@ static bool check_surface(const struct exchange_given *given, size_t i,
     if (!(given->area[i] > 0) || !isfinite(given->area[i]))
         return error_set(error, "surface %s has no area", given->names[i]);
     if (!is_share(given->emissivity[i]))
-        return error_set(error, "the emissivity %g of surface %s is not 0 to 1",
+        return error_set(error,
+                         "the emissivity %g of surface %s must be between 0 "
+                         "and 1",
                          given->emissivity[i], given->names[i]);
     if (given->emissivity[i] > 0 && !(given->temperature[i] >= 0))
         return error_set(error, "surface %s has no temperature", given->names[i]);
@@ -29,8 +31,8 @@ static bool check_surface(const struct exchange_given *given, size_t i,
 static bool check(const struct exchange_given *given, c205_error *error)
 {
     if (given->count == 0 || given->count > MAX_EXCHANGE)
-        return error_set(error, "%zu surfaces: 1 .. %d exchange", given->count,
-                         MAX_EXCHANGE);
+        return error_set(error, "%zu surfaces: the number must be between 1 and %d",
+                         given->count, MAX_EXCHANGE);
     if (!(given->outside >= 0))
         return error_set(error, "the environment has no temperature");
     for (size_t i = 0; i < given->count; i++)
@@ -95,9 +97,8 @@ static bool take(const struct exchange_given *given, const c205_word *made,
 
     if (singular > 0)
         return error_set(error,
-                         "the exchange has no solution: surface %s is of "
-                         "some that are adiabatic and see none but each "
-                         "other",
+                         "the exchange has no solution: surface %s belongs to a "
+                         "group of adiabatic surfaces that see only each other",
                          given->names[singular - 1]);
     for (size_t i = 0; i < n; i++) {
         exchange->radiosity[i] = c205_to_double(made[i]);

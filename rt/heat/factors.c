@@ -19,11 +19,12 @@ struct factors *factors_new(const struct scene *scene,
     struct factors *factors;
 
     if (options->points < 1 || options->points > MAX_FACTORS_POINTS) {
-        error_set(error, "%zu points: 1 .. %d", options->points, MAX_FACTORS_POINTS);
+        error_set(error, "%zu points: the number must be between 1 and %d",
+                  options->points, MAX_FACTORS_POINTS);
         return NULL;
     }
     if (options->repeats < 2) {
-        error_set(error, "errors come of two repeats or more");
+        error_set(error, "at least two repeats are required for errors");
         return NULL;
     }
     factors = calloc(1, sizeof *factors);
@@ -275,7 +276,7 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     if (!coming->packets && !begin_coming(work, coming))
         return error_set(error, "no memory");
     if (!packet_take(&coming->packets[unit % count], words))
-        return error_set(error, "a packet has no words");
+        return error_set(error, "the result of a packet is incomplete");
     if (++coming->count < count)
         return true;
     if (!conclude(work->programs, coming->packets, &work->rows[i]))

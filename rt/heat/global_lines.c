@@ -54,8 +54,8 @@ static bool join_box(const struct bound *bound, const struct region *region,
 {
     if (bound_is_none(bound))
         return error_set(error,
-                         "line %zu has no end that is known: no sphere is "
-                         "about it, through which lines could go",
+                         "the object of line %zu has unknown bounds: lines need a "
+                         "sphere around the scene",
                          region->line);
     for (int i = 0; i < 3; i++) {
         low[i] = fmin(low[i], bound->low[i]);
@@ -99,14 +99,12 @@ static bool check(const struct scene *scene, const struct global_lines_options *
     if (scene->primitive_count == 0)
         return error_set(error, "the scene has no surfaces");
     if (surface_count(scene, options) > MAX_SURFACES)
-        return error_set(error,
-                         "lines count for at most %d surfaces, the scene "
-                         "has %zu",
+        return error_set(error, "lines allow at most %d surfaces; the scene has %zu",
                          MAX_SURFACES, surface_count(scene, options));
     if (options->repeats < 2)
-        return error_set(error, "errors come of two repeats or more");
+        return error_set(error, "at least two repeats are required for errors");
     if (options->lines_log > MAX_GLOBAL_LINES_LOG)
-        return error_set(error, "a repeat has at most 2^%d lines",
+        return error_set(error, "at most 2^%d lines are allowed in a repeat",
                          MAX_GLOBAL_LINES_LOG);
     return true;
 }
@@ -427,7 +425,7 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
         add_gaps(work, unit, cell, result_take(words));
     }
     accounts_free(&accounts);
-    return good || error_set(error, "a packet has no words");
+    return good || error_set(error, "the result of a packet is incomplete");
 }
 
 /* Opens the files with a key of all that packets depend on, in addition to the

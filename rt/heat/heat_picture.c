@@ -50,9 +50,7 @@ static bool find_from(struct heat_drawing *drawing)
     if (drawing->from < surfaces->count && surfaces->list[drawing->from].sent > 0)
         return true;
     error_set(drawing->error,
-              "no surface is called '%s', or nothing comes "
-              "from it; surfaces",
-              name);
+              "unknown surface '%s', or a surface that emits nothing; surfaces", name);
     for (size_t i = 0; i < surfaces->count; i++)
         if (surfaces->list[i].sent > 0)
             named_parts_add_name(drawing->error, i == 0 ? ": " : ", ",
@@ -92,7 +90,7 @@ static bool find_range(const struct heat_drawing *drawing)
         drawn->most = fmax(drawn->most, drawing->values[i]);
     }
     return drawn->least <= drawn->most
-           || error_set(drawing->error, "nothing has a value to be drawn");
+           || error_set(drawing->error, "no surface has a value to draw");
 }
 
 static bool find_values(struct heat_drawing *drawing)

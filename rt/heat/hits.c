@@ -99,14 +99,13 @@ static bool list_cylinders(const struct hits_work *work)
             || !put_cylinder(primitive,
                              work->cylinders + CYLINDER_WORDS * work->hits->cylinders))
             return error_set(work->error,
-                             "the %s of line %zu is no solid cylinder by "
-                             "itself: of others it is not known here whether "
-                             "rays strike them",
+                             "the %s of line %zu is not a separate solid cylinder: "
+                             "--hits supports no other objects",
                              primitive_kind_name(primitive->kind), primitive->line);
         work->hits->cylinders++;
     }
     return work->hits->cylinders > 0
-           || error_set(work->error, "there is no cylinder to be struck");
+           || error_set(work->error, "the scene has no cylinder to test");
 }
 
 /* ---- A repeat

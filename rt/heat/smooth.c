@@ -20,7 +20,8 @@ static bool check(const struct smooth_given *given, c205_error *error)
     size_t n = given->count;
 
     if (n == 0 || n > MAX_SMOOTH)
-        return error_set(error, "%zu surfaces: 1 .. %d are smoothed", n, MAX_SMOOTH);
+        return error_set(error, "%zu surfaces: the number must be between 1 and %d", n,
+                         MAX_SMOOTH);
     for (size_t i = 0; i < n; i++) {
         if (!(given->areas[i] > 0) || !isfinite(given->areas[i]))
             return error_set(error, "surface %s has no area", given->names[i]);
@@ -28,8 +29,7 @@ static bool check(const struct smooth_given *given, c205_error *error)
             if (!is_positive(given->flows[i * (n + 1) + j])
                 || !is_positive(given->variances[i * (n + 1) + j]))
                 return error_set(error,
-                                 "a flow of surface %s, or its variance, is "
-                                 "below 0",
+                                 "a flow of surface %s or its variance is below 0",
                                  given->names[i]);
     }
     return true;
@@ -91,9 +91,8 @@ static bool take(const struct smooth_given *given, const c205_word *made, double
 
     if (singular > 0)
         return error_set(error,
-                         "factors cannot be smoothed: surface %s is of "
-                         "some that see none but each other, and their areas "
-                         "leave no way",
+                         "factors cannot be smoothed: surface %s belongs to a group "
+                         "that sees only itself, and its areas allow no solution",
                          given->names[singular - 1]);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j <= n; j++)
@@ -212,8 +211,8 @@ static bool list_seen(struct smoothing *smoothing, c205_error *error)
 
         if (surface->receives_alone)
             return error_set(error,
-                             "factors cannot be smoothed: surface %s, the %s "
-                             "of line %zu, receives alone",
+                             "factors cannot be smoothed: surface %s, the %s of line "
+                             "%zu, receives radiation but emits none",
                              surface->name, primitive_kind_name(surface->first->kind),
                              surface->first->line);
         if (surface->sent == 0)
@@ -221,7 +220,7 @@ static bool list_seen(struct smoothing *smoothing, c205_error *error)
         smoothing->names[smoothing->count] = surface->name;
         smoothing->seen[smoothing->count++] = i;
     }
-    return smoothing->count > 0 || error_set(error, "nothing is seen");
+    return smoothing->count > 0 || error_set(error, "no surface is visible");
 }
 
 static bool smooth(const struct smoothing *smoothing, enum trace_mode mode,

@@ -70,7 +70,7 @@ static const char *refusal_of(const struct scene *scene, const struct bound *bou
     if (refusal && bound_is_none(&bounds[primitive]))
         return scene->primitives[primitive].kind == PRIMITIVE_PLANE
                    ? refusal
-                   : "it has no end that is known, and so no emission";
+                   : "its bounds are unknown, so it cannot emit";
     return NULL;
 }
 
@@ -248,8 +248,8 @@ static bool make_spots(const struct heat_source *source, const c205_word *lines,
     made->count = found->first[found->line_count];
     if (made->count > MAX_EMISSION)
         return error_set(error,
-                         "the %s of line %zu is crossed %zu times: %d at "
-                         "most; take fewer rays",
+                         "the %s of line %zu has %zu crossings; at most %d are "
+                         "allowed: use fewer rays",
                          primitive_kind_name(source->primitive.kind),
                          source->primitive.line, made->count, MAX_EMISSION);
     crossings = lay_crossings(found);

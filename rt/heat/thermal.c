@@ -69,14 +69,14 @@ static bool list_surfaces(const struct thermal_work *work)
 
         if (surface->receives_alone)
             return error_set(work->error,
-                             "surface %s, the %s of line %zu, receives "
-                             "alone: nothing is known of what it gives",
+                             "surface %s, the %s of line %zu, receives radiation but "
+                             "emits none: its flow is unknown",
                              surface->name, primitive_kind_name(surface->first->kind),
                              surface->first->line);
         if (surface->sent > 0)
             thermal->surface[thermal->count++] = i;
     }
-    return thermal->count > 0 || error_set(work->error, "nothing is seen");
+    return thermal->count > 0 || error_set(work->error, "no surface is visible");
 }
 
 static bool find_values(const struct thermal_work *work)
@@ -85,7 +85,7 @@ static bool find_values(const struct thermal_work *work)
     const char *separator = ": ";
     bool good = true;
 
-    error_set(work->error, "no temperature is known of");
+    error_set(work->error, "no temperature is set for");
     for (size_t i = 0; i < thermal->count; i++) {
         take_values(work, i);
         if (!isnan(thermal->temperature[i]))
@@ -97,7 +97,7 @@ static bool find_values(const struct thermal_work *work)
     }
     if (!good)
         named_parts_add_name(work->error, "; ",
-                             "--temperature NAME=KELVINS, or default=300");
+                             "use --temperature NAME=KELVINS, or default=300");
     return good;
 }
 
@@ -122,8 +122,8 @@ static bool check_parts(const struct thermal_work *work)
             || !alike(named_of_part(work->emissivities, part),
                       named_of_part(work->emissivities, first)))
             return error_set(work->error,
-                             "surface %s is of parts with other temperatures "
-                             "or emissivities, %s and %s",
+                             "surface %s has parts with different temperatures or "
+                             "emissivities, %s and %s",
                              surface->name, first->name, part->name);
     }
     return true;

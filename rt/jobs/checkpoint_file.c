@@ -184,7 +184,7 @@ bool checkpoint_add(struct checkpoint_file *file, uint64_t number,
     if (words->failed || fseek(file->stream, file->end, SEEK_SET) != 0
         || !write_unit(file->stream, number, words)
         || !note_unit(file, number, file->end))
-        return error_set(error, "%.100s: a unit of work cannot be added", file->path);
+        return error_set(error, "cannot write a unit of work to %.100s", file->path);
     file->end = ftell(file->stream);
     return true;
 }
@@ -196,10 +196,10 @@ static bool read_head(FILE *stream, uint64_t key, c205_error *error)
     uint64_t magic = 0, of = 0;
 
     if (!read_word(stream, &magic) || !read_word(stream, &of) || magic != MAGIC)
-        return error_set(error, "it does not hold units of work");
+        return error_set(error, "the file does not hold units of work");
     return of == key
-           || error_set(error, "it is of another run: another scene, other "
-                               "options, or another version");
+           || error_set(error, "the file belongs to another run: another scene, "
+                               "other options, or another version");
 }
 
 static bool write_head(FILE *stream, uint64_t key)
@@ -338,7 +338,7 @@ static FILE *open_other(const struct checkpoint_file *file, const char *path,
 
     if (fstat(fileno(file->stream), &kept) == 0 && stat(path, &named) == 0
         && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino) {
-        error_set(error, "it is named twice");
+        error_set(error, "the file is named twice");
         return NULL;
     }
     stream = fopen(path, "rb");

@@ -25,17 +25,14 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
 
     if (!dynamic_find(RANKS_FILE, path, &why)) {
         error_set(error,
-                  "ranks: %.160s: make mpi builds it, of the package "
+                  "ranks: %.160s: build it with make mpi, which requires the package "
                   "libopenmpi-dev",
                   why.message);
         return NULL;
     }
     table = dynamic_open(path, RANKS_SYMBOL, true, &why);
     if (!table)
-        error_set(error,
-                  "ranks: %.160s: the package openmpi-bin has what is "
-                  "missing",
-                  why.message);
+        error_set(error, "ranks: %.160s: install the package openmpi-bin", why.message);
     return table;
 }
 
@@ -44,7 +41,7 @@ bool ranks_join(struct ranks *ranks, c205_error *error)
     *ranks = (struct ranks){ .adapter = find_adapter(error) };
     return ranks->adapter
            && (ranks->adapter->begin(&ranks->rank, &ranks->count)
-               || error_set(error, "ranks: MPI cannot be begun"));
+               || error_set(error, "ranks: cannot start MPI"));
 }
 
 /* ---- Messages ------------------------------------------------------------ */

@@ -83,7 +83,7 @@ static bool load_block(const struct image_block *block, c205 *machine,
         return false;
     return !block->words
            || c205_write(machine, block->address, block->words, block->count)
-           || error_set(error, "nothing is mapped at %012llX",
+           || error_set(error, "address %012llX is not mapped",
                         (unsigned long long)block->address);
 }
 

@@ -31,8 +31,8 @@ static bool join_box(const struct bound *bound, const struct region *region,
 {
     if (bound_is_none(bound)) {
         return error_set(error,
-                         "the solid of line %zu has no end that is known: its volume "
-                         "cannot be found",
+                         "the solid of line %zu has unknown bounds: its volume "
+                         "cannot be computed",
                          region->line);
     }
     for (int i = 0; i < 3; i++) {
@@ -405,7 +405,7 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     result_take_all(words, work->words + unit * width, width);
     result_take_all(words, work->clocks[unit], COLUMNS_STAGES);
     work->crossings[unit] = result_take(words);
-    return !words->failed || error_set(error, "a packet has no words");
+    return !words->failed || error_set(error, "the result of a packet is incomplete");
 }
 
 /* Opens the files with a key of all that packets depend on. If a run has several
@@ -488,18 +488,18 @@ static bool check_options(const struct scene *scene,
                           const struct columns_options *options, c205_error *error)
 {
     if (options->rays_log > MAX_COLUMNS_LOG)
-        return error_set(error, "at most 2^20 rays of a view under a shift");
+        return error_set(error, "at most 2^20 rays of a view are allowed in a shift");
     if (options->repeats == 0)
-        return error_set(error, "one shift at least");
+        return error_set(error, "at least one shift is required");
     if (scene->region_count == 0)
         return error_set(error, "the scene has no bodies");
     if (options->part_count > MAX_COLUMNS_PARTS)
-        return error_set(error, "%zu parts are too many: there may be %d",
+        return error_set(error, "the scene has %zu parts; at most %d are allowed",
                          options->part_count, MAX_COLUMNS_PARTS);
     if (options->overlaps && options->overlaps->count > MAX_COLUMNS_PAIRS)
-        return error_set(
-            error, "%zu pairs of parts may overlap: of %d at most it is found how much",
-            options->overlaps->count, MAX_COLUMNS_PAIRS);
+        return error_set(error,
+                         "%zu pairs of parts may overlap; at most %d are allowed",
+                         options->overlaps->count, MAX_COLUMNS_PAIRS);
     return true;
 }
 

@@ -20,7 +20,7 @@ bool densities_find(const struct named_values *given, const struct named_parts *
     const char *separator = ": ";
     bool good = true;
 
-    error_set(error, "no density is known of");
+    error_set(error, "no density is set for");
     for (size_t i = 0; i < parts->count; i++) {
         const struct named_part *part = &parts->list[i];
 
@@ -35,6 +35,6 @@ bool densities_find(const struct named_values *given, const struct named_parts *
     }
     if (!good)
         named_parts_add_name(error, "; ",
-                             "--density NAME=VALUE, or --density default=1");
+                             "use --density NAME=VALUE, or --density default=1");
     return good;
 }

@@ -23,7 +23,7 @@ static bool take_densities(const struct mass *mass, struct named_values *densiti
     good = good && named_check(densities, &mass->parts, NULL, error);
     if (good && request->density_file
         && !named_read(densities, request->density_file, reports))
-        return error_set(error, "the file of densities is not used");
+        return error_set(error, "cannot use the file of densities");
     return good && named_add_scene(densities, mass->scene, error);
 }
 

@@ -215,9 +215,7 @@ void picture_loaded(struct picture_loader *loader)
 
 static bool fail_ending(const char *path, struct picture_error *error)
 {
-    return fail(error,
-                "%s: the ending of a picture is .png, .jpg, .exr "
-                "or .tif",
+    return fail(error, "%s: the name of a picture must end in .png, .jpg, .exr or .tif",
                 path);
 }
 
@@ -353,7 +351,7 @@ bool picture_rows(struct picture *picture, const struct frame *part,
     struct picture_error why;
     size_t first = picture->rows, last = first + part->height;
     if (part->width != image->width || last > image->height)
-        return fail(error, "%s: rows that it has not", picture->path);
+        return fail(error, "%s: the rows are outside of the picture", picture->path);
     float *samples = malloc(part->width * part->height * image->channels
                             * sizeof *samples);
     if (!samples)

@@ -39,7 +39,7 @@ const int TIFF_PALETTE = 3;
 void require(bool good, const std::string &message)
 {
     if (!good)
-        throw std::runtime_error(message.empty() ? "the file is broken" : message);
+        throw std::runtime_error(message.empty() ? "the file is damaged" : message);
 }
 
 // Runs the body. Converts an exception to its message and returns false.
@@ -53,7 +53,7 @@ template <class Error, class Body> bool guarded(Error *error, Body body)
     } catch (const std::exception &caught) {
         std::snprintf(error->message, sizeof error->message, "%s", caught.what());
     } catch (...) {
-        std::snprintf(error->message, sizeof error->message, "unknown failure");
+        std::snprintf(error->message, sizeof error->message, "unknown error");
     }
     return false;
 }
@@ -256,10 +256,10 @@ void describe(const OIIO::ImageSpec &spec, raster &image)
             "it has more than four channels");
     require(spec.format == OIIO::TypeDesc::UINT8
                 || spec.format == OIIO::TypeDesc::UINT16,
-            "its samples are not whole numbers of 16 bits at most");
+            "its samples must be integers of at most 16 bits");
     require(spec.get_int_attribute("tiff:PhotometricInterpretation") != TIFF_PALETTE,
-            "its pixels are numbers of colours in a table, which cannot be "
-            "read of a TIFF file");
+            "its pixels are indices of a colour table, which is not supported in a "
+            "TIFF file");
     image.width = width;
     image.height = height;
     image.channels = static_cast<size_t>(spec.nchannels);

@@ -96,8 +96,7 @@ static bool take_comma(struct polynomial_line *line)
 {
     if (line->at == line->end)
         return bad(line, line->at,
-                   "expected a comma: a line holds "
-                   "c4,c3,c2,c1,c0 and perhaps a bound");
+                   "expected a comma: a line has c4,c3,c2,c1,c0 and an optional bound");
     line->at++;
     return true;
 }

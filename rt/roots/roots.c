@@ -51,7 +51,7 @@ static bool write_symbol(struct root_search *search, const char *name, c205_word
 
     if (symbol && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
         return true;
-    return error_set(error, "the program has no place %s", name);
+    return error_set(error, "cannot write the symbol %s of the program", name);
 }
 
 static bool read_symbol(const struct root_search *search, const char *name,

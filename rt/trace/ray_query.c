@@ -83,13 +83,14 @@ static bool lay_out(struct ray_query *query, c205_error *error)
 static bool check_options(const struct ray_query_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_MODES)
-        return error_set(error, "lines have a scalar form, a vector form and "
-                                "the one of 1984");
+        return error_set(error, "unknown form of lines: expected scalar, vector or "
+                                "kernels");
     if (options->mode != TRACE_SCALAR
         && (options->queue == 0 || options->queue > MAX_TRACE_QUEUE))
-        return error_set(error, "a queue has from 1 to 65535 lines");
+        return error_set(error, "the queue must be between 1 and 65535 lines");
     if (!(options->behind >= 0) || !isfinite(options->behind))
-        return error_set(error, "lines begin at their origins or behind them");
+        return error_set(error, "the distance behind the origins must be finite and "
+                                "not below 0");
     return true;
 }
 
@@ -318,9 +319,7 @@ static bool check_lines(const struct scene_ray *list, size_t count, c205_error *
 {
     for (size_t i = 0; i < count; i++)
         if (!is_line(&list[i]))
-            return error_set(error,
-                             "line %zu has no direction, or numbers that "
-                             "are not finite",
+            return error_set(error, "line %zu must have a direction and finite numbers",
                              i);
     return true;
 }

@@ -109,14 +109,14 @@ static bool check_threshold(const struct trace_options *options,
     if (options->threshold == 0)
         return true;
     if (!(options->threshold > 0) || isinf(options->threshold))
-        why = "a threshold is a number above 0";
+        why = "the threshold must be finite and above 0";
     else if (scene->camera.lens_radius > 0)
-        why = "a threshold does not go with a camera that has a lens: all of "
-              "its pixels need their samples";
+        why = "a threshold cannot be combined with a camera that has a lens: all of "
+              "its pixels need all samples";
     else if (options->samples < 2)
-        why = "a threshold needs samples, 2 across a pixel at least";
+        why = "a threshold requires at least 2 samples across a pixel";
     else if (options->width > MAX_TRACE_COLUMNS)
-        why = "with a threshold a frame has 65534 columns at most";
+        why = "at most 65534 columns are allowed with a threshold";
     if (why)
         error_set(error, "%s", why);
     return !why;

@@ -11,8 +11,8 @@ bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size
 
     if (how->samples > 1)
         return error_set(error,
-                         "a pixel of this frame has %zu x %zu rays: only one "
-                         "alone is followed",
+                         "a pixel of this frame has %zu x %zu rays: only a pixel "
+                         "with one ray can be followed",
                          how->samples, how->samples);
     while (trace_band_row(trace, band + 1) <= y)
         band++;

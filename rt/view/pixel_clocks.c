@@ -119,8 +119,7 @@ bool pixel_region_clocks(const struct frame_pixel *pixel, const char *region,
         return false;
     if (recording.stretch.to == 0)
         return error_set(error,
-                         "control is not in the region %.60s between clocks "
-                         "%llu and %llu",
+                         "the region %.60s does not run between clocks %llu and %llu",
                          region, (unsigned long long)stretch->from,
                          (unsigned long long)stretch->to);
     *stretch = recording.stretch;

@@ -35,7 +35,7 @@ static void put_heading(const struct lane_report *report,
 {
     static const char *const groups[PIXEL_GROUPS] = {
         [PIXEL_QUEUE] = "rays in the queue",
-        [PIXEL_NEAR] = "rays at hand",
+        [PIXEL_NEAR] = "current rays",
         [PIXEL_HITS] = "hits",
     };
     const struct sink *out = report->out;
@@ -80,10 +80,10 @@ static bool show_lane(void *context, struct debugger *debugger, const char *rest
                                  &report);
 
     if (rays == 0)
-        sink_print(report.out, "pixel %zu,%zu is in no queue at hand\n", pixel->x,
+        sink_print(report.out, "pixel %zu,%zu is in no current queue\n", pixel->x,
                    pixel->y);
     return rays == 0 || report.last.length > 0
-           || error_set(error, "no vector that has the pixel's rays is called %.60s",
+           || error_set(error, "no vector of the pixel's rays has the name %.60s",
                         vector);
 }
 
@@ -98,16 +98,16 @@ static bool seek(void *context, struct debugger *debugger, const char *rest,
                  c205_error *error)
 {
     if (rest[strspn(rest, " \t")] != '\0')
-        return error_set(error, "seek needs nothing more:%.60s", rest);
+        return error_set(error, "seek takes no argument:%.60s", rest);
     debugger_seek(debugger, is_made, context);
     return true;
 }
 
 const struct debugger_verb pixel_verbs[] = {
-    { "seek", "", "on to where a queue has been made that a ray of the pixel is in",
-      seek },
+    { "seek", "", "continue until a queue with a ray of the pixel is made", seek },
     { "lane", "[VECTOR]",
-      "what the vectors of the queue at hand have of the pixel's rays", show_lane },
+      "the elements of the pixel's rays in the vectors of the current queue",
+      show_lane },
     { NULL, NULL, NULL, NULL }
 };
 enum { VERBS = sizeof pixel_verbs / sizeof *pixel_verbs - 1 };

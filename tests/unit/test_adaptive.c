@@ -307,8 +307,8 @@ TEST(refused)
 {
     static const char lens[] = "sphere { 0, 1 } camera { location -5*z\n"
                                "aperture .3 focal_point 0 blur_samples 9 }\n";
-    check_refused(shades, 9, 0, .3, "needs samples");
-    check_refused(shades, 9, 1, .3, "needs samples");
+    check_refused(shades, 9, 0, .3, "requires at least 2 samples");
+    check_refused(shades, 9, 1, .3, "requires at least 2 samples");
     check_refused(shades, 9, 3, -.3, "above 0");
     check_refused(shades, 9, 3, NAN, "above 0");
     check_refused(shades, 9, 3, INFINITY, "above 0");

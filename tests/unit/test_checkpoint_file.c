@@ -242,7 +242,7 @@ TEST_WITH(not_merged, set_up, tear_down)
     struct checkpoint_file *other = checkpoint_open(paths[1], KEY + 1, &error);
     assert_non_null(other);
     checkpoint_close(other, false);
-    refuse_merge(file, paths[1], "of another run");
+    refuse_merge(file, paths[1], "belongs to another run");
     checkpoint_close(file, false);
 }
 
@@ -259,7 +259,7 @@ TEST_WITH(of_something_else, set_up, tear_down)
 {
     struct written written;
     write_some(0, &written);
-    refuse(KEY + 1, "of another run");
+    refuse(KEY + 1, "belongs to another run");
     turn_bit(paths[0], 0, 0);
     refuse(KEY, "does not hold units");
     for (long size = HEAD - 1; size > 0; size -= 5) {

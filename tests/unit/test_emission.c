@@ -461,7 +461,7 @@ TEST(refused)
         if (!emits((enum primitive_kind)kind) && kind != PRIMITIVE_PLANE) {
             primitive.kind = (enum primitive_kind)kind;
             assert_no_emission(&primitive, options,
-                               "its surface is found by lines alone");
+                               "only lines can sample its surface");
         }
 }
 

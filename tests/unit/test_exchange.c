@@ -249,13 +249,13 @@ TEST(refused)
                                     .factors = { 0, 1, 0, 1, 0, 0 } };
     struct enclosure other = pair;
     other.emissivity[0] = other.emissivity[1] = 0;
-    refuses(&other, "the exchange has no solution: surface 2 is of some that "
-                    "are adiabatic");
+    refuses(&other, "the exchange has no solution: surface 2 belongs to a group of "
+                    "adiabatic surfaces");
     other = pair;
     other.emissivity[1] = 1.25;
-    refuses(&other, "the emissivity 1.25 of surface 2 is not 0 to 1");
+    refuses(&other, "the emissivity 1.25 of surface 2 must be between 0 and 1");
     other.emissivity[1] = NAN;
-    refuses(&other, "of surface 2 is not 0 to 1");
+    refuses(&other, "of surface 2 must be between 0 and 1");
     other = pair;
     other.temperature[0] = NAN;
     refuses(&other, "surface 1 has no temperature");
@@ -266,7 +266,7 @@ TEST(refused)
     other.outside = -1;
     refuses(&other, "the environment has no temperature");
     other.count = 0;
-    refuses(&other, "0 surfaces: 1 .. 4096 exchange");
+    refuses(&other, "0 surfaces: the number must be between 1 and 4096");
 }
 
 GROUP(set_up_model, tear_down_model);

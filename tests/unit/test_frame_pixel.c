@@ -430,7 +430,7 @@ static void check_session(enum trace_mode mode)
     struct debugger *debugger = debugger_new(&setup, &error);
     assert_non_null(debugger);
     obey(debugger, &said, "lane");
-    assert_non_null(strstr(said.text, "is in no queue at hand"));
+    assert_non_null(strstr(said.text, "is in no current queue"));
     obey(debugger, &said, "seek");
     snprintf(again, sizeof again, "%s", said.text);
     assert_true(pixel_is_made(&pixel, debugger_machine(debugger)));

@@ -187,11 +187,11 @@ TEST(refused)
     assert_true(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
     assert_false(heat_draw(&heat, &look, &drawn, &error));
     assert_string_equal(error.message,
-                        "no surface is called 'Lid', or nothing comes from "
-                        "it; surfaces: Ball, Block, Sheet");
+                        "unknown surface 'Lid', or a surface that emits nothing; "
+                        "surfaces: Ball, Block, Sheet");
     look.shown = SHOWN_FLOW;
     assert_false(heat_draw(&heat, &look, &drawn, &error));
-    assert_string_equal(error.message, "nothing has a value to be drawn");
+    assert_string_equal(error.message, "no surface has a value to draw");
     look.shown = SHOWN_FACTOR;
     look.from = "Ball";
     look.path = "missing/folder.exr";

@@ -212,12 +212,12 @@ TEST(refused)
 {
     refuses(tubes, "Burners", "no part and no material is called 'Burners'");
     refuses("#declare A = sphere { 0, 1 } object { A } sphere { 3*x, 1 }", "A",
-            "the sphere of line 1 is no solid cylinder by itself");
+            "the sphere of line 1 is not a separate solid cylinder");
     refuses("#declare A = sphere { 0, 1 } object { A }"
             " cylinder { 3*x, 4*x, 1 scale <1, 2, 1> }",
-            "A", "no solid cylinder");
+            "A", "not a separate solid cylinder");
     refuses("#declare A = sphere { 0, 1 } object { A }", "A",
-            "there is no cylinder to be struck");
+            "the scene has no cylinder to test");
     refuses("#declare A = plane { y, 0 } object { A }"
             " cylinder { 3*x, 4*x, 1 }",
             "A", "a plane has no end");

@@ -304,12 +304,13 @@ TEST(refused)
         { .mode = TRACE_SCALAR, .behind = INFINITY },
     };
 
-    check_refused(&bad[0], "lines have a scalar form, a vector form and the one of "
-                           "1984");
-    check_refused(&bad[1], "a queue has from 1 to 65535 lines");
-    check_refused(&bad[2], "a queue has from 1 to 65535 lines");
-    check_refused(&bad[3], "lines begin at their origins or behind them");
-    check_refused(&bad[4], "lines begin at their origins or behind them");
+    check_refused(&bad[0], "unknown form of lines: expected scalar, vector or kernels");
+    check_refused(&bad[1], "the queue must be between 1 and 65535 lines");
+    check_refused(&bad[2], "the queue must be between 1 and 65535 lines");
+    check_refused(&bad[3],
+                  "the distance behind the origins must be finite and not below 0");
+    check_refused(&bad[4],
+                  "the distance behind the origins must be finite and not below 0");
 }
 
 TEST(no_lines)
@@ -329,7 +330,7 @@ TEST(no_lines)
     for (size_t i = 0; i < 3; i++) {
         assert_false(ray_query_find(lines, bad[i], 2, &found, &error));
         assert_string_equal(error.message,
-                            "line 1 has no direction, or numbers that are not finite");
+                            "line 1 must have a direction and finite numbers");
         assert_null(found.list);
     }
     assert_true(ray_query_find(lines, NULL, 0, &found, &error));

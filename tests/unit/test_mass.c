@@ -299,7 +299,7 @@ TEST(refused)
     refuses("sphere { 0, 1 }\ndisc { <0,0,3>, z, 2 }",
             "the disc of line 2 is an open surface: it has no volume");
     refuses("sphere { 0, 1 }\nplane { y, 0 }",
-            "the solid of line 2 has no end that is known: its volume cannot be found");
+            "the solid of line 2 has unknown bounds: its volume cannot be computed");
     refuses("", "the scene has no bodies");
     measure_well("intersection { sphere { 0, 1 } sphere { 3*x, 1 }\n"
                  "sphere { 0, 9 } }\nbox { 2, 3 }",
@@ -322,11 +322,12 @@ TEST(too_many_parts)
     options.repeats = 1;
     options.part_count = MAX_COLUMNS_PARTS + 1;
     assert_false(columns_sum(scene, &options, &sums, &error));
-    assert_string_equal(error.message, "4468 parts are too many: there may be 4467");
+    assert_string_equal(error.message, "the scene has 4468 parts; at most 4467 are "
+                                       "allowed");
     options.part_count = 1;
     options.overlaps = &many;
     assert_false(columns_sum(scene, &options, &sums, &error));
-    assert_string_equal(error.message, "16385 pairs of parts may overlap: of 16384 at "
-                                       "most it is found how much");
+    assert_string_equal(error.message, "16385 pairs of parts may overlap; at most "
+                                       "16384 are allowed");
     c205_model_free((c205_model *)options.model);
 }

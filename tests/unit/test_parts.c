@@ -130,8 +130,8 @@ TEST(densities)
     assert_true(named_add_scene(&densities, scene, &error));
     assert_false(densities_find(&densities, &parts, found, &error));
     assert_string_equal(error.message,
-                        "no density is known of: line 10, line 11 (of several "
-                        "materials); --density NAME=VALUE, or --density default=1");
+                        "no density is set for: line 10, line 11 (of several "
+                        "materials); use --density NAME=VALUE, or --density default=1");
     assert_true(named_add(&densities, "default=3", &error));
     assert_true(densities_find(&densities, &parts, found, &error));
     assert_close(found[0], 2, 0);

@@ -280,9 +280,9 @@ struct bad_path {
 };
 
 static const struct bad_path bad_paths[] = {
-    { "a.gif", "the ending of a picture is" },
-    { "png", "the ending of a picture is" },
-    { "x.png/a", "the ending of a picture is" },
+    { "a.gif", "the name of a picture must end in" },
+    { "png", "the name of a picture must end in" },
+    { "x.png/a", "the name of a picture must end in" },
     { "none/a.png", "No such file" },
     { "plain/a.png", "Not a directory" },
     { "folder.png", "not a regular file" },

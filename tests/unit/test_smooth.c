@@ -227,17 +227,17 @@ TEST(refused)
                                 .flows = { 0, 1, 0, 1, 0, 0 },
                                 .variances = { 0, .1, 0, .1, 0, 0 } };
     struct found other = pair;
-    refuses(&pair, "surface 2 is of some that see none but each other");
+    refuses(&pair, "surface 2 belongs to a group that sees only itself");
     other.areas[1] = 0;
     refuses(&other, "surface 2 has no area");
     other = pair;
     other.variances[3] = -1;
-    refuses(&other, "a flow of surface 2, or its variance, is below 0");
+    refuses(&other, "a flow of surface 2 or its variance is below 0");
     other = pair;
     other.flows[0] = NAN;
-    refuses(&other, "a flow of surface 1, or its variance, is below 0");
+    refuses(&other, "a flow of surface 1 or its variance is below 0");
     other.count = 0;
-    refuses(&other, "0 surfaces: 1 .. 1024 are smoothed");
+    refuses(&other, "0 surfaces: the number must be between 1 and 1024");
 }
 
 GROUP(set_up_model, tear_down_model);

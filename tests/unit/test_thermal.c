@@ -216,12 +216,12 @@ TEST(refused)
 {
     struct study study = begin(ball, BY_PART);
     refuses(&study, "", "",
-            "no temperature is known of: Shell; --temperature NAME=KELVINS, "
-            "or default=300");
+            "no temperature is set for: Shell; use --temperature NAME=KELVINS, or "
+            "default=300");
     end(&study);
     study = begin("plane { y, 0 } sphere { 2*y, 1 }", BY_PRIMITIVE);
     refuses(&study, "default=300", "",
-            "surface 1, the plane of line 1, receives alone");
+            "surface 1, the plane of line 1, receives radiation but emits none");
     end(&study);
     study = begin("#declare Tin = texture { pigment { rgb 1 } }\n"
                   "#declare A = sphere { 0, 1 texture { Tin } }\n"
@@ -229,7 +229,8 @@ TEST(refused)
                   "object { A } object { B }\n",
                   BY_MATERIAL);
     refuses(&study, "A=300 B=400", "",
-            "surface Tin is of parts with other temperatures or emissivities, A and B");
+            "surface Tin has parts with different temperatures or emissivities, A "
+            "and B");
     refuses(&study, "default=300", "A=.5", "A and B");
     end(&study);
 }
