@@ -415,8 +415,8 @@ static const struct {
                          "as fast as scalar",
                          TABLE_COLUMNS(clock_columns), fill_clocks },
     [PROFILE_SPEEDUP] = { "speedup",
-                          "The frame, and what Amdahl's law says "
-                          "of it, vectorised part by part",
+                          "The frame and the prediction of Amdahl's law, vectorised "
+                          "part by part",
                           TABLE_COLUMNS(speedup_columns), fill_speedup },
     [PROFILE_VECTORS] = { "vectors", "Vectors", TABLE_COLUMNS(vector_columns),
                           fill_vectors },

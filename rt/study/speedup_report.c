@@ -77,8 +77,8 @@ static const struct {
     size_t count;
 } kinds[KINDS] = {
     [TABLE1] = { "table1",
-                 "Table 1, CPU seconds for 100,000 rays, and how "
-                 "much faster the 205's vector form is",
+                 "Table 1, CPU seconds for 100,000 rays, and the speedup of the "
+                 "205's vector form",
                  TABLE_COLUMNS(table1) },
     [RAYS] = { "rays", "The rays", TABLE_COLUMNS(rays) },
     [TIMES] = { "times", "The kernels and their calls", TABLE_COLUMNS(times) },
@@ -86,7 +86,7 @@ static const struct {
                     "A machine that Table 1 lacks, projected: "
                     "CPU seconds for 100,000 rays",
                     TABLE_COLUMNS(projected) },
-    [SHARES] = { "shares", "Which part took it", TABLE_COLUMNS(shares) },
+    [SHARES] = { "shares", "Clocks by part", TABLE_COLUMNS(shares) },
     [STEPS] = { "steps",
                 "Falsi in the root solver, to roots of the "
                 "derivative (knots) and of the quartic",

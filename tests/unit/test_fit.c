@@ -163,27 +163,26 @@ static void assert_refused(const char *text, const char *message)
 
 TEST(refused)
 {
-    assert_refused("", "test_fit.csv:0:0: holds no table");
-    assert_refused("a,b,c,d,e,f,g,h,i\n",
-                   "test_fit.csv:1:1: another column is expected");
+    assert_refused("", "test_fit.csv:0:0: the file has no table");
+    assert_refused("a,b,c,d,e,f,g,h,i\n", "test_fit.csv:1:1: expected another column");
     assert_refused(HEAD "a,b\n", "test_fit.csv:2:1: fields are missing");
     assert_refused(HEAD "a,b,c,d,e,f,g,h,i,j\n", "test_fit.csv:2:19: too many fields");
     assert_refused(HEAD "a,b,c,d,e,f,g,h,i\n",
-                   "test_fit.csv:2:17: fit, compare or range is expected");
+                   "test_fit.csv:2:17: expected fit, compare or range");
     assert_refused(HEAD "a,b,c,d,e,f,g,h,fit\n",
-                   "test_fit.csv:2:7: a positive number is expected");
+                   "test_fit.csv:2:7: expected a positive number");
     assert_refused(HEAD "a,b,c,1 to,e,f,,g,range\n",
-                   "test_fit.csv:2:7: a positive number or LEAST to MAX is expected");
+                   "test_fit.csv:2:7: expected a positive number, or LEAST to MAX");
     assert_refused(HEAD "a,b,c,2 to 1,e,f,,g,range\n",
-                   "test_fit.csv:2:7: a positive number or LEAST to MAX is expected");
+                   "test_fit.csv:2:7: expected a positive number, or LEAST to MAX");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,,s,fit\n",
                    "test_fit.csv:2:33: vector_add.s has no rays");
     assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
-                   "test_fit.csv:2:3: there is no region sub");
+                   "test_fit.csv:2:3: unknown region 'sub'");
     assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,,s,fit\n",
                    "test_fit.csv:2:3: unknown machine model 'cyber205-9pipe'");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,,s,fit\n",
-                   "test_fit.csv:2:33: there is no unit miles");
+                   "test_fit.csv:2:33: unknown unit 'miles'");
     assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,,s,fit\n",
                    "test_fit.csv:2:3: 'X' does not define a constant");
     assert_refused(HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,,s,fit\n",

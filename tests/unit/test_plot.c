@@ -215,8 +215,8 @@ TEST_WITH(bad_paths, set_up, tear_down)
 {
     c205_error error = { "" };
     char path[256];
-    expect_error(&lines, "plot.pdf", "ends in .svg or .png");
-    expect_error(&lines, ".svg", "ends in .svg");
+    expect_error(&lines, "plot.pdf", "must end in .svg or .png");
+    expect_error(&lines, ".svg", "must end in .svg");
     expect_error(&lines, "two\nlines.svg", "one line");
     expect_error(&lines, "none/plot.svg", "No such file");
     path_of("none/plot.svg", path);
@@ -246,7 +246,7 @@ TEST_WITH(bad_values, set_up, tear_down)
     struct plot plot = lines;
     plot.marks = &zero;
     plot.mark_count = 1;
-    expect_error(&plot, "x.svg", "zero: 0 is not on a logarithmic");
+    expect_error(&plot, "x.svg", "zero: 0 cannot be drawn on a logarithmic");
     plot = lines;
     plot.curves = &remarks;
     plot.curve_count = 1;

@@ -171,7 +171,7 @@ extern "C" bool ceres_fit(const ceres_problem *problem, double *values,
     } catch (const std::exception &caught) {
         std::snprintf(outcome->message, sizeof outcome->message, "%s", caught.what());
     } catch (...) {
-        std::snprintf(outcome->message, sizeof outcome->message, "unknown failure");
+        std::snprintf(outcome->message, sizeof outcome->message, "unknown error");
     }
     return false;
 }

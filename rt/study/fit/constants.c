@@ -43,7 +43,7 @@ static bool add_member(struct free_constant *constant, const char *name, size_t 
              (int)length, name);
     found = c205_model_lookup(model, constant->members[i].name);
     if (!found)
-        return fail(error, "there is no constant %s", constant->members[i].name);
+        return fail(error, "unknown constant '%s'", constant->members[i].name);
     constant->members[i].prior = found->value;
     if (i == 0) {
         constant->prior = found->value;
@@ -75,7 +75,7 @@ static bool set_width(struct free_constant *constant, const char *source,
             constant->width = widths[i].width;
             return true;
         }
-    return fail(error, "there is no source %.20s", source);
+    return fail(error, "unknown source '%.20s'", source);
 }
 
 const c205_model *constants_prior(const struct constants *constants,
@@ -96,7 +96,7 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
     const c205_model *prior = constants_prior(constants, row->fields[MACHINE]);
 
     if (!prior)
-        return csv_wrong(file, row, MACHINE, "there are no priors of it", diagnostics);
+        return csv_wrong(file, row, MACHINE, "this machine has no priors", diagnostics);
     if (constants->count == MAX_FREE)
         return csv_wrong(file, row, NAME,
                          "more than " LIMIT_TEXT(MAX_FREE) " constants", diagnostics);
@@ -131,7 +131,8 @@ bool constants_read(struct constants *constants, const char *path,
     for (size_t i = 0; i < constants->file.count; i++)
         good = read_row(constants, &constants->file.rows[i], diagnostics) && good;
     if (good && constants->count == 0)
-        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, "holds no constants");
+        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole,
+                        "the file has no constants");
     return good && constants->count > 0;
 }
 

@@ -103,10 +103,10 @@ static bool check_head(const struct csv *csv, const char *const *columns,
                        struct diagnostics *diagnostics)
 {
     if (csv->count == 0)
-        return fail_whole(csv, "holds no table", diagnostics);
+        return fail_whole(csv, "the file has no table", diagnostics);
     for (size_t i = 0; i < csv->columns; i++)
         if (strcmp(csv->rows[0].fields[i], columns[i]) != 0)
-            return csv_wrong(csv, &csv->rows[0], i, "another column is expected",
+            return csv_wrong(csv, &csv->rows[0], i, "expected another column",
                              diagnostics);
     return true;
 }
@@ -169,5 +169,5 @@ bool csv_positive(const struct csv *csv, const struct csv_row *row, size_t field
 
     *value = strtod(row->fields[field], &end);
     return (end != row->fields[field] && *end == '\0' && *value > 0)
-           || csv_wrong(csv, row, field, "a positive number is expected", diagnostics);
+           || csv_wrong(csv, row, field, "expected a positive number", diagnostics);
 }

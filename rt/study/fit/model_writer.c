@@ -20,7 +20,7 @@ static const c205_model *prior_of(const struct observations *all, const char *pa
     size_t length = strcspn(file, ".");
 
     if (strcmp(file + length, ".model") != 0) {
-        error_set(error, "%.100s: the name of a model file ends in .model", path);
+        error_set(error, "%.100s: the name of a model file must end in .model", path);
         return NULL;
     }
     for (size_t i = 0; i < all->model_count; i++) {
@@ -30,7 +30,8 @@ static const c205_model *prior_of(const struct observations *all, const char *pa
             && strcmp(name + length, PRIOR_SUFFIX) == 0)
             return all->models[i];
     }
-    error_set(error, "%.100s is not the file NAME.model of priors NAME" PRIOR_SUFFIX,
+    error_set(error,
+              "%.100s: expected NAME.model, with priors in the model NAME" PRIOR_SUFFIX,
               path);
     return NULL;
 }

@@ -202,7 +202,7 @@ static bool set_unit(const struct observations *all, struct observation *item,
     while (i < sizeof units / sizeof *units && strcmp(units[i].name, item->unit) != 0)
         i++;
     if (i == sizeof units / sizeof *units)
-        return fail(error, "there is no unit %.60s", item->unit);
+        return fail(error, "unknown unit '%.60s'", item->unit);
     if (!find_count(timing, &units[i], &count, error))
         return false;
     item->rate = units[i].rate;
@@ -222,8 +222,7 @@ static bool read_use(const struct csv *file, const struct csv_row *row,
         i++;
     *use = (enum observation_use)i;
     return i < OBSERVATION_USES
-           || csv_wrong(file, row, USE, "fit, compare or range is expected",
-                        diagnostics);
+           || csv_wrong(file, row, USE, "expected fit, compare or range", diagnostics);
 }
 
 /* Reads "15 to 18", or one number. */
@@ -238,8 +237,8 @@ static bool read_range(const struct csv *file, const struct csv_row *row,
         item->most = strtod(end + strlen(between), &end);
     item->value = (item->least + item->most) / 2;
     return (*end == '\0' && item->least > 0 && item->most >= item->least)
-           || csv_wrong(file, row, VALUE,
-                        "a positive number or LEAST to MAX is expected", diagnostics);
+           || csv_wrong(file, row, VALUE, "expected a positive number, or LEAST to MAX",
+                        diagnostics);
 }
 
 static bool read_figure(const struct csv *file, const struct csv_row *row,

@@ -400,15 +400,16 @@ static void print_head(const struct study *study, const struct command_output *r
     double known = study_known(study);
 
     output_printf(results,
-                  "%zu observation%s, %zu free constant%s; cost %.3f after %d step%s, "
-                  "%s.\n"
-                  "The data know as much as %.1f of the constants; %.1f degrees of "
-                  "freedom are left.\n"
+                  "%zu observation%s, %zu free constant%s; cost %.3f after %d "
+                  "step%s, %s.\n"
+                  "The data determine %.1f of the constants; %.1f degrees of freedom "
+                  "are left.\n"
                   "Residuals: relative errors of the machine's own clocks by their "
-                  "uncertainty, Cauchy\nloss from %g on; and the constants' "
-                  "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
-                  "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
-                  "%s.\n",
+                  "uncertainty, Cauchy\n"
+                  "loss from %g on; and the constants' distances from their priors, "
+                  "in widths: P 2 %%,\n"
+                  "D 5 %%, S 10 %%, R 40 %%.\n"
+                  "Cycle-accounted, not cycle-accurate.  Not modelled: %s.\n",
                   best->used, plural(best->used), study->fit.constants->count,
                   plural(study->fit.constants->count), best->cost, best->steps,
                   plural((uint64_t)best->steps),

@@ -205,7 +205,7 @@ bool run_select(const struct fit_run *run, const char *name,
                                   : is_timed(run, run->regions[i]);
         found = found || chosen[i];
     }
-    return found || fail(error, "there is no region %.60s", name);
+    return found || fail(error, "unknown region '%.60s'", name);
 }
 
 bool run_time(const struct fit_run *run, const c205_model *model,

@@ -38,7 +38,7 @@ bool gnuplot_draw(const char *folder, char *script, FILE *picture, c205_error *e
     if (code < 0)
         return fail(error, "gnuplot", strerror(errno));
     if (code == PROCESS_NOT_FOUND)
-        fail(error, "gnuplot is not found", "the Debian package gnuplot-nox has it");
+        fail(error, "gnuplot is not found", "install the Debian package gnuplot-nox");
     else if (!good)
         fail_with_output(messages, error);
     fclose(messages);

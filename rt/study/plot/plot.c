@@ -86,10 +86,11 @@ bool plot_check_path(const char *path, c205_error *error)
     const char *name = name_in(path);
 
     if (!plot_is_named(path))
-        return error_set(error, "%.180s: a plot's name ends in .svg or .png", path);
+        return error_set(error, "%.180s: the name of a plot must end in .svg or .png",
+                         path);
     for (const char *c = name; *c != '\0'; c++)
         if ((unsigned char)*c < ' ')
-            return error_set(error, "a plot's name is one line of text");
+            return error_set(error, "the name of a plot must be one line of text");
     return check_folder(path, error);
 }
 
@@ -152,7 +153,8 @@ static bool reach(struct axis *axis, double value, const char *key, c205_error *
     if (!isfinite(value))
         return true;
     if (!axis_shows(axis, value))
-        return error_set(error, "%.60s: %g is not on a logarithmic axis", key, value);
+        return error_set(error, "%.60s: %g cannot be drawn on a logarithmic axis", key,
+                         value);
     axis_reach(axis, value);
     return true;
 }

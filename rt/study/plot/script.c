@@ -188,8 +188,8 @@ static void write_picture(const char *name, FILE *file)
     size_t stem = (size_t)(ending - name);
     bool svg = strcmp(ending, ".svg") == 0;
 
-    fputs("# Draws the picture from the numbers beside it, in whose folder\n"
-          "# gnuplot is to run.\n"
+    fputs("# Draws the plot of the data file. Run gnuplot in the folder of\n"
+          "# both files.\n"
           "reset\n"
           "set encoding utf8\n",
           file);

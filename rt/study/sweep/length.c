@@ -242,9 +242,7 @@ static void print(struct sweep_report *report, const struct sweep *sweep,
 static void draw(struct sweep_report *report, const struct sweep_lengths_found *found)
 {
     report->plotted = report->parts[0].table;
-    report->plot.x = (struct plot_axis){ "rays in the queue, as many as there "
-                                         "are",
-                                         PLOT_LOG2 };
+    report->plot.x = (struct plot_axis){ "rays, all in one queue", PLOT_LOG2 };
     report->plot.y = (struct plot_axis){ "times as fast as scalar", PLOT_LINEAR };
     sweep_report_curve(report, 1 + SWEEP_COLUMN_SPEEDUP, "speedup");
     if (found->crossover > 0)

@@ -69,7 +69,7 @@ static void fill_memory(struct table *table, const struct sweep_memory *memory,
                    "of these for crossings, kept until the visible "
                    "surface is known",
                    (double)memory->crossings);
-    add_memory(table, "touched whatever the queue", memory->fixed);
+    add_memory(table, "touched with any queue", memory->fixed);
     add_memory(table, "real memory", memory->real);
 }
 
@@ -147,8 +147,8 @@ static void print_other(struct sweep_report *report, const char *what,
         return;
     most = rises_most(best, other);
     sweep_report_line(report,
-                      "%s %zu: %.2f, %.1f %% more; what rises most is "
-                      "%s (%+.2f).",
+                      "%s %zu: %.2f, %.1f %% more; the largest increase is %s "
+                      "(%+.2f).",
                       what, queue_of(other), sweep_cost(other, SWEEP_QUEUED),
                       percent_above(other, best), sweep_group_name(most),
                       group_cost(other, (int)most) - group_cost(best, (int)most));
