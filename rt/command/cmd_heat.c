@@ -430,7 +430,7 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(heat.points),
       .choice = points_choice,
       .help = "source of the sample points" },
-    { CMD_COUNT("seed", heat.seed, 0, 1e9, 1, "selects other points") },
+    { CMD_COUNT("seed", heat.seed, 0, 1e9, 1, "seed of the sample points") },
     CMD_MODE(cmd_mode_choice, "form of the programs; kernels is that of 1984"),
     CMD_FLAG("stages", heat.stages,
              "also run the other two modes, whose results must be equal: clocks of "

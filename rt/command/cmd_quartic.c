@@ -356,8 +356,7 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(falsi),
       .choice = falsi_choice,
       .preset = FALSI_DEFAULT,
-      .help = "rule of the root solver; all: a table of their clocks instead of the "
-              "roots" },
+      .help = "rule of the root solver; all: compare the clocks of all rules" },
     CMD_MODEL,
     CMD_JOBS("rules compared at a time"),
     CMD_RESULTS,

@@ -242,8 +242,8 @@ static void print(struct sweep_report *report, const struct sweep *sweep)
                       sweep_hit_percent(none), sweep_hit_percent(all),
                       sweep_cost(all, SWEEP_SCALAR) / sweep_cost(none, SWEEP_SCALAR));
     sweep_report_line(report,
-                      "one in a queue %.2f times; the speedup goes "
-                      "from %.2f to %.2f.",
+                      "one in a queue %.2f times; the speedup changes from %.2f to "
+                      "%.2f.",
                       sweep_cost(all, SWEEP_QUEUED) / sweep_cost(none, SWEEP_QUEUED),
                       sweep_speedup(none), sweep_speedup(all));
 }

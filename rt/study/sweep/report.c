@@ -5,7 +5,7 @@
 #include <string.h>
 
 const char sweep_points_heading[] =
-    "Clocks per ray: scalar; in queues, and what made those";
+    "Clocks per ray: scalar; in queues, with their causes";
 
 void sweep_add_cells(struct table *table, const struct sweep_measure *measure)
 {
