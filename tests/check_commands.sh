@@ -524,7 +524,7 @@ verdict $? "the debugger of a frame at the end of a pipe"
 tells out '^pixel 2,1$'
 tells out '^lane .VECTOR.$'
 ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -x bad.lines
-tells out '^error: there is no .stpe.: was it step?$'
+tells out '^error: unknown verb .stpe.; did you mean .step..$'
 ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 --samples 2
 tells err 'a pixel of this frame has 2 x 2 rays: only a pixel with one ray can be followed$'
 ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 40,15

@@ -137,7 +137,7 @@ static void arrive(struct dap *dap, enum execution_end ended)
     case EXECUTION_AT_STOP: send_stopped(dap, met_reason(dap), true); break;
     case EXECUTION_HALTED: send_halt(dap); break;
     case EXECUTION_AT_START:
-        sink_put(&output, "this is the beginning");
+        sink_put(&output, "at the beginning of the program");
         dap_stopped(dap, "entry");
         break;
     case EXECUTION_INTERRUPTED: dap_stopped(dap, "pause"); break;

@@ -63,5 +63,6 @@ bool verb_delete(struct debugger *debugger, struct text_cursor *cursor)
         || !text_cursor_finish(debugger, cursor))
         return false;
     return breakpoints_delete(debugger, number)
-           || debug_fault(debugger, "there is no stop %" PRIu64, number);
+           || debug_fault(debugger, "unknown breakpoint or watchpoint %" PRIu64,
+                          number);
 }

@@ -228,11 +228,12 @@ bool breakpoints_watch(struct debugger *debugger, struct text_cursor *cursor,
             return false;
     }
     if (count < 1 || count > WATCHED_WORDS)
-        return debug_fault(debugger, "1 to %d words are watched", WATCHED_WORDS);
+        return debug_fault(debugger, "a watchpoint must cover between 1 and %d words",
+                           WATCHED_WORDS);
     stop->count = (size_t)count;
     text_cursor_text(from, cursor, stop->text);
     return c205_read(machine_of(debugger), stop->address, stop->held, stop->count)
-           || debug_fault(debugger, "there are no words at %" PRIX64, stop->address);
+           || debug_fault(debugger, "no memory words at %" PRIX64, stop->address);
 }
 
 bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop)

@@ -27,43 +27,47 @@ struct verb {
 
 /* A prefix selects the first verb of the table that begins with it. */
 static const struct verb verbs[] = {
-    { "step", "si", verb_step, true, "[N]", "N instructions, 1" },
+    { "step", "si", verb_step, true, "[N]", "execute N instructions (1)" },
     { "next", "ni", verb_next, true, "[N]",
-      "the same, a call and all that it does being one" },
-    { "continue", NULL, verb_continue, true, "[N]", "to the next stop, or the N-th" },
-    { "reverse-step", "rs", verb_reverse_step, true, "[N]", "N instructions back" },
+      "like step, but a whole call counts as one instruction" },
+    { "continue", NULL, verb_continue, true, "[N]",
+      "run to the next stop, or to the N-th" },
+    { "reverse-step", "rs", verb_reverse_step, true, "[N]",
+      "go back N instructions (1)" },
     { "reverse-continue", "rc", verb_reverse_continue, true, "",
-      "back to the stop before" },
-    { "until", NULL, verb_until, false, "PLACE", "on to that place, or the next stop" },
+      "go back to the previous stop" },
+    { "until", NULL, verb_until, false, "PLACE", "run to PLACE, or to the next stop" },
     { "goto", NULL, verb_goto, false, "N | clock N",
-      "to that step, or that clock, wherever it is" },
-    { "run", NULL, verb_run, false, "", "from the beginning to a stop" },
+      "go to step N or to clock N, forward or back" },
+    { "run", NULL, verb_run, false, "", "run from the beginning to the first stop" },
     { "break", NULL, verb_break, false, "PLACE [if VALUE]",
-      "stop there; PLACE: LABEL, LINE, FILE:LINE, *ADDRESS, insn NAME, "
-      "region NAME" },
-    { "tbreak", NULL, verb_tbreak, false, "PLACE [if VALUE]", "once" },
+      "stop at PLACE: LABEL, LINE, FILE:LINE, *ADDRESS, insn NAME or region NAME" },
+    { "tbreak", NULL, verb_tbreak, false, "PLACE [if VALUE]",
+      "like break, but stop only once" },
     { "watch", NULL, verb_watch, false, "ADDRESS [, WORDS] [if VALUE]",
-      "stop when what memory holds changes" },
-    { "delete", NULL, verb_delete, false, "[N]", "a stop, or all" },
-    { "where", NULL, verb_where, false, "", "where the program stands" },
-    { "list", NULL, verb_list, false, "[PLACE] [, N]", "source lines" },
-    { "disassemble", NULL, verb_disassemble, false, "[PLACE] [, N]", "instructions" },
+      "stop when these words of memory change" },
+    { "delete", NULL, verb_delete, false, "[N]",
+      "delete breakpoint or watchpoint N, or all" },
+    { "where", NULL, verb_where, false, "", "show the current location" },
+    { "list", NULL, verb_list, false, "[PLACE] [, N]", "show source lines" },
+    { "disassemble", NULL, verb_disassemble, false, "[PLACE] [, N]",
+      "show instructions" },
     { "print", NULL, verb_print, false, "VALUE",
-      "r10, NAME, NAME.i, [ADDRESS], clock, step .. with + - * / % == < && "
-      "||" },
+      "show a value: r10, NAME, NAME.i, [ADDRESS], clock, step .. with + - * / % == "
+      "< && ||" },
     { "x", NULL, verb_x, false, "[/N fixhb] REGISTER | ADDRESS [? REGISTER]",
-      "elements: numbers, integers, hex, half words, bits; at a label what was put "
-      "there; beside their control bits" },
+      "show elements: f numbers, i integers, x hex, h half words, b bits; at a label "
+      "in its declared type; after ? with control bits" },
     { "info", NULL, verb_info, false,
       "registers | operands | breaks | regions | pages | symbols", "" },
     { "why", NULL, verb_why, false, "",
-      "the time of the last instruction, and what it waited for" },
-    { "account", NULL, verb_account, false, "", "where the clocks went so far" },
+      "show the time of the last instruction and its waits" },
+    { "account", NULL, verb_account, false, "", "show where the clocks went so far" },
     { "set", NULL, verb_set, false, "REGISTER | [ADDRESS] = VALUE",
-      "change it: from here on it is another run" },
+      "change a value; the run is different from here on" },
     { "assert", NULL, verb_assert, false, "VALUE",
-      "a fault if it is 0; scripts end with 1 then" },
-    { "help", NULL, verb_help, false, "", "this" },
+      "report an error if VALUE is 0; a script then ends with status 1" },
+    { "help", NULL, verb_help, false, "", "show this list" },
     { "quit", NULL, NULL, false, "", "" },
 };
 enum { VERBS = sizeof verbs / sizeof *verbs };
@@ -92,7 +96,7 @@ static bool verb_help(struct debugger *debugger, struct text_cursor *cursor)
     for (size_t i = 0; i < VERBS; i++)
         print_verb(debugger, verbs[i].name, verbs[i].arguments, verbs[i].help);
     sink_put(&debugger->out,
-             "A beginning of a verb does; an empty line moves again.\n");
+             "A verb can be abbreviated; an empty line repeats the last move.\n");
     return true;
 }
 
@@ -269,9 +273,9 @@ static void print_unknown(struct debugger *debugger, const char *name, size_t le
         spelling_try(&nearest, verbs[i].name);
     for (; more && more->name; more++)
         spelling_try(&nearest, more->name);
-    debug_fault(debugger, "there is no '%.*s': %s%s%s", length < 40 ? (int)length : 40,
-                name, nearest.name ? "was it " : "help lists what there is",
-                nearest.name ? nearest.name : "", nearest.name ? "?" : "");
+    debug_fault(debugger, "unknown verb '%.*s'; %s%s%s", length < 40 ? (int)length : 40,
+                name, nearest.name ? "did you mean '" : "help lists the verbs",
+                nearest.name ? nearest.name : "", nearest.name ? "'?" : "");
 }
 
 static void keep_movement(struct debugger *debugger, const char *line)

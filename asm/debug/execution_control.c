@@ -162,8 +162,9 @@ static const char *region_here(const struct debugger *debugger)
 bool execution_can_go_out(struct debugger *debugger)
 {
     return call_of(debugger) || *region_here(debugger)
-           || debug_fault(debugger, "this is neither in a macro call nor in a "
-                                    "region that could be left");
+           || debug_fault(
+               debugger,
+               "cannot step out: the program is not in a macro call or a region");
 }
 
 enum execution_end execution_out(struct debugger *debugger)

@@ -43,11 +43,11 @@ static bool info_registers(struct debugger *debugger)
 static bool info_breaks(struct debugger *debugger)
 {
     if (debugger->breakpoint_count == 0)
-        sink_put(&debugger->out, "there are none\n");
+        sink_put(&debugger->out, "no breakpoints or watchpoints\n");
     for (size_t i = 0; i < debugger->breakpoint_count; i++) {
         const struct breakpoint *stop = &debugger->breakpoints[i];
 
-        sink_print(&debugger->out, "%zu %s %s%s%s%s, met %" PRIu64 " time%s\n",
+        sink_print(&debugger->out, "%zu %s %s%s%s%s, hit %" PRIu64 " time%s\n",
                    stop->number, stop->kind == BREAK_WATCH ? "watch" : "break",
                    stop->text, *stop->condition ? " if " : "", stop->condition,
                    stop->once ? ", once" : "", stop->hits, plural(stop->hits));
@@ -126,6 +126,6 @@ bool verb_info(struct debugger *debugger, struct text_cursor *cursor)
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
         if (text_cursor_begin(cursor, topics[i].name))
             return text_cursor_finish(debugger, cursor) && topics[i].show(debugger);
-    return debug_fault(debugger, "info is of registers, operands, breaks, "
-                                 "regions, pages or symbols");
+    return debug_fault(
+        debugger, "expected registers, operands, breaks, regions, pages or symbols");
 }

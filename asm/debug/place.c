@@ -95,7 +95,7 @@ static bool find_line(struct debugger *debugger, const char *name, size_t number
            || debug_fault(debugger,
                           object->line_count == 0
                               ? "the source lines of %.100s are not known"
-                              : "%.100s has no code at line %zu or behind",
+                              : "%.100s has no code at line %zu or after it",
                           name, number);
 }
 
@@ -135,8 +135,8 @@ static bool read_line(struct debugger *debugger, struct text_cursor *cursor,
     size_t length;
 
     if (*at == '-') {
-        *good = debug_fault(debugger, "no place begins with '-': lines are "
-                                      "counted from 1");
+        *good = debug_fault(debugger,
+                            "a place cannot begin with '-': lines are counted from 1");
         return true;
     }
 
@@ -350,14 +350,13 @@ static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
 
         stop->kind = BREAK_INSN;
         stop->insn = c205_insn_named(name, length);
-        return stop->insn
-               || debug_fault(debugger, "no instruction is called '%.60s'", name);
+        return stop->insn || debug_fault(debugger, "unknown instruction '%.60s'", name);
     }
     if (text_cursor_take(cursor, "region")) {
         take_name(cursor, name);
         stop->kind = BREAK_ENTRY;
         return is_region(debugger, name, &stop->region)
-               || debug_fault(debugger, "no region is called '%.60s'", name);
+               || debug_fault(debugger, "unknown region '%.60s'", name);
     }
     return read_address(debugger, cursor, stop, ended);
 }
@@ -381,8 +380,9 @@ bool place_read(struct debugger *debugger, struct text_cursor *cursor,
     bool ended = false;
 
     if (text_cursor_end(cursor))
-        return debug_fault(debugger, "where? a label, a line, FILE:LINE, "
-                                     "*ADDRESS, insn NAME or region NAME");
+        return debug_fault(
+            debugger,
+            "expected a label, a line, FILE:LINE, *ADDRESS, insn NAME or region NAME");
     from = cursor->at;
     if (!read_place(debugger, cursor, stop, &ended))
         return false;

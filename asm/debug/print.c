@@ -58,7 +58,7 @@ bool verb_assert(struct debugger *debugger, struct text_cursor *cursor)
     if (!debug_value(debugger, cursor, &value) || !text_cursor_finish(debugger, cursor))
         return false;
     return debug_is_true(&value)
-           || debug_fault(debugger, "it does not hold: %.200s", text);
+           || debug_fault(debugger, "assertion failed: %.200s", text);
 }
 
 /* ---- Vectors -------------------------------------------------------------- */
@@ -130,9 +130,7 @@ static bool put_elements(struct debugger *debugger, const struct element_look *l
     }
     if (!good && i % row != 0)
         sink_put(&debugger->out, "\n");
-    return good
-           || debug_fault(debugger, "no memory is mapped there, or not all "
-                                    "of it");
+    return good || debug_fault(debugger, "not all of this memory is mapped");
 }
 
 /* Sets the vector that a register describes. */
@@ -163,7 +161,8 @@ static bool read_format(struct debugger *debugger, struct text_cursor *cursor,
 
         if (isdigit((unsigned char)c) && *count != UINT64_MAX
             && *count > C205_MAX_LENGTH)
-            return debug_fault(debugger, "a count of at most %u", C205_MAX_LENGTH);
+            return debug_fault(debugger, "the count must be at most %u",
+                               C205_MAX_LENGTH);
         if (isdigit((unsigned char)c))
             *count = (*count == UINT64_MAX ? 0 : *count) * 10 + (uint64_t)(c - '0');
         else if (c == 'h')
@@ -174,8 +173,7 @@ static bool read_format(struct debugger *debugger, struct text_cursor *cursor,
             look->format = c;
         else
             return debug_fault(debugger,
-                               "after / stand a count and f, i, x, h or b, "
-                               "not '%c'",
+                               "expected a count, f, i, x, h or b after /, found '%c'",
                                c);
     }
     return true;
@@ -191,8 +189,8 @@ static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
         return text_cursor_finish(debugger, cursor);
     cursor->at++;
     if (!debug_register(debugger, cursor, &named))
-        return debug_fault(debugger, "behind ? stands the register of a "
-                                     "control vector");
+        return debug_fault(debugger,
+                           "expected the register of a control vector after ?");
     look->controlled = true;
     look_at_register(debugger, named, 1, &look->control);
     return text_cursor_finish(debugger, cursor);

@@ -6,7 +6,9 @@
 static bool can_change(struct debugger *debugger)
 {
     return !debugger->halted || debugger->halt.trap != C205_TRAP_NONE
-           || debug_fault(debugger, "the program has ended: go back first");
+           || debug_fault(
+               debugger,
+               "cannot change a value after the program has ended; go back first");
 }
 
 static bool keep_change(struct debugger *debugger)
@@ -39,7 +41,7 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
     c205_word word;
 
     if (number == 0)
-        return debug_fault(debugger, "register 0 stays what it is");
+        return debug_fault(debugger, "register 0 cannot be changed");
     if (!can_change(debugger) || !debug_word(debugger, value, named.half, &word))
         return false;
     c205_set_register(machine, number,
@@ -57,7 +59,7 @@ static bool write_bits(struct debugger *debugger, uint64_t address, unsigned wid
     c205_word word;
 
     if (!c205_read(machine, address - at, &word, 1))
-        return debug_fault(debugger, "there is no word at %" PRIX64, address);
+        return debug_fault(debugger, "no memory word at %" PRIX64, address);
     word = with_bits(word, at, width, bits);
     return c205_write(machine, address - at, &word, 1);
 }
@@ -99,8 +101,7 @@ static bool read_new(struct debugger *debugger, struct text_cursor *cursor,
 {
     text_cursor_skip(cursor);
     if (*cursor->at != '=')
-        return debug_fault(debugger, "set REGISTER = VALUE, or "
-                                     "[ADDRESS] = VALUE");
+        return debug_fault(debugger, "expected REGISTER = VALUE or [ADDRESS] = VALUE");
     cursor->at++;
     return debug_value(debugger, cursor, value) && text_cursor_finish(debugger, cursor);
 }
@@ -115,14 +116,14 @@ static bool set_memory(struct debugger *debugger, struct text_cursor *cursor)
         return false;
     text_cursor_skip(cursor);
     if (*cursor->at != ']')
-        return debug_fault(debugger, "a ] is missing");
+        return debug_fault(debugger, "expected ']'");
     cursor->at++;
     if (!read_new(debugger, cursor, &value)
         || !debug_word(debugger, &value, false, &word))
         return false;
     return address % 64 == 0
                ? debug_set_bits(debugger, address, 64, word)
-               : debug_fault(debugger, "there is no word at %" PRIX64, address);
+               : debug_fault(debugger, "no memory word at %" PRIX64, address);
 }
 
 bool verb_set(struct debugger *debugger, struct text_cursor *cursor)
@@ -136,8 +137,7 @@ bool verb_set(struct debugger *debugger, struct text_cursor *cursor)
         return set_memory(debugger, cursor);
     }
     if (!debug_register(debugger, cursor, &named))
-        return debug_fault(debugger, "set REGISTER = VALUE, or "
-                                     "[ADDRESS] = VALUE");
+        return debug_fault(debugger, "expected REGISTER = VALUE or [ADDRESS] = VALUE");
     return read_new(debugger, cursor, &value)
            && debug_set_register(debugger, named, &value);
 }

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 
 #include "asm/debug/debug_internal.h"
+#include "base/plural.h"
 
 static bool arrive(struct debugger *debugger, enum execution_end ended)
 {
@@ -11,13 +12,13 @@ static bool arrive(struct debugger *debugger, enum execution_end ended)
     if (ended == EXECUTION_AT_STOP)
         breakpoints_pass(debugger, true);
     else if (ended == EXECUTION_AT_START)
-        sink_put(&debugger->out, "this is the beginning\n");
+        sink_put(&debugger->out, "at the beginning of the program\n");
     else if (ended == EXECUTION_INTERRUPTED)
         sink_put(&debugger->out, "interrupted\n");
     else if (ended == EXECUTION_OUT_OF_RANGE)
-        sink_print(&debugger->out, "%" PRIu64 " clock%s passed; continue goes on\n",
-                   debugger->setup.clocks_most,
-                   debugger->setup.clocks_most == 1 ? " has" : "s have");
+        sink_print(&debugger->out,
+                   "stopped after %" PRIu64 " clock%s; continue resumes the run\n",
+                   debugger->setup.clocks_most, plural(debugger->setup.clocks_most));
     show_place(debugger);
     return true;
 }

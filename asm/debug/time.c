@@ -108,11 +108,11 @@ bool verb_why(struct debugger *debugger, struct text_cursor *cursor)
                debugger->last.clocks);
     put_pieces(debugger, record);
     if (debugger->has_end && debugger->end.piece_count > 0) {
-        sink_put(&debugger->out, "and until all in flight was done\n");
+        sink_put(&debugger->out, "and until all work in flight was finished\n");
         put_pieces(debugger, &debugger->end);
     }
     if (record->phase_count > 0) {
-        sink_put(&debugger->out, "the vector unit works on\n");
+        sink_put(&debugger->out, "the vector unit continues\n");
         put_phases(debugger);
     }
     return true;

@@ -102,7 +102,8 @@ void text_cursor_text(const char *from, const struct text_cursor *cursor,
 bool text_cursor_finish(struct debugger *debugger, struct text_cursor *cursor)
 {
     return text_cursor_end(cursor)
-           || debug_fault(debugger, "what is '%.60s' to mean?", cursor->at);
+           || debug_fault(debugger, "expected the end of the line, found '%.60s'",
+                          cursor->at);
 }
 
 /* ---- Values --------------------------------------------------------------- */
@@ -160,9 +161,11 @@ bool debug_word(struct debugger *debugger, const struct value_of *value, bool ha
                 c205_word *word)
 {
     if (!value->is_word && value->is_real && !isfinite(value->real))
-        return debug_fault(debugger, "%g is no number of the machine", value->real);
+        return debug_fault(debugger,
+                           "%g cannot be represented as a number of the machine",
+                           value->real);
     if (!value->is_real && !is_integer_word(value->integer))
-        return debug_fault(debugger, "%lld has more than the 48 bits of an integer",
+        return debug_fault(debugger, "%lld does not fit in the 48 bits of an integer",
                            (long long)value->integer);
     if (half)
         *word = value->is_half ? value->word : c205_half_from_double(value->real);
@@ -349,7 +352,7 @@ static bool read_name(struct reading *reading, struct value_of *value)
     } else if (is_numbered(name, length, &named)) {
         *value = of_register(debugger, named);
     } else if (!read_special(debugger, name, length, value)) {
-        return debug_fault(debugger, "nothing is called '%.*s'", (int)length, name);
+        return debug_fault(debugger, "unknown name '%.*s'", (int)length, name);
     }
     if (value->is_word && !value->is_half)
         take_part(reading, value);
@@ -376,7 +379,7 @@ static bool read_number(struct reading *reading, struct value_of *value)
     return (!is_name(*end) && errno != ERANGE)
            || debug_fault(reading->debugger,
                           errno == ERANGE ? "'%.40s' is too large"
-                                          : "'%.40s' is no number",
+                                          : "'%.40s' is not a number",
                           at);
 }
 
@@ -399,7 +402,7 @@ static bool read_hex(struct reading *reading, struct value_of *value)
     }
     if (*at != '\'' || digits == 0)
         return debug_fault(reading->debugger,
-                           "a word is X' and up to 16 hex digits and '");
+                           "expected up to 16 hex digits and ' after X'");
     reading->cursor->at = at + 1;
     *value = digits == HALF_DIGITS ? of_half(word << 32) : of_word(word);
     return true;
@@ -413,7 +416,8 @@ static bool read_address(struct debugger *debugger, struct reading *reading,
         return false;
     *address = c205_descriptor_address((c205_word)value->integer);
     return reading->grammar || (!value->is_half && (value->is_word || !value->is_real))
-           || debug_fault(debugger, "%g is no address; that of a descriptor is NAME.i",
+           || debug_fault(debugger,
+                          "%g is not an address; the address of a descriptor is NAME.i",
                           value->real);
 }
 
@@ -425,10 +429,10 @@ static bool read_memory(struct reading *reading, struct value_of *value)
     if (!read_address(reading->debugger, reading, value, &address))
         return false;
     if (!take(reading, "]"))
-        return debug_fault(reading->debugger, "a ] is missing");
+        return debug_fault(reading->debugger, "expected ']'");
     if (!c205_read(machine_of(reading->debugger), address, &word, 1)
         && !reading->grammar)
-        return debug_fault(reading->debugger, "there is no word at %llX",
+        return debug_fault(reading->debugger, "no memory word at %llX",
                            (unsigned long long)address);
     *value = of_word(word);
     take_part(reading, value);
@@ -444,7 +448,7 @@ static bool read_first(struct reading *reading, struct value_of *value)
     if (take(reading, "("))
         return read_any(reading, value)
                && (take(reading, ")")
-                   || debug_fault(reading->debugger, "a ) is missing"));
+                   || debug_fault(reading->debugger, "expected ')'"));
     if (take(reading, "["))
         return read_memory(reading, value);
     if (at[0] == 'X' && at[1] == '\'')
@@ -467,8 +471,7 @@ static bool read_signed(struct reading *reading, struct value_of *value)
 
     if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
-                           "more than %d operators or brackets within each other",
-                           MAX_DEPTH);
+                           "more than %d nested operators or brackets", MAX_DEPTH);
     if (take(reading, "-")) {
         good = read_signed(reading, value);
         if (good)
@@ -508,7 +511,7 @@ static bool combine(struct reading *reading, char sign, struct value_of *value,
         return true;
     if (!value->is_real && !other->is_real) {
         if ((sign == '/' || sign == '%') && other->integer == 0)
-            return debug_fault(reading->debugger, "a division by 0");
+            return debug_fault(reading->debugger, "division by 0");
         *value = combine_integers(sign, value->integer, other->integer);
         return true;
     }
@@ -601,8 +604,7 @@ static bool read_any(struct reading *reading, struct value_of *value)
 
     if (reading->depth++ > MAX_DEPTH)
         return debug_fault(reading->debugger,
-                           "more than %d operators or brackets within each other",
-                           MAX_DEPTH);
+                           "more than %d nested operators or brackets", MAX_DEPTH);
     if (!read_both(reading, value))
         return false;
     while (take(reading, "||")) {
@@ -647,5 +649,5 @@ bool debug_count(struct debugger *debugger, struct text_cursor *cursor, uint64_t
         return false;
     *count = (uint64_t)value.integer;
     return (!value.is_real && value.integer >= 0)
-           || debug_fault(debugger, "%g is no count", value.real);
+           || debug_fault(debugger, "%g is not a count", value.real);
 }

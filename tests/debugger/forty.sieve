@@ -70,9 +70,9 @@ break 2: insn EX if step > 4
 (c205) watch 0x800000, 4
 watch 3: 0x800000, 4
 (c205) info breaks
-1 break insn EXIT, met 0 times
-2 break insn EX if step > 4, once, met 0 times
-3 watch 0x800000, 4, met 0 times
+1 break insn EXIT, hit 0 times
+2 break insn EX if step > 4, once, hit 0 times
+3 watch 0x800000, 4, hit 0 times
 (c205) continue
 watch 3: [800040] was 1, is 0
 step 8, clock 1188, region sieve
@@ -132,8 +132,8 @@ X'FFD3 5000 0000 0000'  number 2.5  length 65491, address 500000000000
 (c205) assert [0x800040] == 2.5
 (c205) delete 1
 (c205) info breaks
-2 break insn EX if step > 4, once, met 0 times
-3 watch 0x800000, 4, met 3 times
+2 break insn EX if step > 4, once, hit 0 times
+3 watch 0x800000, 4, hit 3 times
 (c205) goto clock 1100
 step 6, clock 1186, region sieve
 => 400120  ES r14, 1                     ; sieve.s:30: ES      one, 1

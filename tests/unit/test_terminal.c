@@ -163,7 +163,7 @@ static void check_drops(struct terminal *terminal)
     }
     ask(terminal);
     type(terminal, "info breaks\n");
-    expect(terminal, "1 break insn EXIT, met 0 times");
+    expect(terminal, "1 break insn EXIT, hit 0 times");
 }
 
 /* A Ctrl-C before the line is read drops it, so the line is typed again. */
