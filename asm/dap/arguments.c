@@ -108,14 +108,14 @@ static const struct {
     enum json_kind kind;
     const char *fault; /* format of the report; the argument is the key */
 } kinds[] = {
-    [TEXT] = { JSON_TEXT, "'%s' is no text" },
+    [TEXT] = { JSON_TEXT, "'%s' is not a string" },
     [TRUTH] = { JSON_TRUTH, "'%s' is neither true nor false" },
-    [WHOLE] = { JSON_NUMBER, "'%s' is no integer" },
-    [OBJECT] = { JSON_OBJECT, "'%s' is no object" },
-    [SOURCE] = { JSON_OBJECT, "'%s' is no object" },
-    [LIST] = { JSON_ARRAY, "'%s' is no list" },
-    [TEXTS] = { JSON_ARRAY, "'%s' is no list of texts" },
-    [WHOLES] = { JSON_OBJECT, "'%s' is no object of names with integers" },
+    [WHOLE] = { JSON_NUMBER, "'%s' is not an integer" },
+    [OBJECT] = { JSON_OBJECT, "'%s' is not an object" },
+    [SOURCE] = { JSON_OBJECT, "'%s' is not an object" },
+    [LIST] = { JSON_ARRAY, "'%s' is not a list" },
+    [TEXTS] = { JSON_ARRAY, "'%s' is not a list of strings" },
+    [WHOLES] = { JSON_OBJECT, "'%s' is not an object of integers" },
 };
 
 static bool is_whole(const struct json_value *object, const char *key)
@@ -151,7 +151,7 @@ static bool check(struct dap *dap, const struct json_value *object, const char *
 bool dap_check(struct dap *dap, const char *owner, const struct json_value *object)
 {
     if (object && object->kind != JSON_OBJECT)
-        return dap_fault(dap, "'%s' takes an object", owner);
+        return dap_fault(dap, "expected an object for '%s'", owner);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (size_t k = 0;
              strcmp(rows[i].owner, owner) == 0 && k < MAX_KEYS && rows[i].keys[k]; k++)

@@ -22,7 +22,7 @@ static bool make_stop(struct dap *dap, const struct json_value *wanted,
     if (!dap_check(dap, "Breakpoint", wanted))
         return false;
     if (json_member(wanted, "logMessage"))
-        return dap_fault(dap, "there are no log points");
+        return dap_fault(dap, "log points are not supported");
     return read(dap, wanted, file, stop)
            && breakpoints_condition(debugger, stop,
                                     json_member_text(wanted, "condition"))
@@ -83,7 +83,7 @@ static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
     int64_t line = 0;
 
     if (!file)
-        return dap_fault(dap, "the program has no such source");
+        return dap_fault(dap, "unknown source");
     return dap_whole(dap, wanted, "line", &line)
            && place_line(dap->debugger, file, line_of(dap, line), stop);
 }
@@ -221,7 +221,7 @@ static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
 
     (void)file;
     if (access && strcmp(access, "write") != 0)
-        return dap_fault(dap, "only what is written is watched");
+        return dap_fault(dap, "only write access can be watched");
     return breakpoints_watch(dap->debugger, &cursor, stop)
            && text_cursor_finish(dap->debugger, &cursor);
 }
@@ -248,7 +248,7 @@ static bool find_address(struct dap *dap, const struct json_value *arguments,
         return debug_address(dap->debugger, &cursor, address)
                && text_cursor_finish(dap->debugger, &cursor);
     if (!vector_of(dap, reference, &vector) || !element_number(&vector, name, &number))
-        return dap_fault(dap, "words of memory are watched, not registers");
+        return dap_fault(dap, "only words of memory can be watched, not registers");
     *address = vector.address + (uint64_t)number * vector.width;
     return true;
 }
@@ -287,7 +287,8 @@ bool request_data_breakpoint_info(struct dap *dap, const struct json_value *argu
     }
     why = dap_take_said(dap);
     json_null(body, "dataId");
-    json_text(body, "description", why ? why : "1 to 64 words of memory are watched");
+    json_text(body, "description",
+              why ? why : "only 1 to 64 words of memory can be watched");
     free(why);
     return true;
 }
@@ -303,7 +304,7 @@ bool request_exception_breakpoints(struct dap *dap, const struct json_value *arg
     dap->stop_at_traps = false;
     for (; filter; filter = filter->next) {
         if (strcmp(filter->text, "trap") != 0)
-            return dap_fault(dap, "there is no filter but 'trap'");
+            return dap_fault(dap, "unknown filter; the only filter is 'trap'");
         dap->stop_at_traps = true;
     }
     return true;

@@ -103,7 +103,8 @@ bool request_evaluate(struct dap *dap, const struct json_value *arguments,
     if (!context || strcmp(context, "repl") != 0)
         return put_value(dap, body, text, "result");
     if (dap->state != DAP_STANDING)
-        return dap_fault(dap, "a line is obeyed where the program stands");
+        return dap_fault(
+            dap, "debugger commands are accepted only while the program is stopped");
     obey_line(dap, text);
     put_result(dap, body, "result");
     json_number(body, "variablesReference", 0);

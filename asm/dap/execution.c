@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "asm/dap/dap_internal.h"
+#include "base/plural.h"
 
 /* ---- The program has stopped --------------------------------------------- */
 
@@ -142,8 +143,8 @@ static void arrive(struct dap *dap, enum execution_end ended)
         break;
     case EXECUTION_INTERRUPTED: dap_stopped(dap, "pause"); break;
     case EXECUTION_OUT_OF_RANGE:
-        sink_print(&output, "%" PRIu64 " clock%s passed", dap->setup.clocks_most,
-                   dap->setup.clocks_most == 1 ? " has" : "s have");
+        sink_print(&output, "stopped after %" PRIu64 " clock%s", dap->setup.clocks_most,
+                   plural(dap->setup.clocks_most));
         dap_stopped(dap, "pause");
         break;
     default: dap_stopped(dap, dap->reason);
@@ -293,7 +294,7 @@ bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
     int64_t line = 0;
 
     if (!file)
-        return dap_fault(dap, "the program has no such source");
+        return dap_fault(dap, "unknown source");
     if (!dap_whole(dap, arguments, "line", &line)
         || !place_line(dap->debugger, file, line_of(dap, line), &stop))
         return false;

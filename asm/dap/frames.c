@@ -179,7 +179,7 @@ bool request_source(struct dap *dap, const struct json_value *arguments,
     char *text;
 
     if (!file)
-        return dap_fault(dap, "the program has no such source");
+        return dap_fault(dap, "unknown source");
     text = text_of(dap, file);
     if (!text)
         return false;
@@ -338,7 +338,7 @@ bool request_stack_trace(struct dap *dap, const struct json_value *arguments,
         || !dap_whole(dap, arguments, "levels", &levels))
         return false;
     if (from < 0 || levels < 0)
-        return dap_fault(dap, "frames are counted from 0 on");
+        return dap_fault(dap, "frame numbers must not be negative");
     json_array(body, "stackFrames");
     for (size_t i = 0; i < frames.count; i++)
         if (i >= (size_t)from && (levels == 0 || i - (size_t)from < (size_t)levels))

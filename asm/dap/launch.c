@@ -38,9 +38,7 @@ static void put_trap_filter(struct json *body)
     json_object(body, NULL);
     json_text(body, "filter", "trap");
     json_text(body, "label", "Traps");
-    json_text(body, "description",
-              "Stop where the machine refuses to go on; otherwise the "
-              "program ends there");
+    json_text(body, "description", "Stop at a trap; otherwise the program ends there");
     json_bool(body, "default", true);
     json_end(body);
     json_end(body);
@@ -53,8 +51,7 @@ bool request_initialize(struct dap *dap, const struct json_value *arguments,
 
     if (paths && strcmp(paths, "path") != 0)
         return dap_fault(dap,
-                         "paths are paths here, not of the format "
-                         "'%.40s'",
+                         "the path format '%.40s' is not supported; expected 'path'",
                          paths);
     for (size_t i = 0; i < sizeof capabilities / sizeof *capabilities; i++)
         json_bool(body, capabilities[i], true);
@@ -120,8 +117,8 @@ static bool read_program(struct dap *dap, const struct json_value *launch,
     if (!path)
         return dap_fault(dap, "'program' is missing");
     if (strcmp(path, "-") == 0)
-        return dap_fault(dap, "the program cannot come from stdin, where "
-                              "the requests come from");
+        return dap_fault(
+            dap, "the program cannot be read from stdin, which carries the requests");
     program->path = dap->path = keep(dap, path);
     program->model = json_member_text(launch, "model");
     program->defines = read_defines(dap, launch);

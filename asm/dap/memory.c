@@ -68,7 +68,7 @@ static bool read_place(struct dap *dap, const struct json_value *arguments,
                        uint64_t *address)
 {
     return dap_address(dap, arguments, "memoryReference", address)
-           && (*address % 8 == 0 || dap_fault(dap, "no byte begins there"));
+           && (*address % 8 == 0 || dap_fault(dap, "no byte begins at this address"));
 }
 
 /* Returns false if the memory is not mapped. */
@@ -97,7 +97,7 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
         || !dap_whole(dap, arguments, "count", &count))
         return false;
     if (count < 0 || count > MAX_BYTES)
-        return dap_fault(dap, "'count' is 0 to %d bytes", MAX_BYTES);
+        return dap_fault(dap, "'count' must be between 0 and %d bytes", MAX_BYTES);
     bytes = malloc((size_t)count + 1);
     if (!bytes)
         return dap_fault(dap, "no memory");
@@ -136,7 +136,7 @@ static bool write_bytes(struct dap *dap, const struct json_value *arguments,
         return false;
     there = mapped_bytes(dap, address, count);
     if (there < count && !json_member_truth(arguments, "allowPartial", false))
-        return dap_fault(dap, "of %zu bytes %zu are in memory", count, there);
+        return dap_fault(dap, "of %zu bytes only %zu are in memory", count, there);
     if (!debug_set_bytes(dap->debugger, address, bytes, there))
         return false;
     json_number(body, "offset", 0);
@@ -157,7 +157,7 @@ bool request_write_memory(struct dap *dap, const struct json_value *arguments,
     bytes = malloc(strlen(text) + 1);
     if (!bytes)
         return dap_fault(dap, "no memory");
-    good = (read_base64(text, bytes, &count) || dap_fault(dap, "'data' is no base64"))
+    good = (read_base64(text, bytes, &count) || dap_fault(dap, "'data' is not base64"))
            && write_bytes(dap, arguments, body, bytes, count);
     free(bytes);
     return good;
@@ -253,10 +253,11 @@ bool request_disassemble(struct dap *dap, const struct json_value *arguments,
         || !dap_whole(dap, arguments, "instructionCount", &count))
         return false;
     if (address % 32 != 0)
-        return dap_fault(dap, "no instruction begins there");
+        return dap_fault(dap, "no instruction begins at this address");
     if (count < 0 || count > MAX_INSTRUCTIONS || from > MAX_INSTRUCTIONS
         || from < -MAX_INSTRUCTIONS)
-        return dap_fault(dap, "'instructionCount' is 0 to %d", MAX_INSTRUCTIONS);
+        return dap_fault(dap, "'instructionCount' must be between 0 and %d",
+                         MAX_INSTRUCTIONS);
     address = move_address(dap, address, from);
     json_array(body, "instructions");
     for (; count > 0; count--)

@@ -9,7 +9,7 @@
 
 static enum message_state broken(c205_error *error, const char *what)
 {
-    error_set(error, "a message's header: %s", what);
+    error_set(error, "malformed message header: %s", what);
     return MESSAGE_BROKEN;
 }
 
@@ -63,13 +63,14 @@ enum message_state message_find(const struct text_buffer *bytes,
         if (!newline)
             return MESSAGE_PART;
         if (newline == line || newline[-1] != '\r')
-            return broken(error, "a line that ends without CR LF");
+            return broken(error, "a line does not end with CR LF");
         if (newline - 1 == line)
             break;
         if (!read_field(line, newline - 1, &found, &content->length))
-            return broken(error, found ? "a Content-Length that is none, or "
-                                         "more than 4 MiB"
-                                       : "a line without a colon");
+            return broken(error,
+                          found
+                              ? "Content-Length must be an integer between 0 and 4 MiB"
+                              : "a line has no colon");
         line = newline + 1;
     }
     if (!found)

@@ -195,7 +195,7 @@ bool dap_whole(struct dap *dap, const struct json_value *arguments, const char *
                int64_t *value)
 {
     return json_member_whole(arguments, key, value)
-           || dap_fault(dap, "'%s' is no integer", key);
+           || dap_fault(dap, "'%s' is not an integer", key);
 }
 
 bool dap_address(struct dap *dap, const struct json_value *arguments,
@@ -210,7 +210,7 @@ bool dap_address(struct dap *dap, const struct json_value *arguments,
         return dap_fault(dap, "'%s' is missing", reference);
     *address = strtoull(text, &end, 0);
     if (end == text || *end || *address > mask)
-        return dap_fault(dap, "'%.40s' is no address", text);
+        return dap_fault(dap, "'%.40s' is not an address", text);
     if (!dap_whole(dap, arguments, "offset", &offset))
         return false;
     *address = (*address + 8 * (uint64_t)offset) & mask;

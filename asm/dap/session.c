@@ -67,10 +67,10 @@ static bool may_come(struct dap *dap, unsigned states)
     case DAP_GREETED: return dap_fault(dap, "launch comes first");
     case DAP_LAUNCHED:
         return states & DAP_STANDING ? dap_fault(dap, "configurationDone comes first")
-                                     : dap_fault(dap, "a program is launched already");
-    case DAP_RUNNING: return dap_fault(dap, "the program runs: pause it");
+                                     : dap_fault(dap, "a program is already launched");
+    case DAP_RUNNING: return dap_fault(dap, "the program is running; pause it first");
     case DAP_ENDED: return dap_fault(dap, "the program has ended");
-    default: return dap_fault(dap, "this comes once");
+    default: return dap_fault(dap, "this request is allowed only once");
     }
 }
 
@@ -83,7 +83,7 @@ static bool answer(struct dap *dap, const struct json_value *request, struct jso
     while (i < REQUESTS && strcmp(requests[i].name, command) != 0)
         i++;
     if (i == REQUESTS)
-        return dap_fault(dap, "there is no request '%.60s'", command);
+        return dap_fault(dap, "unknown request '%.60s'", command);
     return may_come(dap, requests[i].states) && dap_check(dap, command, arguments)
            && requests[i].answer(dap, arguments, body);
 }
@@ -151,7 +151,7 @@ static void handle_message(struct dap *dap, const char *text, size_t length)
     char line[400];
 
     if (!message || !type) {
-        snprintf(line, sizeof line, "a message that is none: %s\n",
+        snprintf(line, sizeof line, "invalid message: %s\n",
                  message ? "it has no type" : error.message);
         send_output(dap, "stderr", line);
     } else if (strcmp(type, "request") == 0 && json_member_text(message, "command")) {

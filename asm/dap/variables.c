@@ -224,7 +224,7 @@ static bool read_range(struct dap *dap, const struct json_value *arguments,
         || !dap_whole(dap, arguments, "count", &most))
         return false;
     if (start < 0 || most < 0)
-        return dap_fault(dap, "elements are counted from 0 on");
+        return dap_fault(dap, "element numbers must not be negative");
     *first = (size_t)start;
     *count = most == 0 ? SIZE_MAX : (size_t)most;
     return true;
@@ -237,8 +237,7 @@ static bool put_vector(struct dap *dap, const struct json_value *arguments,
     size_t first = 0, count = 0;
 
     if (!vector_of(dap, reference, &vector))
-        return dap_fault(dap, "no variables have the reference %lld",
-                         (long long)reference);
+        return dap_fault(dap, "unknown variables reference %lld", (long long)reference);
     if (!read_range(dap, arguments, &first, &count))
         return false;
     if (kind_of(reference) == OF_WORDS && wants(arguments, "named"))
@@ -281,7 +280,7 @@ static bool set_element(struct dap *dap, const struct vector_view *vector,
 
     if (!element_number(vector, name, &number)
         || !vector_get(machine_of(dap->debugger), vector, number, 1, &word))
-        return dap_fault(dap, "there is no element %.40s", name);
+        return dap_fault(dap, "unknown element %.40s", name);
     if (vector->width == 1)
         word = debug_is_true(value) ? UINT64_C(1) << 63 : 0;
     else if (!debug_word(dap->debugger, value, vector->width == 32, &word))

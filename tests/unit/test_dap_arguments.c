@@ -147,7 +147,7 @@ static void check_no_object(struct dap_client *client, const char *request)
     static const char *const wrong[] = { "5", "\"x\"", "true", "[]", "[{}]" };
 
     for (size_t i = 0; i < COUNT(wrong); i++)
-        client_refused(client, "takes an object", request, "%s", wrong[i]);
+        client_refused(client, "expected an object", request, "%s", wrong[i]);
 }
 
 static void check_requests(struct dap_client *client, const char *only)
@@ -198,7 +198,7 @@ static void check_breakpoints(struct dap_client *client)
     char text[100];
 
     for (size_t i = 0; i < COUNT(members); i++) {
-        check_breakpoint(client, members[i].request, "5", "takes an object");
+        check_breakpoint(client, members[i].request, "5", "expected an object");
         for (size_t k = 0; k < VALUES; k++) {
             if (values[k].right[members[i].type])
                 continue;
