@@ -199,7 +199,7 @@ done
 rows profile
 "$build/c205" asm good.s -o good.o
 ends 1 "$build/c205" run good.o --profile
-tells err "the source lines of good.o are not known; run its text"
+tells err "the source lines of good.o are not known; run its program text"
 
 # A comparison of two programs.
 matrix=$here/asm/examples/profiling/matrix

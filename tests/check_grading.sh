@@ -174,7 +174,7 @@ hand_ins few "$lesson" <<'END'
 text anna/scale.s anna scale -
 text anna/numbers.s anna numbers -
 folder anna/1.s anna scale a folder
-text ben/Scale.s ben - its name is that of no lesson
+text ben/Scale.s ben - its name is not the name of a lesson
 text ben/SCALE.S ben - its name does not end in '.s'
 text ben/scale.s.txt ben - its name does not end in '.s'
 text ben/scale ben - its name does not end in '.s'
@@ -183,11 +183,11 @@ link ben/notes.txt ben - a broken link
 folder ben/old ben - a folder
 pipe chloe/scale.s chloe scale a pipe or a device
 text dora/numbers.s dora numbers -
-folder dora dora scale no answer is there
-folder emil emil scale no answer is there
+folder dora dora scale no answer was found
+folder emil emil scale no answer was found
 text .hidden - - -
 text fred/.scale.s fred scale -
-folder fred fred scale no answer is there
+folder fred fred scale no answer was found
 text gina.s gina scale -
 text gina.S gina - its name does not end in '.s'
 text gina.s.txt gina - its name does not end in '.s'
@@ -202,13 +202,13 @@ tells out '^kate,scale,no,,,few/kate.s: not graded: this file has more than [0-9
 verdict $? "hand-ins that are not graded change the marks"
 hand_ins class-of-one <<'END'
 text numbers.s - numbers -
-text Numbers.s - - its name is that of no lesson
+text Numbers.s - - its name is not the name of a lesson
 text numbers.s.txt - - its name does not end in '.s'
 link anna anna - a broken link
 link 1.s - numbers a broken link
 text ben/2.s ben scoreboard -
 text ben/Numbers.S ben - its name does not end in '.s'
-folder chloe chloe - no answer is there
+folder chloe chloe - no answer was found
 END
 long=$(printf "%0200d" 205)
 hand_in text "one/$long.s"

@@ -12,16 +12,17 @@ int main(int argc, char **argv)
     };
     static const struct c205_arguments arguments = { .limit = C205_NO_LIMIT };
     static const struct command_example files[] = {
-        { "NAME.s", "A program text. The files of macros and routines that it includes "
-                    "by name, as print.s, are in c205 itself." },
+        { "NAME.s",
+          "A program text. The library files that it includes by name, such as "
+          "print.s, are built into c205." },
         { "NAME.model",
-          "A machine model: constants of time, each with unit and source; or "
-          "changes of one that is built in." },
+          "A machine model: time constants, each with its unit and source; or "
+          "changes to a built-in model." },
         { NULL, NULL }
     };
     static const struct command_program program = {
         .name = "c205",
-        .summary = "programs of a CYBER 205 style machine",
+        .summary = "run and examine programs of a CYBER 205 style machine",
         .version = C205_VERSION,
         .commands = commands,
         .files = files,

@@ -79,15 +79,15 @@ command_take cmd_take_warning;
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_CUSTOM, \
       .offset = CMD_PLACE(defines), .take = cmd_take_define, \
       .wants = "NAME=VALUE, a name and an integer, each name once", \
-      .help = "an integer for the program text, as by .equ" }
+      .help = "define an integer for the program text, like .equ" }
 #define CMD_WARN \
     { .name = "warn", .letter = 'W', .value = "NAME|no-NAME", \
       .kind = COMMAND_CUSTOM, .offset = CMD_PLACE(warnings), \
       .take = cmd_take_warning, \
       .wants = "the name of a warning (-W list prints them), all or error, " \
                "or no- and one of these", \
-      .help = "tell of this, or do not: -Wno-run-off; all; error: they are " \
-              "errors; list: what there is" }
+      .help = "report a warning, or with no- suppress it: -Wno-run-off; all; " \
+              "error: warnings are errors; list: print the names" }
 #define CMD_FLAG(flag, text) \
     { .name = #flag, .kind = COMMAND_FLAG, .offset = CMD_PLACE(flag), \
       .help = text }

@@ -35,7 +35,7 @@ static const struct command_option options[] = { { .name = "output",
                                                    .value = "FILE",
                                                    .kind = COMMAND_OUTPUT,
                                                    .offset = CMD_PLACE(output),
-                                                   .help = "write the object there" },
+                                                   .help = "write the object to FILE" },
                                                  CMD_FLAG(listing, "print the listing"),
                                                  CMD_WARN,
                                                  CMD_DEFINE,
@@ -54,5 +54,6 @@ const struct command asm_command = {
     .function = assemble,
     .options = options,
     .operands = operands,
-    .details = "Looks for errors; nothing is written unless asked for.",
+    .details =
+        "Checks a program for errors. Nothing is written without -o or --listing.",
 };

@@ -136,17 +136,20 @@ static int check_usage(const struct c205_arguments *arguments)
 {
     const char *command = arguments->command;
     return arguments->start && !arguments->lesson
-               ? cmd_usage(command, "--start of which lesson?")
+               ? cmd_usage(command, "--start requires a LESSON")
            : arguments->start && (arguments->file || arguments->folder)
-               ? cmd_usage(command, "--start writes a program and grades none")
+               ? cmd_usage(command,
+                           "--start cannot be combined with an ANSWER or --folder")
            : arguments->output && !arguments->start
-               ? cmd_usage(command, "-o is of --start")
+               ? cmd_usage(command, "-o requires --start")
            : arguments->hints
                    && (!arguments->lesson || arguments->file || arguments->folder
                        || arguments->start)
-               ? cmd_usage(command, "--hints are printed with a lesson")
+               ? cmd_usage(
+                   command,
+                   "--hints requires a LESSON, without ANSWER, --folder or --start")
            : arguments->folder && arguments->file
-               ? cmd_usage(command, "one answer or a --folder, not both")
+               ? cmd_usage(command, "an ANSWER cannot be combined with --folder")
                : CMD_DONE;
 }
 
@@ -170,12 +173,12 @@ static const struct command_option options[] = {
       .value = "FILE",
       .kind = COMMAND_OUTPUT,
       .offset = CMD_PLACE(output),
-      .help = "where to (-)" },
+      .help = "write the program to FILE (-)" },
     { .name = "folder",
       .value = "DIR",
       .kind = COMMAND_FOLDER,
       .offset = CMD_PLACE(folder),
-      .help = "grade what was handed in: DIR/STUDENT/LESSON.s, DIR/LESSON.s, "
+      .help = "grade all hand-ins: DIR/STUDENT/LESSON.s, DIR/LESSON.s, "
               "or DIR/STUDENT.s of one lesson" },
     CMD_RESULTS,
     COMMAND_END
@@ -185,25 +188,25 @@ static const struct command_option operands[] = {
       .kind = COMMAND_TEXT,
       .optional = true,
       .offset = CMD_PLACE(lesson),
-      .help = "its name or its number, or the folder of one; without: all are "
+      .help = "the name, number or folder of a lesson; without it, all lessons are "
               "listed" },
     { .value = "ANSWER",
       .kind = COMMAND_INPUT,
       .optional = true,
       .offset = CMD_PLACE(file),
-      .help = "a program text to grade; without: the lesson is printed" },
+      .help = "a program text to grade; without it, the lesson is printed" },
     COMMAND_END
 };
 static const struct command_example examples[] = {
-    { "c205 check LESSON --start -o FILE", "begin" },
-    { "c205 check LESSON ANSWER", "what is wrong or slow" },
-    { "c205 check --folder DIR --format csv", "a class, a row each" },
+    { "c205 check LESSON --start -o FILE", "start an exercise" },
+    { "c205 check LESSON ANSWER", "report what is wrong or slow" },
+    { "c205 check --folder DIR --format csv", "grade a class, a row for each answer" },
     { NULL, NULL }
 };
 
 const struct command check_command = {
     .name = "check",
-    .summary = "lessons with exercises, and what answers are worth",
+    .summary = "print lessons and grade answers to their exercises",
     .function = run,
     .options = options,
     .operands = operands,

@@ -177,7 +177,7 @@ static void grade(struct handed_in *all, const char *student,
         refuse(all, student, lesson, path, error.message);
     } else if (!lesson) {
         refuse(all, student, lesson, path,
-               file_ends_with(path, ".s") ? "its name is that of no lesson"
+               file_ends_with(path, ".s") ? "its name is not the name of a lesson"
                                           : "its name does not end in '.s'");
     } else if (!check_grade(lesson, path, &verdict, &error)) {
         refuse(all, student, lesson, path, error.message);
@@ -261,7 +261,7 @@ static void take_student(struct handed_in *all, const char *name, const char *pa
     size_t rows = table_rows(all->table);
     take_folder(all, name, path, take_answer);
     if (table_rows(all->table) == rows && !interrupt_pending()) {
-        refuse(all, name, all->check->lesson, path, "no answer is there");
+        refuse(all, name, all->check->lesson, path, "no answer was found");
     }
 }
 
@@ -338,7 +338,7 @@ int check_folder(const struct check_command *check, bool *all_graded)
     const struct c205_arguments *arguments = check->arguments;
     int code = !all.table ? cmd_failed(arguments->command, "no memory")
                : !folder_is(arguments->folder)
-                   ? cmd_failed(arguments->command, "%s: there is no such folder",
+                   ? cmd_failed(arguments->command, "%s is not a folder",
                                 arguments->folder)
                    : take_class(&all);
     table_free(all.table);

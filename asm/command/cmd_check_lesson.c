@@ -87,7 +87,7 @@ static int show_tests(const struct check_command *check)
         { "constants", "constants", TABLE_TEXT, 0 },
         { "data", "data at", TABLE_TEXT, 0 },
         { "results", "results at", TABLE_TEXT, 0 },
-        { "tries", "what it tries", TABLE_TEXT, 0 },
+        { "tries", "what it tests", TABLE_TEXT, 0 },
     };
     struct table *table = table_new(TABLE_COLUMNS(columns));
     c205_error error;

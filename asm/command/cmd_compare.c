@@ -149,13 +149,12 @@ static int run(void *given)
     struct two_runs runs = { .arguments = arguments };
     int code;
     if (arguments->files.count == 0 || arguments->files.count > COMPARED_RUNS) {
-        return cmd_usage(arguments->command, "name one program or two");
+        return cmd_usage(arguments->command, "expected one or two programs");
     }
     if (arguments->files.count == 1 && !arguments->other_model
         && arguments->other_defines.count == 0) {
         return cmd_usage(arguments->command,
-                         "with what? name a second program, --other-model or "
-                         "--other-define");
+                         "expected a second program, --other-model or --other-define");
     }
     code = compare(&runs);
     for (int i = 0; i < COMPARED_RUNS; i++) {
@@ -173,7 +172,7 @@ static const struct command_option options[] = {
       .kind = COMMAND_INPUT,
       .offset = CMD_PLACE(other_model),
       .choice = command_model_choice,
-      .help = "machine model of the second" },
+      .help = "machine model of the second program" },
     CMD_DEFINE,
     { .name = "other-define",
       .value = "NAME=VALUE",
@@ -181,7 +180,7 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(other_defines),
       .take = cmd_take_define,
       .wants = "NAME=VALUE, a name and an integer, each name once",
-      .help = "an integer for the second program, which has those alone" },
+      .help = "define an integer for the second program, which then ignores --define" },
     CMD_FLAG(warm, "all pages are in memory when the programs begin"),
     CMD_INCLUDE,
     CMD_FIGURES,
@@ -192,11 +191,11 @@ static const struct command_option operands[] = {
       .kind = COMMAND_INPUT,
       .many = true,
       .offset = CMD_PLACE(files),
-      .help = "two programs, or one with another setting" },
+      .help = "two programs, or one to run with two settings" },
     COMMAND_END
 };
 static const struct command_example examples[] = {
-    { "c205 compare --warm FILE FILE", "what makes one faster" },
+    { "c205 compare --warm FILE FILE", "show why one is faster" },
     { "c205 compare FILE --other-model cyber205-4pipe",
       "the same program on another machine" },
     { NULL, NULL }
@@ -204,7 +203,7 @@ static const struct command_example examples[] = {
 
 const struct command compare_command = {
     .name = "compare",
-    .summary = "two programs side by side, and what makes the difference",
+    .summary = "compare two programs and show the cause of the difference",
     .function = run,
     .options = options,
     .operands = operands,

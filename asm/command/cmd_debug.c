@@ -32,14 +32,14 @@ static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
     if (arguments->dap && arguments->scripts.count > 0) {
-        return cmd_usage(arguments->command, "--dap takes no script");
+        return cmd_usage(arguments->command, "--dap cannot be combined with --script");
     }
     if (arguments->dap) {
         return cmd_debug_dap(arguments);
     }
     if (!arguments->file) {
         return cmd_usage(arguments->command,
-                         "FILE is missing: only of --dap an editor names it");
+                         "FILE is missing; it is optional only with --dap");
     }
     struct object *object;
     c205_model *model;
@@ -58,8 +58,9 @@ static const struct command_option options[] = {
       .kind = COMMAND_INPUT,
       .many = true,
       .offset = CMD_PLACE(scripts),
-      .help = "take the lines from there, and end with 1 if one of them fails, "
-              "as an assert does" },
+      .help =
+          "read lines from FILE; the exit status is 1 if one of them fails, such "
+          "as an assert" },
     CMD_MODEL,
     CMD_WARN,
     CMD_FLAG(dap, "speak the Debug Adapter Protocol on stdin and stdout, for "
@@ -79,19 +80,20 @@ static const struct command_option operands[] = {
     COMMAND_END
 };
 static const struct command_example examples[] = {
-    { "c205 debug FILE", "go through a program, forward and back" },
-    { "c205 debug -x SCRIPT FILE", "the same by a script" },
-    { "c205 debug --dap", "the same for an editor" },
+    { "c205 debug FILE", "step through a program, forward and back" },
+    { "c205 debug -x SCRIPT FILE", "do the same with a script" },
+    { "c205 debug --dap", "do the same for an editor" },
     { NULL, NULL }
 };
 
 const struct command debug_command = {
     .name = "debug",
-    .summary = "go through a program, forward and back",
+    .summary = "step through a program, forward and back",
     .function = run,
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details = "On a terminal libedit, if it is installed, keeps the lines and "
-               "completes. help tells the verbs.",
+    .details =
+        "On a terminal libedit, if it is installed, provides history and completion. "
+        "The verb help lists all verbs.",
 };

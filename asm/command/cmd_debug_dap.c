@@ -35,7 +35,7 @@ static void put(void *context, const char *text, size_t length)
 /* Finds a model. It cannot be read from stdin, which carries the messages. */
 static c205_model *find_model(const char *name, const struct sink *report)
 {
-    c205_error error = { "a model cannot come from stdin" };
+    c205_error error = { "a model cannot be read from stdin with --dap" };
     c205_model *model = file_is_stream(name) ? NULL : c205_model_find(name, &error);
     if (!model) {
         sink_print(report, "%s\n", error.message);

@@ -21,7 +21,7 @@ static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
 
 const struct command dis_command = {
     .name = "dis",
-    .summary = "a program as text again",
+    .summary = "disassemble a program",
     .function = disassemble_file,
     .options = options,
     .operands = operands,

@@ -254,14 +254,15 @@ static int run(void *given)
     const char *form = other_form(arguments);
     if (form) {
         return !stands_alone(arguments)
-                   ? cmd_usage(arguments->command, "--%s stands alone", form)
+                   ? cmd_usage(arguments->command,
+                               "--%s can be combined only with --model", form)
                : arguments->grammar ? isa_grammar(arguments->command)
                                     : with_model(arguments);
     }
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
         if (!row_named(name)) {
-            return cmd_usage(arguments->command, "no such instruction: %s", name);
+            return cmd_usage(arguments->command, "unknown instruction '%s'", name);
         }
     }
     if (!output_open(&results, arguments->command, NULL)) {
@@ -276,10 +277,10 @@ static const char *mnemonic_choice(size_t number)
 }
 
 static const struct command_option options[] = {
-    CMD_FLAG(names, "the mnemonics alone"),
-    CMD_FLAG(markdown, "the whole reference, docs/isa.md"),
-    CMD_FLAG(grammar, "a TextMate grammar, for editors"),
-    CMD_FLAG(card, "a card of two pages to print, for groff -Tpdf"),
+    CMD_FLAG(names, "print only the mnemonics"),
+    CMD_FLAG(markdown, "print the whole reference, docs/isa.md"),
+    CMD_FLAG(grammar, "print a TextMate grammar, for editors"),
+    CMD_FLAG(card, "print a card of two pages, for groff -Tpdf"),
     CMD_MODEL,
     CMD_RESULTS,
     COMMAND_END
@@ -291,13 +292,13 @@ static const struct command_option operands[] = {
       .optional = true,
       .offset = CMD_PLACE(files),
       .choice = mnemonic_choice,
-      .help = "all that is known of this instruction" },
+      .help = "describe this instruction" },
     COMMAND_END
 };
 
 const struct command isa_command = {
     .name = "isa",
-    .summary = "the instructions",
+    .summary = "list or describe the instructions",
     .function = run,
     .options = options,
     .operands = operands,

@@ -86,16 +86,17 @@ static const struct command_option operands[] = {
       .optional = true,
       .offset = CMD_PLACE(file),
       .choice = command_model_choice,
-      .help = "a model, all of whose constants are told" },
+      .help = "a model whose constants are printed" },
     COMMAND_END
 };
 
 const struct command model_command = {
     .name = "model",
-    .summary = "the machine models",
+    .summary = "list machine models and their constants",
     .function = run,
     .options = options,
     .operands = operands,
-    .details = "Lists the models that are built in; of one that is named the "
-               "constants, each with its unit and its source.",
+    .details =
+        "Lists the built-in models. With an argument: the constants of that model, "
+        "each with its unit and source.",
 };

@@ -97,11 +97,12 @@ static int judge_trap(const struct c205_arguments *arguments,
     fflush(stdout);
     trap_report(object, program_name(arguments), machine, stop, &report);
     if (stop->trap == C205_TRAP_CLOCK_LIMIT && arguments->limit == C205_NO_LIMIT) {
-        return cmd_failed(arguments->command,
-                          "stopped after %" PRIu64 " clocks: if it is in no "
-                          "endless loop, --limit CLOCKS or --no-limit lets it "
-                          "go on",
-                          CMD_LIMIT);
+        return cmd_failed(
+            arguments->command,
+            "stopped after %" PRIu64
+            " clocks: if the program is not in an endless loop, use --limit CLOCKS "
+            "or --no-limit",
+            CMD_LIMIT);
     }
     return CMD_FAILED;
 }
@@ -134,8 +135,8 @@ static int save(const struct c205_arguments *arguments, const struct object *obj
 {
     c205_error error;
     if (!may_go_on(stop)) {
-        fprintf(stderr, "c205 run: it did not reach the limit, and nothing "
-                        "is saved\n");
+        fprintf(stderr,
+                "c205 run: the program did not reach the limit; nothing is saved\n");
         return judge(arguments, object, machine, stop);
     }
     if (!state_save(machine, arguments->save, &error)) {
@@ -274,7 +275,7 @@ static c205 *restore(const char *path, const c205_model *model,
     c205 *machine = state_load(path, model, error);
     if (machine && object
         && c205_loaded_program(machine) != c205_program_hash(&object->program)) {
-        error_set(error, "%.180s: this machine runs another program", path);
+        error_set(error, "%.180s: the saved machine runs another program", path);
         c205_free(machine);
         return NULL;
     }
@@ -293,10 +294,10 @@ static int make_and_run(const struct c205_arguments *arguments, const c205_model
     }
     if (arguments->profile && object->line_count == 0) {
         c205_free(machine);
-        return cmd_failed(arguments->command,
-                          "--profile: the source lines of %s are not known; "
-                          "run its text",
-                          program_name(arguments));
+        return cmd_failed(
+            arguments->command,
+            "--profile: the source lines of %s are not known; run its program text",
+            program_name(arguments));
     }
     int code = run(arguments, machine, object);
     c205_free(machine);
@@ -322,28 +323,32 @@ static int check_usage(const struct c205_arguments *arguments)
     const char *command = arguments->command;
     bool state = arguments->save || arguments->restore;
     if (arguments->files.count == 0 && !arguments->restore) {
-        return cmd_usage(command, "name a file");
+        return cmd_usage(command, "FILE is missing");
     }
     if (arguments->check) {
-        return state ? cmd_usage(command, "tests are not saved or restored")
+        return state ? cmd_usage(command,
+                                 "--check cannot be combined with --save or --restore")
                : arguments->profile || arguments->warm
-                   ? cmd_usage(command, "tests have no --profile or --warm")
+                   ? cmd_usage(command,
+                               "--check cannot be combined with --profile or --warm")
                    : CMD_DONE;
     }
     if (arguments->files.count > 1) {
-        return cmd_usage(command, "one program, not %s too", arguments->files.items[1]);
+        return cmd_usage(command,
+                         "expected one program, found also %s; --check runs several",
+                         arguments->files.items[1]);
     }
     if (arguments->profile && arguments->restore) {
-        return cmd_usage(command, "--profile is of a run from its beginning");
+        return cmd_usage(command, "--profile cannot be combined with --restore");
     }
     if (arguments->in_order && !arguments->profile) {
-        return cmd_usage(command, "--in-order is of --profile");
+        return cmd_usage(command, "--in-order requires --profile");
     }
     if (arguments->warm && arguments->restore) {
-        return cmd_usage(command, "--warm is of a run from its beginning");
+        return cmd_usage(command, "--warm cannot be combined with --restore");
     }
     if (arguments->save && arguments->limit == C205_NO_LIMIT) {
-        return cmd_usage(command, "--save needs a --limit");
+        return cmd_usage(command, "--save requires --limit");
     }
     return CMD_DONE;
 }
@@ -368,28 +373,28 @@ static int run_command_line(void *given)
 }
 
 static const struct command_option options[] = {
-    CMD_FLAG(check, "run test programs; a line each, PASS or FAIL"),
+    CMD_FLAG(check, "run test programs and print PASS or FAIL for each"),
     { .name = "model",
       .value = "NAME|FILE",
       .kind = COMMAND_INPUT,
       .offset = CMD_PLACE(model),
       .choice = command_model_choice,
-      .help = "machine model (" C205_DEFAULT_MODEL ", with --check that which "
-              "the program names)" },
+      .help = "machine model (" C205_DEFAULT_MODEL
+              "; with --check that of the program)" },
     { .name = "limit",
       .value = "CLOCKS",
       .kind = COMMAND_CLOCKS,
       .offset = CMD_PLACE(limit),
-      .help = "stop the program after so many (1000000000, and failure)" },
+      .help =
+          "stop the program after this number of clocks (1000000000, then it fails)" },
     { .name = "no-limit",
       .kind = COMMAND_FLAG,
       .offset = CMD_PLACE(no_limit),
-      .help = "let it run for ever" },
+      .help = "run without a limit" },
     { .name = "exit-status",
       .kind = COMMAND_FLAG,
       .offset = CMD_PLACE(exit_status),
-      .help = "end with the low 8 bits of the status that the program gives "
-              "EXIT" },
+      .help = "exit with the low 8 bits of the program's status" },
     { .name = "save",
       .value = "STATE",
       .kind = COMMAND_OUTPUT,
@@ -399,18 +404,18 @@ static const struct command_option options[] = {
       .value = "STATE",
       .kind = COMMAND_INPUT,
       .offset = CMD_PLACE(restore),
-      .help = "go on with a program that was saved; a FILE must be that "
-              "program" },
+      .help = "continue a saved program; a FILE must be that program" },
     CMD_WARN,
     CMD_DEFINE,
     CMD_INCLUDE,
     CMD_FLAG(trace, "print each instruction as it is executed"),
-    CMD_FLAG(profile, "also where the clocks went line by line, the hottest "
-                      "first; macros where they are called"),
+    CMD_FLAG(profile,
+             "also print the clocks of each line, the most expensive first; macros at "
+             "their calls"),
     { .name = "in-order",
       .kind = COMMAND_FLAG,
       .offset = CMD_PLACE(in_order),
-      .help = "lines of --profile as they stand in memory" },
+      .help = "print the lines of --profile in the order of memory" },
     CMD_FLAG(warm, "all pages are in memory when the program begins"),
     CMD_FIGURES,
     COMMAND_END
@@ -428,7 +433,7 @@ static const struct command_option operands[] = {
 static const struct command_example examples[] = {
     { "c205 run FILE", "run a program and account for its clocks" },
     { "c205 run --check FILE..", "run test programs" },
-    { "c205 run --restore STATE [FILE]", "go on with a program that was saved" },
+    { "c205 run --restore STATE [FILE]", "continue a saved program" },
     { NULL, NULL }
 };
 

@@ -43,7 +43,7 @@ static bool meets(struct checker *checker, const struct object *object,
     const char *printed = checker->printed.text;
     warning_set warned = object->warned | runtime_warned(checker->watch);
     if (!expect_anything(object)) {
-        return fail(checker, "the program expects nothing");
+        return fail(checker, "the program has no expectations");
     }
     return expect_check(object, checker->machine, stop, printed ? printed : "", warned,
                         &sink)
@@ -158,7 +158,7 @@ static void print_text(const struct command_output *results,
     const char *text = verdict->report;
     const char *other = verdict->other_model;
     output_printf(results, "%s %s%s%s%s\n", verdict->good ? "PASS" : "FAIL",
-                  verdict->path, other ? " (but for the clocks: not of " : "",
+                  verdict->path, other ? " (clocks not compared on " : "",
                   other ? other : "", other ? ")" : "");
     while (*text) {
         size_t length = strcspn(text, "\n");

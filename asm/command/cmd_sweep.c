@@ -31,9 +31,9 @@ static void print_line(const struct program_sweep *sweep, int which,
                       swept_names[which], sweep->constant);
     } else if (!line.good) {
         output_printf(results,
-                      "The %s is no straight line in %s: one would be %.1f %% "
-                      "off at %" PRIu64 ". At the end its clocks go with the "
-                      "power %.2f.\n",
+                      "The %s is not a straight line in %s: a line would be %.1f %% "
+                      "off at %" PRIu64
+                      ". At the end its clocks grow with the power %.2f.\n",
                       swept_names[which], sweep->constant, 100 * line.off, line.off_at,
                       swept_power(sweep, which));
     }
@@ -176,7 +176,7 @@ static bool read_text(const struct c205_arguments *arguments,
     program->text = text;
     if (text && object_recognise(text, program->length)) {
         snprintf(error.message, sizeof error.message,
-                 "constants of an object are fixed; name its text");
+                 "the constants of an object are fixed; use its program text");
         program->text = NULL;
         free(text);
     }
@@ -264,28 +264,26 @@ static int check_values(const struct c205_arguments *arguments)
     if (swept->ranges != 1) {
         return cmd_usage(arguments->command,
                          swept->ranges == 0
-                             ? "against what? --define NAME=FROM:TO"
-                             : "one constant runs through a range, not %zu",
+                             ? "a range is missing: --define NAME=FROM:TO"
+                             : "expected one constant with a range, found %zu",
                          swept->ranges);
     }
     if (is_fixed_too(swept)) {
-        return cmd_usage(arguments->command, "%s has a range and a value as well",
+        return cmd_usage(arguments->command, "%s has both a range and a value",
                          swept->name);
     }
     if (arguments->point_count > 0
         && (swept->range.step > 0 || swept->range.factor > 0)) {
         return cmd_usage(arguments->command,
-                         "the range says which points there are, not "
-                         "--points");
+                         "--points cannot be combined with a STEP or xFACTOR");
     }
     count = swept_values(&swept->range, arguments->point_count, values);
     if (count == 0) {
         return cmd_usage(arguments->command, "the range has more than %d values",
                          MAX_SWEPT_POINTS);
     }
-    return count > 1
-               ? CMD_DONE
-               : cmd_usage(arguments->command, "the range has no value but its first");
+    return count > 1 ? CMD_DONE
+                     : cmd_usage(arguments->command, "the range has only one value");
 }
 
 static int run(void *given)
@@ -294,14 +292,15 @@ static int run(void *given)
     const char *output = arguments->output;
     int code;
     if (arguments->files.count == 0 || arguments->files.count > SWEPT_PROGRAMS) {
-        return cmd_usage(arguments->command, "name one program or two");
+        return cmd_usage(arguments->command, "expected one or two programs");
     }
     code = check_values(arguments);
     if (code != CMD_DONE) {
         return code;
     }
     if (output && !file_is_stream(output) && !file_ends_with(output, ".svg")) {
-        return cmd_usage(arguments->command, "%s: a picture is .svg", output);
+        return cmd_usage(arguments->command,
+                         "%s: the name of a picture must end in .svg", output);
     }
     return sweep_programs(arguments);
 }
@@ -314,16 +313,16 @@ static const struct command_option options[] = {
       .take = take_swept,
       .wants = "NAME=FROM:TO, FROM:TO:STEP, FROM:TO:xFACTOR, from 1 on and "
                "rising; or NAME=VALUE, an integer",
-      .help = "the constant and its range, FROM:TO[:STEP|:xFACTOR]; or an "
-              "integer that stays" },
+      .help =
+          "the constant and its range, FROM:TO[:STEP|:xFACTOR]; or a fixed integer" },
     { .name = "points",
       .value = "NUMBER",
       .kind = COMMAND_COUNT,
       .offset = CMD_PLACE(point_count),
       .least = 2,
       .most = MAX_SWEPT_POINTS,
-      .preset_text = "8 an octave, 25 at most",
-      .help = "values of FROM:TO, each as many times the one before" },
+      .preset_text = "8 per octave, at most 25",
+      .help = "number of values in FROM:TO, at a constant ratio" },
     { .name = "output",
       .letter = 'o',
       .value = "FILE",
@@ -336,29 +335,31 @@ static const struct command_option options[] = {
     CMD_FIGURES,
     COMMAND_END
 };
-static const struct command_option operands[] = { { .value = "FILE",
-                                                    .kind = COMMAND_INPUT,
-                                                    .many = true,
-                                                    .offset = CMD_PLACE(files),
-                                                    .help = "a program text, or two" },
-                                                  COMMAND_END };
+static const struct command_option operands[] = {
+    { .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .many = true,
+      .offset = CMD_PLACE(files),
+      .help = "one or two program texts" },
+    COMMAND_END
+};
 static const struct command_example examples[] = {
     { "c205 sweep FILE --define n=8:65535 -o x.svg",
       "start-up, r-infinity and n-half" },
     { "c205 sweep --warm FILE FILE --define n=1:1000",
-      "from which length on the second is faster" },
+      "find the length from which the second is faster" },
     { NULL, NULL }
 };
 
 const struct command sweep_command = {
     .name = "sweep",
-    .summary = "a program, or two, against a constant",
+    .summary = "measure one or two programs over a range of a constant",
     .function = run,
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details = "A program that is to have a value of its own as well gives it in "
-               ".ifndef NAME .. .endif. With STEP or xFACTOR there are no values but "
-               "those; else every integer in the range may be tried to find where "
-               "the programs change places.",
+    .details =
+        "A program can give NAME a value of its own between .ifndef NAME and .endif. "
+        "With STEP or xFACTOR only the values of the range are run. Otherwise any "
+        "integer in it may be run to find where the faster program changes.",
 };

@@ -271,7 +271,7 @@ static int run(void *given)
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
         if (!measure_knows(name)) {
-            return cmd_usage(arguments->command, "no such vector instruction: %s",
+            return cmd_usage(arguments->command, "unknown vector instruction '%s'",
                              name);
         }
     }
@@ -308,8 +308,8 @@ static const struct command_option operands[] = {
       .optional = true,
       .offset = CMD_PLACE(files),
       .choice = measured_choice,
-      .help = "a vector instruction, or TRIAD, the linked triad B + s A; ,H "
-              "behind a name: on 32-bit operands" },
+      .help = "a vector instruction, or TRIAD, the linked triad B + s A; ,H after a "
+              "name: on 32-bit operands" },
     COMMAND_END
 };
 
@@ -319,10 +319,12 @@ const struct command time_command = {
     .function = run,
     .options = options,
     .operands = operands,
-    .details = "Start-up (in clocks), clocks per element, r-infinity and n-half of "
-               "these instructions; or of all, a line for those of one class that "
-               "take the same time, \",H\" behind the class: on 32-bit operands. CSV "
-               "and JSON have each for itself. Off line: by how many clocks the "
-               "farthest measured point misses the straight line. Of sparse vectors an "
-               "element is a place of the order vectors; the rate counts what is done.",
+    .details =
+        "Prints the start-up (in clocks), clocks per element, r-infinity and n-half "
+        "of these instructions. Without MNEMONIC: of all, with one line for those of "
+        "a class that take the same time; \",H\" after a class: on 32-bit operands. "
+        "CSV and JSON have a row for each instruction. Off line: the largest "
+        "distance in clocks of a measured point from the straight line. The elements "
+        "of sparse vectors are the bits of their order vectors; the rate counts "
+        "executed operations.",
 };

@@ -51,18 +51,20 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
         return cmd_failed(arguments->command, "no memory");
     }
     if (timeline->full) {
-        return cmd_failed(arguments->command,
-                          "these are more than %d instructions: choose some "
-                          "by --from CLOCK and --to CLOCK",
-                          MAX_TIMELINE);
+        return cmd_failed(
+            arguments->command,
+            "more than %d instructions; select a part with --from CLOCK and --to CLOCK",
+            MAX_TIMELINE);
     }
     if (timeline->insn_count == 0) {
-        return cmd_failed(arguments->command,
-                          ending.ended ? "no instruction is at work then: the "
-                                         "program takes %" PRIu64 " clock%s"
-                                       : "no instruction is at work then: it "
-                                         "was run for %" PRIu64 " clock%s",
-                          c205_clock(machine), plural(c205_clock(machine)));
+        return cmd_failed(
+            arguments->command,
+            ending.ended
+                ? "no instruction is active in this range: the program takes %" PRIu64
+                  " clock%s"
+                : "no instruction is active in this range: the program was run for "
+                  "%" PRIu64 " clock%s",
+            c205_clock(machine), plural(c205_clock(machine)));
     }
     timeline_finish(timeline);
     code = write_file(arguments, timeline);
@@ -105,14 +107,15 @@ static int check_usage(const struct c205_arguments *arguments)
 {
     const char *path = arguments->output;
     if (!path) {
-        return cmd_usage(arguments->command, "where to? -o FILE");
+        return cmd_usage(arguments->command, "-o FILE is missing");
     }
     if (!timeline_is_named(path)) {
-        return cmd_usage(arguments->command, "%s: a timeline is .svg, .kanata or .json",
-                         path);
+        return cmd_usage(
+            arguments->command,
+            "%s: the name of a timeline must end in .svg, .kanata or .json", path);
     }
     if (arguments->from >= arguments->limit) {
-        return cmd_usage(arguments->command, "--from is before --to");
+        return cmd_usage(arguments->command, "--from must be before --to");
     }
     return CMD_DONE;
 }
@@ -145,12 +148,12 @@ static const struct command_option options[] = {
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
       .offset = CMD_PLACE(from),
-      .help = "what is at work from that clock on (0)" },
+      .help = "include instructions that are active from this clock on (0)" },
     { .name = "to",
       .value = "CLOCK",
       .kind = COMMAND_CLOCKS,
       .offset = CMD_PLACE(limit),
-      .help = "before that clock (the end)" },
+      .help = "and before this clock (the end)" },
     CMD_FLAG(warm, "all pages are in memory when the program begins"),
     CMD_MODEL,
     CMD_DEFINE,
@@ -161,13 +164,13 @@ static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
 static const struct command_example examples[] = {
     { "c205 timeline FILE -o run.svg", "a picture of a run" },
     { "c205 timeline FILE --from 1000 --to 2000 -o run.kanata",
-      "a stretch of it, for Konata" },
+      "a part of it, for Konata" },
     { NULL, NULL }
 };
 
 const struct command timeline_command = {
     .name = "timeline",
-    .summary = "when each instruction was at work, as a picture",
+    .summary = "draw when each instruction was active",
     .function = run,
     .options = options,
     .operands = operands,

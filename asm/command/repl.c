@@ -82,7 +82,7 @@ int repl_hold(const struct repl_setup *setup, struct debugger *debugger)
         return cmd_failed(setup->command, "interrupted");
     }
     if (fault) {
-        return cmd_failed(setup->command, "%s cannot be read: %s", unread, fault);
+        return cmd_failed(setup->command, "cannot read %s: %s", unread, fault);
     }
     return is_good(&repl) ? CMD_DONE : CMD_FAILED;
 }

@@ -112,7 +112,7 @@ function checkTimeline(path, model) {
     const { said } = native("timeline", path, "--model", model, "-o", file);
     const reply = finish(engine, { do: "timeline", file: `x.${ending}`, most: 50000, ms: 20 });
     if (existsSync(file)) same(readFileSync(file, "utf8"), reply.file, `${path}: timeline as ${ending}`);
-    else verdict(reply.full || said.includes("no instruction is at work"), `${path}: only the engine has a timeline`);
+    else verdict(reply.full || said.includes("no instruction is active in this range"), `${path}: only the engine has a timeline`);
   }
 }
 
