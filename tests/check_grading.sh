@@ -42,9 +42,9 @@ check 2 "$lesson" begun.s --start
 check 2 "$lesson" -o begun.s
 check 2 "$lesson" begun.s --folder .
 check 1 no-lesson
-tells err "there is no lesson 'no-lesson'"
+tells err "unknown lesson 'no-lesson'"
 check 1 "$here/tests/lessons"
-tells err 'is no lesson: it has no lesson.md'
+tells err 'is not a lesson: it has no lesson.md'
 mkdir broken
 cp "$lesson"/lesson.md "$lesson"/start.s broken
 printf '; test: one\n; goals: gold 3, silver 2, bronze 1\n' >broken/test-one.s
@@ -67,7 +67,7 @@ tells out '^scale: passed, gold$'
 verdict $? "an answer from stdin is graded otherwise"
 check 1 "$lesson" begun.s --json verdict.json
 tells out '^small: not right (five elements)$'
-tells out '^    above is 0 and should be 1\.  It holds what it held'
+tells out '^    above is 0 and should be 1\.  The run did not change it'
 tells verdict.json '"passed": false'
 check 1 "$lesson" begun.s --format json
 expect "the verdict in a file is another one" cmp -s out verdict.json
@@ -114,14 +114,14 @@ while read -r kind does medal text; do
 done <<'END'
 1-no-gold yes gold ^scale: passed, gold$
 2-silver yes silver ^    It took [0-9]* clocks, [0-9]* more than the 25000 of gold\.$
-3-bronze yes bronze ^    What took most is vector stream: [0-9]* clocks, 9[0-9] %\.
+3-bronze yes bronze ^    The largest part is vector stream: [0-9]* clocks, 9[0-9] %\.
 4-slow no - ^large: right, [0-9]* clocks: too slow (
 5-untouched no - ^    All 5 elements of y are wrong: element 0 is 0 and should be 2,
-6-endless no - It was in line 23 then: here:$
+6-endless no - It was at line 23: here:
 7-trap no - ^    drawer/7-trap.s:23:2: error: trap unmapped-address
 8-bad no - ^    drawer/8-bad.s:23:9: error: .* did you mean MPYSH?$
 9-sets-n no - ^    Line 8 sets n, which the tests set: put '.ifndef n' before it
-10-no-label no - ^    The answer has no label above, where results are looked for\.$
+10-no-label no - ^    The answer has no label above, which must hold results\.$
 END
 LC_ALL=C sort unsorted >wanted
 expect "not thirty have handed in" [ "$(wc -l <wanted)" -eq 30 ]

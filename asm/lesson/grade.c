@@ -80,13 +80,14 @@ static void print_redefined(struct lesson_report *report, const char *name,
     if (diagnostic->source && strstr(diagnostic->source, ".equ"))
         report_printf(report,
                       "Line %zu sets %s, which the tests set: put '.ifndef %s' "
-                      "before it and '.endif' behind it.",
+                      "before it and '.endif' after it.",
                       diagnostic->line, name, name);
     else
-        report_printf(report,
-                      "Line %zu uses the name %s, which is that of a constant "
-                      "that the tests set: take another one.",
-                      diagnostic->line, name);
+        report_printf(
+            report,
+            "Line %zu uses the name %s of a constant that the tests set: choose "
+            "another name.",
+            diagnostic->line, name);
 }
 
 /* Reports each constant that the answer defines although the test sets it. Returns
@@ -104,7 +105,8 @@ static bool find_redefined(struct sitting *sitting, const struct diagnostics *sa
     return report->count > reported;
 }
 
-/* Reports the errors after a heading such as "With n = 5 it cannot be assembled:". */
+/* Reports the errors after a heading such as "With n = 5 the answer cannot be
+ * assembled:". */
 static void print_errors(struct sitting *sitting, const struct diagnostics *said,
                          const struct asm_define *defines)
 {
@@ -114,7 +116,7 @@ static void print_errors(struct sitting *sitting, const struct diagnostics *said
     for (size_t i = 0; defines[i].name; i++)
         sink_print(&sink, "%s%s = %" PRId64, i > 0 ? ", " : "With ", defines[i].name,
                    defines[i].value);
-    sink_put(&sink, " it cannot be assembled:");
+    sink_put(&sink, " the answer cannot be assembled:");
     print_diagnostics(&sitting->trial->report, line.text, said, SEVERITY_ERROR);
 }
 
@@ -191,11 +193,11 @@ static void print_endless(struct sitting *sitting, const c205_stop *stop)
     struct sink sink = text_line_sink(&where);
 
     if (line)
-        sink_print(&sink, "  It was in line %zu then: %s", line->call_number,
+        sink_print(&sink, "  It was at line %zu: %s", line->call_number,
                    lesson_source(line->call_source));
     report_printf(&sitting->trial->report,
                   "It had not ended after %" PRIu64
-                  " clocks: is this an endless loop?%s",
+                  " clocks: look for an endless loop.%s",
                   c205_clock(sitting->machine), where.text);
 }
 
@@ -438,7 +440,7 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
         return false;
     object = assemble_bytes(name, text, length, &options, &said);
     if (!object)
-        print_diagnostics(&verdict->report, "It cannot be assembled:", &said,
+        print_diagnostics(&verdict->report, "The answer cannot be assembled:", &said,
                           SEVERITY_ERROR);
     else
         good = try_tests(verdict, text, length, error);

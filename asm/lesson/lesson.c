@@ -107,7 +107,7 @@ bool lesson_end(struct lesson *lesson, c205_error *error)
                                                     : NULL;
 
     if (missing)
-        return error_set(error, "%.160s is no lesson: it has no %s", lesson->folder,
+        return error_set(error, "%.160s is not a lesson: it has no %s", lesson->folder,
                          missing);
     qsort(lesson->tests, lesson->test_count, sizeof *lesson->tests, compare_tests);
     return true;
@@ -212,9 +212,9 @@ const struct lesson *lessons_find(const struct lessons *lessons, const char *nam
         spelling_try(&nearest, lesson->name);
     }
     if (nearest.name)
-        error_set(error, "there is no lesson '%.80s'; is it '%.80s'?", name,
+        error_set(error, "unknown lesson '%.80s'; did you mean '%.80s'?", name,
                   nearest.name);
     else
-        error_set(error, "there is no lesson '%.80s'; c205 check lists them", name);
+        error_set(error, "unknown lesson '%.80s'; c205 check lists all lessons", name);
     return NULL;
 }

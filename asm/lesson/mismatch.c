@@ -217,33 +217,32 @@ static const struct likeness {
     const char *sentence;
 } likenesses[] = {
     { is_untouched, NULL,
-      "It holds what it held before the run: nothing was stored there, or "
-      "nothing new." },
-    { is_zero, NULL, "All that stands there is zero." },
+      "The run did not change it: nothing was stored there, or only the same values." },
+    { is_zero, NULL, "It contains only zeros." },
     { is_equal, NULL,
-      "The numbers are equal, but not their words: 5 is an integer word and "
-      "5.0 a normalised one, with other bits." },
+      "The numbers are equal, but not their words: 5 is an integer word and 5.0 a "
+      "normalised one, with different bits." },
     { NULL, too_late,
-      "The right elements stand one place too far behind: element 1 has what "
+      "The right elements are one place too late: element 1 has the value that "
       "element 0 should have." },
     { NULL, too_early,
-      "The right elements stand one place too far in front: element 0 has "
-      "what element 1 should have." },
-    { NULL, backwards, "The right elements stand there from back to front." },
-    { NULL, unsorted, "The right elements stand there, but they are not sorted." },
-    { NULL, other_order, "The right elements stand there, in another order." },
+      "The right elements are one place too early: element 0 has the value that "
+      "element 1 should have." },
+    { NULL, backwards, "The right elements are there, but in reverse order." },
+    { NULL, unsorted, "The right elements are there, but they are not sorted." },
+    { NULL, other_order, "The right elements are there, but in another order." },
     { has_other_sign, NULL, "The sign is wrong." },
     { is_other_bit, NULL, "Each bit is the opposite of the right one." },
     { is_little_off, NULL,
-      "Only the last bits are wrong: other operations, or the same in "
-      "another order, round otherwise." },
+      "Only the last bits are wrong: different operations, or the same in another "
+      "order, round differently." },
     { is_indefinite, NULL,
-      "Indefinite comes of a division by zero or a root of a negative "
-      "number, and of all that is computed with it." },
+      "Indefinite results from a division by zero, the root of a negative number, or "
+      "an operation on another indefinite." },
     { NULL, lost_bits,
-      "They are not normalised: an integer word among the operands, 2 for "
-      "2.0, costs a result its bits." },
-    { NULL, only_begun, "Nothing new was stored behind those that are right." },
+      "They are not normalised: an integer operand, such as 2 instead of 2.0, makes "
+      "a result lose bits." },
+    { NULL, only_begun, "Nothing new was stored after the right elements." },
 };
 
 static bool fits(const struct likeness *likeness, const struct test_item *item)

@@ -65,7 +65,7 @@ static bool take_test_note(struct test_note *note)
         note->end--;
     skip_blanks(note);
     if (note->at == note->end || note->test->tries)
-        return refuse(note, "expected one sentence behind 'test:', once");
+        return refuse(note, "expected one sentence after 'test:', once");
     note->test->tries = arena_text(&note->lesson->kept, note->at,
                                    (size_t)(note->end - note->at));
     return note->test->tries || error_set(note->error, "no memory");
@@ -108,7 +108,7 @@ static bool take_goals_note(struct test_note *note)
         || goals[MEDAL_GOLD] > goals[MEDAL_SILVER]
         || goals[MEDAL_SILVER] > goals[MEDAL_BRONZE])
         return refuse(note, "expected 'goals: gold CLOCKS, silver CLOCKS, "
-                            "bronze CLOCKS', rising, once");
+                            "bronze CLOCKS' in rising order, once");
     return true;
 }
 
@@ -133,7 +133,7 @@ static bool take_tolerance_note(struct test_note *note)
     note->at = end;
     skip_blanks(note);
     if (note->at < note->end)
-        return refuse(note, "expected nothing behind the tolerance");
+        return refuse(note, "expected nothing after the tolerance");
     tolerance->next = note->test->tolerances;
     note->test->tolerances = tolerance;
     return true;
@@ -164,8 +164,7 @@ static bool check_name(const struct test_note *note, size_t length)
                   && spelling_distance(note->at, length, kinds[i].name, own) <= NEAR);
     }
     return !bad
-           || refuse(note, "a note like this is 'test:', 'goals:' or "
-                           "'tolerance:'");
+           || refuse(note, "unknown note; expected 'test:', 'goals:' or 'tolerance:'");
 }
 
 /* Reads "; name: text" or .warm; other lines are ignored. */
@@ -206,5 +205,5 @@ bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
         at = newline ? newline + 1 : end;
     }
     note.line = 1;
-    return test->tries || refuse(&note, "it has no '; test: a sentence'");
+    return test->tries || refuse(&note, "the note '; test: SENTENCE' is missing");
 }

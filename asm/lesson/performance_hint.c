@@ -11,32 +11,33 @@ enum { LINES_TOLD = 3 };
 
 /* Advice for each cause. */
 static const char *const helps[C205_CAUSES] = {
-    [C205_ISSUE] = "Each instruction takes its clocks to issue: fewer of "
-                   "them do better, and a vector instruction stands for a "
-                   "whole loop.",
+    [C205_ISSUE] =
+        "Each instruction takes clocks to issue: use fewer of them; a vector "
+        "instruction replaces a whole loop.",
     [C205_OPERAND_WAIT] = "Put other work between an instruction and the one "
                           "that needs its result; quotients and roots take "
                           "the longest.",
     [C205_UNIT_BUSY] = "Spread the work over the units, or put other work "
                        "between two instructions of one unit.",
-    [C205_BRANCH] = "A branch that is taken costs many instructions' time: "
-                    "do more between two of them, or use vectors.",
-    [C205_MEMORY_WAIT] = "Load early, use late; and what is needed again "
-                         "can stay in a register.",
-    [C205_VECTOR_STARTUP] = "Each vector instruction has its start-up, "
-                            "however short it is: use fewer and longer "
-                            "ones.",
+    [C205_BRANCH] =
+        "A taken branch costs the time of many instructions: do more work between "
+        "branches, or use vectors.",
+    [C205_MEMORY_WAIT] =
+        "Load early and use late; keep values that are needed again in registers.",
+    [C205_VECTOR_STARTUP] =
+        "Each vector instruction has a start-up time, even a short one: use fewer "
+        "and longer ones.",
     [C205_VECTOR_STREAM] = "The elements themselves take the time: do fewer "
                            "operations, link two of them, or leave out "
                            "elements that are not needed.",
-    [C205_BANK_CONFLICT] = "Elements that lie some power of two apart come "
-                           "from the same banks: another distance does "
-                           "better.",
-    [C205_TRANSLATION_MISS] = "Work page by page: each page touched again "
-                              "must be looked up.",
+    [C205_BANK_CONFLICT] =
+        "Elements at a distance of a power of two are in the same banks: use another "
+        "distance.",
+    [C205_TRANSLATION_MISS] =
+        "Work page by page: each page that is used again must be translated again.",
     [C205_PAGE_FAULT] =
-        "Each page costs its first touch, and another when it was driven "
-        "out: do all the work on a page while it is there."
+        "Each page is loaded at its first use, and again after it was evicted: do "
+        "all the work on a page while it is in memory."
 };
 
 static int percent_of(uint64_t clocks, uint64_t all)
@@ -91,7 +92,7 @@ static void print_cause(const struct lesson_trial *trial, const c205_account *al
     int cause = waits ? wait : most;
 
     report_printf(report, "%s is %s: %" PRIu64 " clock%s, %d %%.  %s",
-                  waits ? "The longest wait" : "What took most",
+                  waits ? "The longest wait" : "The largest part",
                   c205_cause_name((c205_cause)cause), all->clocks[cause],
                   plural(all->clocks[cause]),
                   percent_of(all->clocks[cause], trial->clocks), helps[cause]);
@@ -100,11 +101,12 @@ static void print_cause(const struct lesson_trial *trial, const c205_account *al
 static void print_scalar(const c205_account *all, struct lesson_report *report)
 {
     if (is_scalar(all) && all->instructions >= many)
-        report_printf(report,
-                      "All of its %" PRIu64
-                      " instructions are scalar ones: what does the same with "
-                      "many elements can be done by vector instructions.",
-                      all->instructions);
+        report_printf(
+            report,
+            "All of its %" PRIu64
+            " instructions are scalar: use vector instructions for the same work on "
+            "many elements.",
+            all->instructions);
 }
 
 /* ---- The lines ------------------------------------------------------------- */

@@ -88,17 +88,15 @@ static bool check_room(struct lesson_test_data *test_data,
 
     if (ours->contents != theirs->contents) {
         report_printf(test_data->general,
-                      "There should be %s at the answer's label %s, and there "
-                      "%s %s.",
-                      kind, theirs->name,
-                      theirs->contents == ASM_NOTHING ? "is" : "are",
+                      "Expected %s at the answer's label %s, but there %s %s.", kind,
+                      theirs->name, theirs->contents == ASM_NOTHING ? "is" : "are",
                       kind_name(theirs->contents));
         return false;
     }
     if (ours->count > theirs->count) {
         report_printf(test_data->report,
                       "%s has room for %" PRIu64 " %s, and this test needs "
-                      "%" PRIu64 ": the constants of the test say how many there are.",
+                      "%" PRIu64 ": the constants of the test give the number.",
                       theirs->name, theirs->count, kind, ours->count);
         return false;
     }
@@ -139,8 +137,7 @@ static bool begin_label(struct lesson_test_data *test_data,
     if (!theirs || !theirs->is_label) {
         if (expected)
             report_printf(test_data->general,
-                          "The answer has no label %s, where results are looked "
-                          "for.",
+                          "The answer has no label %s, which must hold results.",
                           label);
         return !expected;
     }
@@ -188,10 +185,10 @@ static void print_missing(struct lesson_test_data *test_data)
 
         if (holds_data(symbol) && !lesson_wanted(symbol->name)
             && !object_symbol(test_data->answer, symbol->name))
-            report_printf(test_data->report,
-                          "The answer has no label %s, where the test's data "
-                          "would have gone.",
-                          symbol->name);
+            report_printf(
+                test_data->report,
+                "The answer has no label %s, which would receive the test's data.",
+                symbol->name);
     }
 }
 

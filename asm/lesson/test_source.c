@@ -29,10 +29,11 @@ static bool check_expectations(const struct object *object, c205_error *error)
 
         if (expectation->kind == EXPECT_WORDS || expectation->kind == EXPECT_HALVES
             || expectation->kind == EXPECT_BITS || expectation->kind == EXPECT_WARNING)
-            return error_set(error,
-                             "%.80s:%zu: a test cannot expect this; what is "
-                             "to be in memory stands at want_LABEL",
-                             expectation->file, expectation->line);
+            return error_set(
+                error,
+                "%.80s:%zu: a test cannot contain this expectation; put the expected "
+                "data at want_LABEL",
+                expectation->file, expectation->line);
     }
     return true;
 }
@@ -63,8 +64,7 @@ static bool check_wanted(const struct lesson_test *test, const struct object *ob
 
         if (symbol->is_label && wanted && (!*wanted || symbol->contents == ASM_CODE))
             return error_set(error,
-                             "test-%.40s.s: data are wanted at want_LABEL, "
-                             "not %.60s",
+                             "test-%.40s.s: expected data at want_LABEL, not %.60s",
                              test->name, *wanted ? "instructions" : symbol->name);
     }
     return true;
@@ -78,21 +78,20 @@ static bool check_labels(const struct lesson_test *test, const struct object *ob
     if (!check_wanted(test, object, error))
         return false;
     if (!is_wanted(object, NULL) && !expect_anything(object))
-        return error_set(error, "test-%.40s.s wants nothing", test->name);
+        return error_set(error, "test-%.40s.s expects nothing", test->name);
     while (tolerance && is_wanted(object, tolerance->label))
         tolerance = tolerance->next;
     return !tolerance
-           || error_set(error,
-                        "test-%.40s.s has a tolerance for %.40s, and no "
-                        "label want_%.40s",
-                        test->name, tolerance->label, tolerance->label);
+           || error_set(
+               error, "test-%.40s.s has a tolerance for %.40s, but no label want_%.40s",
+               test->name, tolerance->label, tolerance->label);
 }
 
 static bool check_model(const struct lesson_test *test, const struct object *object,
                         c205_error *error)
 {
     const char *name = expect_model(object);
-    c205_error why = { "nothing runs on its model, which only tells times" };
+    c205_error why = { "programs cannot run on its model, which only gives times" };
     c205_model *model = name ? model_find(name, &why) : NULL;
     bool good = !name || (model && !c205_model_is_projection(model));
 

@@ -101,15 +101,16 @@ const char *random_likeness(const struct random_lesson *drawn)
 {
     static const char *const sentences[DRAWN_FAULTS] = {
         [FAULT_ELEMENT] = "",
-        [FAULT_LAST_BIT] = "  Only the last bits are wrong: other "
-                           "operations, or the same in another order, round "
-                           "otherwise.",
-        [FAULT_NOTHING] = "  It holds what it held before the run: nothing "
-                          "was stored there, or nothing new.",
-        [FAULT_LATE] = "  The right elements stand one place too far behind: "
-                       "element 1 has what element 0 should have.",
-        [FAULT_BACKWARDS] = "  The right elements stand there from back to "
-                            "front.",
+        [FAULT_LAST_BIT] =
+            "  Only the last bits are wrong: different operations, or the same in "
+            "another order, round differently.",
+        [FAULT_NOTHING] =
+            "  The run did not change it: nothing was stored there, or only the same "
+            "values.",
+        [FAULT_LATE] =
+            "  The right elements are one place too late: element 1 has the value "
+            "that element 0 should have.",
+        [FAULT_BACKWARDS] = "  The right elements are there, but in reverse order.",
         [FAULT_SIGN] = "  The sign is wrong.",
     };
 

@@ -138,7 +138,7 @@ TEST(bad)
         { "{'do': 'load', 'text': 1}", "'text' is no text" },
         { "{'do': 'load', 'text': ' EXIT', 'model': 'cray'}", "cray" },
         { "{'do': 'load', 'text': ' EXIT', 'model': 'a/b'}", "built in" },
-        { "{'do': 'load', 'text': ' EXIT', 'model': 'cdc6600'}", "only tells times" },
+        { "{'do': 'load', 'text': ' EXIT', 'model': 'cdc6600'}", "only gives times" },
         { "{'do': 'load', 'text': ' EXIT', 'warm': 1}", "true or false" },
         { "{'do': 'load', 'text': ' EXIT', 'defines': [1]}", "names with integers" },
         { "{'do': 'load', 'text': ' EXIT', 'defines': {'n': 0.5}}",

@@ -142,7 +142,7 @@ static void check_loop(const struct random_lesson *drawn,
     assert_int_equal(trial->report.count, 1);
     snprintf(wanted, sizeof wanted,
              "It had not ended after %" PRIu64
-             " clocks: is this an endless loop?  It was in line %zu then: "
+             " clocks: look for an endless loop.  It was at line %zu: "
              "here:   BIM     here ; fault",
              trial->clocks, random_fault_line(drawn));
     check_begins(drawn, trial, 0, wanted);
@@ -182,7 +182,7 @@ static void check_cause(const struct random_lesson *drawn,
     if (wait > 0)
         most = wait;
     snprintf(wanted, sizeof wanted, "%s is %s: %" PRIu64 " clocks, %.0f %%.  ",
-             wait > 0 ? "The longest wait" : "What took most",
+             wait > 0 ? "The longest wait" : "The largest part",
              c205_cause_name((c205_cause)most), all.clocks[most],
              floor(100.0 * (double)all.clocks[most] / (double)trial->clocks + 0.5));
     check_begins(drawn, trial, 1, wanted);
@@ -500,24 +500,23 @@ TEST(said_of_all)
     for (size_t i = 0; i < 10; i++) {
         draw_right_words(&drawn);
         check_said(&drawn, "y, n\n", "z, n\ny = 5\n", true,
-                   "It cannot be assembled:\nmy.s:9:1: error: ");
+                   "The answer cannot be assembled:\nmy.s:9:1: error: ");
         check_said(&drawn, ".vector y, n\n", ".vector z, n\n.equ y, z\n", true,
-                   "The answer has no label y, where results are looked "
-                   "for.");
+                   "The answer has no label y, which must hold results.");
         check_said(&drawn, ".vector y,", ".halfvector y,", true,
-                   "There should be words at the answer's label y, and there "
-                   "are half words.");
+                   "Expected words at the answer's label y, but there are half words.");
         check_said(&drawn, ".ifndef n\n",
                    ".ifndef n\n        .endif\n"
                    "        .if 1\n",
                    true,
                    "Line 5 sets n, which the tests set: put '.ifndef n' "
-                   "before it and '.endif' behind it.");
+                   "before it and '.endif' after it.");
         snprintf(wanted, sizeof wanted, "y has room for %zu word",
                  drawn.tests[0].n - 1);
         check_said(&drawn, ".vector y, n\n", ".vector y, n - 1\n", false, wanted);
         snprintf(wanted, sizeof wanted,
-                 "With n = %zu it cannot be assembled:\nmy.s:", drawn.tests[0].n);
+                 "With n = %zu the answer cannot be assembled:\nmy.s:",
+                 drawn.tests[0].n);
         check_said(&drawn, "        EXIT\n",
                    "        .if n == 5\n        EXIT\n        .else\n"
                    "        NOPE\n        .endif\n",

@@ -59,11 +59,12 @@ TEST(runs)
     check_run(reg, "        EXIT\n",
               "Expected r10 = X'0000 0000 0000 0005' (5), found X'0000 0000 "
               "0000 0000' (0).");
-    check_run("; test: a\n        .equ    five, 3\n; expect: r10 = 5\n",
-              "        .reg    five, r10\n        ES      five, 5\n"
-              "        EXIT\n",
-              "Line 1 uses the name five, which is that of a constant that "
-              "the tests set: take another one.");
+    check_run(
+        "; test: a\n        .equ    five, 3\n; expect: r10 = 5\n",
+        "        .reg    five, r10\n        ES      five, 5\n"
+        "        EXIT\n",
+        "Line 1 uses the name five of a constant that the tests set: choose another "
+        "name.");
     check_run(print, prints, NULL);
     check_run(print, five, "Expected '5' printed, found ''.");
     check_run(print, endless,
@@ -88,13 +89,13 @@ static void check_notes(const char *notes, const char *wanted)
 
 TEST(notes)
 {
-    static const char goals[] = "12-it/test-a.s:2: expected 'goals: gold "
-                                "CLOCKS, silver CLOCKS, bronze CLOCKS', "
-                                "rising, once";
+    static const char goals[] =
+        "12-it/test-a.s:2: expected 'goals: gold "
+        "CLOCKS, silver CLOCKS, bronze CLOCKS' in rising order, once";
 
     check_notes("; test: a\n", "");
-    check_notes("x: .word 1\n", "12-it/test-a.s:1: it has no '; test: a "
-                                "sentence'");
+    check_notes("x: .word 1\n",
+                "12-it/test-a.s:1: the note '; test: SENTENCE' is missing");
     check_notes(";test:a\n; goals: gold 1, silver 2, bronze 3\n", "");
     check_notes("; test: a\n; goals: gold 2, silver 1, bronze 3\n", goals);
     check_notes("; test: a\n; goals: gold 1, silver 2\n", goals);
@@ -103,9 +104,9 @@ TEST(notes)
     check_notes("; test: a\n; goals: gold 1, gold 2, bronze 3\n", goals);
     check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3e9\n", goals);
     check_notes("; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n", goals);
-    check_notes("; test: a\n; goal: gold 1, silver 2, bronze 3\n",
-                "12-it/test-a.s:2: a note like this is 'test:', 'goals:' or "
-                "'tolerance:'");
+    check_notes(
+        "; test: a\n; goal: gold 1, silver 2, bronze 3\n",
+        "12-it/test-a.s:2: unknown note; expected 'test:', 'goals:' or 'tolerance:'");
     check_notes("; test: a\n; tolerance: y\n",
                 "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
     check_notes("; test: a\n; tolerance: y -1\n",
@@ -113,10 +114,9 @@ TEST(notes)
     check_notes("; test: a\n; tolerance: y 1e999\n",
                 "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
     check_notes("; test: a\n; tolerance: y 1 2\n",
-                "12-it/test-a.s:2: expected nothing behind the tolerance");
+                "12-it/test-a.s:2: expected nothing after the tolerance");
     check_notes("; test: a\n; test: b\n",
-                "12-it/test-a.s:2: expected one sentence behind 'test:', "
-                "once");
+                "12-it/test-a.s:2: expected one sentence after 'test:', once");
 }
 
 static void check_refused(const char *test, const char *wanted)
@@ -136,26 +136,27 @@ static void check_refused(const char *test, const char *wanted)
 
 TEST(refused)
 {
-    check_refused("; test: a\n", "test-a.s wants nothing");
+    check_refused("; test: a\n", "test-a.s expects nothing");
     check_refused("; test: a\n.word\n",
                   "test-a.s:2:6: expected a number, a name or '(', found the "
                   "end of the statement");
     check_refused("; test: a\n; tolerance: y 1\nwant_x: .word 1\n",
-                  "test-a.s has a tolerance for y, and no label want_y");
-    check_refused("; test: a\nx: .word 1\n; expect: [x] = 1\n",
-                  "test-a.s:3: a test cannot expect this; what is to be in "
-                  "memory stands at want_LABEL");
+                  "test-a.s has a tolerance for y, but no label want_y");
+    check_refused(
+        "; test: a\nx: .word 1\n; expect: [x] = 1\n",
+        "test-a.s:3: a test cannot contain this expectation; put the expected data "
+        "at want_LABEL");
     check_refused("; test: a\nwant_y: EXIT\n",
-                  "test-a.s: data are wanted at want_LABEL, not "
+                  "test-a.s: expected data at want_LABEL, not "
                   "instructions");
     check_refused("; test: a\nwant_: .word 1\n",
-                  "test-a.s: data are wanted at want_LABEL, not want_");
-    check_refused("; test: a\n .data\nx: .word 1\nwant_y:\n", "test-a.s wants nothing");
+                  "test-a.s: expected data at want_LABEL, not want_");
+    check_refused("; test: a\n .data\nx: .word 1\nwant_y:\n",
+                  "test-a.s expects nothing");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
                   "test-a.s: unknown machine model 'x'");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: cdc6600\n",
-                  "test-a.s: nothing runs on its model, which only tells "
-                  "times");
+                  "test-a.s: programs cannot run on its model, which only gives times");
 }
 
 TEST(names)
@@ -172,7 +173,7 @@ TEST(names)
     assert_ptr_equal(lessons_find(&lessons, "11-sieve", &error), &items[1]);
     assert_null(lessons_find(&lessons, "1", &error));
     assert_null(lessons_find(&lessons, "seive", &error));
-    assert_string_equal(error.message, "there is no lesson 'seive'; is it 'sieve'?");
+    assert_string_equal(error.message, "unknown lesson 'seive'; did you mean 'sieve'?");
     lesson_free(&items[0]);
     lesson_free(&items[1]);
 }
@@ -272,16 +273,12 @@ TEST(likeness)
         enum asm_contents contents;
         const char *before, *wanted, *found, *said;
     } rows[] = {
-        { ASM_WORDS, "0 0", "1.0 2.0", "0 0", "It holds what it held" },
-        { ASM_WORDS, "1 1", "1.0 2.0", "0 0.0", "All that stands there is" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "0 0", "The run did not change it" },
+        { ASM_WORDS, "1 1", "1.0 2.0", "0 0.0", "It contains only zeros" },
         { ASM_WORDS, "0 0", "1.0 2.0", "1 2", "The numbers are equal" },
-        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "9.0 1.0 2.0",
-          "one place too "
-          "far behind" },
-        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "2.0 3.0 9.0",
-          "one place too "
-          "far in front" },
-        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "3.0 2.0 1.0", "from back to" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "9.0 1.0 2.0", "one place too late" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "2.0 3.0 9.0", "one place too early" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "3.0 2.0 1.0", "in reverse order" },
         { ASM_WORDS, "0 0 0", "1.0 1.0 1.0", "9.0 1.0 1.0", NULL },
         { ASM_WORDS, "0 0 0 0", "1.0 2.0 3.0 4.0", "2.0 1.0 3.0 4.0",
           "they are not sorted" },
@@ -295,14 +292,14 @@ TEST(likeness)
         { ASM_BITS, "0 0 0 1", "0 0 1 1", "0 1 0 1", NULL },
         { ASM_BITS, "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0",
           "0 0 1 1 0 1 0 1 0 0 0 1 0 1 0 0", "0 1 1 0 1 0 1 0 0 0 1 0 1 0 0 1",
-          "one place too far in front" },
+          "one place too early" },
         { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.00000000001", "Only the last" },
         { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.0001", NULL },
-        { ASM_WORDS, "0 0", "1.0 2.0", "i 2.0", "Indefinite comes of" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "i 2.0", "Indefinite results from" },
         { ASM_WORDS, "0 0", "7.0 1.0", "6 1.0", "They are not normalised" },
         { ASM_WORDS, "0 0", "7 1.0", "6 1.0", NULL },
         { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 9.0",
-          "Nothing new was stored behind" },
+          "Nothing new was stored after" },
         { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 8.0", NULL },
     };
 

@@ -169,7 +169,7 @@ c205_model *program_model(const char *name, const struct object *object,
     if (!model || !c205_model_is_projection(model))
         return model;
     c205_model_free(model);
-    refuse(error, "programs do not run on '%.60s', which only tells times", name);
+    refuse(error, "programs cannot run on '%.60s', which only gives times", name);
     return NULL;
 }
 
