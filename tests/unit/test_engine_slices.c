@@ -37,7 +37,7 @@ static void ask_both(struct talk *whole, struct talk *sliced, const char *reques
         talk_ask(sliced, "{'do': 'more', 'clocks': %d}", 1 + (int)below(30000));
     }
     assert_string_equal(sliced->text, whole->text);
-    talk_refused(sliced, "nothing is left", "{'do': 'more'}");
+    talk_refused(sliced, "no work is left", "{'do': 'more'}");
 }
 
 TEST(slices)

@@ -88,7 +88,7 @@ bool take_text_or(const struct json_value *request, const char *key, const char 
     const struct json_value *value = json_member(request, key);
 
     if (value && value->kind != JSON_TEXT)
-        return refuse(error, "\"%s\" is no text", key);
+        return refuse(error, "\"%s\" is not a string", key);
     if (value)
         *text = value->text;
     return true;
@@ -108,7 +108,7 @@ bool take_truth(const struct json_value *request, const char *key, bool *truth,
     const struct json_value *value = json_member(request, key);
 
     if (value && value->kind != JSON_TRUTH)
-        return refuse(error, "\"%s\" is true or false", key);
+        return refuse(error, "\"%s\" must be true or false", key);
     if (value)
         *truth = value->truth;
     return true;
@@ -122,7 +122,7 @@ bool take_count(const struct json_value *request, const char *key, uint64_t *cou
     if (!json_member(request, key))
         return true;
     if (!json_member_whole(request, key, &value) || value < 0)
-        return refuse(error, "\"%s\" is no integer from 0 on", key);
+        return refuse(error, "\"%s\" is not an integer from 0 on", key);
     *count = (uint64_t)value;
     return true;
 }
@@ -207,7 +207,7 @@ static bool answer_more(struct engine *engine, const struct json_value *request,
     engine_slice *goes_on = engine->goes_on;
 
     if (!goes_on)
-        return refuse(error, "nothing is left to be done");
+        return refuse(error, "no work is left to continue");
     return take_slice(engine, request, error) && goes_on(engine, reply, error);
 }
 
@@ -242,13 +242,13 @@ static bool answer(struct engine *engine, const struct json_value *request,
     size_t i = 0;
 
     if (request->kind != JSON_OBJECT)
-        return refuse(error, "a request is an object");
+        return refuse(error, "a request must be an object");
     if (!take_text(request, "do", &name, error))
         return false;
     while (i < REQUESTS && strcmp(requests[i].name, name) != 0)
         i++;
     if (i == REQUESTS)
-        return refuse(error, "there is no request \"%.60s\"", name);
+        return refuse(error, "unknown request \"%.60s\"", name);
     if (requests[i].keeps == KEEPS_NOTHING
         || (requests[i].keeps == KEEPS_MOVEMENT && engine->replay.begun))
         drop_work(engine);

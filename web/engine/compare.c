@@ -169,7 +169,7 @@ static bool take_sides(struct engine *engine, const struct json_value *request,
     for (int i = 0; i < count; i++)
         objects[i] = engine->comparison->sides[i].object;
     return ((!text && count == COMPARED_RUNS)
-            || refuse(error, "\"texts\" is a list of two programs"))
+            || refuse(error, "\"texts\" must be a list of two programs"))
            && uses_defines(options, objects, COMPARED_RUNS, error);
 }
 

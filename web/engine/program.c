@@ -83,13 +83,13 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
     if (!list)
         return refuse(error, "no memory");
     if (!is_object(defines) || count > MAX_DEFINES)
-        return refuse(error, "\"defines\" has at most %d names with integers",
+        return refuse(error, "\"defines\" must have at most %d names with integers",
                       MAX_DEFINES);
     for (const struct json_value *item = defines ? defines->first : NULL; item;
          item = item->next, list++) {
         if (item->kind != JSON_NUMBER
             || !json_member_whole(defines, item->key, &list->value))
-            return refuse(error, "\"defines\" has names with integers");
+            return refuse(error, "\"defines\" must have names with integers");
         list->name = arena_text(arena, item->key, strlen(item->key));
     }
     return true;
@@ -106,7 +106,7 @@ static bool take_files(const struct json_value *request, struct arena *arena,
     const char **lines = arena_take(arena, (2 * count + 1) * sizeof *lines);
 
     if (!is_object(files))
-        return refuse(error, "\"files\" has names with texts");
+        return refuse(error, "\"files\" must have names with strings");
     if (!texts || !tables || !lines)
         return refuse(error, "no memory");
     tables[0] = texts;
@@ -114,7 +114,7 @@ static bool take_files(const struct json_value *request, struct arena *arena,
     for (const struct json_value *item = files ? files->first : NULL; item;
          item = item->next, texts++, lines += 2) {
         if (item->kind != JSON_TEXT)
-            return refuse(error, "\"files\" has names with texts");
+            return refuse(error, "\"files\" must have names with strings");
         lines[0] = arena_text(arena, item->text, strlen(item->text));
         texts->name = arena_text(arena, item->key, strlen(item->key));
         texts->lines = lines;
@@ -162,7 +162,7 @@ c205_model *program_model(const char *name, const struct object *object,
 
     name = name && *name ? name : own ? own : C205_DEFAULT_MODEL;
     if (c205_model_is_file(name)) {
-        refuse(error, "there is no model '%.60s' among those built in", name);
+        refuse(error, "'%.60s' is not a built-in model", name);
         return NULL;
     }
     model = c205_model_find(name, error);
@@ -465,11 +465,11 @@ bool answer_breaks(struct engine *engine, const struct json_value *request,
     if (!needs_program(engine, error))
         return false;
     if (!lines || lines->kind != JSON_ARRAY)
-        return refuse(error, "\"lines\" is a list of line numbers");
+        return refuse(error, "\"lines\" must be a list of line numbers");
     for (const struct json_value *line = lines->first; line; line = line->next)
         if (line->kind != JSON_NUMBER || line->number != floor(line->number)
             || fabs(line->number) > 1e9)
-            return refuse(error, "\"lines\" is a list of line numbers");
+            return refuse(error, "\"lines\" must be a list of line numbers");
     debugger_forget_lines(engine->debugger);
     json_array(reply, "lines");
     for (const struct json_value *line = lines->first; line && good; line = line->next)

@@ -250,9 +250,9 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
     if (!take_count(request, "elements", &window.most, error))
         return false;
     if (first && first->kind != JSON_OBJECT)
-        return refuse(error, "\"first\" has names with integers");
+        return refuse(error, "\"first\" must have names with integers");
     if (window.most > MAX_ELEMENTS)
-        return refuse(error, "\"elements\" is %d at most", MAX_ELEMENTS);
+        return refuse(error, "\"elements\" must be at most %d", MAX_ELEMENTS);
     json_array(reply, "vectors");
     for (size_t i = 0; good && i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];

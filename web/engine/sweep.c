@@ -102,11 +102,13 @@ static bool take_values(const struct engine *engine, const struct json_value *re
     sweep->asked = (size_t)points;
     if (range->from < 1 || range->from >= range->to || range->to > SWEPT_LARGEST
         || range->factor == 1 || (range->step > 0 && range->factor > 0))
-        return refuse(error, "the range goes from 1 or more up, by a "
-                             "\"step\", a \"factor\" or neither");
+        return refuse(
+            error,
+            "the range must rise from 1 or more, with a \"step\", a \"factor\" or "
+            "neither");
     if (points == 1 || points > MAX_SWEPT_POINTS
         || swept_values(range, sweep->asked, values) < 2)
-        return refuse(error, "a sweep has 2 to %d points", MAX_SWEPT_POINTS);
+        return refuse(error, "a sweep must have 2 to %d points", MAX_SWEPT_POINTS);
     return true;
 }
 

@@ -152,8 +152,7 @@ static bool take_form(const struct json_value *request,
         return false;
     *form = file ? timeline_form_of(file) : NULL;
     return !file || *form
-           || refuse(error, "\"file\" is a name with .svg, .kanata or "
-                            ".json at its end");
+           || refuse(error, "the name \"file\" must end in .svg, .kanata or .json");
 }
 
 /* Replays all steps so far, also those after the current one. */
@@ -173,7 +172,7 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
         || !take_form(request, &form, error))
         return false;
     if (timeline->from >= timeline->to)
-        return refuse(error, "\"from\" is before \"to\"");
+        return refuse(error, "\"from\" must be before \"to\"");
     timeline->most = most < MAX_TIMELINE ? (size_t)most : MAX_TIMELINE;
     if (!replay_begin(engine, NULL, timeline, debugger_known(engine->debugger), error))
         return false;
