@@ -23,7 +23,7 @@ export function notice(web, inputs) {
     return { name, version, license, text };
   });
   const texts = byText(packages);
-  return ["# What others wrote of the page", "",
+  return ["# Third-party software in the page", "",
     "The page has these packages in it. Written by `node web/build.mjs BUILD --write`, "
       + "checked by `make web`.", "",
     "| package | version | licence |", "|---|---|---|",

@@ -8,7 +8,7 @@ const SELDOM = 500; // milliseconds between two words on what is still under way
 const WAYS = { run: "end", reset: "start", step: "step", back: "back", on: "continue",
   before: "reverse-continue" };
 const WHY = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
-  limit: "It has run for very long; Run goes on.", start: "At the beginning." };
+  limit: "Stopped after a very long run. Run continues it.", start: "At the beginning." };
 const MOOD = { trap: "bad", limit: "bad", end: "good" };
 
 export function say(words, mood = "") {
@@ -42,7 +42,7 @@ function settle(view) {
   $("output").textContent = printed;
   $("output").classList.toggle("nothing", printed === "");
   $("ending").textContent = [ended && `ended at clock ${count(clock)}`,
-    cut && "it has printed more than is kept"].filter(Boolean).join("; ");
+    cut && "only a part of the output is kept"].filter(Boolean).join("; ");
 }
 
 function place() {

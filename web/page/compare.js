@@ -36,7 +36,7 @@ export function makeCompare(panel, session, others) {
   function keep() {
     session.keep();
     offer();
-    fill(result, el("p", {}, "Kept: it stands in both lists as “kept”."));
+    fill(result, el("p", {}, "Your program is kept. Both lists show it as “kept”."));
   }
 
   async function run() {

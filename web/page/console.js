@@ -8,15 +8,15 @@ export function makeConsole(panel, session) {
   const said = [];
   let at = 0;
   const transcript = el("div", { class: "transcript", role: "log", tabindex: 0,
-    "aria-label": "What the debugger said" });
+    "aria-label": "Output of the debugger" });
   const line = el("input", { id: "console-line", type: "text", spellcheck: "false",
     autocomplete: "off", autocapitalize: "off", keydown: recall });
   const form = el("form", { class: "prompt", submit: say },
     el("label", { for: "console-line" }, "(c205)"), line,
-    el("button", { type: "submit" }, "Say"));
+    el("button", { type: "submit" }, "Send"));
 
   fill(panel, el("section", { class: "panel", "aria-labelledby": "console-heading" },
-    heading("console", "The debugger's own verbs"),
+    heading("console", "Commands of the debugger"),
     el("p", { class: "verbs" },
       ["help", "why", "account", "info registers", "where"].map((verb) =>
         el("button", { type: "button", class: "quiet", click: () => send(verb) }, verb))),

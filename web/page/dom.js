@@ -84,7 +84,7 @@ const lost = new Map(); // names of values that could not be stored: why
 function report() {
   const [why] = lost.values();
   $("unstored").hidden = !why;
-  $("unstored").textContent = why ? `${why} What you write is lost with this page: copy it, or use Share.` : "";
+  $("unstored").textContent = why ? `${why} Your text is lost when this page is closed: copy it, or use Share.` : "";
 }
 
 /** Values that are stored between visits.  The page reports it if one cannot be stored.  What is
@@ -104,7 +104,7 @@ export const kept = {
       lost.delete(name);
     } catch (fault) {
       lost.set(name, /quota/i.test(fault.name) ? "The storage of this browser is full."
-        : "This browser stores nothing for this page.");
+        : "This browser stores no data for this page.");
     }
     report();
   },

@@ -7,7 +7,7 @@ import { colour, count, el, fill, heading, some } from "./dom.js";
 const SOURCES = {
   P: "read in a primary source",
   S: "read in a secondary source",
-  D: "derived from primary ones",
+  D: "derived from primary sources",
   R: "reconstructed, a prior to be fitted",
   F: "fitted to published times",
 };
@@ -17,7 +17,7 @@ export function makeInstruction(panel, session) {
     heading("instruction", "This instruction",
       last && `arrived at clock ${count(last.arrived)}, issued at ${count(last.issued)}`),
     last ? told(last, sourceLine(session.text, last.line))
-      : el("p", { class: "empty" }, "Nothing has been done yet."),
+      : el("p", { class: "empty" }, "No instruction has been executed yet."),
     next && el("p", { class: "next" }, "Next: ", el("code", {}, next))));
 }
 
@@ -38,7 +38,7 @@ function told(last, written) {
     el("p", { class: "operation" }, el("code", { class: "text" }, written || last.text),
       written && el("code", {}, last.text),
       el("span", { class: "effect-of" }, last.effect)),
-    el("p", { class: "formula" }, "The clock moved by ", el("b", {}, some(last.clocks, "clock")),
+    el("p", { class: "formula" }, "The clock advanced by ", el("b", {}, some(last.clocks, "clock")),
       last.pieces.length > 0 && [" = ", sum(last.pieces)]),
     work && el("p", { class: "formula" }, "The vector unit works for ", el("b", {}, some(work, "clock")),
       " = ", sum(phases), last.elements > 0 && `, for ${some(last.elements, "element")}`,
@@ -47,6 +47,6 @@ function told(last, written) {
       ({ name, value, unit, source }) => el("li", {}, el("code", {}, name), ` = ${value} ${unit}`,
         el("abbr", { class: "source-letter", title: SOURCES[source] }, source), SOURCES[source]))),
     last.in_flight?.length > 0 && el("p", { class: "formula" },
-      "Until the last result was there: ", sum(last.in_flight, false)),
+      "Until the last result was ready: ", sum(last.in_flight, false)),
   ];
 }

@@ -6,22 +6,22 @@ import { $, el } from "./dom.js";
 // Key, the button that it is for, what it does.
 const KEYS = [
   ["F8", "run", "run to the end"],
-  ["Shift F8", "reset", "back to the beginning"],
-  ["F4", "step", "one instruction on"],
-  ["Shift F4", "back", "one instruction back"],
-  ["F2", "on", "on to the next breakpoint"],
-  ["Shift F2", "before", "back to the breakpoint before"],
-  ["Escape", "stop", "stop what takes long"],
+  ["Shift F8", "reset", "go back to the beginning"],
+  ["F4", "step", "execute one instruction"],
+  ["Shift F4", "back", "go back one instruction"],
+  ["F2", "on", "run to the next breakpoint"],
+  ["Shift F2", "before", "go back to the previous breakpoint"],
+  ["Escape", "stop", "stop a long operation"],
   ["Alt Enter", "check", "check my answer"],
-  ["F1", "keys", "these keys"],
+  ["F1", "keys", "show the keys"],
 ];
 const ELSEWHERE = [
-  ["F9", "a breakpoint at the line of the cursor, or none"],
-  ["Escape Tab", "one after the other: leave the text of the program"],
+  ["F9", "set or remove a breakpoint at the line of the cursor"],
+  ["Escape Tab", "one after the other: leave the program text"],
   ["← → + − Home", "in the time line: earlier, later, shorter, longer, all of it"],
-  ["← →", "in the tabs: another view; in the slider: a step"],
-  ["↑ ↓", "at the bar below a lesson: less or more of it"],
-  ["↑ ↓", "in the console: what was said before"],
+  ["← →", "in the tabs: another view; in the slider: one step"],
+  ["↑ ↓", "at the bar below a lesson: show less or more of it"],
+  ["↑ ↓", "in the console: earlier commands"],
 ];
 
 function tell() {

@@ -26,17 +26,17 @@ export function makeLaboratory(panel, session, others) {
   fill(panel, el("section", { class: "panel", "aria-labelledby": "laboratory-heading" },
     heading("laboratory", "Laboratory: speed against length"),
     el("p", { class: "note" }, "A program is assembled and run for many values of one of its constants. ",
-      "Where it has a value of its own, that stands between ", el("code", {}, ".ifndef n"),
+      "If the program defines a value of its own, put that between ", el("code", {}, ".ifndef n"),
       " and ", el("code", {}, ".endif"), "."),
     el("form", { class: "fields", submit: measure },
-      field("lab-first", "Program", first), field("lab-second", "beside", second),
+      field("lab-first", "Program", first), field("lab-second", "compared with", second),
       field("lab-constant", "constant", constant), field("lab-from", "from", from), field("lab-to", "to", to),
       field("lab-warm", "pages in memory", warm), el("div", { class: "field" }, start, stop)),
     progress, result));
 
   function offer() {
     choices(first, others());
-    choices(second, [{ value: "", title: "nothing else" }, ...others()]);
+    choices(second, [{ value: "", title: "no second program" }, ...others()]);
   }
   panel.addEventListener("focusin", (event) => {
     if (event.target === first || event.target === second) offer();
@@ -96,7 +96,7 @@ export function makeLaboratory(panel, session, others) {
         el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), name))),
       chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, told.constant), slider), said,
       steady() && el("p", { class: "steady" }, `The clocks are the same for every ${told.constant}: `
-        + "does the program have that constant?"),
+        + "check that the program uses this constant."),
       ...(told.crossings ?? []).map(crossing), lines(),
       el("details", {}, el("summary", {}, "All points"), points()));
     mark();

@@ -66,7 +66,7 @@ export function showVerdict(reply) {
   judged(true);
   verdict.className = `verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
   fill(verdict,
-    el("h3", {}, reply.passed ? "Passed" : "Not yet",
+    el("h3", {}, reply.passed ? "Passed" : "Not passed",
       reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
       el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Back to the lesson")),
     ...sentences(reply.report),

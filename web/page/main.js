@@ -90,7 +90,7 @@ session.on("loaded", (reply) => {
   $("faults").hidden = told.length === 0;
   fill($("faults"), told.map(fault));
   $("machine").classList.toggle("lost", !reply.ok);
-  if (reply.ok) say("Assembled. It stands at its beginning.");
+  if (reply.ok) say("Ready. Run it, or go step by step.");
   else say(errors > 0 ? `${some(errors, "error")}: the program cannot run yet.` : reply.error, "bad");
 });
 
@@ -124,7 +124,7 @@ function open(key, text, warm) {
 
 async function check() {
   if (!programs.exercise || session.busy) return;
-  say("Trying the answer ..");
+  say("Checking the answer ..");
   const reply = await session.longer({ do: "grade", lesson: programs.lesson.name,
     name: programs.name, text: editor.text });
   if (session.machine.lost) await session.load();
@@ -132,7 +132,7 @@ async function check() {
   showVerdict(reply);
   programs.offer();
   if (reply.passed) say(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");
-  else say("Not passed yet: the verdict says why.", "bad");
+  else say("Not passed. The verdict gives the reason.", "bad");
 }
 
 async function share() {
@@ -143,13 +143,13 @@ async function share() {
   } catch (fault) {
     forgetLink();
     return say(fault instanceof RangeError ? `The program ${fault.message}`
-      : `This browser makes no link: ${fault.message}`, "bad");
+      : `This browser cannot make a link: ${fault.message}`, "bad");
   }
   try {
     await navigator.clipboard.writeText(location.href);
-    say("The link is in the clipboard; it holds the whole program.");
+    say("The link is in the clipboard; it contains the whole program.");
   } catch {
-    say("The link is in the address bar; it holds the whole program.");
+    say("The link is in the address bar; it contains the whole program.");
   }
 }
 
@@ -164,13 +164,13 @@ async function openLink(otherwise) {
   try {
     shared = await fromHash(location.hash);
   } catch (reason) {
-    fault = reason instanceof RangeError ? `The link is not opened: its program ${reason.message}`
-      : "The link is spoilt: there is no program in it.";
+    fault = reason instanceof RangeError ? `The link cannot be opened: its program ${reason.message}`
+      : "The link is damaged: it contains no program.";
   }
   if (shared) {
     const wanted = shared.lesson ? `lesson:${shared.lesson}` : OWN;
     const known = programs.has(wanted);
-    if (!known) fault = "The link is to a lesson that is not here.";
+    if (!known) fault = "The link names an unknown lesson.";
     if (about.models.some(({ name }) => name === shared.model)) session.model = $("model").value = shared.model;
     const warm = ["warm", "cold"].includes(shared.warm) ? shared.warm : "";
     if (shared.text === undefined) await open(known ? wanted : otherwise ?? programs.key);

@@ -73,7 +73,7 @@ export class Programs {
 
   /** Those that another can be held beside. */
   get others() {
-    const start = { value: "start", title: "the text to complete", text: this.text };
+    const start = { value: "start", title: "the starting text", text: this.text };
     return [...(this.exercise ? [start] : []), ...this.#parts, ...this.#of("example:")];
   }
 }

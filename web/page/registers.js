@@ -10,10 +10,10 @@ export function makeRegisters(panel, session) {
     fill(panel,
       heading("registers", "Registers"),
       shown.length === 0
-        ? el("p", { class: "empty" }, "The program has named none.")
+        ? el("p", { class: "empty" }, "The program names no registers.")
         : el("div", { class: "scroll", tabindex: 0, role: "group",
-          "aria-label": "Registers and what they hold" },
-          table("Registers", [["register"], ["hexadecimal", "hex"], ["is", "number"]],
+          "aria-label": "Registers and their contents" },
+          table("Registers", [["register"], ["hexadecimal", "hex"], ["value", "number"]],
             shown.map((one) => ({
               class: one.changed ? "changed" : "",
               cells: [title(one), el("code", {}, one.hex), meaning(one)],

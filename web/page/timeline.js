@@ -27,8 +27,8 @@ export function makeTimeline(panel, session) {
     el("div", { class: "heading" }, el("h2", { id: "timeline-heading" }, "Time line"), aside,
       el("div", { class: "zoom" },
         button("←", "Earlier", () => shift(-0.5)), button("→", "Later", () => shift(0.5)),
-        button("−", "A longer stretch", () => zoom(2)), button("+", "A shorter stretch", () => zoom(0.5)),
-        button("All", "All of the run", all))),
+        button("−", "Zoom out", () => zoom(2)), button("+", "Zoom in", () => zoom(0.5)),
+        button("All", "Whole run", all))),
     picture, note, legend);
 
   function keys(event) {
@@ -96,7 +96,7 @@ export function makeTimeline(panel, session) {
     const causes = new Set(told.spans.map(({ cause }) => cause).filter(Boolean));
     fill(legend, ...[...causes].map((cause) => el("li", {}, named(cause))));
     note.hidden = !told.full;
-    note.textContent = `The first ${MAX} instructions of this stretch; a shorter one shows all.`;
+    note.textContent = `The first ${MAX} instructions are drawn; zoom in to see all.`;
   }
 
   function drawing() {
@@ -138,7 +138,7 @@ export function makeTimeline(panel, session) {
 }
 
 // What is read at a box.
-const words = ({ cause = "at work", begin, end }, { text, arrived, issued, ready }) =>
+const words = ({ cause = "active", begin, end }, { text, arrived, issued, ready }) =>
   [`${cause}: ${some(end - begin, "clock")}, ${begin} .. ${end}`, text,
     `arrived ${arrived}, issued ${issued}, result ${ready}`].join("\n");
 

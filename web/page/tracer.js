@@ -8,7 +8,7 @@ const OWN = "own"; // a scene of the learner's
 const SCENE = "scenes/bracket.pov";
 const SIZES = [[80, 60], [160, 120], [320, 240], [640, 480]];
 const STAGES = [["vector", "vector: a queue of rays at a time"], ["scalar", "scalar: ray by ray"],
-  ["kernels", "kernels: the paper's, of 1984"]];
+  ["kernels", "kernels: as in the paper of 1984"]];
 const QUEUE = 2000, LONGEST = 65535; // rays
 const MODEL = "cyber205-2pipe";
 const PAPER = [400, 250], SMALL = [80, 50]; // rays of Table 1: the paper's, or enough for two queues
@@ -74,14 +74,14 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     stop: el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop"),
     said: el("p", { class: "note", role: "status" }),
     part: el("progress", { max: 1, value: 0, "aria-label": name }) });
-  const drawing = work("Draw", "main", "Part of the picture that is done");
-  const measuring = work("Measure", null, "Part of the table that is done");
+  const drawing = work("Draw", "main", "Finished part of the picture");
+  const measuring = work("Measure", null, "Finished part of the table");
   const text = el("textarea", { id: "tracer-text", rows: 16, spellcheck: "false", "aria-label": "Text of the scene",
     input: () => { scene.value = OWN; row.value = rowOf(text.value); } });
   const canvas = el("canvas", { width: 160, height: 120, role: "img", "aria-label": "The picture" });
   const save = el("a", { class: "button", download: "picture.png", hidden: true }, "Download picture");
   const clocks = el("div", { class: "clocks" });
-  const output = el("pre", { tabindex: 0, role: "group", "aria-label": "What rt205 has printed", hidden: true });
+  const output = el("pre", { tabindex: 0, role: "group", "aria-label": "Output of rt205", hidden: true });
   const row = el("select", { id: "tracer-row" });
   const result = el("div", { class: "result" });
 
@@ -97,9 +97,9 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   show(scene.value);
 
   fill(panel, el("section", { class: "panel", "aria-labelledby": "tracer-heading" },
-    heading("tracer", "Ray tracer: a picture by the machine"),
-    el("p", { class: "note" }, "Every ray goes through programs of the 205; the picture is shown as it stands in the ",
-      "machine's memory, and each clock that it took is charged to a cause."),
+    heading("tracer", "Ray tracer: a picture computed by the machine"),
+    el("p", { class: "note" }, "Programs of the 205 trace every ray. The picture shows the contents of the ",
+      "machine's memory, and each clock is charged to a cause."),
     el("form", { class: "fields", submit: draw },
       field("tracer-scene", "Scene", scene), field("tracer-stage", "stage", stage),
       field("tracer-queue", "queue, rays", queue), field("tracer-model", "model", model),
@@ -111,8 +111,8 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
       el("div", { class: "drawn" }, canvas, drawing.part, el("p", {}, save)), clocks),
     output,
     el("h3", {}, "The paper's Table 1"),
-    el("p", { class: "note" }, `A row is measured with the paper's ${count(PAPER[0] * PAPER[1])} rays, `,
-      `all rows at once with ${count(SMALL[0] * SMALL[1])}; with the queue and the model above.`),
+    el("p", { class: "note" }, `A single row is measured with the paper's ${count(PAPER[0] * PAPER[1])} rays, `,
+      `all rows together with ${count(SMALL[0] * SMALL[1])}; with the queue and the model above.`),
     el("form", { class: "fields", submit: measure }, field("tracer-row", "Row", row),
       el("div", { class: "field" }, measuring.start, measuring.stop)),
     measuring.said, measuring.part, result));
@@ -150,7 +150,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     if (last === stop) start.focus();
     if (ended.code === 0) part.value = 1;
     said.textContent = ended.lost ? `rt205 has failed: ${ended.lost}.` : ended.stopped ? "Stopped."
-      : ended.code === 0 ? "Done." : "rt205 could not do it.";
+      : ended.code === 0 ? "Done." : "rt205 failed. Its output gives the reason.";
     return ended;
   }
 

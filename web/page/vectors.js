@@ -12,11 +12,11 @@ export function makeVectors(panel, session) {
     : bits().find(({ label }) => label === chosen) ?? bits()[0];
 
   function picker() {
-    const select = el("select", { "aria-label": "Control bits beside the elements",
+    const select = el("select", { "aria-label": "Control bits of the elements",
       change: () => { chosen = select.value; show(); panel.querySelector("select").focus(); } },
     el("option", { value: "" }, "without control bits"),
     bits().map(({ label }) => el("option", { value: label, selected: control()?.label === label },
-      `bits of ${label} beside`)));
+      `with the bits of ${label}`)));
     return select;
   }
 
@@ -24,7 +24,7 @@ export function makeVectors(panel, session) {
     const top = panel.querySelector(".vectors")?.scrollTop ?? 0;
     fill(panel,
       heading("vectors", "Memory", bits().length > 0 ? picker() : null),
-      shown.length === 0 ? el("p", { class: "empty" }, "The program has no data of its own.")
+      shown.length === 0 ? el("p", { class: "empty" }, "The program declares no data.")
         : el("div", { class: "vectors scroll", tabindex: 0, role: "group",
           "aria-label": "Labels and their elements" },
           shown.map((one) => row(one, control(), () => session.lookFurther()))));

@@ -109,7 +109,7 @@ export const tests = {
       { get() { throw new DOMException("off", "SecurityError"); } }));
     await visit.page.reload();
     await visit.page.waitForSelector("body.ready");
-    assert.match(await visit.text("#unstored"), /^This browser stores nothing for this page\./);
+    assert.match(await visit.text("#unstored"), /^This browser stores no data for this page\./);
     await visit.close();
   },
 

@@ -250,11 +250,11 @@ export const tests = {
   async "a link that is spoilt is told, and does no harm"({ browser, page }) {
     const packed = (bytes) => deflateRawSync(bytes).toString("base64url");
     const mine = "        EXIT    ; a text of mine\n";
-    const SPOILT = "The link is spoilt: there is no program in it.";
-    const ABSENT = "The link is to a lesson that is not here.";
+    const SPOILT = "The link is damaged: it contains no program.";
+    const ABSENT = "The link names an unknown lesson.";
     for (const [link, told, text] of [
       ["model=x&program=!!", SPOILT], ["program=", SPOILT], [`program=${"A".repeat(100000)}`, SPOILT],
-      [`program=${packed(Buffer.alloc(1 << 27, "; much\n"))}`, /^The link is not opened: .* limit is 1,048,576 bytes\.$/],
+      [`program=${packed(Buffer.alloc(1 << 27, "; much\n"))}`, /^The link cannot be opened: .* limit is 1,048,576 bytes\.$/],
       ["lesson=%3Cimg%20src=x%3E", ABSENT], ["lesson=__proto__", ABSENT],
       [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Assembled/]]) {
       const visit = await Visit.open(browser, `${page}#${link}`);
@@ -266,7 +266,7 @@ export const tests = {
     }
     const visit = await Visit.open(browser, page);
     await visit.page.evaluate("location.hash = 'program=' + 'A'.repeat(1 << 19)");
-    await visit.page.waitForFunction("/^The link is not/.test(document.getElementById('status').textContent)");
+    await visit.page.waitForFunction("/^The link cannot/.test(document.getElementById('status').textContent)");
     assert.match(await visit.text("#status"), /: its program is too long .* 524,288 characters in the link\.$/);
     await visit.close();
   },

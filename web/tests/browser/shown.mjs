@@ -117,7 +117,7 @@ export const tests = {
   async "boxes of the time line are as long as their clocks"(world) {
     const visit = await open(world);
     await visit.press("run");
-    for (const button of [null, "A shorter stretch", "Later", "Earlier", "A longer stretch", "All of the run"]) {
+    for (const button of [null, "Zoom in", "Later", "Earlier", "Zoom out", "Whole run"]) {
       if (button) await visit.page.click(`#timeline button[aria-label="${button}"]`);
       await visit.quiet();
       // Clocks to pixels: by two ticks, of which the clocks are written above them.

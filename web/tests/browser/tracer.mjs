@@ -75,7 +75,7 @@ export const tests = {
     const broken = scene.replace("sphere", "spere");
     await write(visit, broken);
     await visit.page.click("#tracer button[type=submit]");
-    await said(visit, "rt205 could not do it.");
+    await said(visit, "rt205 failed. Its output gives the reason.");
     assert.equal(await visit.text("#tracer pre"), rt205(native, ["render", "my.pov", "--no-picture"],
       { "my.pov": broken }));
     await visit.page.select("#tracer-scene", "scenes/bracket.pov");

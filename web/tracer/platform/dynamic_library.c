@@ -12,7 +12,7 @@ bool dynamic_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 {
     strcpy(path, file);
     return strcmp(file, PICTURE_ADAPTER_FILE) == 0
-           || error_set(error, "no %s in the page", file);
+           || error_set(error, "%s is not available in the page", file);
 }
 
 const void *dynamic_open(const char *path, const char *table, bool shared,

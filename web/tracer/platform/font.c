@@ -4,7 +4,7 @@
 struct font *font_open(const char *bytes, size_t length, const char **fault)
 {
     (void)bytes, (void)length;
-    *fault = "there is no FreeType in the page to read fonts";
+    *fault = "fonts cannot be read in the page: FreeType is not available";
     return NULL;
 }
 

@@ -141,7 +141,7 @@ static void *begin(const char *path, const struct picture_image *image,
     const char *ending = strrchr(path, '.');
     struct png *png;
 
-    fail(error, "in the page a picture is a .png");
+    fail(error, "in the page, the name of a picture must end in .png");
     if (!ending || strcasecmp(ending, ".png") != 0)
         return NULL;
     fail(error, "out of memory");
@@ -198,8 +198,8 @@ static bool end(void *picture, bool whole, struct picture_error *error)
 
 /* ---- Reading is not supported -------------------------------------------- */
 
-static const char no_reader[] = "there is no OpenImageIO in the page to read "
-                                "pictures";
+static const char no_reader[] =
+    "pictures cannot be read in the page: OpenImageIO is not available";
 
 static bool read(const char *path, struct picture_image *image,
                  struct picture_error *error)
