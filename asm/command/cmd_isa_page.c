@@ -16,7 +16,7 @@ static const struct {
     { C205_G_ZEROS, "the control vector acts where it has zeros",
       "Z among the operands, and not 0" },
     { C205_G_OFFSET, "register C+1 holds an offset of C and Z",
-      "the result is a vector, not a sparse one" },
+      "the result is a vector, not a sparse vector" },
     { C205_G_GIVEN, "the order vector Z is given, written `? [z]`",
       "the result is a sparse vector" },
     { C205_G_BROADCAST_A, "A is one number, broadcast",
@@ -36,29 +36,27 @@ static const struct {
 #define NO_SUCH_CODE "its codes: `undefined-instruction`"
     { "strings of bytes and of decimal digits",
       "packed decimal arithmetic, editing, search and translation of bytes: "
-      "COBOL's part of the machine. No numerical program needs them, and "
-      "nothing that could be read tells their rules",
+      "COBOL's part of the machine. No numerical program needs them, and no "
+      "available source gives their rules",
       NO_SUCH_CODE },
     { "monitor mode",
       "exchange of the register file, keys and locks, the instructions for "
       "the page table: the project has no operating system; the host is the "
       "monitor",
-      NO_SUCH_CODE "; a request that [EXIT](#exit) does not know: "
-                   "`bad-request`" },
+      NO_SUCH_CODE "; an unknown request of [EXIT](#exit): `bad-request`" },
     { "input and output",
-      "the machine had none of its own: its channels led to other "
-      "computers. Programs are loaded by the host and print through "
+      "the machine had none of its own; its channels led to other computers. "
+      "Programs are loaded by the host and print through "
       "[EXIT](#exit)",
       NO_SUCH_CODE },
     { "interrupts of a program",
-      "automatic branches on the data flags, by their masks, and that of "
-      "the job interval timer: where they branch to, and what they save, "
-      "nothing that could be read tells",
-      "the flags, bit 36 of the timer among them, wait until the program "
-      "looks at them: [LSDFR](#lsdfr), [BADF](#badf)" },
+      "automatic branches on the data flags, by their masks, and that of the job "
+      "interval timer: no available source gives their targets or what they save",
+      "the program must read the flags, bit 36 of the timer among them: "
+      "[LSDFR](#lsdfr), [BADF](#badf)" },
     { "32-bit strings of bits, 32-bit branches on a distance",
-      "a string of bits has no size of its own, and the branches B0-B5 "
-      "compare whole registers only (R)",
+      "a string of bits has no element size, and the branches B0-B5 compare whole "
+      "registers only (R)",
       "bit 80 of G in a string: `undefined-instruction`" },
 };
 enum { LEFT_OUT = sizeof left_out / sizeof *left_out };
@@ -121,12 +119,12 @@ static void put_formats(void)
          "the operands are named.\n"
          "In the operands capital letters are register fields; `[X]` is a "
          "descriptor or an address,\n"
-         "`+X` an offset that may be left out; `a` and `b` are sources "
+         "`+X` an optional offset; `a` and `b` are sources "
          "written `[a]`, `[a, x]` with an\n"
-         "offset, or as a bare register; `?Z` may be left out, `!Z` may "
-         "not. The operands of a\n"
-         "row tell which registers are half ones, `h0` .. `h255`; behind "
-         "a mnemonic `,H` (bit 80 of G)\n"
+         "offset, or as a bare register; `?Z` is optional, `!Z` is required. The "
+         "operands of a\n"
+         "row show which registers are half registers, `h0` .. `h255`; after a "
+         "mnemonic `,H` (bit 80 of G)\n"
          "makes them 32 bits long, where the row has it.\n");
     for (int format = 0; format < C205_FORMATS; format++) {
         const c205_insn *insn = first_of((c205_format)format);
@@ -351,15 +349,15 @@ static void put_free_codes(void)
 
 static void put_left_out(void)
 {
-    puts("\n## What is left out\n\n"
-         "An instruction that is not in the table is the trap "
-         "`undefined-instruction`, so that no program\nruns on past one:\n\n"
+    puts("\n## Instructions that are not implemented\n\n"
+         "An instruction that is not in the table raises the trap "
+         "`undefined-instruction`, so that no program\ncontinues after it:\n\n"
          "```c205\n"
          "        .entry  start\n"
          "start:  .half   0xF8000000, 0           ; once a byte string\n"
          "; expect-trap: undefined-instruction\n"
          "```\n\n"
-         "| left out | why | a program that tries it |\n|---|---|---|");
+         "| not implemented | reason | effect in a program |\n|---|---|---|");
     for (size_t i = 0; i < LEFT_OUT; i++) {
         printf("| %s | %s | %s |\n", left_out[i].what, left_out[i].why,
                left_out[i].instead);
@@ -375,19 +373,19 @@ int isa_page(const char *command, const c205_model *model)
     puts("# The instructions\n\n"
          "<!-- made from vm/insn.def and asm/isa_examples by "
          "make docs -->\n");
-    printf("All %zu of them, in the order of their table. What holds for "
-           "many is told in\n"
-           "[machine.md](machine.md), the arithmetic bit by bit in "
-           "[arithmetic.md](arithmetic.md),\n"
-           "the clock in [timing.md](timing.md). The clocks here are those "
-           "of the model `%s`,\n"
-           "n the number of elements (of bits in a bit string), rounded up. "
-           "Special values\n"
-           "are told of where they have rules; everywhere a result above the "
-           "range is indefinite\n"
-           "(flags 42 and 46), one below it machine zero (flag 43). Each "
-           "example is assembled,\n"
-           "run and checked by the tests.\n",
+    printf("This page describes all %zu instructions in the order of their table. The "
+           "rules that hold\n"
+           "for many of them are in [machine.md](machine.md), the bits of the "
+           "arithmetic in\n"
+           "[arithmetic.md](arithmetic.md), and the clock in [timing.md](timing.md). "
+           "The clocks here are\n"
+           "those of the model `%s`; n is the number of elements (of bits in a bit "
+           "string), rounded\n"
+           "up. Special values are described where they have rules of their own. In "
+           "every instruction\n"
+           "a result above the range is indefinite (flags 42 and 46), and one below "
+           "it is machine zero\n"
+           "(flag 43). The tests assemble, run and check each example.\n",
            c205_insn_count, c205_model_name(model));
     put_contents();
     put_formats();

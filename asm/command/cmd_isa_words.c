@@ -48,7 +48,7 @@ static const struct operand_meaning {
     { 'x', "address of a table; its length is not used", NULL },
     { 'n', "immediate", NULL },
     { 't', "branch target, a label", NULL },
-    { 'z', "control vector: ? where it has ones, ?! zeros", NULL },
+    { 'z', "control vector: ? where it has ones, ?! where zeros", NULL },
 };
 enum { MEANINGS = sizeof operand_meanings / sizeof *operand_meanings };
 
@@ -89,7 +89,7 @@ const char *isa_flag(const c205_insn *insn, unsigned flag)
         return "sign control: -A, |A|, -|A|, |B|";
     }
     if (flag == C205_INSN_SIGN && insn->format == C205_FORMAT_EXTREME) {
-        return "sign control: -A, |A|, -|A|; bit 01 of G is taken and does nothing";
+        return "sign control: -A, |A|, -|A|; bit 01 of G is accepted and has no effect";
     }
     while (i < FLAG_NOTES && flag_notes[i].flag != flag) {
         i++;
@@ -100,7 +100,7 @@ const char *isa_flag(const c205_insn *insn, unsigned flag)
 const char *isa_link(const c205_insn *insn)
 {
     return c205_unit_links(insn->unit)
-               ? "may stand after the link prefix, with one of another unit"
+               ? "may follow the link prefix, with an instruction of another unit"
                : "";
 }
 
@@ -239,8 +239,8 @@ static const struct {
     c205_format format;
     const char *length, *clocked;
 } lengths[] = {
-    { C205_FORMAT_SCAN, "that of C; each element goes through all of B",
-      "n elements of B gone through in all" },
+    { C205_FORMAT_SCAN, "that of C; each element of A is used with all of B",
+      "n the total number of elements of B that are read" },
     { C205_FORMAT_PERIODIC, "that of C", "" },
     { C205_FORMAT_SPACED, "that of B", "" },
     { C205_FORMAT_SPARSE,
@@ -313,13 +313,13 @@ const char *isa_control(const c205_insn *insn)
         return "";
     }
     if (must_have_control(insn)) {
-        return "must be there: Z chooses, `? [z]` with its ones, `?! [z]` "
+        return "required: Z selects, `? [z]` with its ones, `?! [z]` "
                "with its zeros";
     }
     return has_operand(insn, "wkp")
                ? "`? [z]`: only elements where Z has ones take part; "
                  "`?! [z]`: zeros"
-               : "`? [z]`: C keeps what it had where Z has zeros; "
+               : "`? [z]`: C keeps its values where Z has zeros; "
                  "`?! [z]`: where it has ones";
 }
 
@@ -374,7 +374,7 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
                         "; %s are half registers", text + length, ISA_HALF - length);
     length += (size_t)snprintf(text + length, ISA_HALF - length, "%s",
                                broadcasts(insn)
-                                   ? "; what is broadcast is a half register"
+                                   ? "; a broadcast source is a half register"
                                    : "");
     length += put_group(insn, "lq", "; the indices of %s have 64 bits",
                         "; the indices of %s have 64 bits", text + length,
