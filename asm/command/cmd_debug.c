@@ -58,9 +58,8 @@ static const struct command_option options[] = {
       .kind = COMMAND_INPUT,
       .many = true,
       .offset = CMD_PLACE(scripts),
-      .help =
-          "read lines from FILE; the exit status is 1 if one of them fails, such "
-          "as an assert" },
+      .help = "read lines from FILE; the exit status is 1 if one of them fails, such "
+              "as an assert" },
     CMD_MODEL,
     CMD_WARN,
     CMD_FLAG(dap, "speak the Debug Adapter Protocol on stdin and stdout, for "

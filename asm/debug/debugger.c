@@ -96,7 +96,8 @@ static bool verb_help(struct debugger *debugger, struct text_cursor *cursor)
     for (size_t i = 0; i < VERBS; i++)
         print_verb(debugger, verbs[i].name, verbs[i].arguments, verbs[i].help);
     sink_put(&debugger->out,
-             "A verb can be abbreviated; an empty line repeats the last move.\n");
+             "A verb can be abbreviated; an empty line repeats the last step or "
+             "continue.\n");
     return true;
 }
 
