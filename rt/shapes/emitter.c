@@ -109,7 +109,7 @@ const char *emitter_torus(double major, double radial, double axial,
                           struct emitter *emitter)
 {
     if (radial > major)
-        return "a torus that meets itself has no emission";
+        return "a torus that intersects itself cannot emit";
     emitter->kernel = "emit_torus";
     emitter->area = 4 * PI * PI;
     emitter->form[0] = major;

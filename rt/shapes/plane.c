@@ -46,7 +46,7 @@ static const char *emit(const struct primitive *primitive, struct emitter *emitt
 {
     (void)primitive;
     (void)emitter;
-    return "a plane has no end, and so no emission";
+    return "a plane is infinite and cannot emit";
 }
 
 const struct shape shape_plane = {

@@ -78,15 +78,14 @@ static const char *make_parabolas(struct outline *path)
                                     path->count, 0, 0 };
 
     if (path->count < POINTS_LEAST)
-        return "a quadratic spline needs five points";
+        return "a quadratic spline must have at least five points";
     memcpy(path->points + path->count, path->points,
            path->count * sizeof *path->points);
     path->count = 0;
     spline.closeness = path_closeness(spline.points, spline.count);
     while (spline.used + 1 < spline.count)
         if (!add_loop(path, &spline))
-            return "the quadratic spline does not come back to its second "
-                   "point";
+            return "the quadratic spline does not return to its second point";
     return NULL;
 }
 

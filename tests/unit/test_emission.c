@@ -454,9 +454,9 @@ TEST(refused)
     struct emission_options options = { TRACE_VECTOR, 10, 10, false, NULL };
     move_shape(&primitive, &placement_none);
     assert_no_emission(&primitive, options,
-                       "the torus of line 7: a torus that meets itself");
+                       "the torus of line 7: a torus that intersects itself");
     primitive.kind = PRIMITIVE_PLANE;
-    assert_no_emission(&primitive, options, "the plane of line 7: a plane has no end");
+    assert_no_emission(&primitive, options, "the plane of line 7: a plane is infinite");
     for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
         if (!emits((enum primitive_kind)kind) && kind != PRIMITIVE_PLANE) {
             primitive.kind = (enum primitive_kind)kind;

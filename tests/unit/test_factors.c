@@ -400,7 +400,7 @@ TEST(refused)
     struct factor_row row;
     c205_error error = { "" };
     assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
-    assert_non_null(strstr(error.message, "a plane has no end"));
+    assert_non_null(strstr(error.message, "a plane is infinite"));
     options.repeats = 1;
     options.model = prior_model;
     assert_null(factors_new(scene, &options, &error));

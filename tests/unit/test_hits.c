@@ -220,7 +220,7 @@ TEST(refused)
             "the scene has no cylinder to test");
     refuses("#declare A = plane { y, 0 } object { A }"
             " cylinder { 3*x, 4*x, 1 }",
-            "A", "a plane has no end");
+            "A", "a plane is infinite");
 }
 
 GROUP(set_up_model, tear_down_model);

@@ -207,10 +207,10 @@ static const struct line_error errors[] = {
     { "prism { quadratic_spline 0, 1, 4, <0, 1>, <0, 0>, <1, 0>, <0, 0> }", 9,
       "five points" },
     { "prism { quadratic_spline 0, 1, 5, <0, 1>, <0, 0>, <1, 0>, <1, 1>, <0, 1> }", 9,
-      "does not come back" },
+      "does not return" },
     { "prism { quadratic_spline 0, 1, 7, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
       " <0, 0>, <2, 2>, <3, 3> }",
-      9, "does not come back" },
+      9, "does not return" },
     { "prism { quadratic_spline conic_sweep 0, 1, 3, x, y, z }", 26,
       "'conic_sweep' is not supported" },
     { "prism { linear_sweep cubic_spline 0, 1, 4, x, y, z, 0 }", 22,
