@@ -449,11 +449,11 @@ heat_shell 0 --temperature Shell=adiabatic --temperature environment=20
 heat_shell 1
 tells err "no temperature is set for: Shell; use --temperature NAME=KELVINS, or default=300"
 heat_shell 1 --temperature Lid=3
-tells err "no part and no material is called 'Lid'; parts: Ball, Shell"
+tells err "unknown part or material 'Lid'; parts: Ball, Shell"
 heat_shell 1 --temperature Shell=-3
-tells err "a temperature is NAME=VALUE with a value not below 0, not 'Shell=-3'"
+tells err "expected NAME=VALUE with a temperature that is at least 0, found 'Shell=-3'"
 heat_shell 1 --temperature Shell=3 --emissivity Shell=1.5
-tells err "an emissivity is NAME=VALUE with a value 0 to 1"
+tells err "expected NAME=VALUE with an emissivity that is between 0 and 1"
 cat >room.pov <<'END'
 #declare Room = sphere { 0, 2 inverse }
 #declare Ball = sphere { 0, 1 }
@@ -479,7 +479,7 @@ tells heat.json "\"hits\""
 heat_hits 1
 tells err "^rt205 heat: --hits requires --from NAME"
 heat_hits 1 --from Stove
-tells err "no part and no material is called 'Stove'"
+tells err "unknown part or material 'Stove'"
 heat_hits 1 --from Tube
 tells err "the disc of line 1 is not a separate solid cylinder"
 rows lines_and_mass

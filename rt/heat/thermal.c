@@ -21,11 +21,11 @@ enum { ADIABATIC = -1 };
 
 const struct value_kind emissivity_kind = { .name = "emissivity",
                                             .ending = "_Emissivity",
-                                            .range = "0 to 1",
+                                            .range = "between 0 and 1",
                                             .allows = is_emissivity };
 const struct value_kind temperature_kind = { .name = "temperature",
                                              .ending = "_Temperature",
-                                             .range = "not below 0",
+                                             .range = "at least 0",
                                              .allows = is_temperature,
                                              .word = "adiabatic",
                                              .word_value = ADIABATIC };

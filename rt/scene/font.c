@@ -69,12 +69,12 @@ static bool open_library(struct freetype *calls)
 static const char *open_face(struct font *font, const char *bytes, size_t length)
 {
     if (!open_library(&font->calls))
-        return "there is no FreeType (libfreetype.so.6) to read fonts";
+        return "fonts require FreeType, but libfreetype.so.6 cannot be loaded";
     if (font->calls.init(&font->library))
-        return "FreeType does not work";
+        return "FreeType cannot be initialized";
     if (font->calls.new_face(font->library, (const FT_Byte *)bytes, (FT_Long)length, 0,
                              &font->face))
-        return "it is not a font";
+        return "the file is not a font";
     return FT_IS_SCALABLE(font->face) ? NULL : "the font has no outlines";
 }
 

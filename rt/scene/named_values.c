@@ -52,7 +52,8 @@ bool named_add(struct named_values *given, const char *text, c205_error *error)
     if (!sign || sign == text || !is_value(given->kind, sign + 1, &value)) {
         bool vowel = strchr("aeiou", given->kind->name[0]);
 
-        return error_set(error, "%s %s is NAME=VALUE with a value %s, not '%.100s'",
+        return error_set(error,
+                         "expected NAME=VALUE with %s %s that is %s, found '%.100s'",
                          vowel ? "an" : "a", given->kind->name, given->kind->range,
                          text);
     }
@@ -77,7 +78,7 @@ bool named_add_scene(struct named_values *given, const struct scene *scene,
         if (length <= behind || strcmp(declared->name + length - behind, ending) != 0)
             continue;
         if (!given->kind->allows(declared->value))
-            return error_set(error, "%.100s is not %s", declared->name,
+            return error_set(error, "%.100s must be %s", declared->name,
                              given->kind->range);
         if (!keep(given, declared->name, length - behind, declared->value))
             return error_set(error, "no memory");
@@ -128,10 +129,10 @@ static bool take_line(struct named_values *given, char *line, c205_error *error)
     if (length == 0)
         return true;
     if (!skip_number(&line, &number) || !skip_number(&line, &value) || !*line)
-        return error_set(error, "a line is a number, a %s and a name",
+        return error_set(error, "expected a line with a number, a %s and a name",
                          given->kind->name);
     if (!given->kind->allows(value))
-        return error_set(error, "the %s is not %s", given->kind->name,
+        return error_set(error, "the %s must be %s", given->kind->name,
                          given->kind->range);
     return keep(given, line, strlen(line), value) || error_set(error, "no memory");
 }

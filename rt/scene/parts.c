@@ -115,7 +115,7 @@ bool named_parts_check(const struct named_parts *parts, const char *name,
 {
     if (is_there(parts, name))
         return true;
-    error_set(error, "no part and no material is called '%.60s'", name);
+    error_set(error, "unknown part or material '%.60s'", name);
     add_names(parts, false, "; parts: ", error);
     add_names(parts, true, "; materials: ", error);
     return false;

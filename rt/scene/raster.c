@@ -100,12 +100,11 @@ static bool take_samples(struct netpbm *file, struct raster *raster, c205_error 
     for (size_t i = 0; i < count; i++) {
         uint32_t sample;
         if (!take_sample(file, &sample))
-            return error_set(error, "only %zu of its %zu sample%s are there", i, count,
+            return error_set(error, "the file ends after %zu of %zu sample%s", i, count,
                              plural(count));
         if (sample > raster->most)
             return error_set(error,
-                             "a sample is %lu, more than the %lu that it names as "
-                             "the greatest",
+                             "a sample is %lu, above the maximum of %lu in the header",
                              (unsigned long)sample, (unsigned long)raster->most);
         raster->samples[i] = (uint16_t)sample;
     }
@@ -120,13 +119,15 @@ static bool take_header(struct netpbm *file, struct raster *raster, c205_error *
 
     if (!take_number(file, &width) || !take_number(file, &height)
         || !take_number(file, &raster->most))
-        return error_set(error, "its first numbers are wrong");
+        return error_set(error, "the width, height or maximum in the header is not "
+                                "a valid number");
     if (raster->most == 0 || raster->most > UINT16_MAX)
-        return error_set(error, "its greatest sample is not from 1 to %d", UINT16_MAX);
+        return error_set(error, "the maximum in the header must be between 1 and %d",
+                         UINT16_MAX);
     if (width == 0 || height == 0)
-        return error_set(error, "it has no pixels");
+        return error_set(error, "the image has no pixels");
     if (width > RASTER_PIXELS / height)
-        return error_set(error, "it has more than %d pixels", RASTER_PIXELS);
+        return error_set(error, "the image has more than %d pixels", RASTER_PIXELS);
     file->wide = raster->most > UINT8_MAX;
     file->next += file->next < file->end;
     raster->width = width;
@@ -164,6 +165,5 @@ bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
         return read_netpbm(bytes, length, raster, error);
     }
     return reads ? reads(formats[kind], bytes, length, raster, error)
-                 : error_set(error, "images other than PGM and PPM cannot be read "
-                                    "here");
+                 : error_set(error, "only PGM and PPM images are supported here");
 }

@@ -210,7 +210,7 @@ static void refuses(const char *text, const char *from, const char *message)
 
 TEST(refused)
 {
-    refuses(tubes, "Burners", "no part and no material is called 'Burners'");
+    refuses(tubes, "Burners", "unknown part or material 'Burners'");
     refuses("#declare A = sphere { 0, 1 } object { A } sphere { 3*x, 1 }", "A",
             "the sphere of line 1 is not a separate solid cylinder");
     refuses("#declare A = sphere { 0, 1 } object { A }"

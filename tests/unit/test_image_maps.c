@@ -346,7 +346,7 @@ TEST(faults)
     keep("", 0);
     expect_fault("\"%s\"", 1, "the file is empty");
     keep(FILE_OF("P6\n8 1\n255\n"));
-    expect_fault("\"%s\"", 1, "only 0 of its 24 samples");
+    expect_fault("\"%s\"", 1, "the file ends after 0 of 24 samples");
     keep(FILE_OF("P6\n9999 9999\n255\n"));
     expect_fault("\"%s\"", 1, "more than 8388608 pixels");
 }

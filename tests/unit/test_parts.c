@@ -142,7 +142,7 @@ TEST(densities)
     assert_true(named_add(&densities, "Brass=8", &error));
     assert_false(named_check(&densities, &parts, NULL, &error));
     assert_string_equal(error.message,
-                        "no part and no material is called 'Brass'; parts: Plate, Pin, "
+                        "unknown part or material 'Brass'; parts: Plate, Pin, "
                         "line 10, line 11, line 12; materials: Steel, Copper");
     named_free(&densities);
 }
@@ -157,7 +157,7 @@ TEST(wrong_densities)
     for (size_t i = 0; i < COUNT(wrong); i++)
         assert_false(named_add(&densities, wrong[i], &error));
     assert_false(named_add_scene(&densities, scene, &error));
-    assert_string_equal(error.message, "Lead_Density is not above 0");
+    assert_string_equal(error.message, "Lead_Density must be above 0");
     assert_int_equal(densities.count, 0);
     named_free(&densities);
 }
@@ -187,9 +187,9 @@ TEST(file)
         read_file("1 7.85 Steel\n2 x Copper\n3 -1 Lead\n4 5\n", &densities, &reports));
     assert_int_equal(reports.count, 3);
     assert_int_equal(reports.items[0].line, 2);
-    assert_string_equal(reports.items[1].message, "the density is not above 0");
+    assert_string_equal(reports.items[1].message, "the density must be above 0");
     assert_string_equal(reports.items[2].message,
-                        "a line is a number, a density and a name");
+                        "expected a line with a number, a density and a name");
     assert_false(named_read(&densities, "no/such/file", &reports));
     named_free(&densities);
 }

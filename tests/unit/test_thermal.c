@@ -247,8 +247,8 @@ TEST(wrong_values)
     named_free(&given);
     named_begin(&given, &emissivity_kind);
     assert_false(named_add(&given, "a=1.5", &error));
-    assert_string_equal(error.message, "an emissivity is NAME=VALUE with a "
-                                       "value 0 to 1, not 'a=1.5'");
+    assert_string_equal(error.message, "expected NAME=VALUE with an emissivity that "
+                                       "is between 0 and 1, found 'a=1.5'");
     assert_false(named_add(&given, "a=adiabatic", &error));
     named_free(&given);
 }
