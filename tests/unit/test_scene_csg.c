@@ -482,7 +482,7 @@ TEST(deep_text)
     end += sprintf(end, "%s", B);
     for (int i = 0; i < DEEP; i++)
         end += sprintf(end, " }");
-    check_error(text, "within each other");
+    check_error(text, "levels of nesting");
 }
 
 /* The limit for a union is that of a scene; a single solid has a lower one. */

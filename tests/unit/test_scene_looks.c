@@ -76,7 +76,7 @@ TEST(reported_when_used)
         { "light_group { sphere { 0, 1 } }", 1, "shine on all objects" },
         { "#fopen F \"a\" write #write (F, 1, x concat(\"a\", \"b\") \",\")"
           " #fclose F",
-          10, "is left out" },
+          10, "is ignored" },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {

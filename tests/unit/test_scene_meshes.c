@@ -378,7 +378,7 @@ static const struct line_error errors[] = {
     { THREE FACE "uv_indices { 1, <0, 0, 1> } }", 85,
       "the uv vector 1, but there are only 1" },
     { THREE FACE "wibble }", 69, "expected a word of mesh2" },
-    { "#declare mesh2 = 1;", 10, "a word of the language" },
+    { "#declare mesh2 = 1;", 10, "a keyword, not a name" },
 };
 
 TEST_CALL(errors, assert_errors(errors, COUNT(errors)))

@@ -58,17 +58,17 @@ TEST(errors)
         { "camera { up x }", 1, 1, "span no picture" },
         { "union { sphere { 0 1 } scale 2 sphere { 0 1 } }", 1, 32, "found 'sphere'" },
         { "#declare A = 1 sphere { 0, 1 }", 1, 15, "';' is missing" },
-        { "#declare x = 1;", 1, 10, "'x' is a word of the language" },
+        { "#declare x = 1;", 1, 10, "'x' is a keyword, not a name" },
         { "#declare A = ;", 1, 14, "expected a value, found ';'" },
         { "#if (1) sphere { 0, 1 #end", 1, 27, "for the '{' of line 1" },
         { "#while (1) #if (1) #end } #end", 1, 25, "found '}'" },
         { "#end", 1, 1, "'#end'" },
-        { "#frob", 1, 1, "'#frob' is not a directive" },
+        { "#frob", 1, 1, "unknown directive '#frob'" },
         { "#include \"no/such.inc\"", 1, 10, "no such file" },
-        { "#include \"colors.inc\"\n#include \"\"", 2, 10, "name of a file" },
+        { "#include \"colors.inc\"\n#include \"\"", 2, 10, "the file name is empty" },
         { "#error \"gone\"", 1, 1, "gone" },
         { "sphere { 0, 1 } }", 1, 17, "found '}'" },
-        { "sphere { 0, 1 } @", 1, 17, "not of the language" },
+        { "sphere { 0, 1 } @", 1, 17, "unknown character" },
         { "sphere { 0, 1 }\n/* /* */", 2, 1, "comment is not closed" },
         { "sphere { 0, 1 } \"", 1, 17, "string is not closed" },
         { "object { sphere { 0, 1 } sphere { 0, 1 } }", 1, 26, "'sphere'" },
@@ -300,7 +300,7 @@ TEST(includes)
     write_file(folder, "main.pov", "#include \"loop.inc\"\n");
     assert_null(scene_read(path, &reading_options, &reports));
     assert_non_null(strstr(reports.items[0].file, "loop.inc"));
-    assert_non_null(strstr(reports.items[0].message, "include each other"));
+    assert_non_null(strstr(reports.items[0].message, "nested include files"));
     diagnostics_free(&reports);
 
     const char *const search[] = { folder, NULL };
@@ -332,9 +332,9 @@ TEST(bounds)
         const char *head, *part;
         const char *message;
     } rows[] = {
-        { "", "union{", "within each other" },
-        { "sphere{0,", "(", "within each other" },
-        { "sphere{0,", "-", "within each other" },
+        { "", "union{", "levels of nesting" },
+        { "sphere{0,", "(", "levels of nesting" },
+        { "sphere{0,", "-", "levels of nesting" },
         { "#declare A=sphere{0,1} ", "#declare A=union{object{A}object{A}}",
           "primitives and lights, copies counted" },
         { "", "foo{}\n", "too many errors" },
@@ -375,7 +375,7 @@ TEST(many_reports)
     assert_int_equal(reports.errors, 0);
     assert_int_equal(reports.count, MAX_TOLD + 1);
     assert_string_equal(reports.items[MAX_TOLD - 1].message, "no 200");
-    assert_non_null(strstr(reports.items[MAX_TOLD].message, "left out"));
+    assert_non_null(strstr(reports.items[MAX_TOLD].message, "omitted"));
 }
 
 /* If more places occur than are recorded, the report states it. */

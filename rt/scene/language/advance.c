@@ -42,7 +42,7 @@ bool reader_spend(struct reader *reader, size_t bytes)
     if (reader->stopped)
         return false;
     if (is_stopped(reader, bytes)) {
-        reader_fault(reader, &reader->token, "the reading is stopped here");
+        reader_fault(reader, &reader->token, "reading was stopped here");
         return reader_stop(reader);
     }
     if (bytes <= most - reader->bytes) {
@@ -51,7 +51,7 @@ bool reader_spend(struct reader *reader, size_t bytes)
     }
     reader_fault(reader, &reader->token,
                  "the scene takes too long to read: more than %" PRIu64
-                 " bytes, loops and macros counted each time",
+                 " bytes, with each repetition of loops and macros counted",
                  most);
     return reader_stop(reader);
 }

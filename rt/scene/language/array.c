@@ -59,7 +59,7 @@ const char *array_set(struct array *array, size_t element, struct scene_value *v
 
     if (!array_takes(array, value)) {
         value_free(value);
-        return "the array holds values of another kind";
+        return "the array contains values of another kind";
     }
     if (*cell)
         value_free(*cell);
@@ -94,7 +94,7 @@ const char *array_copy(struct array **copy, const struct array *array)
 
     *copy = array_new(array->dimensions, array->sizes, array->cells);
     if (!*copy)
-        return "not enough memory, or too many cells of arrays: "
+        return "not enough memory, or too many array elements: "
                "at most " LIMIT_TEXT(MAX_CELLS);
     fault = copy_cells(*copy, array);
     if (fault)

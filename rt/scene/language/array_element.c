@@ -61,9 +61,7 @@ static bool read_hop(struct reader *reader, struct scene_token *name)
     struct reference *reference = &name->reference;
 
     if (reference->hops == MAX_ARRAY_NESTING)
-        return reader_fault(reader, name,
-                            "more than %d arrays within each "
-                            "other",
+        return reader_fault(reader, name, "more than %d nested arrays",
                             MAX_ARRAY_NESTING);
     if (!read_indices(reader, name->value->is.array,
                       &reference->element[reference->hops]))
@@ -99,7 +97,8 @@ bool element_read_place(struct reader *reader)
         name.reference = (struct reference){ NULL, 0, { 0 } };
         name.value = NULL;
         reader->token = name;
-        return reader_fault(reader, &name, "the array of this element is gone");
+        return reader_fault(reader, &name,
+                            "the array of this element no longer exists");
     }
     if (done)
         reader->token = name;
@@ -137,9 +136,7 @@ static bool read_cell(struct reader *reader, struct array *array, size_t dimensi
     if (value.kind == VALUE_ARRAY
         && array_nesting(value.is.array) == MAX_ARRAY_NESTING) {
         value_free(&value);
-        return reader_fault(reader, &at,
-                            "more than %d arrays within each "
-                            "other",
+        return reader_fault(reader, &at, "more than %d nested arrays",
                             MAX_ARRAY_NESTING);
     }
     return reader_check(reader, &at, array_set(array, (*element)++, &value));

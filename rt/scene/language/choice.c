@@ -65,7 +65,7 @@ bool switch_case(struct reader *reader, void *subject, const struct item *item)
 
     (void)subject;
     if (!condition || condition->kind != CONDITION_SWITCH || condition->in_else)
-        return reader_fault(reader, &item->at, "there is no '#switch' for this '#%s'",
+        return reader_fault(reader, &item->at, "'#%s' without a matching '#switch'",
                             item->keyword->word);
     sealed = condition_seal(reader);
     good = read_bounds(reader, item->keyword->detail == SWITCH_RANGE, &lowest,

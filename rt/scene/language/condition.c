@@ -16,7 +16,7 @@ static const char *const to_other[] = { "else", "elseif", "end", NULL };
 
 static bool unclosed(struct reader *reader, const struct scene_token *at)
 {
-    return reader_fault(reader, at, "no '#end' closes this '#%.*s'", (int)at->length,
+    return reader_fault(reader, at, "'#%.*s' has no matching '#end'", (int)at->length,
                         at->text);
 }
 
@@ -55,8 +55,7 @@ struct scene_condition *condition_push(struct reader *reader, enum condition_kin
     struct scene_condition *condition;
 
     if (reader->condition_count == MAX_CONDITIONS) {
-        reader_fault(reader, at, "more than %d conditions within each other",
-                     MAX_CONDITIONS);
+        reader_fault(reader, at, "more than %d nested conditions", MAX_CONDITIONS);
         return NULL;
     }
     condition = &reader->conditions[reader->condition_count++];
@@ -219,7 +218,7 @@ bool condition_else(struct reader *reader, void *subject, const struct item *ite
         && !strcmp(item->keyword->word, "else"))
         return switch_else(reader, condition);
     if (!condition || condition->kind != CONDITION_IF || condition->in_else)
-        return reader_fault(reader, &item->at, "there is no '#if' for this '#%s'",
+        return reader_fault(reader, &item->at, "'#%s' without a matching '#if'",
                             item->keyword->word);
     return condition_leave(reader, condition);
 }
@@ -230,8 +229,7 @@ bool condition_end(struct reader *reader, void *subject, const struct item *item
 
     (void)subject;
     if (!condition)
-        return reader_fault(reader, &item->at,
-                            "there is nothing for this '#end' to close");
+        return reader_fault(reader, &item->at, "'#end' without a matching directive");
     if (condition->kind == CONDITION_WHILE || condition->kind == CONDITION_FOR)
         return loop_end(reader, condition);
     reader->condition_count--;
@@ -261,7 +259,8 @@ static bool end_macro(struct reader *reader, const struct scene_token *at)
     struct text_place end = top->place;
 
     if (!top->is_macro)
-        return reader_fault(reader, at, "there is nothing to break off");
+        return reader_fault(reader, at,
+                            "'#break' outside of a loop, '#switch' or macro");
     while (condition_top(reader))
         reader->condition_count--;
     end.at = top->end;

@@ -34,8 +34,7 @@ static bool read_mode(struct reader *reader, const struct scene_token *at,
         file->place.line = 1;
         return file->source;
     }
-    reader_warn(reader, at,
-                "no file is written: what is given to '#write' is left out");
+    reader_warn(reader, at, "files are not written: '#write' is ignored");
     return true;
 }
 
@@ -68,7 +67,8 @@ bool data_file_open(struct reader *reader, void *subject, const struct item *ite
     if (!target_read(reader, &target))
         return false;
     if (target.is_element)
-        return reader_fault(reader, &target.name, "an element cannot stand for a file");
+        return reader_fault(reader, &target.name,
+                            "an array element cannot be used as a file");
     symbol = target.name.reference.symbol;
     if (symbol)
         symbol_hold(symbol);
@@ -206,9 +206,7 @@ static bool read_datum(struct reader *reader, struct data_file *file,
         return true;
     if (!lexer_call(&reader->lexer, file->source, file->place, file->source->length,
                     at))
-        return reader_fault(reader, at,
-                            "more than %d files and macros lie within each "
-                            "other",
+        return reader_fault(reader, at, "more than %d nested files and macros",
                             MAX_FRAMES);
     next(&datum);
     if (datum.token.kind != TOKEN_END)
@@ -251,8 +249,8 @@ static const struct data_file *read_handle(struct reader *reader, bool reads)
     file = expect_file(reader);
     if (!file || (file->reads == reads && (file->source || !reads)))
         return file;
-    reader_fault(reader, &reader->token, "the file is not open to be %s",
-                 reads ? "read" : "written");
+    reader_fault(reader, &reader->token, "the file is not open for %s",
+                 reads ? "reading" : "writing");
     return NULL;
 }
 

@@ -314,7 +314,7 @@ bool name_expected(struct reader *reader, const struct scene_token *token)
     if (!is_reserved(&name))
         return true;
     reader_step(reader);
-    return reader_fault(reader, &name, "'%.*s' is a word of the language, not a name",
+    return reader_fault(reader, &name, "'%.*s' is a keyword, not a name",
                         (int)name.length, name.text);
 }
 

@@ -150,7 +150,7 @@ void warnings_report(const struct deduplicated_warnings *book, enum severity sev
         lost = &cause->first->place;
     if (lost->source)
         diagnostics_add(reports, severity, &lost->position,
-                        "too many reports: those from here on are left out, "
+                        "too many reports: the rest are omitted "
                         "after " LIMIT_TEXT(MAX_REPORTS));
 }
 

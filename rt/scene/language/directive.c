@@ -23,7 +23,7 @@ static char *read_file_name(struct reader *reader, size_t depth)
     char *name = NULL;
 
     if (!starts_string(reader))
-        reader_expected(reader, "the name of a file in quotes");
+        reader_expected(reader, "a file name in quotes");
     else if (!file_name_read(reader, &name))
         name = NULL;
     reader_release(reader, hold);
@@ -38,7 +38,7 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
     bool opened;
 
     if (!*name)
-        return reader_fault(reader, at, "the name of a file is empty");
+        return reader_fault(reader, at, "the file name is empty");
     source = reader_find(reader, at, name, true);
     if (!source)
         return false;
@@ -48,7 +48,7 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
     opened = lexer_open(&reader->lexer, source);
     reader_step(reader);
     return opened
-           || reader_fault(reader, at, "more than %d files include each other",
+           || reader_fault(reader, at, "more than %d nested include files",
                            INCLUDE_DEPTH);
 }
 
@@ -85,7 +85,8 @@ static bool read_version(struct reader *reader, void *subject, const struct item
     if (reader_at_sign(reader, ';'))
         reader_step(reader);
     if (version < 3.5 || version >= 4)
-        reader_warn(reader, &at, "the scene is read as of version 3.7");
+        reader_warn(reader, &at,
+                    "this version is not supported; the scene is read as version 3.7");
     reader->version = version;
     reader->version_at = at;
     return true;
@@ -169,7 +170,7 @@ static bool append_text(struct reader *reader, const struct item *item,
         reader_warn(reader, &item->at, "%s", text);
     else if (!diagnostics_append(reader->reports, text))
         reader_warn(reader, &item->at,
-                    "more than %d bytes are said: the rest is left out", MAX_SAID);
+                    "more than %d bytes of messages: the rest is omitted", MAX_SAID);
     return true;
 }
 
@@ -241,8 +242,7 @@ bool directive_read(struct reader *reader)
 
     reader_step(reader);
     if (!item.keyword)
-        return reader_fault(reader, &item.at,
-                            "'#%.*s' is not a directive of the language",
+        return reader_fault(reader, &item.at, "unknown directive '#%.*s'",
                             (int)item.at.length, item.at.text);
     return item.keyword->read(reader, NULL, &item);
 }

@@ -174,8 +174,7 @@ static bool read_formula_call(struct compiler *compiler, const struct formula *c
         return read_other_call(compiler, called);
     if (called->nesting == MAX_NESTING)
         return reader_fault(reader, &reader->token,
-                            "more than %d functions that call one another",
-                            MAX_NESTING);
+                            "more than %d nested function calls", MAX_NESTING);
     if (compiler->formula->nesting <= called->nesting)
         compiler->formula->nesting = called->nesting + 1;
     reader_next(reader);
@@ -298,7 +297,7 @@ static bool read_parameter(struct compiler *compiler)
     size_t number = compiler->formula->parameter_count;
 
     if (token->kind != TOKEN_WORD)
-        return reader_expected(reader, "the name of a parameter, or ')'");
+        return reader_expected(reader, "the name of a parameter or ')'");
     if (number == MAX_PARAMETERS)
         return reader_fault(reader, token, "more than %d parameters", MAX_PARAMETERS);
     compiler->parameters[number] = (struct name){ token->text, token->length };
@@ -541,8 +540,7 @@ bool formula_value(struct reader *reader, const struct formula *formula,
         return false;
     if (formula->moves || formula->parameter_count > 3)
         return reader_fault(reader, at,
-                            "the function does not make a float of x, y and "
-                            "z");
+                            "expected a function that returns a float for x, y and z");
     if (!evaluate(&call, formula, arguments, result.n)
         || !operand_finite(reader, at, &result))
         return false;

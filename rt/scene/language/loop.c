@@ -16,7 +16,8 @@ static bool same_frame(struct reader *reader, const struct scene_condition *loop
 {
     return lexer_top(&reader->lexer)->serial == loop->frame
            || reader_fault(reader, &loop->at,
-                           "the condition does not end where it begins");
+                           "the condition must end in the file or macro where "
+                           "it begins");
 }
 
 /* Starts or skips the body. The current token is the last one before it. */
@@ -34,7 +35,7 @@ static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
 static bool may_go_on(struct reader *reader, struct scene_condition *loop)
 {
     if (++loop->turns == MAX_TURNS)
-        return reader_fault(reader, &loop->at, "more than %d turns", MAX_TURNS);
+        return reader_fault(reader, &loop->at, "more than %d iterations", MAX_TURNS);
     return reader->reports->errors == loop->errors;
 }
 
@@ -88,7 +89,7 @@ static bool get_variable(struct reader *reader, const struct scene_token *name,
     if (!reader_look_up(reader, &found) || found.value->kind != VALUE_NUMBERS
         || found.value->is.numbers.count != 1)
         return reader_fault(reader, name,
-                            "the loop's variable is not a number any more");
+                            "the variable of the loop is no longer a number");
     *number = found.value->is.numbers.n[0];
     return true;
 }
@@ -108,7 +109,7 @@ static bool read_step(struct reader *reader, double *step)
         return true;
     at = reader->token;
     return read_full_number(reader, step)
-           && (*step != 0 || reader_fault(reader, &at, "the step is 0"));
+           && (*step != 0 || reader_fault(reader, &at, "the step must not be 0"));
 }
 
 /* Reads "(" name, start, end [, step]; the current token is then ")". */

@@ -15,10 +15,9 @@ static bool read_parameter(struct reader *reader, struct scene_macro *macro)
     const struct scene_token *token = &reader->token;
 
     if (token->kind != TOKEN_WORD)
-        return reader_expected(reader, "the name of a parameter, or ')'");
+        return reader_expected(reader, "the name of a parameter or ')'");
     if (is_reserved(token))
-        return reader_fault(reader, token,
-                            "'%.*s' is a word of the language, not a name",
+        return reader_fault(reader, token, "'%.*s' is a keyword, not a name",
                             (int)token->length, token->text);
     if (macro->count == MAX_PARAMETERS)
         return reader_fault(reader, token, "more than %d parameters", MAX_PARAMETERS);
@@ -167,8 +166,8 @@ static bool enter_body(struct reader *reader, struct call *call)
 
     if (!lexer_call(&reader->lexer, macro->source, macro->body, macro->end,
                     &call->at)) {
-        reader_fault(reader, &call->at,
-                     "more than %d macros and files within each other", MAX_FRAMES);
+        reader_fault(reader, &call->at, "more than %d nested macros and files",
+                     MAX_FRAMES);
         return reader_stop(reader);
     }
     if (!bind(reader, call))

@@ -255,7 +255,7 @@ static bool read_component(struct reader *reader, struct numbers *value)
     else if (is_token(&reader->token, "gray") && value->count >= 3)
         *value = numbers_of(gray(value->n));
     else
-        return reader_expected(reader, "a component that the value has");
+        return reader_expected(reader, "a component of the value");
     reader_next(reader);
     return true;
 }

@@ -188,7 +188,7 @@ static bool read_seed(struct reader *reader, double *value)
     if (!read_full_number(reader, &seed))
         return false;
     if (!(seed > -most && seed < most))
-        return reader_fault(reader, &at, "%g is not a seed", seed);
+        return reader_fault(reader, &at, "the seed %g is out of range", seed);
     if (reader->seed_count == MAX_SEEDS)
         return reader_fault(reader, &at, "more than %d random streams", MAX_SEEDS);
     seeds = array_grow(reader->seeds, reader->seed_count, sizeof *seeds);
@@ -210,7 +210,7 @@ static bool read_rand(struct reader *reader, double *value)
     if (!read_full_number(reader, &stream))
         return false;
     if (!(stream >= 0 && stream < (double)reader->seed_count))
-        return reader_fault(reader, &at, "there is no random stream %g", stream);
+        return reader_fault(reader, &at, "unknown random stream %g", stream);
     seed = &reader->seeds[(size_t)stream];
     *seed = *seed * 1812433253u + 12345u;
     *value = (double)*seed / 4294967295.;

@@ -44,7 +44,7 @@ static void add_error(struct reader *reader, const struct scene_token *at,
     diagnostics_add(reports, SEVERITY_ERROR, &position, message);
     if (reports->errors >= MAX_ERRORS) {
         diagnostics_add(reports, SEVERITY_ERROR, &position,
-                        "too many errors: the rest of the scene is not read "
+                        "too many errors: the scene is not read further "
                         "after " LIMIT_TEXT(MAX_ERRORS));
         reader_stop(reader);
     }
@@ -265,8 +265,7 @@ const struct scene_source *reader_find(struct reader *reader,
         reader_fault(reader, at, "%s", error.message);
     else if (source_is_other(source, name))
         reader_warn(reader, at,
-                    "the file '%s' is read: its name differs in the case of "
-                    "letters",
+                    "the file '%s' is read; its name differs only in letter case",
                     source->name);
     if (reader->sources == before || ++reader->files <= MAX_FILES)
         return source;
@@ -277,8 +276,8 @@ const struct scene_source *reader_find(struct reader *reader,
 bool reader_enter(struct reader *reader)
 {
     if (reader->nesting == MAX_NESTING)
-        return reader_fault(reader, &reader->token,
-                            "more than %d things within each other", MAX_NESTING);
+        return reader_fault(reader, &reader->token, "more than %d levels of nesting",
+                            MAX_NESTING);
     reader->nesting++;
     return true;
 }

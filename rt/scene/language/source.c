@@ -128,7 +128,7 @@ static void open_path(struct search *search, const char *path)
     search->is_over = search->found || errno != ENOENT;
 }
 
-/* Reports several matches, as "'a.inc' and 'A.inc'": the ends of their paths, in the
+/* Reports several matches, as "'a.inc' or 'A.inc'": the ends of their paths, in the
  * form that the scene would use. */
 static void refuse_several(struct search *search, const struct folder *paths)
 {
@@ -137,10 +137,10 @@ static void refuse_several(struct search *search, const struct folder *paths)
     size_t length = strlen(search->request->name);
 
     for (size_t i = 0; i < paths->count; i++)
-        sink_print(&sink, "%s'%s'", i ? " and " : "",
+        sink_print(&sink, "%s'%s'", i ? " or " : "",
                    paths->names[i] + strlen(paths->names[i]) - length);
-    error_set(search->error, "there is no such file, but %s",
-              names.failed ? "several of other case" : names.text);
+    error_set(search->error, "no such file; did you mean %s?",
+              names.failed ? "one of several names in other case" : names.text);
     text_buffer_free(&names);
     search->is_over = true;
 }
@@ -248,7 +248,7 @@ struct scene_source *source_include(struct scene_source **list,
         search_all(&search);
     }
     if (!search.is_over)
-        error_set(error, "there is no such file");
+        error_set(error, "no such file");
     return search.found;
 }
 

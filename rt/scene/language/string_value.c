@@ -120,15 +120,14 @@ static bool add_quoted(struct reader *reader, const struct scene_token *token,
     while (text < end) {
         size_t escaped = 1;
         if (*text == '\0')
-            return reader_fault(reader, token, "the string holds a NUL byte");
+            return reader_fault(reader, token, "the string contains a NUL byte");
         if (*text != '\\')
             add(buffer, text, 1);
         else
             escaped = add_escape(buffer, text + 1, (size_t)(end - text) - 1);
         if (!escaped)
             return reader_fault(reader, token,
-                                "the string has an escape that is not of the "
-                                "language");
+                                "the string contains an unknown escape sequence");
         text += *text == '\\' ? escaped + 1 : 1;
     }
     return true;
@@ -162,7 +161,7 @@ static bool read_format(struct reader *reader, int *width, int *digits)
             return false;
     for (int i = 0; i < 2; i++)
         if (given[i] < -MAX_FORMAT || given[i] > MAX_FORMAT)
-            return reader_fault(reader, &at, "width and digits are %d at most",
+            return reader_fault(reader, &at, "width and digits must be at most %d",
                                 MAX_FORMAT);
     *width = (int)given[0];
     *digits = (int)given[1];
@@ -206,7 +205,8 @@ static bool read_vstr(struct reader *reader, struct made_string *buffer)
         return false;
     done = read_format(reader, &width, &digits);
     if (done && !(count >= 2 && count <= COLOR_TERMS))
-        done = reader_fault(reader, &at, "a vector has 2 to %d components",
+        done = reader_fault(reader, &at,
+                            "a vector must have between 2 and %d components",
                             COLOR_TERMS);
     for (int i = 0; done && i < (int)count; i++) {
         if (i)
@@ -225,7 +225,7 @@ static bool read_chr(struct reader *reader, struct made_string *buffer)
     if (!read_full_number(reader, &code))
         return false;
     if (!(code >= 1 && code < 0x10000))
-        return reader_fault(reader, &at, "%g is not a character", code);
+        return reader_fault(reader, &at, "%g is not a character code", code);
     add_utf8(buffer, (unsigned)code);
     return true;
 }
@@ -241,7 +241,7 @@ static bool read_range(struct reader *reader, size_t length, size_t *from,
         || !reader_expect_sign(reader, ',') || !read_full_number(reader, &wanted))
         return false;
     if (!(first >= 1 && wanted >= 0 && first - 1 + wanted <= (double)length))
-        return reader_fault(reader, &at, "the string has %zu character%s", length,
+        return reader_fault(reader, &at, "the string has only %zu character%s", length,
                             plural(length));
     *from = (size_t)first - 1;
     *count = (size_t)wanted;

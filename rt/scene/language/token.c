@@ -249,7 +249,7 @@ static struct scene_token read_directive(struct lexer *lexer)
     while (is_blank(look(lexer, 0)))
         step(lexer, 1);
     if (!is_letter(look(lexer, 0)))
-        return bad(token, 1, "expected the word of a directive after '#'");
+        return bad(token, 1, "expected the name of a directive after '#'");
     word = read_word(lexer);
     token.text = word.text;
     token.length = word.length;
@@ -275,7 +275,7 @@ static struct scene_token read_sign(struct lexer *lexer)
         return token;
     for (; (c & 0x80) && (look(lexer, 0) & 0xC0) == 0x80; rest++)
         step(lexer, 1);
-    return bad(token, 1 + rest, "this character is not of the language");
+    return bad(token, 1 + rest, "unknown character");
 }
 
 /* Skips blanks and comments. Fails at a comment that is not closed; *opened is then its
