@@ -173,10 +173,10 @@ TEST(faulty_files)
     expect_file_fault("", "P2 0 2 255", "no pixels");
     expect_file_fault("", "P2 x", "in the header is not a valid number");
     expect_file_fault("", "P2 9999 9999 255", "more than 8388608 pixels");
-    expect_file_fault("pgm", "P3 2 2 1 1 1 1", "the file is not 'pgm'");
-    expect_file_fault("png", "what is this", "the file is not 'png'");
-    expect_file_fault("tga", "what is this", "cannot be read");
-    expect_file_fault("gif", "GIF89a", "table of colours is broken");
+    expect_file_fault("pgm", "P3 2 2 1 1 1 1", "not an image of the kind 'pgm'");
+    expect_file_fault("png", "what is this", "not an image of the kind 'png'");
+    expect_file_fault("tga", "what is this", "cannot read the image");
+    expect_file_fault("gif", "GIF89a", "colour table of the image is invalid");
 }
 
 TEST(large_file)

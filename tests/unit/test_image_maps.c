@@ -280,14 +280,14 @@ static void expect_report(const char *words, const char *message)
 TEST(reports)
 {
     keep(FILE_OF(CLEAR_PNG));
-    expect_report("png \"%s\"", "lets light pass");
+    expect_report("png \"%s\"", "a transparent image is drawn opaque");
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
-    expect_report("\"%s\" filter all .5", "lets light pass");
-    expect_report("\"%s\" transmit 3, .5", "lets light pass");
+    expect_report("\"%s\" filter all .5", "a transparent image is drawn opaque");
+    expect_report("\"%s\" transmit 3, .5", "a transparent image is drawn opaque");
     expect_report("\"%s\" map_type 7", "'map_type 7'");
     expect_report("\"%s\" interpolate 3", "'interpolate 3'");
     expect_report("\"%s\" offset <.5, 0>", "'offset'");
-    expect_report("<1, 0, -1> \"%s\"", "the way of an image");
+    expect_report("<1, 0, -1> \"%s\"", "the vector of an image");
 }
 
 /* Unsupported kinds of images are black. */
@@ -338,11 +338,11 @@ TEST(faults)
 
     assert_errors(errors, COUNT(errors));
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
-    expect_fault("png \"%s\"", 5, "the file is not 'png'");
+    expect_fault("png \"%s\"", 5, "not an image of the kind 'png'");
     expect_fault("\"%s\" interpolate 1", 4 + strlen(path),
-                 "'interpolate' is 2, 3 or 4");
-    expect_fault("\"%s\" gamma 0", 4 + strlen(path), "not above 0");
-    expect_fault("\"%s\" wibble", 4 + strlen(path), "expected a word of image_map");
+                 "'interpolate' must be 2, 3 or 4");
+    expect_fault("\"%s\" gamma 0", 4 + strlen(path), "must be above 0");
+    expect_fault("\"%s\" wibble", 4 + strlen(path), "expected a keyword of image_map");
     keep("", 0);
     expect_fault("\"%s\"", 1, "the file is empty");
     keep(FILE_OF("P6\n8 1\n255\n"));

@@ -20,51 +20,51 @@ TEST(reported_when_used)
           " #declare S = sphere { 0, 1 finish { F } }",
           0, "" },
         { "#declare F = finish { crand 1 } sphere { 0, 1 finish { F } }", 23,
-          "left out" },
+          "is ignored" },
         { "#declare F = finish { crand 1 } #declare G = finish { F }"
           " sphere { 0, 1 finish { G } } sphere { 0, 1 finish { F } }",
-          23, "left out" },
+          23, "is ignored" },
         { "#declare T = texture { normal { dents 1 } }"
           " #declare S = sphere { 0, 1 texture { T } }"
           " union { object { S } object { S } }",
-          33, "left out" },
+          33, "is ignored" },
         { "#declare M = material { texture { normal { dents 1 } } }"
           " sphere { 0, 1 material { M } }",
-          44, "left out" },
+          44, "is ignored" },
         { "#declare I = interior { media { scattering { 1, 1 } } }"
           " sphere { 0, 1 interior { I } }",
-          25, "left out" },
+          25, "is ignored" },
         { "#declare A = array[2] { finish { crand 1 }, finish { irid { 1 } } }"
           " sphere { 0, 1 finish { A[1] } }",
-          54, "'irid' is not supported and left out" },
+          54, "'irid' is not supported and is ignored" },
         { "#declare P = pigment { bozo color_map { [0 rgb 1] [1 rgb 0] } }"
           " #macro Ball(What) sphere { 0, 1 pigment { What } } #end Ball(P) Ball(P)",
-          24, "its first colour is used" },
+          24, "its first colour is used instead" },
         { "#declare L = light_source { 0, 1 area_light x, y, 2, 2 jitter } light_source { L }",
-          56, "left out" },
+          56, "is ignored" },
         { "#declare N = normal { bumps 1 } #declare G = fog { distance 2 }"
           " #declare S = sky_sphere { pigment { rgb 1 } }"
           " #declare D = media { emission 1 }",
           0, "" },
         { "#declare N = normal { bumps 1 } sphere { 0, 1 normal { N } }", 23,
-          "left out" },
+          "is ignored" },
         { "#declare S = sphere { 0, 1 #warning \"said\" }", 28, "said" },
-        { "#default { finish { crand 1 } }", 21, "left out" },
-        { "default { finish { crand 1 } }", 20, "left out" },
+        { "#default { finish { crand 1 } }", 21, "is ignored" },
+        { "default { finish { crand 1 } }", 20, "is ignored" },
         { "sphere { 0, 1 uv_mapping } box { 0, 1 uv_mapping }"
           " sphere { 0, 2 uv_mapping }",
-          15, "left out (3 places, this is the first)" },
-        { "#for (I, 1, 9) sphere { 0, I uv_mapping } #end", 30, "left out" },
+          15, "ignored (3 places, this is the first)" },
+        { "#for (I, 1, 9) sphere { 0, I uv_mapping } #end", 30, "is ignored" },
         { "global_settings { noise_generator 2 max_intersections 64 }"
           " light_source { 0, 1 point_at 0 photons { refraction on } }"
           " sphere { 0, 1 hollow on photons { target } }",
           0, "" },
         { "sphere { 0, 1 texture { pigment { rgb 1 } }"
           " texture { pigment { rgbt 1 } } }",
-          45, "only the lowest is used" },
+          45, "the lowest one is used instead" },
         { "#declare T = texture { pigment { rgb 1 } }"
           " texture { pigment { rgbt 1 } } sphere { 0, 1 texture { T } }",
-          44, "only the lowest is used" },
+          44, "the lowest one is used instead" },
         { "sphere { 0, 1 texture { pigment { rgb 1 } }"
           " texture { pigment { rgb 2 } } }",
           0, "" },
@@ -72,7 +72,7 @@ TEST(reported_when_used)
           " sphere { F(1, 2, 3), 1 }",
           37, "along y is replaced by 1" },
         { "#declare S = sphere { 0, 1 #default { finish { crand 1 } } }", 48,
-          "left out" },
+          "is ignored" },
         { "light_group { sphere { 0, 1 } }", 1, "shine on all objects" },
         { "#fopen F \"a\" write #write (F, 1, x concat(\"a\", \"b\") \",\")"
           " #fclose F",

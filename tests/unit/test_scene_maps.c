@@ -293,7 +293,7 @@ TEST(skies)
 #define MAP "sphere { 0, 1 pigment { gradient x color_map { "
 
 static const struct line_error errors[] = {
-    { "sphere { 0, 1 pigment { gradient 0 } }", 25, "has no length" },
+    { "sphere { 0, 1 pigment { gradient 0 } }", 25, "finite length above 0" },
     { "sphere { 0, 1 pigment { gradient } }", 34, "expected a number" },
     { MAP "} } }", 48, "expected '['" },
     { MAP "[rgb x] } } }", 49, "expected a number" },
@@ -302,9 +302,9 @@ static const struct line_error errors[] = {
     { MAP "[0 rgb x rgb y] } } }", 57, "expected ']'" },
     { MAP "#for (I, 0, 256) [0 rgb x] #end } } }", 73, "more than 256 entries" },
     { MAP "[0 rgb 1e101] } } }", 60, "out of range" },
-    { "sky_sphere { gradient y }", 14, "expected a word of sky_sphere" },
+    { "sky_sphere { gradient y }", 14, "expected a keyword of sky_sphere" },
     { "sky_sphere { pigment { gradient y } wibble }", 37,
-      "expected a word of sky_sphere" },
+      "expected a keyword of sky_sphere" },
     { "sky_sphere 3", 12, "expected '{'" },
 };
 

@@ -306,7 +306,7 @@ static const struct line_error errors[] = {
     { "triangle { 0, x }", 17, "expected a number or a vector" },
     { "triangle 0, x, y", 10, "expected '{'" },
     { "triangle { 0, x, y uv_vectors x, y, z }", 20, "'uv_vectors'" },
-    { "triangle { 0, x, y", 19, "for the '{' of line 1" },
+    { "triangle { 0, x, y", 19, "to close the '{' of line 1" },
     { "smooth_triangle { 0, x, y }", 27, "expected a number" },
     { "mesh { sphere { 0, 1 } }", 8, "expected a triangle or a word" },
     { "mesh { triangle { 0, x, y, z } triangle { 0, x, y } }", 26,

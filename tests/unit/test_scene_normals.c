@@ -208,17 +208,17 @@ TEST(quilted)
 }
 
 static const struct line_error errors[] = {
-    { "sphere { 0, 1 normal { onion accuracy 0 } }", 30, "an accuracy of 0" },
-    { "sphere { 0, 1 normal { average } }", 22, "an average without a normal_map" },
+    { "sphere { 0, 1 normal { onion accuracy 0 } }", 30, "the accuracy must not be 0" },
+    { "sphere { 0, 1 normal { average } }", 22, "'average' requires 'normal_map'" },
     { "sphere { 0, 1 normal { brick slope_map { [0 <0, 1>] } } }", 30,
-      "a list of normals has no 'slope_map'" },
+      "a list of normals cannot be combined with 'slope_map'" },
     { "sphere { 0, 1 normal { checker normal { onion } } }", 49, "expected a normal" },
     { "sphere { 0, 1 normal { onion normal_map { } } }", 43, "expected '['" },
     { "sphere { 0, 1 normal { onion normal_map { [onion] } } }", 44, "expected" },
     { "sphere { 0, 1 normal { onion slope_map { [0 1 2] } } }", 47, "expected" },
-    { "sphere { 0, 1 normal { onion rgb 1 } }", 30, "expected a word of normal" },
+    { "sphere { 0, 1 normal { onion rgb 1 } }", 30, "expected a keyword of normal" },
     { "sphere { 0, 1 normal { gradient 0 } }", 24,
-      "the vector of a gradient has no length" },
+      "the vector of a gradient must have a finite length above 0" },
     { "sphere { 0, 1 normal { onion scale 1e200 scale 1e200 } }", 1, "out of range" },
 };
 

@@ -81,7 +81,7 @@ static bool block_close(struct reader *reader, const struct block *block)
     if (reader_accept_sign(reader, block->closing))
         return true;
     return reader_fault(reader, &reader->token,
-                        "expected '%c' for the '%c' of line %zu", block->closing,
+                        "expected '%c' to close the '%c' of line %zu", block->closing,
                         block->open.sign, block->open.place.line);
 }
 
@@ -191,7 +191,7 @@ void skip_arguments(struct reader *reader)
 bool item_left_out(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
-    reader_report(reader, &item->at, "'%s' is not supported and left out",
+    reader_report(reader, &item->at, "'%s' is not supported and is ignored",
                   item->keyword->word);
     skip_arguments(reader);
     return true;

@@ -26,7 +26,7 @@ struct item {
 
 enum { GRAMMAR_TABLES = 4 };
 struct grammar {
-    const char *expected;                         /* "a word of finish", for messages */
+    const char *expected;                         /* in messages: "a keyword of fog" */
     const struct keyword *tables[GRAMMAR_TABLES]; /* each ends with NULL */
     const struct grammar *then;                   /* grammar of words that may follow
                                                    * these */

@@ -131,7 +131,7 @@ bool read_color_after(struct reader *reader, const struct scene_token *word,
         || !read_terms(reader, color))
         return false;
     return numbers_are_finite(color)
-           || reader_fault(reader, word, "the colour is not finite");
+           || reader_fault(reader, word, "the colour must be finite");
 }
 
 bool read_color(struct reader *reader, struct numbers *color)

@@ -21,7 +21,7 @@ static bool read_type(struct reader *reader, void *subject, const struct item *i
         return false;
     reading->grounded = type == 2;
     return type == 1 || type == 2
-           || reader_fault(reader, &item->at, "fog_type is 1 or 2");
+           || reader_fault(reader, &item->at, "fog_type must be 1 or 2");
 }
 
 static void set_color(struct fog *fog, const struct numbers *color)
@@ -67,7 +67,7 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of fog",
+static const struct grammar grammar = { "a keyword of fog",
                                         { words, passed_over, left_out },
                                         NULL };
 
@@ -100,13 +100,13 @@ bool fog_take(struct reader *reader, const struct fog_setting *setting,
     struct scene *scene = reader->scene;
 
     if (setting->grounded) {
-        reader_report(reader, at, "a fog of the type 2 is left out");
+        reader_report(reader, at, "a fog of type 2 is not supported and is ignored");
         return true;
     }
     if (setting->fog.distance == 0)
         return true; /* as in POV-Ray there is no fog */
     if (setting->fog.distance < 0) {
-        reader_report(reader, at, "a fog with a distance below 0 is left out");
+        reader_report(reader, at, "a fog with a distance below 0 is ignored");
         return true;
     }
     if (scene->fog_count == MAX_FOGS)

@@ -50,8 +50,8 @@ static bool check_size(struct reader *reader, const struct scene_token *at,
 {
     if (columns < 2 || rows < 2)
         return reader_fault(reader, at,
-                            "a height_field needs two rows of two heights at "
-                            "least");
+                            "a height_field must have at least two rows of two "
+                            "heights");
     return 2 * (columns - 1) * (rows - 1) <= MAX_TRIANGLES
            || reader_fault(reader, at, "more than %d triangles in one height_field",
                            MAX_TRIANGLES);
@@ -149,8 +149,7 @@ static bool read_pixels(struct reader *reader, const struct image_file *file,
     pixels->numbers = palette_is_used(pixels->kind, bytes, length);
     if (pixels->numbers && !palette_to_numbers(pixels->kind, bytes, length))
         return reader_fault(reader, &file->at,
-                            "the image's table of colours is "
-                            "broken");
+                            "the colour table of the image is invalid");
     return image_file_pixels(reader, file, bytes, &pixels->raster);
 }
 
@@ -190,10 +189,11 @@ static bool take_value(struct reader *reader, const struct scene_token *at,
 {
     if (value < 0 || value > 1)
         reader_report(reader, at,
-                      "the function has values below 0 or above 1, which "
-                      "count as others within");
+                      "the function has values below 0 or above 1, which wrap around");
     if (fabs(value) > MAX_FUNCTION)
-        return reader_fault(reader, at, "the function has the value %g", value);
+        return reader_fault(reader, at,
+                            "the function has the value %g, which is out of range",
+                            value);
     *height = (uint16_t)(int32_t)(value * UINT16_MAX);
     return true;
 }

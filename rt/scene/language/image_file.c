@@ -45,7 +45,8 @@ static bool find_file(struct reader *reader, const struct image_word *word,
     file->source = source;
     file->kind = raster_kind_of(source->text, source->length);
     if (word && word->kind != file->kind)
-        return reader_fault(reader, &file->at, "the file is not '%s'", word->word);
+        return reader_fault(reader, &file->at,
+                            "the file is not an image of the kind '%s'", word->word);
     return true;
 }
 
@@ -78,6 +79,6 @@ bool image_file_pixels(struct reader *reader, const struct image_file *file,
     c205_error error;
 
     return raster_read(file->kind, bytes, file->source->length, reads, raster, &error)
-           || reader_fault(reader, &file->at, "the image cannot be read: %s",
+           || reader_fault(reader, &file->at, "cannot read the image: %s",
                            error.message);
 }

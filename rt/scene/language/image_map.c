@@ -162,8 +162,8 @@ static bool read_type(struct reader *reader, void *subject, const struct item *i
             reading->map.mapping = (enum image_mapping)i;
             return true;
         }
-    reader_report(reader, &item->at, "'map_type %g' is not supported and replaced by 0",
-                  type);
+    reader_report(reader, &item->at,
+                  "'map_type %g' is not supported; 0 is used instead", type);
     reading->map.mapping = IMAGE_PLANAR;
     return true;
 }
@@ -177,11 +177,11 @@ static bool read_sampling(struct reader *reader, void *subject, const struct ite
         return false;
     number = trunc(number);
     if (!(number >= 2 && number <= 4))
-        return reader_fault(reader, &item->at, "'interpolate' is 2, 3 or 4");
+        return reader_fault(reader, &item->at, "'interpolate' must be 2, 3 or 4");
     reading->map.sampling = number == 4 ? IMAGE_BY_DISTANCE : IMAGE_BILINEAR;
     if (number == 3)
         reader_report(reader, &item->at,
-                      "'interpolate 3' is not supported and replaced by 2");
+                      "'interpolate 3' is not supported; 2 is used instead");
     return true;
 }
 
@@ -198,12 +198,12 @@ static bool read_gamma(struct reader *reader, void *subject, const struct item *
     if (!read_number(reader, &transfer->exponent))
         return false;
     return transfer->exponent > 0
-           || reader_fault(reader, &item->at, "the gamma is not above 0");
+           || reader_fault(reader, &item->at, "the gamma must be above 0");
 }
 
 static void report_opaque(struct reader *reader, const struct scene_token *at)
 {
-    reader_report(reader, at, "an image that lets light pass is drawn opaque");
+    reader_report(reader, at, "a transparent image is drawn opaque");
 }
 
 /* Reads filter or transmit, of one palette index or of all. */
@@ -232,7 +232,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of image_map", { words }, NULL };
+static const struct grammar grammar = { "a keyword of image_map", { words }, NULL };
 
 /* ---- The pigment --------------------------------------------------------- */
 
@@ -296,8 +296,8 @@ static bool read_way(struct reader *reader)
     reader_comma(reader);
     if (memcmp(way, usual, sizeof way) != 0)
         reader_report(reader, &at,
-                      "the way of an image is replaced by "
-                      "<1, -1, 0>");
+                      "the vector of an image is not supported; <1, -1, "
+                      "0> is used instead");
     return true;
 }
 
@@ -306,7 +306,8 @@ static bool leave_out(struct reader *reader, const struct block *block,
                       struct pigment *pigment, const char *what)
 {
     reader_report(reader, &reader->token,
-                  "an image of the kind '%s' is not supported and left black", what);
+                  "an image of the kind '%s' is not supported and is drawn black",
+                  what);
     pigment->kind = PIGMENT_COLOR;
     memset(pigment->color, 0, sizeof pigment->color);
     pigment->filter[0] = pigment->transmit[0] = 0;

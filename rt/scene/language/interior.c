@@ -8,7 +8,7 @@ static bool read_ior(struct reader *reader, void *subject, const struct item *it
 
     if (!read_number(reader, ior))
         return false;
-    return *ior > 0 || reader_fault(reader, &item->at, "ior is not above 0");
+    return *ior > 0 || reader_fault(reader, &item->at, "ior must be above 0");
 }
 
 static const struct keyword words[] = {
@@ -28,7 +28,7 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of interior",
+static const struct grammar grammar = { "a keyword of interior",
                                         { words, left_out },
                                         NULL };
 

@@ -103,7 +103,7 @@ static void finish_quilted(struct reader *reader, struct bump_list *list,
     list->bump.stop_count = 0;
     if (list->count == 0)
         return;
-    reader_report(reader, at, "the 'normal_map' of a quilted normal is left out");
+    reader_report(reader, at, "the 'normal_map' of a quilted normal is ignored");
     list->count = 0;
 }
 
@@ -115,8 +115,7 @@ static bool read_unsupported(struct reader *reader, void *subject,
     struct bump_list *list = &reading->list;
 
     reader_report(reader, &item->at,
-                  "a normal of the pattern '%s' is not supported and left "
-                  "out",
+                  "a normal of the pattern '%s' is not supported and is ignored",
                   item->keyword->word);
     list->bump.pattern.kind = PIGMENT_COLOR;
     list->average = false;
@@ -141,7 +140,7 @@ static bool read_accuracy(struct reader *reader, void *subject, const struct ite
     if (!read_number(reader, &reading->list.bump.accuracy))
         return false;
     return reading->list.bump.accuracy != 0
-           || reader_fault(reader, &item->at, "an accuracy of 0");
+           || reader_fault(reader, &item->at, "the accuracy must not be 0");
 }
 
 static bool read_no_bump_scale(struct reader *reader, void *subject,
@@ -189,9 +188,10 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of normal", { words, left_out, pattern_words, pattern_words_left_out }, NULL
-};
+static const struct grammar grammar = { "a keyword of normal",
+                                        { words, left_out, pattern_words,
+                                          pattern_words_left_out },
+                                        NULL };
 
 /* A normal may begin with the name of a normal. */
 bool normal_body(struct reader *reader, const struct block *block, void *subject)
@@ -208,7 +208,7 @@ bool normal_body(struct reader *reader, const struct block *block, void *subject
         return false;
     finish_quilted(reader, &reading->list, &block->open);
     return !reading->list.average || reading->list.count > 0
-           || reader_fault(reader, &block->open, "an average without a normal_map");
+           || reader_fault(reader, &block->open, "'average' requires 'normal_map'");
 }
 
 bool normal_keep(struct reader *reader, const struct normal_reading *reading,

@@ -107,7 +107,8 @@ static bool has_place(struct reader *reader, const struct normal_reading *readin
                       const struct item *item)
 {
     return pigment_list_count(&reading->list.bump.pattern) == 0
-           || reader_fault(reader, &item->at, "a list of normals has no '%s'",
+           || reader_fault(reader, &item->at,
+                           "a list of normals cannot be combined with '%s'",
                            item->keyword->word);
 }
 
@@ -141,12 +142,13 @@ static void take_entry(struct reader *reader, const struct normal_reading *from,
 
     *bump = list->bump;
     if (from->unscaled)
-        reader_report(reader, at, "'no_bump_scale' within a map is left out");
+        reader_report(reader, at,
+                      "'no_bump_scale' inside a map is not supported and is ignored");
     if (list->count == 0)
         return;
     reader_report(reader, at,
-                  "a normal of several within a map is replaced by its "
-                  "first");
+                  "a list of normals inside a map is not supported; "
+                  "its first normal is used instead");
     *bump = list->entries[0].bump;
     bump->pattern.to_local = transform_then(&list->bump.pattern.to_local,
                                             &bump->pattern.to_local);

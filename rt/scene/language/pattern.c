@@ -74,7 +74,8 @@ static bool read_wave(struct reader *reader, void *subject, const struct item *i
     if (!read_number(reader, &pattern->exponent))
         return false;
     return pattern->exponent >= EXPONENT_LEAST
-           || reader_fault(reader, &item->at, "an exponent below %d", EXPONENT_LEAST);
+           || reader_fault(reader, &item->at, "the exponent must be at least %d",
+                           EXPONENT_LEAST);
 }
 
 /* detail: offset of the member */
@@ -95,7 +96,7 @@ static bool read_brick_size(struct reader *reader, void *subject,
         return false;
     for (int i = 0; i < 3; i++)
         if (size[i] == 0)
-            return reader_fault(reader, &item->at, "a brick without size");
+            return reader_fault(reader, &item->at, "the size of a brick must not be 0");
     return true;
 }
 
@@ -154,7 +155,7 @@ bool pattern_finish(struct reader *reader, struct pigment *pigment,
     }
     copy3(map->stops[0].color, pigment->color[0]);
     if (map->clear > 0)
-        reader_report(reader, at, "a %s that lets light pass is drawn opaque",
+        reader_report(reader, at, "a transparent %s is drawn opaque",
                       pigment->kind == PIGMENT_GRADIENT ? "gradient" : "pattern");
     pigment->filter[0] = pigment->transmit[0] = 0;
     return true;

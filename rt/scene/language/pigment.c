@@ -95,8 +95,8 @@ static bool read_nested(struct reader *reader, struct numbers *color)
         return false;
     if (pigment.kind != PIGMENT_COLOR)
         reader_report(reader, &at,
-                      "a pattern in a pattern is replaced by its first "
-                      "colour");
+                      "a pattern inside a pattern is not supported; its "
+                      "first colour is used instead");
     copy3(pigment.color[0], color->n);
     color->n[3] = pigment.filter[0];
     color->n[4] = pigment.transmit[0];
@@ -128,7 +128,8 @@ bool gradient_read(struct reader *reader, void *subject, const struct item *item
     length = length3(pigment->axis);
     if (!(length > 0) || !isfinite(length))
         return reader_fault(reader, &item->at,
-                            "the vector of a gradient has no length");
+                            "the vector of a gradient must have a finite length "
+                            "above 0");
     scale3(1 / length, pigment->axis);
     pigment->kind = PIGMENT_GRADIENT;
     reader_comma(reader);
@@ -143,8 +144,7 @@ static bool read_pattern(struct reader *reader, void *subject, const struct item
     bool first = true;
 
     reader_report(reader, &item->at,
-                  "the pattern '%s' is not supported: "
-                  "its first colour is used",
+                  "the pattern '%s' is not supported; its first colour is used instead",
                   item->keyword->word);
     pigment->kind = PIGMENT_COLOR;
     set_color(pigment, 0, black);
@@ -215,8 +215,8 @@ static bool read_pigment_map(struct reader *reader, void *subject,
 
     if (pigment_has_map(pigment))
         reader_report(reader, &item->at,
-                      "'pigment_map' is not supported: its first pigment is "
-                      "used");
+                      "'pigment_map' is not supported; its first pigment "
+                      "is used instead");
     return pigment_map_read(reader, pigment);
 }
 
@@ -255,7 +255,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of pigment",
+static const struct grammar grammar = { "a keyword of pigment",
                                         { color_words, words, pattern_words,
                                           pattern_words_left_out },
                                         NULL };

@@ -8,14 +8,15 @@ static bool read_gamma(struct reader *reader, void *subject, const struct item *
     struct scene *scene = subject;
 
     if (reader_accept(reader, "srgb")) {
-        reader_report(reader, &item->at, "assumed_gamma srgb is replaced by 2.2");
+        reader_report(reader, &item->at,
+                      "assumed_gamma srgb is not supported; 2.2 is used instead");
         scene->assumed_gamma = 2.2;
         return true;
     }
     if (!read_number(reader, &scene->assumed_gamma))
         return false;
     return scene->assumed_gamma > 0
-           || reader_fault(reader, &item->at, "assumed_gamma is not above 0");
+           || reader_fault(reader, &item->at, "assumed_gamma must be above 0");
 }
 
 static bool read_ambient_light(struct reader *reader, void *subject,
@@ -38,7 +39,7 @@ static bool read_trace_level(struct reader *reader, void *subject,
         return false;
     if (level < LEAST || level > MAX)
         return reader_fault(reader, &item->at,
-                            "max_trace_level is not between %d and %d", LEAST, MAX);
+                            "max_trace_level must be between %d and %d", LEAST, MAX);
     scene->max_trace_level = (int)level;
     return true;
 }
@@ -54,7 +55,7 @@ static bool read_bailout(struct reader *reader, void *subject, const struct item
 static bool read_charset(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
-    reader_report(reader, &item->at, "'charset' is left out");
+    reader_report(reader, &item->at, "'charset' is not supported and is ignored");
     if (reader->token.kind != TOKEN_WORD)
         return reader_expected(reader, "ascii, utf8 or sys");
     reader_next(reader);
@@ -89,7 +90,7 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of global_settings",
+static const struct grammar grammar = { "a keyword of global_settings",
                                         { words, passed_over, left_out },
                                         NULL };
 

@@ -9,8 +9,8 @@ static bool read_pigment(struct reader *reader, void *subject, const struct item
 
     if (sky->pigments++ == 1)
         reader_report(reader, &item->at,
-                      "pigments in layers are not supported: only the lowest "
-                      "is used");
+                      "layered pigments are not supported; the lowest one "
+                      "is used instead");
     if (!pigment_read(reader, &pigment))
         return false;
     if (sky->pigments == 1)
@@ -36,7 +36,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of sky_sphere", { words }, NULL };
+static const struct grammar grammar = { "a keyword of sky_sphere", { words }, NULL };
 
 bool sky_read(struct reader *reader, struct sky_setting *sky)
 {
@@ -58,15 +58,18 @@ void sky_take(struct reader *reader, const struct sky_setting *sky,
         return;
     scene->sky = *pigment;
     if (pigment->kind == PIGMENT_IMAGE && image_is_bounded(&pigment->image)) {
-        reader_report(reader, at, "an image that is a sky once is repeated");
+        reader_report(reader, at,
+                      "'once' of a sky image is not supported; the image is repeated");
         scene->sky.image.once = false;
     }
     if (pigment_makes_sky(pigment))
         return;
     if (pigment->kind == PIGMENT_CHECKER)
-        reader_report(reader, at, "a checkered sky is replaced by its first colour");
+        reader_report(reader, at,
+                      "a checkered sky is not supported; its first colour "
+                      "is used instead");
     if (pigment->filter[0] != 0 || pigment->transmit[0] != 0)
-        reader_report(reader, at, "a sky that lets light pass is drawn opaque");
+        reader_report(reader, at, "a transparent sky is drawn opaque");
     for (int i = 0; i < 3; i++)
         scene->background[i] = pigment->color[0][i];
 }

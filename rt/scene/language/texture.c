@@ -70,7 +70,7 @@ static const struct keyword reflection_left_out[] = {
 };
 
 static const struct grammar reflection_grammar = {
-    "a word of reflection", { reflection_words, reflection_left_out }, NULL
+    "a keyword of reflection", { reflection_words, reflection_left_out }, NULL
 };
 
 /* Reads one reflectivity for all angles. */
@@ -121,13 +121,14 @@ static bool read_amount(struct reader *reader, void *subject, const struct item 
     double inside;
 
     if (reader_accept(reader, "albedo"))
-        reader_report(reader, &more, "'albedo' is left out");
+        reader_report(reader, &more, "'albedo' is not supported and is ignored");
     if (!read_number(reader, amount))
         return false;
     more = reader->token;
     if (!reader_accept_sign(reader, ','))
         return true;
-    reader_report(reader, &more, "the value for the inside is left out");
+    reader_report(reader, &more,
+                  "the value for the inside is not supported and is ignored");
     return read_number(reader, &inside);
 }
 
@@ -139,17 +140,18 @@ static bool read_roughness(struct reader *reader, void *subject,
     if (!read_number(reader, &finish->roughness))
         return false;
     return finish->roughness > 0
-           || reader_fault(reader, &item->at, "roughness is not above 0");
+           || reader_fault(reader, &item->at, "roughness must be above 0");
 }
 
 static bool read_old_ior(struct reader *reader, void *subject, const struct item *item)
 {
     struct finish *finish = subject;
 
-    reader_warn(reader, &item->at, "'ior' is read as that of the interior");
+    reader_warn(reader, &item->at,
+                "'ior' of a finish is read as 'ior' of the interior");
     if (!read_number(reader, &finish->ior))
         return false;
-    return finish->ior > 0 || reader_fault(reader, &item->at, "ior is not above 0");
+    return finish->ior > 0 || reader_fault(reader, &item->at, "ior must be above 0");
 }
 
 static const struct keyword finish_words[] = {
@@ -180,7 +182,7 @@ static const struct keyword finish_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar finish_grammar = { "a word of finish",
+static const struct grammar finish_grammar = { "a keyword of finish",
                                                { finish_words, finish_left_out },
                                                NULL };
 
@@ -255,8 +257,8 @@ static bool read_pattern(struct reader *reader, void *subject, const struct item
     struct texture texture = reader->default_texture;
 
     reader_report(reader, &item->at,
-                  "textures in the pattern '%s' are not supported: "
-                  "the first one is used",
+                  "textures in the pattern '%s' are not supported; "
+                  "the first one is used instead",
                   item->keyword->word);
     skip_arguments(reader);
     for (bool first = true; reader_accept(reader, "texture"); first = false) {
@@ -274,7 +276,7 @@ static bool read_tiles(struct reader *reader, void *subject, const struct item *
     bool good;
 
     reader_report(reader, &item->at,
-                  "'tiles' is not supported: the first texture is used");
+                  "'tiles' is not supported; the first texture is used instead");
     if (!block_open(reader, &block, '{'))
         return false;
     good = reader_accept(reader, "texture") ? texture_read(reader, subject)
@@ -304,7 +306,7 @@ static const struct keyword texture_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar texture_grammar = { "a word of texture",
+static const struct grammar texture_grammar = { "a keyword of texture",
                                                 { texture_words, texture_left_out,
                                                   pattern_words_left_out },
                                                 NULL };
@@ -340,8 +342,8 @@ bool texture_layer_read(struct reader *reader, const struct scene_token *at,
         return false;
     if (pigment_is_clear(&layer.pigment))
         reader_report(reader, at,
-                      "textures in layers are not supported: only the "
-                      "lowest is used");
+                      "layered textures are not supported; the lowest one "
+                      "is used instead");
     else
         *texture = layer;
     return true;

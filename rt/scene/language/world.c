@@ -349,8 +349,8 @@ static void report_fogged_bodies(struct reader *reader)
     for (size_t i = 0; scene->fog_count > 0 && i < scene->primitive_count; i++)
         if (pigment_is_clear(&scene->primitives[i].pigment)) {
             reader_report(reader, &reader->fog,
-                          "there is fog within clear bodies, too; in POV-Ray "
-                          "only if they are hollow");
+                          "fog also fills transparent objects; POV-Ray fills "
+                          "only hollow ones");
             return;
         }
 }
