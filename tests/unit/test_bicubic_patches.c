@@ -317,11 +317,11 @@ TEST(copies)
 static const struct line_error errors[] = {
     { "bicubic_patch { " SQUARE " }", 17, "expected 'type'" },
     { "bicubic_patch { flatness 1 u_steps 2 " SQUARE " }", 38, "expected 'type'" },
-    { "bicubic_patch { type -1 " SQUARE " }", 22, "below 0" },
+    { "bicubic_patch { type -1 " SQUARE " }", 22, "at least 0" },
     { "bicubic_patch { type 1 u_steps 21 " SQUARE " }", 32,
-      "'u_steps' is more than 20" },
+      "'u_steps' must be at most 20" },
     { "bicubic_patch { type 1 v_steps 1e9 " SQUARE " }", 32,
-      "'v_steps' is more than 20" },
+      "'v_steps' must be at most 20" },
     { "bicubic_patch { type 1 x, y }", 29, "expected a number" },
     { "bicubic_patch { type 1 " SQUARE ", x }", 195, "found \',\'" },
 };

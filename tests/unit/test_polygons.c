@@ -391,7 +391,7 @@ TEST(reports)
     for (size_t i = 0; i < COUNT(left_out); i++) {
         SCOPED(scene) *scene = read_with(left_out[i], 1);
         assert_int_equal(scene->primitive_count, 0);
-        assert_error(left_out[i], &strict_options, 1, 1, "the shape is left out");
+        assert_error(left_out[i], &strict_options, 1, 1, "the shape is ignored");
     }
     assert_error("polygon { 3, 0, x, y }", &strict_options, 1, 1,
                  "the polygon is not closed");
@@ -400,14 +400,15 @@ TEST(reports)
 TEST(errors)
 {
     static const struct line_error rows[] = {
-        { "polygon { 2, 0, x }", 11, "needs three points" },
-        { "polygon { -1 }", 11, "needs three points" },
+        { "polygon { 2, 0, x }", 11, "must have at least three points" },
+        { "polygon { -1 }", 11, "must have at least three points" },
         { "polygon { 1e9, 0, x, y }", 11, "more than 100000 points" },
         { "polygon { 5, 0, x, <1, 1>, y pigment { rgb 1 } }", 30, "expected a number" },
         { "polygon { 4, 0, x, y, 0, 0 }", 24, "found ','" },
-        { "polygon { 5, 0, x, y, 0, <1, 1> }", 1, "stands alone" },
+        { "polygon { 5, 0, x, y, 0, <1, 1> }", 1,
+          "a single point after a closed part" },
         { "sphere { 0, 1 clipped_by { polygon { 4, 0, x, y, 0 } } }", 28,
-          "a mesh has no inside, by which to cut" },
+          "a mesh has no inside and cannot clip" },
     };
 
     assert_errors(rows, COUNT(rows));

@@ -73,7 +73,7 @@ TEST(looks)
         "blob { sphere { 0, 1, 2 pigment { rgb x } finish { ambient 1 } }"
         " cylinder { 0, x, 1, 1 texture { pigment { rgb y } } scale 2 }%s }";
     static const char *const own[] = { " pigment { rgb <.25, .5, .75> }", "" };
-    static const char *const by[] = { "by that of the blob", "by the first" };
+    static const char *const by[] = { "the texture of the blob", "the first one" };
     for (int i = 0; i < 2; i++) {
         char blob[400];
         snprintf(blob, sizeof blob, text, own[i]);
@@ -103,11 +103,11 @@ static const struct line_error errors[] = {
     { "blob { cylinder { x, x, 1, 1 } }", 19, "the cylinder has no length" },
     { "blob { sphere { 0, 1 } }", 22, "expected a number" },
     { "blob { sphere { 0, 1, 1 interior { ior 2 } } }", 25,
-      "a word that moves the component" },
+      "a modifier of the component" },
     { "blob { sphere { 0, 1, 1 } box { 0, 1 } }", 27,
-      "a component or a word that changes the blob" },
+      "a component or an object modifier" },
     { "blob { sphere { 0, 1, 1 } sturm sphere { 0, 1, 1 } }", 33,
-      "a word that changes the object" },
+      "an object modifier" },
     { "blob { #for (I, 1, 1501) sphere { 0, 1, 1 } #end }", 26,
       "more than 1500 components in one blob" },
 };

@@ -508,7 +508,7 @@ TEST(deep_names)
 
     for (int i = 0; i < DEEP; i++)
         end += sprintf(end, "#declare H = difference { object { H } " A " } ");
-    check_error(text, "copies counted");
+    check_error(text, "including copies");
     end = text + sprintf(text, "#declare H = " A " ");
     for (int i = 0; i <= DEEP; i++)
         end += sprintf(end, "#declare H = object { H inverse } ");

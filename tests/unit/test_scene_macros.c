@@ -157,7 +157,7 @@ TEST(bounds)
           "too long to read" },
         { "#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 1 } }\n"
           "#while (1) #declare B = A; #end",
-          "primitives and lights, copies counted" },
+          "primitives and lights, including copies" },
         { "#declare A = union { #for (I, 1, 1000) light_source { 0, 1 } #end }\n"
           "#for (I, 1, 998) #declare B = A; #end\n"
           "#for (I, 1, 1500) light_source { 0, 1 } #end",
@@ -181,7 +181,7 @@ TEST(slow_bounds)
           "too long to read" },
         { "#declare S = sphere { 0, 1 } #while (1)\n"
           "#declare S = union { object { S } object { S } } #end",
-          "primitives and lights, copies counted" },
+          "primitives and lights, including copies" },
     };
 
     if (!thorough())

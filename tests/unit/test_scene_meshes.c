@@ -222,18 +222,20 @@ TEST(messages)
     } rows[] = {
         { LOOKS "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
                 "texture { A } } }",
-          4, 27, "the textures of a mesh's triangles are replaced by the first" },
+          4, 27,
+          "separate textures of mesh triangles are not supported; "
+          "the first one is used instead" },
         { LOOKS "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
                 "} texture { A } }",
-          4, 27, "replaced by that of the mesh" },
+          4, 27, "the texture of the mesh is used instead" },
         { LOOKS LIST "\nface_indices { 2, <0, 1, 2>, 1, <0, 2, 1>, 0 } }", 6, 30,
-          "replaced by the first" },
-        { "triangle { 0, x, 2*x }", 1, 1, "left out" },
+          "the first one is used instead" },
+        { "triangle { 0, x, 2*x }", 1, 1, "is ignored" },
         { "intersection { sphere { 0, 1 } mesh { triangle { 0, x, y } "
           "inside_vector 1e-11 } }",
           1, 32, "a patch in an intersection or difference has no inside" },
         { "mesh { smooth_triangle { 0, 0, x, y, y, z } }", 1, 8,
-          "counts as <1, 0, 0>" },
+          "<1, 0, 0> is used instead" },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
@@ -308,9 +310,9 @@ static const struct line_error errors[] = {
     { "triangle { 0, x, y uv_vectors x, y, z }", 20, "'uv_vectors'" },
     { "triangle { 0, x, y", 19, "to close the '{' of line 1" },
     { "smooth_triangle { 0, x, y }", 27, "expected a number" },
-    { "mesh { sphere { 0, 1 } }", 8, "expected a triangle or a word" },
+    { "mesh { sphere { 0, 1 } }", 8, "expected a triangle or an object modifier" },
     { "mesh { triangle { 0, x, y, z } triangle { 0, x, y } }", 26,
-      "expected a word of a mesh's triangle" },
+      "expected a keyword of a mesh triangle" },
     { "mesh { triangle { 0, x, y translate x } }", 27, "found 'translate'" },
     { "mesh { triangle { 0, x, y uv_vectors x, y } }", 43, "a number" },
     { "mesh { triangle { 0, x, y texture { A } } }", 37, "'A', which is not declared" },
@@ -325,31 +327,32 @@ static const struct line_error errors[] = {
     { "mesh2 { }", 1, "'vertex_vectors' is missing" },
     { THREE "}", 1, "'face_indices' is missing" },
     { "mesh2 { face_indices { 1, 0 } }", 9,
-      "'vertex_vectors' has to stand before 'face_indices'" },
+      "'vertex_vectors' must be before 'face_indices'" },
     { "mesh2 { texture_list { 0 } " FACE "}", 9,
-      "'vertex_vectors' has to stand before 'texture_list'" },
+      "'vertex_vectors' must be before 'texture_list'" },
     { "mesh2 { uv_indices { 1, 0 } }", 9,
-      "'face_indices' has to stand before 'uv_indices'" },
-    { THREE "vertex_vectors { 1, 0 } " FACE "}", 39, "two 'vertex_vectors'" },
-    { THREE FACE "face_indices { 1, 0 } }", 69, "two 'face_indices'" },
+      "'face_indices' must be before 'uv_indices'" },
+    { THREE "vertex_vectors { 1, 0 } " FACE "}", 39,
+      "'vertex_vectors' is already defined" },
+    { THREE FACE "face_indices { 1, 0 } }", 69, "'face_indices' is already defined" },
     { THREE FACE "normal_vectors { 1, x } }", 69,
-      "'normal_vectors' has to stand before 'face_indices'" },
+      "'normal_vectors' must be before 'face_indices'" },
     { THREE "texture_list { 0 } uv_vectors { 0 } " FACE "}", 58,
-      "'uv_vectors' has to stand before 'texture_list'" },
+      "'uv_vectors' must be before 'texture_list'" },
     { THREE "inside_vector x " FACE "}", 55,
-      "'face_indices' has to stand before 'inside_vector'" },
+      "'face_indices' must be before 'inside_vector'" },
     { THREE FACE "scale 2 inside_vector x }", 77, "'inside_vector'" },
     { "mesh2 { vertex_vectors { 0 } " FACE "}", 26,
-      "the number of 'vertex_vectors' is not a whole one above 0" },
-    { "mesh2 { vertex_vectors { 3.5, 0, x, y } " FACE "}", 26, "not a whole one" },
+      "the number of 'vertex_vectors' must be an integer above 0" },
+    { "mesh2 { vertex_vectors { 3.5, 0, x, y } " FACE "}", 26, "must be an integer" },
     { "mesh2 { vertex_vectors { x, 0, x, y } " FACE "}", 26, "found 3" },
     { THREE "face_indices { -1 } }", 54, "above 0" },
     { THREE "normal_vectors { -1 } " FACE "}", 56,
-      "'normal_vectors' is not a whole one from 0" },
+      "'normal_vectors' must be an integer of at least 0" },
     { "mesh2 { vertex_vectors { 1e7 + 1, x } }", 26,
       "more than 4000000 'vertex_vectors'" },
     { "mesh2 { vertex_vectors { 3, 0, x } " FACE "}", 34,
-      "only 2 of 3 'vertex_vectors' stand here" },
+      "only 2 of 3 'vertex_vectors' are given" },
     { "mesh2 { vertex_vectors { 3, 0, x, y, z } " FACE "}", 38,
       "expected '}', found 'z'" },
     { "mesh2 { vertex_vectors { 3, 0, <1, 2, 3, 4> } " FACE "}", 32, "a vector of 3" },
@@ -372,12 +375,12 @@ static const struct line_error errors[] = {
     { THREE FACE "normal_indices { 1, <0, 1, 2> } }", 89,
       "the normal 0, but there are only 0" },
     { THREE "normal_vectors { 1 x } " FACE "normal_indices { 2, 0, 0 } }", 109,
-      "2 'normal_indices' for 1 face" },
+      "2 'normal_indices' do not match 1 face" },
     { THREE "uv_vectors { 1, 0 } " FACE "uv_indices { 0 } }", 102,
-      "0 'uv_indices' for 1 face" },
+      "0 'uv_indices' do not match 1 face" },
     { THREE FACE "uv_indices { 1, <0, 0, 1> } }", 85,
       "the uv vector 1, but there are only 1" },
-    { THREE FACE "wibble }", 69, "expected a word of mesh2" },
+    { THREE FACE "wibble }", 69, "expected a keyword of mesh2" },
     { "#declare mesh2 = 1;", 10, "a keyword, not a name" },
 };
 
@@ -394,7 +397,7 @@ TEST(copies_count)
     scene_free(read_scene(text));
     (void)snprintf(text, sizeof text, many, "100");
     assert_error(text, &reading_options, 2, 27,
-                 "more than 4000000 triangles, copies counted");
+                 "more than 4000000 triangles, including copies");
 }
 
 /* An error in a section of a mesh2, or in a triangle, causes no further errors. */

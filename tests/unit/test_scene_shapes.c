@@ -227,7 +227,7 @@ static const struct line_error errors[] = {
     { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 1 }", 56,
       "expected a number" },
     { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 0, 1 }", 54,
-      "the weight is not above 0" },
+      "the weight must be above 0" },
     { "#declare steiner_patch = 1;", 10, "a keyword, not a name" },
     { "#ifdef A sphere { 0, } #end", 8, "expected '('" },
     { "#ifdef (1) sphere { 0, } #end", 9, "expected a name" },

@@ -125,7 +125,7 @@ static size_t count_reports(const struct diagnostics *reports)
 {
     size_t count = 0;
     for (size_t i = 0; i < reports->count; i++)
-        count += strstr(reports->items[i].message, "the shape is left out") != NULL;
+        count += strstr(reports->items[i].message, "the shape is ignored") != NULL;
     return count;
 }
 
@@ -139,7 +139,7 @@ static void check(size_t shape, size_t place, const struct words *expected)
     if (!scene)
         fail_msg("is not read: %s\n%s", reports.items[0].message, text);
     if (count_reports(&reports) != 1)
-        fail_msg("%zu reports that the shape is left out:\n%s", count_reports(&reports),
+        fail_msg("%zu reports that the shape is ignored:\n%s", count_reports(&reports),
                  text);
     FREED struct words *words = same_frame_of(scene, text);
     if (memcmp(words, expected, sizeof *words) != 0)

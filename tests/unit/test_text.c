@@ -326,7 +326,7 @@ static const struct line_error errors[] = {
     { "text { \"a.ttf\" \"a\" 1, 0 }", 8, "expected ttf" },
     { "text { ttf \"no.ttf\" \"a\" 1, 0 }", 12, "no such file" },
     { "text { ttf \"math.inc\" \"a\" 1, 0 }", 1, "the file is not a font" },
-    { "text { internal 1 \"a\" 1, 0 }", 8, "built in" },
+    { "text { internal 1 \"a\" 1, 0 }", 8, "built-in fonts" },
     { "text { ttf \"timrom.ttf\" 1, 0 }", 25, "expected a string" },
     { "text { ttf \"timrom.ttf\" \"a\" x, 0 }", 29, "expected a number" },
 };

@@ -277,9 +277,9 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
     if (word != PATCH_FLATNESS)
         number = trunc(number);
     if (word == PATCH_TYPE && number < 0)
-        return reader_fault(reader, &at, "the type of a patch is below 0");
+        return reader_fault(reader, &at, "the type of a patch must be at least 0");
     if ((word == PATCH_U || word == PATCH_V) && number > MAX_STEPS)
-        return reader_fault(reader, &at, "'%s' is more than %d", patch_words[word],
+        return reader_fault(reader, &at, "'%s' must be at most %d", patch_words[word],
                             MAX_STEPS);
     patch->given[word] = true;
     patch->numbers[word] = number;

@@ -113,7 +113,7 @@ static const struct keyword part_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar part_grammar = { "a word that moves the component",
+static const struct grammar part_grammar = { "a modifier of the component",
                                              { part_words },
                                              NULL };
 
@@ -203,9 +203,9 @@ static const struct keyword blob_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar blob_grammar = {
-    "a component or a word that changes the blob", { blob_words }, &modifier_grammar
-};
+static const struct grammar blob_grammar = { "a component or an object modifier",
+                                             { blob_words },
+                                             &modifier_grammar };
 
 static bool begin(struct reader *reader, struct blob_reading *blob,
                   const struct item *item)
@@ -230,8 +230,9 @@ static void resolve_material(struct reader *reader, struct blob_reading *blob)
     if (!part->textured || (blob->parts.count == 1 && !own))
         return;
     reader_report(reader, &blob->look_at,
-                  "the textures of a blob's components are replaced by %s",
-                  own ? "that of the blob" : "the first");
+                  "separate textures of blob components are not "
+                  "supported; %s is used instead",
+                  own ? "the texture of the blob" : "the first one");
     part->textured = !own;
 }
 

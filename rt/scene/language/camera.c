@@ -64,7 +64,7 @@ static bool read_angle(struct reader *reader, void *subject, const struct item *
         return false;
     return (reading->angle >= 0 && reading->angle < 180)
            || reader_fault(reader, &item->at,
-                           "the angle is not between 0 and 180 degrees");
+                           "the angle must be at least 0 and below 180 degrees");
 }
 
 /* perspective, orthographic; detail: whether it is the latter */
@@ -99,9 +99,9 @@ static bool read_lens_points(struct reader *reader, void *subject,
     if (!read_number(reader, &points))
         return false;
     if (points < 1)
-        return reader_fault(reader, &item->at, "'blur_samples' is not 1 or more");
+        return reader_fault(reader, &item->at, "'blur_samples' must be at least 1");
     if (points > MAX_LENS_POINTS)
-        reader_report(reader, &item->at, "'blur_samples' counts as %d",
+        reader_report(reader, &item->at, "'blur_samples' is limited to %d",
                       MAX_LENS_POINTS);
     reading->setting.camera.lens_points = (int)fmin(points, MAX_LENS_POINTS);
     return true;
@@ -170,7 +170,7 @@ static const struct keyword unsupported[] = {
     { "ultra_wide_angle", item_unsupported, 0 }, { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of camera",
+static const struct grammar grammar = { "a keyword of camera",
                                         { words, passed_over, left_out, unsupported },
                                         NULL };
 
@@ -233,7 +233,8 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
     cross3(reading->setting.sky, camera->direction, camera->right);
     if (fabs(camera->right[0]) < NEAR && fabs(camera->right[1]) < NEAR
         && fabs(camera->right[2]) < NEAR) {
-        reader_report(reader, at, "the camera looks along its sky: right is kept");
+        reader_report(reader, at,
+                      "the camera looks along its sky vector; right is unchanged");
         memcpy(camera->right, before.right, sizeof camera->right);
     }
     set_length(camera->right, 1);
@@ -260,8 +261,8 @@ static void apply_focal_point(struct reader *reader, const struct scene_token *a
     if (camera->lens_radius > 0 && camera->lens_points > 0
         && camera->focal_distance == 0) {
         reader_report(reader, at,
-                      "without a focal_point away from the location "
-                      "nothing is out of focus");
+                      "focal blur requires a focal_point away from the "
+                      "location and is ignored");
         camera->lens_radius = 0;
     }
 }
@@ -304,5 +305,7 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
     apply_placement(camera, &reading.placement.to_world);
     *setting = reading.setting;
     return is_sound(camera)
-           || reader_fault(reader, at, "direction, right and up span no picture");
+           || reader_fault(reader, at,
+                           "direction, right and up must be finite and "
+                           "linearly independent");
 }

@@ -22,14 +22,14 @@ static bool check_inside(struct reader *reader, const struct scene_object *objec
 {
     if (object->light_count > 0)
         return reader_fault(reader, at,
-                            "a light has no inside, by which to "
-                            "cut");
+                            "a light has no inside and cannot clip or bound");
     for (size_t i = 0; i < object->part_count; i++)
         if (shape_is_surface(&object->parts[i].primitive))
-            return reader_fault(reader, at, "a %s has no inside, by which to cut",
+            return reader_fault(reader, at,
+                                "a %s has no inside and cannot clip or bound",
                                 primitive_kind_name(object->parts[i].primitive.kind));
     return object->part_count > 0
-           || reader_fault(reader, at, "there is nothing by which to cut");
+           || reader_fault(reader, at, "the clipping or bounding object is empty");
 }
 
 static bool read_solid(struct reader *reader, void *subject, const struct item *item)
@@ -139,7 +139,7 @@ static bool clip(struct reader *reader, struct scene_object *object,
 
     if (object->part_count + copies > count * MAX_SOLID)
         return reader_fault(reader, at,
-                            "more than %d primitives in one solid, with "
+                            "more than %d primitives in one solid, including "
                             "those that clip it",
                             MAX_SOLID);
     hide(reader, by);
@@ -316,8 +316,8 @@ bool bounded_by_read(struct reader *reader, void *subject, const struct item *it
     done = block_read(reader, &of_bound, &clipping) && make_whole(reader, subject);
     if (done && !changes_nothing(&clipping, subject))
         reader_report(reader, &item->at,
-                      "'bounded_by' is left out: whether it cuts the object "
-                      "is not known");
+                      "'bounded_by' is ignored: whether it cuts the "
+                      "object cannot be determined");
     scene_object_free(&clipping.solids);
     return done;
 }

@@ -264,8 +264,7 @@ static bool add_mesh(const struct height_field *field, struct scene_object *obje
     primitive.shape.mesh.triangles = field->triangles;
     if (shapes[PRIMITIVE_MESH]->finish(&primitive))
         return shape_leave_out(field->reader, object, field->at,
-                               "the height_field lies below its "
-                               "water_level");
+                               "the height_field is below its water_level");
     if (!shape_add(field->reader, object, &primitive, field->at))
         return false;
     object->parts[object->part_count - 1].smooth_field = field->smooth;

@@ -124,8 +124,7 @@ static bool read_measure(struct reader *reader, void *subject, const struct item
     for (size_t i = 0; i < object->light_count; i++)
         if (object->lights[i].beam == BEAM_NONE)
             return reader_fault(reader, &item->at,
-                                "'%s' is of a light that is, before it, a "
-                                "'spotlight' or a 'cylinder'",
+                                "'%s' requires 'spotlight' or 'cylinder' before it",
                                 item->keyword->word);
     return read_fading(reader, subject, item);
 }
@@ -140,7 +139,8 @@ static bool read_side(struct reader *reader, const struct item *item, size_t *si
         return false;
     if (!(number >= 1 && number <= MAX_AREA_POINTS))
         return reader_fault(reader, &item->at,
-                            "an area_light has 1 to %d points along a side",
+                            "the points along a side of an area_light must be "
+                            "between 1 and %d",
                             MAX_AREA_POINTS);
     *size = (size_t)number;
     return true;
@@ -160,7 +160,7 @@ static bool read_area(struct reader *reader, void *subject, const struct item *i
         return false;
     if (size[0] * size[1] > MAX_AREA_POINTS)
         return reader_fault(reader, &item->at,
-                            "an area_light of %zu points: at most %d",
+                            "an area_light has %zu points, but at most %d are allowed",
                             size[0] * size[1], MAX_AREA_POINTS);
     for (size_t i = 0; i < object->light_count; i++) {
         memcpy(object->lights[i].area_axes, axes, sizeof axes);
@@ -216,7 +216,7 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of light_source",
+static const struct grammar grammar = { "a keyword of light_source",
                                         { words, passed_over, left_out },
                                         NULL };
 
@@ -243,14 +243,13 @@ static bool check_beams(struct reader *reader, const struct scene_object *object
         subtract3(light->point_at, light->position, way);
         if ((light->beam != BEAM_NONE || light->parallel) && !(length3(way) > 0))
             return reader_fault(reader, at,
-                                "the light is at the point that it points "
-                                "at");
+                                "the location and point_at of the light are the same");
         if (light->tightness < TIGHTNESS_LEAST)
-            return reader_fault(reader, at, "a tightness below %d", TIGHTNESS_LEAST);
+            return reader_fault(reader, at, "the tightness must be at least %d",
+                                TIGHTNESS_LEAST);
         if (light->beam == BEAM_CYLINDER && !(light->falloff > 0))
             return reader_fault(reader, at,
-                                "a cylinder with a falloff that is not above "
-                                "0");
+                                "the falloff of a cylinder light must be above 0");
     }
     return true;
 }
@@ -265,7 +264,7 @@ static bool check_areas(struct reader *reader, const struct scene_object *object
 
         if (light->circular && (size[0] == 1 || size[1] == 1))
             return reader_fault(reader, at,
-                                "a circular area_light has 2 points or more "
+                                "a circular area_light must have at least 2 points "
                                 "along each side");
     }
     return true;
@@ -282,8 +281,8 @@ static void leave_out_areas(struct reader *reader, struct scene_object *object,
         if (light->parallel && light->area_size[0] > 0) {
             light->area_size[0] = light->area_size[1] = 0;
             reader_report(reader, at,
-                          "the 'area_light' of a light with parallel rays is "
-                          "left out");
+                          "'area_light' is not supported for a parallel light "
+                          "and is ignored");
         }
     }
 }

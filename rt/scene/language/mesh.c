@@ -36,7 +36,7 @@ void mesh_direct(struct reader *reader, const struct scene_token *at, double nor
     for (int i = 0; i < 3; i++)
         none = none && fabs(normal[i]) < NORMAL_SAME;
     if (none) {
-        reader_report(reader, at, "a normal of a mesh is 0: it counts as <1, 0, 0>");
+        reader_report(reader, at, "a normal of a mesh is 0; <1, 0, 0> is used instead");
         for (int i = 0; i < 3; i++)
             normal[i] = i == 0;
     }
@@ -107,8 +107,9 @@ static void resolve_material(struct reader *reader, struct mesh_reading *mesh)
     if (!part->textured || (!mesh->differ && mesh->looks == mesh->triangles.count))
         return;
     reader_report(reader, &mesh->look_at,
-                  "the textures of a mesh's triangles are replaced by %s",
-                  own ? "that of the mesh" : "the first");
+                  "separate textures of mesh triangles are not "
+                  "supported; %s is used instead",
+                  own ? "the texture of the mesh" : "the first one");
     part->textured = !own;
 }
 
@@ -144,7 +145,7 @@ bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at
 {
     reader->triangles += more;
     return reader->triangles <= MAX_TRIANGLES
-           || reader_fault(reader, at, "more than %d triangles, copies counted",
+           || reader_fault(reader, at, "more than %d triangles, including copies",
                            MAX_TRIANGLES);
 }
 
@@ -297,7 +298,7 @@ static const struct keyword triangle_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar triangle_grammar = { "a word of a mesh's triangle",
+static const struct grammar triangle_grammar = { "a keyword of a mesh triangle",
                                                  { triangle_words },
                                                  NULL };
 
@@ -341,9 +342,9 @@ static const struct keyword mesh_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar mesh_grammar = {
-    "a triangle or a word that changes the mesh", { mesh_words }, &modifier_grammar
-};
+static const struct grammar mesh_grammar = { "a triangle or an object modifier",
+                                             { mesh_words },
+                                             &modifier_grammar };
 
 /* ---- The statements ------------------------------------------------------ */
 

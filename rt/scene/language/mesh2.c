@@ -257,14 +257,15 @@ static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
     const struct section_rule *rule = &rules[section];
 
     if (mesh->given[section])
-        return reader_fault(reader, at, "there are two '%s' in this mesh2", rule->word);
+        return reader_fault(reader, at, "'%s' is already defined in this mesh2",
+                            rule->word);
     if (rule->rank < mesh->rank)
-        return reader_fault(reader, at, "'%s' has to stand before '%s'", rule->word,
+        return reader_fault(reader, at, "'%s' must be before '%s'", rule->word,
                             mesh->last);
     if (rule->after == section || mesh->given[rule->after])
         return true;
     return !mesh->faulty
-           && reader_fault(reader, at, "'%s' has to stand before '%s'",
+           && reader_fault(reader, at, "'%s' must be before '%s'",
                            rules[rule->after].word, rule->word);
 }
 
@@ -279,7 +280,7 @@ static bool check_count(struct reader *reader, const struct mesh2_reading *mesh,
                                                     : true;
 
     return fits || mesh->faulty
-           || reader_fault(reader, at, "%zu '%s' for %zu face%s", count,
+           || reader_fault(reader, at, "%zu '%s' do not match %zu face%s", count,
                            rules[section].word, faces, plural(faces));
 }
 
@@ -294,8 +295,8 @@ static bool read_count(struct reader *reader, const struct mesh2_reading *mesh,
         return false;
     reader_comma(reader);
     if (number < rule->least || number != floor(number))
-        return reader_fault(reader, &at, "the number of '%s' is not a whole one %s 0",
-                            rule->word, rule->least ? "above" : "from");
+        return reader_fault(reader, &at, "the number of '%s' must be an integer %s 0",
+                            rule->word, rule->least ? "above" : "of at least");
     if (number > MAX_TRIANGLES)
         return reader_fault(reader, &at, "more than %d '%s'", MAX_TRIANGLES,
                             rule->word);
@@ -313,7 +314,7 @@ static bool read_rows(struct reader *reader, struct mesh2_reading *mesh,
     for (size_t i = 0; i < count; i++) {
         if (reader_at_sign(reader, '}'))
             return reader_fault(reader, &reader->token,
-                                "only %zu of %zu '%s' stand here", i, count,
+                                "only %zu of %zu '%s' are given", i, count,
                                 rules[section].word);
         if (!rules[section].row(reader, mesh, i))
             return false;
@@ -374,7 +375,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of mesh2 or one that changes the mesh",
+static const struct grammar grammar = { "a keyword of mesh2 or an object modifier",
                                         { words },
                                         &modifier_grammar };
 

@@ -31,7 +31,7 @@ static const struct keyword words[] = {
     { "temperature", read_value, 0 },
     { NULL, NULL, 0 },
 };
-static const struct grammar grammar = { "a word of part", { words }, NULL };
+static const struct grammar grammar = { "a keyword of part", { words }, NULL };
 
 static bool read_name(struct reader *reader, char name[MAX_NAME + 1])
 {
@@ -40,11 +40,12 @@ static bool read_name(struct reader *reader, char name[MAX_NAME + 1])
     bool good;
 
     if (!starts_string(reader))
-        return reader_expected(reader, "the part's name, a string");
+        return reader_expected(reader, "the name of the part as a string");
     if (!string_read(reader, &string))
         return false;
     good = (*string && strlen(string) <= MAX_NAME)
-           || reader_fault(reader, &at, "a part's name has 1 to %d characters",
+           || reader_fault(reader, &at,
+                           "the name of a part must have between 1 and %d characters",
                            MAX_NAME);
     if (good)
         strcpy(name, string);

@@ -84,7 +84,7 @@ static bool read_count(struct polygon *polygon)
     if (!read_number(reader, &number))
         return false;
     if (number < POINTS_LEAST)
-        return reader_fault(reader, &at, "a polygon needs three points");
+        return reader_fault(reader, &at, "a polygon must have at least three points");
     if (number >= MAX_POINTS + 1)
         return reader_fault(reader, &at, "more than %d points in one polygon",
                             MAX_POINTS);
@@ -201,11 +201,10 @@ static bool close_part(struct polygon *polygon, size_t first)
 {
     if (first + 1 == polygon->count)
         return reader_fault(polygon->reader, polygon->at,
-                            "the last point of the polygon stands alone, "
-                            "behind a part that is closed");
+                            "the polygon has a single point after a closed part");
     reader_report(polygon->reader, polygon->at,
-                  "the polygon is not closed: its first point comes again "
-                  "behind the last");
+                  "the polygon is not closed; its first point is "
+                  "repeated after the last");
     add_edge(polygon, polygon->points[polygon->count - 1], polygon->points[first]);
     return true;
 }

@@ -23,7 +23,7 @@ static bool read_size(struct reader *reader, const char *what, double *size)
 
     if (!read_number(reader, size))
         return false;
-    return *size > 0 || reader_fault(reader, &at, "the %s is not above 0", what);
+    return *size > 0 || reader_fault(reader, &at, "the %s must be above 0", what);
 }
 
 /* Reads `count` coefficients in <..>. Surplus ones are read too, so that the message
@@ -59,7 +59,7 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
     if (!read_number(reader, &number))
         return false;
     if (number < (double)least)
-        return reader_fault(reader, &at, "a path needs %s points",
+        return reader_fault(reader, &at, "a path must have at least %s points",
                             least == 2 ? "two" : "three");
     if (number > MAX_PATH)
         return reader_fault(reader, &at, "more than %d points in one path", MAX_PATH);
@@ -177,7 +177,7 @@ static bool read_field(struct reader *reader, const struct shape_field *field,
 void primitive_leave_out(struct reader *reader, struct primitive *primitive,
                          const struct scene_token *at, const char *reason)
 {
-    reader_report(reader, at, "%s: the shape is left out", reason);
+    reader_report(reader, at, "%s: the shape is ignored", reason);
     primitive->kind = PRIMITIVE_SPHERE;
     memset(&primitive->shape, 0, sizeof primitive->shape);
     primitive->empty = true;
@@ -222,8 +222,8 @@ static bool read_order(struct reader *reader, int *order)
     reader_comma(reader);
     if (number < ORDER_LEAST || number >= MAX_ORDER + 1)
         return reader_fault(reader, &at,
-                            "a polynomial of the order %g is not supported: "
-                            "only %d to %d are",
+                            "a polynomial of order %g is not supported; the "
+                            "order must be between %d and %d",
                             number, ORDER_LEAST, MAX_ORDER);
     *order = (int)number;
     return true;

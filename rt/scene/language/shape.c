@@ -18,7 +18,7 @@ bool shape_count(struct reader *reader, size_t more, const struct scene_token *a
     reader->primitives_made += more;
     return reader->primitives_made <= MAX_PRIMITIVES
            || reader_fault(reader, at,
-                           "more than %d primitives and lights, copies counted",
+                           "more than %d primitives and lights, including copies",
                            MAX_PRIMITIVES);
 }
 
@@ -211,7 +211,7 @@ static const struct keyword material_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar material_grammar = { "a word of material",
+static const struct grammar material_grammar = { "a keyword of material",
                                                  { material_words },
                                                  NULL };
 
@@ -289,10 +289,9 @@ static const struct keyword modifiers_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-const struct grammar modifier_grammar = { "a word that changes the object",
-                                          { modifiers, modifiers_passed_over,
-                                            modifiers_left_out },
-                                          NULL };
+const struct grammar modifier_grammar = {
+    "an object modifier", { modifiers, modifiers_passed_over, modifiers_left_out }, NULL
+};
 
 /* Reports a surface in an intersection or difference, as POV-Ray does. */
 static void report_patches(struct reader *reader, const struct scene_object *child,
@@ -324,8 +323,7 @@ static void report_hidden(struct reader *reader, enum joining joining,
         hidden_from &= HIDDEN_FROM_REFLECTIONS;
     if (hidden_from != 0)
         reader_report(reader, at,
-                      "'%s' on a part of a solid is not supported and left "
-                      "out",
+                      "'%s' on a part of a solid is not supported and is ignored",
                       hidden_from & HIDDEN_FROM_IMAGE ? "no_image" : "no_reflection");
 }
 
@@ -358,11 +356,9 @@ static const struct keyword children[] = {
 
 /* Children come before modifiers, because a transform applies only to the children
  * before it. */
-static const struct grammar solid_grammar = {
-    "an object or a word that changes the solid",
-    { children, unsupported_shapes },
-    &modifier_grammar
-};
+static const struct grammar solid_grammar = { "an object or an object modifier",
+                                              { children, unsupported_shapes },
+                                              &modifier_grammar };
 
 /* Reads the first word of object { ... }: the name of an object, or a shape. */
 static bool read_base(struct reader *reader, struct scene_object *object)
@@ -430,8 +426,7 @@ static void set_joining(struct reader *reader, struct scene_object *object,
     }
     object->joining = JOIN_APART;
     reader_report(reader, &item->at,
-                  "'light_group' is not supported: its lights shine on all "
-                  "objects");
+                  "'light_group' is not supported; its lights shine on all objects");
 }
 
 static bool read_solid(struct reader *reader, enum shape_word shape,

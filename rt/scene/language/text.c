@@ -86,8 +86,7 @@ static bool add_character(struct text_reading *text, bool first, uint32_t before
 
     if (!font_glyph(text->font, character, &reader->scene->kept, &glyph))
         return reader_fault(reader, text->at,
-                            "the font is broken, or there is not enough "
-                            "memory");
+                            "the font is invalid, or there is not enough memory");
     if (first)
         text->position[0] = -glyph.bearing;
     else
@@ -132,7 +131,7 @@ static bool add_characters(struct text_reading *text, const char *string)
     }
     return text->object->part_count > 0
            || shape_leave_out(text->reader, text->object, text->at,
-                              "the text has nothing to be seen");
+                              "the text has no visible characters");
 }
 
 static bool read_extent(struct text_reading *text)
@@ -171,7 +170,7 @@ static const struct scene_source *read_font(struct reader *reader)
 
     if (is_token(&reader->token, "internal")) {
         reader_fault(reader, &reader->token,
-                     "fonts that POV-Ray has built in are not supported");
+                     "the built-in fonts of POV-Ray are not supported");
         return NULL;
     }
     if (!reader_accept(reader, "ttf")) {
