@@ -352,7 +352,7 @@ static const struct line_error errors[] = {
     { "mesh2 { vertex_vectors { 1e7 + 1, x } }", 26,
       "more than 4000000 'vertex_vectors'" },
     { "mesh2 { vertex_vectors { 3, 0, x } " FACE "}", 34,
-      "only 2 of 3 'vertex_vectors' are given" },
+      "found only 2 of 3 'vertex_vectors'" },
     { "mesh2 { vertex_vectors { 3, 0, x, y, z } " FACE "}", 38,
       "expected '}', found 'z'" },
     { "mesh2 { vertex_vectors { 3, 0, <1, 2, 3, 4> } " FACE "}", 32, "a vector of 3" },
@@ -375,9 +375,9 @@ static const struct line_error errors[] = {
     { THREE FACE "normal_indices { 1, <0, 1, 2> } }", 89,
       "the normal 0, but there are only 0" },
     { THREE "normal_vectors { 1 x } " FACE "normal_indices { 2, 0, 0 } }", 109,
-      "2 'normal_indices' do not match 1 face" },
+      "2 'normal_indices' cannot match 1 face" },
     { THREE "uv_vectors { 1, 0 } " FACE "uv_indices { 0 } }", 102,
-      "0 'uv_indices' do not match 1 face" },
+      "0 'uv_indices' cannot match 1 face" },
     { THREE FACE "uv_indices { 1, <0, 0, 1> } }", 85,
       "the uv vector 1, but there are only 1" },
     { THREE FACE "wibble }", 69, "expected a keyword of mesh2" },
@@ -407,7 +407,7 @@ TEST(recovery)
                  "normal_vectors { 3, x, y, z }\n"
                  "face_indices { 2, <0, 1, 2> <0, 1, 9> }\n"
                  "normal_indices { 2, <0, 1, 2> <0, 1, 7> } scale 2 }",
-                 &reading_options, 1, 34, "only 2 of 3");
+                 &reading_options, 1, 34, "found only 2 of 3");
     assert_error("mesh { triangle { 0, x } triangle { 0, x, y }\n"
                  "smooth_triangle { 0, x, y, x, y, z } scale 2 }",
                  &reading_options, 1, 24, "expected a number");

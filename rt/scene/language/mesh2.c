@@ -280,7 +280,7 @@ static bool check_count(struct reader *reader, const struct mesh2_reading *mesh,
                                                     : true;
 
     return fits || mesh->faulty
-           || reader_fault(reader, at, "%zu '%s' do not match %zu face%s", count,
+           || reader_fault(reader, at, "%zu '%s' cannot match %zu face%s", count,
                            rules[section].word, faces, plural(faces));
 }
 
@@ -313,9 +313,8 @@ static bool read_rows(struct reader *reader, struct mesh2_reading *mesh,
         return false;
     for (size_t i = 0; i < count; i++) {
         if (reader_at_sign(reader, '}'))
-            return reader_fault(reader, &reader->token,
-                                "only %zu of %zu '%s' are given", i, count,
-                                rules[section].word);
+            return reader_fault(reader, &reader->token, "found only %zu of %zu '%s'", i,
+                                count, rules[section].word);
         if (!rules[section].row(reader, mesh, i))
             return false;
     }
