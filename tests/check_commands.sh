@@ -162,7 +162,7 @@ for program in c205 rt205 fit205; do
             ends 0 "$build/$program" help "$word"
             expect "$program help $word is not --help" cmp -s out help.txt
             ends 2 "$build/$program" "${word}x"
-            tells err "($word?)"
+            tells err "did you mean '$word'?"
         fi
         # shellcheck disable=SC2086
         ends 0 "$build/$program" $word --version

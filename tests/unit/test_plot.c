@@ -257,7 +257,7 @@ TEST_WITH(bad_values, set_up, tear_down)
     expect_error(&plot, "x.svg", "startup: an area of -2");
     plot.form = PLOT_LINES;
     plot.y.scale = PLOT_LOG10;
-    expect_error(&plot, "x.svg", "startup: -2 is not on");
+    expect_error(&plot, "x.svg", "startup: -2 cannot be drawn on");
 }
 
 /* ---- Gnuplot ---------------------------------------------------------- */
