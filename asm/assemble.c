@@ -117,7 +117,7 @@ static struct object *assemble(struct asm_source *source,
         constant_folder_free(assembler->constant_folder);
     }
     if (arena.failed) {
-        report_file(diagnostics, source->name, "the host has no memory left");
+        report_file(diagnostics, source->name, "the host is out of memory");
         object_free(object);
         object = NULL;
     }

@@ -375,7 +375,7 @@ bool measure(const c205_model *model, const char *name, struct measurement *resu
         fit_line(result);
     } else if (!object) {
         error_set(error, "%s: %.200s", name,
-                  errors.count ? errors.items[0].message : "no memory");
+                  errors.count ? errors.items[0].message : "out of memory");
     }
     diagnostics_free(&errors);
     object_free(object);

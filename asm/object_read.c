@@ -351,7 +351,7 @@ struct object *object_read(const char *text, size_t length, c205_error *error)
         return &reader.storage->object;
     }
     error_set(error, "line %zu: %s", reader.line,
-              reader.problem ? reader.problem : "the host has no memory left");
+              reader.problem ? reader.problem : "the host is out of memory");
     if (reader.storage)
         object_free(&reader.storage->object);
     return NULL;

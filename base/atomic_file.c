@@ -126,7 +126,7 @@ struct atomic_file *atomic_file_open(const char *path, c205_error *error)
     struct atomic_file *whole = calloc(1, sizeof *whole);
     if (!whole || !(whole->path = followed(path))) {
         free(whole);
-        set_path_error(error, path, "no memory");
+        set_path_error(error, path, "out of memory");
         return NULL;
     }
     whole->file = open_place(whole);

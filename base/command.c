@@ -70,7 +70,7 @@ static int run(const struct command_program *program, const struct command *comm
     void *arguments = calloc(1, program->arguments_size);
     command_full_name(program, command, name);
     if (!arguments) {
-        return cmd_failed(name, "no memory");
+        return cmd_failed(name, "out of memory");
     }
     if (program->arguments) {
         memcpy(arguments, program->arguments, program->arguments_size);

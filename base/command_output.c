@@ -161,5 +161,5 @@ int output_show(const struct command_output *results, struct table *table,
 {
     bool good = output_table(results, table, key, heading);
     table_free(table);
-    return good ? CMD_DONE : cmd_failed(results->command, "no memory");
+    return good ? CMD_DONE : cmd_failed(results->command, "out of memory");
 }

@@ -455,7 +455,7 @@ static int check_output(const struct parsing *parsing,
                          option->name, other->name);
     }
     if (!file_is_stream(path) && !outputs_add(path)) {
-        return cmd_failed(parsing->name, "no memory");
+        return cmd_failed(parsing->name, "out of memory");
     }
     if (outputs_has(path)
         && (row_naming(parsing, command->options, false, path)
@@ -515,7 +515,7 @@ static int parse(struct parsing *parsing, int argc, char **argv)
     if (!prepare(command->options, room, parsing->arguments)
         || !prepare(command->operands, room, parsing->arguments)
         || !make_tables(command, &tables)) {
-        cmd_failed(parsing->name, "no memory");
+        cmd_failed(parsing->name, "out of memory");
     } else {
         code = parse_options(parsing, &tables, argc, argv);
     }

@@ -58,7 +58,7 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
     reason = errno;
     closedir(open);
     if (!good)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     if (reason)
         return error_set(error, "%s", strerror(reason));
     if (folder->count > 0)

@@ -108,7 +108,7 @@ static void introduce(struct json *json, const char *key)
 
 static bool no_memory(c205_error *error)
 {
-    return error_set(error, "no memory");
+    return error_set(error, "out of memory");
 }
 
 static struct json *json_new(FILE *stream, c205_error *error)

@@ -27,7 +27,7 @@ static bool fail(struct json_reading *reading, const char *what)
 
 static bool no_memory(struct json_reading *reading)
 {
-    snprintf(reading->error->message, sizeof reading->error->message, "no memory");
+    snprintf(reading->error->message, sizeof reading->error->message, "out of memory");
     return false;
 }
 

@@ -55,7 +55,7 @@ static bool add(struct text_stream *stream, size_t length, int byte)
         size_t capacity = 2 * stream->capacity + 128;
         char *line = realloc(stream->line, capacity);
         if (!line)
-            return fail(stream, "no memory");
+            return fail(stream, "out of memory");
         stream->line = line;
         stream->capacity = capacity;
     }

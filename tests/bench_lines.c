@@ -50,7 +50,7 @@ static double follow(const struct scene *scene, const c205_model *model,
                                                .bodies = what->bodies,
                                                .normals = what->normals,
                                                .model = model };
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct ray_query *lines = ray_query_new(scene, &options, &error);
 
     if (!lines || !ray_query_find(lines, list, LINES, found, &error))

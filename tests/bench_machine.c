@@ -168,7 +168,7 @@ int main(int count, char **words)
     c205 *machine = model ? c205_new(model, &error) : NULL;
     struct table *table = table_new(columns, sizeof columns / sizeof *columns);
     if (!machine || !table) {
-        stop_bench(machine ? "no memory" : error.message);
+        stop_bench(machine ? "out of memory" : error.message);
     }
     for (int i = 0; i < LENGTH; i++) {
         x[i] = y[i] = 1.0 + 0.001 * i;

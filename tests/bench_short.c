@@ -144,7 +144,7 @@ int main(int count, char **words)
     struct table *table = table_new(columns, sizeof columns / sizeof *columns);
 
     if (!machine || !table)
-        stop_bench(machine ? "no memory" : error.message);
+        stop_bench(machine ? "out of memory" : error.message);
     for (size_t i = 0; i < INSTRUCTIONS; i++) {
         if (!strstr(instructions[i], wanted))
             continue;

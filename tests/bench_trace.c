@@ -35,7 +35,7 @@ static bool time_trace(struct trace *trace, c205_error *error)
 
 static bool trace_scene(const struct scene *scene, const struct trace_options *options)
 {
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct trace *trace = trace_new(scene, options, &error);
     bool good = trace && time_trace(trace, &error);
 

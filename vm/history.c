@@ -112,7 +112,7 @@ static bool save_state(const struct c205_history *history, struct saved *saved,
     if (c205_save(history->machine, add_bytes, saved, error))
         return true;
     free(saved->bytes);
-    snprintf(error->message, sizeof error->message, "no memory");
+    snprintf(error->message, sizeof error->message, "out of memory");
     return false;
 }
 
@@ -134,7 +134,7 @@ static bool keep(struct c205_history *history, c205_error *error)
 {
     struct saved saved;
     if (!make_room(history) || !save_state(history, &saved, error)) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        snprintf(error->message, sizeof error->message, "out of memory");
         return false;
     }
     append(history, saved, false);
@@ -180,7 +180,7 @@ c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error)
 {
     struct c205_history *history = calloc(1, sizeof *history);
     if (!history) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        snprintf(error->message, sizeof error->message, "out of memory");
         return NULL;
     }
     history->machine = machine;
@@ -224,7 +224,7 @@ bool c205_history_changed(c205_history *history, c205_error *error)
 {
     struct saved saved;
     if (!make_room(history) || !save_state(history, &saved, error)) {
-        snprintf(error->message, sizeof error->message, "no memory");
+        snprintf(error->message, sizeof error->message, "out of memory");
         return false;
     }
     forget_later(history);
@@ -330,6 +330,6 @@ bool c205_history_back(c205_history *history, uint64_t step, c205_error *error)
     machine = restore(history, from, error);
     if (!machine || go_from(history, machine, from->step, step))
         return machine;
-    snprintf(error->message, sizeof error->message, "no memory");
+    snprintf(error->message, sizeof error->message, "out of memory");
     return false;
 }

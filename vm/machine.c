@@ -13,7 +13,7 @@
 
 static bool no_memory(c205_error *error)
 {
-    snprintf(error->message, sizeof error->message, "no memory left for a machine");
+    snprintf(error->message, sizeof error->message, "out of memory for a machine");
     return false;
 }
 

@@ -124,7 +124,7 @@ static inline const struct near_page *memory_near(struct memory *memory,
     return page->number == number ? page : memory_find_near(memory, address);
 }
 
-#define MEMORY_NO_PAGE "no memory left for a page of the machine"
+#define MEMORY_NO_PAGE "out of memory for a page of the machine"
 
 /* The address of this constant marks a mapped, writable page of zeros that is not
  * allocated before its first use. */

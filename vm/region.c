@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char no_memory[] = "no memory left for the regions of a program";
+static const char no_memory[] = "out of memory for the regions of a program";
 
 static int by_address(const void *left, const void *right)
 {

@@ -191,7 +191,7 @@ static void walk_progress(struct c205 *machine, struct serializer *serializer)
     if (kept)
         serializer_words(serializer, kept, resume->kept);
     else
-        serializer_refuse(serializer, "no memory left for a machine");
+        serializer_refuse(serializer, "out of memory for a machine");
 }
 
 static void walk(struct c205 *machine, struct serializer *serializer)

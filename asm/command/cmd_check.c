@@ -72,7 +72,7 @@ static int show_verdict(const struct check_command *check,
     if (results->json) {
         lesson_verdict_json(verdict, results->json);
     }
-    return good ? CMD_DONE : cmd_failed(check->arguments->command, "no memory");
+    return good ? CMD_DONE : cmd_failed(check->arguments->command, "out of memory");
 }
 
 static int check_answer(const struct check_command *check, bool *passed)

@@ -32,7 +32,7 @@ static bool read_file(struct lesson *lesson, const char *folder, const char *nam
                      : NULL;
     bool good = text ? lesson_take(lesson, name, text, length, error)
                      : error_set(error, "%.160s: %.80s", path.failed ? name : path.text,
-                                 path.failed ? "no memory" : reason.message);
+                                 path.failed ? "out of memory" : reason.message);
     text_buffer_free(&path);
     free(text);
     return good;
@@ -329,14 +329,14 @@ static int take_class(struct handed_in *all)
                        || table_write(all->table, output_table_format(results),
                                       results->file))
                ? CMD_DONE
-               : cmd_failed(arguments->command, "no memory");
+               : cmd_failed(arguments->command, "out of memory");
 }
 
 int check_folder(const struct check_command *check, bool *all_graded)
 {
     struct handed_in all = { .check = check, .table = new_table() };
     const struct c205_arguments *arguments = check->arguments;
-    int code = !all.table ? cmd_failed(arguments->command, "no memory")
+    int code = !all.table ? cmd_failed(arguments->command, "out of memory")
                : !folder_is(arguments->folder)
                    ? cmd_failed(arguments->command, "%s is not a folder",
                                 arguments->folder)

@@ -49,7 +49,7 @@ static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *erro
         c205_describe_stop(machine, &stop, error);
         return false;
     }
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     return compared_take(run, machine);
 }
 

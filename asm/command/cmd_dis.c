@@ -13,7 +13,7 @@ static int disassemble_file(void *given)
     }
     bool good = disassemble(object, &sink);
     object_free(object);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "no memory");
+    return good ? CMD_DONE : cmd_failed(arguments->command, "out of memory");
 }
 
 static const struct command_option options[] = { CMD_DEFINE, CMD_INCLUDE, COMMAND_END };

@@ -205,7 +205,7 @@ static int show(const struct c205_arguments *arguments,
     if (results->format == OUTPUT_TEXT) {
         rest.file = NULL;
         if (!print_text(arguments)) {
-            return cmd_failed(arguments->command, "no memory");
+            return cmd_failed(arguments->command, "out of memory");
         }
     }
     return output_show(&rest, chosen_rows(arguments), "instructions", NULL);

@@ -76,5 +76,5 @@ int isa_grammar(const char *command)
                 && put_names(json, "keyword.mnemonic.scalar.c205", false);
     json_end(json);
     return json_close(json, &error) && good ? CMD_DONE
-                                            : cmd_failed(command, "no memory");
+                                            : cmd_failed(command, "out of memory");
 }

@@ -70,7 +70,7 @@ static int show_accounts(const struct c205_arguments *arguments, const c205 *mac
     char time[ACCOUNTS_TIME];
     if (!accounts_add(&accounts, machine)) {
         accounts_free(&accounts);
-        return cmd_failed(arguments->command, "no memory");
+        return cmd_failed(arguments->command, "out of memory");
     }
     if (results->json) {
         json_text(results->json, "program", program_name(arguments));
@@ -249,7 +249,7 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
         || !start_watch(arguments, machine, object, &messages, &watch)) {
         output_close(&results, CMD_FAILED);
         line_profile_free(profile);
-        return cmd_failed(arguments->command, "no memory");
+        return cmd_failed(arguments->command, "out of memory");
     }
     interrupt_catch();
     c205_stop stop = run_slices(machine, find_limit(arguments, machine));

@@ -119,7 +119,7 @@ static bool run(struct checker *checker, const struct object *object, const char
     checker->watch = runtime_new(object, path, &checker->arguments->warnings.choice,
                                  &report);
     bool good = checker->watch ? run_watched(checker, object)
-                               : fail(checker, "no memory");
+                               : fail(checker, "out of memory");
     runtime_free(checker->watch);
     checker->watch = NULL;
     return good;
@@ -195,7 +195,7 @@ static void check_one(struct checker *checker, const char *path)
     }
     if (checker->printed.failed || checker->report.failed) {
         verdict.good = false;
-        verdict.report = "no memory";
+        verdict.report = "out of memory";
     }
     if (checker->table) {
         print_row(checker->table, &verdict);
@@ -216,7 +216,7 @@ static int check_all(struct checker *checker)
     const struct command_output *results = checker->results;
     bool tabular = results->file && results->format != OUTPUT_TEXT;
     if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
-        return cmd_failed(arguments->command, "no memory");
+        return cmd_failed(arguments->command, "out of memory");
     }
     if (results->json) {
         json_array(results->json, "programs");
@@ -233,7 +233,7 @@ static int check_all(struct checker *checker)
     table_free(checker->table);
     output_printf(results, "%zu passed, %zu failed\n",
                   arguments->files.count - checker->failures, checker->failures);
-    return !good                   ? cmd_failed(arguments->command, "no memory")
+    return !good                   ? cmd_failed(arguments->command, "out of memory")
            : checker->failures > 0 ? CMD_FAILED
                                    : CMD_DONE;
 }

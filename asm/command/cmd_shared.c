@@ -48,7 +48,7 @@ static struct object *assemble(const struct c205_arguments *arguments, const cha
     struct object *object = assemble_bytes(path, text, length, &options, &errors);
     diagnostics_put(&errors, report);
     if (!object && errors.count == 0) {
-        sink_print(report, "%s: error: no memory\n", path);
+        sink_print(report, "%s: error: out of memory\n", path);
     }
     diagnostics_free(&errors);
     return object;

@@ -155,7 +155,7 @@ static bool add_name(const struct c205_arguments *arguments, const c205_model *m
 {
     struct measurement *items = array_grow(measured->items, measured->count,
                                            sizeof *items);
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     if (items) {
         measured->items = items;
     }

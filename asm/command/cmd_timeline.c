@@ -48,7 +48,7 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
 {
     int code;
     if (!timeline_is_good(timeline)) {
-        return cmd_failed(arguments->command, "no memory");
+        return cmd_failed(arguments->command, "out of memory");
     }
     if (timeline->full) {
         return cmd_failed(

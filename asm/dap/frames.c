@@ -162,7 +162,7 @@ static char *text_of(struct dap *dap, const char *file)
         char *read = path ? text_file_read(path, FILE_LARGEST, &length, &error) : NULL;
 
         if (!read)
-            dap_fault(dap, "%s: %s", file, path ? error.message : "no memory");
+            dap_fault(dap, "%s: %s", file, path ? error.message : "out of memory");
         free(path);
         return read;
     }

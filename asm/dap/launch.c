@@ -161,7 +161,7 @@ static bool open_program(struct dap *dap, const struct json_value *launch)
            && dap->setup.open(dap->setup.context, &program, &report, &dap->object,
                               &dap->model)
            && make_debugger(dap, json_member_truth(launch, "warm", dap->setup.warm))
-           && (sources_find(dap) || dap_fault(dap, "no memory"));
+           && (sources_find(dap) || dap_fault(dap, "out of memory"));
 }
 
 /* Frees a program that could not be opened completely. */

@@ -100,7 +100,7 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
         return dap_fault(dap, "'count' must be between 0 and %d bytes", MAX_BYTES);
     bytes = malloc((size_t)count + 1);
     if (!bytes)
-        return dap_fault(dap, "no memory");
+        return dap_fault(dap, "out of memory");
     while (there < (size_t)count
            && read_byte(dap, address + 8 * (uint64_t)there, &bytes[there]))
         there++;
@@ -156,7 +156,7 @@ bool request_write_memory(struct dap *dap, const struct json_value *arguments,
         return dap_fault(dap, "'data' is missing");
     bytes = malloc(strlen(text) + 1);
     if (!bytes)
-        return dap_fault(dap, "no memory");
+        return dap_fault(dap, "out of memory");
     good = (read_base64(text, bytes, &count) || dap_fault(dap, "'data' is not base64"))
            && write_bytes(dap, arguments, body, bytes, count);
     free(bytes);

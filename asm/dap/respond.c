@@ -137,7 +137,7 @@ void send_output(struct dap *dap, const char *category, const char *text)
 void send_printed(struct dap *dap)
 {
     if (dap->printed.failed)
-        give_up(dap, "no memory");
+        give_up(dap, "out of memory");
     send_output(dap, "stdout", dap->printed.text);
     text_buffer_free(&dap->printed);
 }

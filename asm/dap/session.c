@@ -92,7 +92,7 @@ static void refuse(struct dap *dap, const struct json_value *request)
 {
     char *why = dap_take_said(dap);
 
-    send_refusal(dap, request, why ? why : "no memory");
+    send_refusal(dap, request, why ? why : "out of memory");
     free(why);
 }
 
@@ -174,7 +174,7 @@ static bool handle_next(struct dap *dap)
     }
     text = malloc(content.length + 1);
     if (!text) {
-        snprintf(dap->error->message, sizeof dap->error->message, "no memory");
+        snprintf(dap->error->message, sizeof dap->error->message, "out of memory");
         dap->over = dap->failed = true;
         return false;
     }
@@ -198,7 +198,7 @@ static void read_more(struct dap *dap)
     dap->over = true;
     dap->failed = dap->input.failed || dap->input.length > 0;
     snprintf(dap->error->message, sizeof dap->error->message, "%s",
-             dap->input.failed ? "no memory" : "the input ends within a message");
+             dap->input.failed ? "out of memory" : "the input ends within a message");
 }
 
 bool dap_listen(void *given)

@@ -242,7 +242,7 @@ bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop)
                                           debugger->breakpoint_count, sizeof *grown);
 
     if (!grown)
-        return debug_fault(debugger, "no memory");
+        return debug_fault(debugger, "out of memory");
     stop->number = ++debugger->breakpoint_number;
     sample(debugger, stop);
     debugger->breakpoints = grown;

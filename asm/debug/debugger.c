@@ -169,7 +169,7 @@ struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *er
     c205 *machine;
 
     if (!debugger) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     debugger->setup = *setup;
@@ -290,7 +290,7 @@ static void keep_movement(struct debugger *debugger, const char *line)
 static bool obey_more(struct debugger *debugger, const char *line, size_t length)
 {
     const struct debugger_verb *verb = debugger->setup.verbs;
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
 
     while (verb && verb->name
            && !(strlen(verb->name) == length && strncmp(verb->name, line, length) == 0))

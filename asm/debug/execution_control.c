@@ -185,7 +185,7 @@ enum execution_end execution_out(struct debugger *debugger)
 
 static bool go_back(struct debugger *debugger, uint64_t step)
 {
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
 
     if (step < step_of(debugger)) {
         debugger->halted = debugger->has_end = false;

@@ -38,7 +38,7 @@ struct sitting {
 
 static bool no_memory(c205_error *error)
 {
-    return error_set(error, "no memory");
+    return error_set(error, "out of memory");
 }
 
 /* ---- The answer ------------------------------------------------------------ */

@@ -29,7 +29,7 @@ bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
 
     lesson->folder = arena_text(&lesson->kept, folder, strlen(folder));
     if (!lesson->folder)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     lesson->number = numbered ? (unsigned)number : 0;
     lesson->name = lesson->folder + (numbered ? end + 1 - folder : 0);
     return true;
@@ -44,7 +44,7 @@ static bool take_title(struct lesson *lesson, c205_error *error)
         return error_set(error, "%.80s/lesson.md:1: expected '# Title'",
                          lesson->folder);
     lesson->title = arena_text(&lesson->kept, lesson->text + 2, length - 2);
-    return lesson->title || error_set(error, "no memory");
+    return lesson->title || error_set(error, "out of memory");
 }
 
 static bool take_test(struct lesson *lesson, const char *name, size_t name_length,
@@ -58,7 +58,7 @@ static bool take_test(struct lesson *lesson, const char *name, size_t name_lengt
     if (tests)
         test.name = arena_text(&lesson->kept, name, name_length);
     if (!test.name)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     lesson->tests = tests;
     tests[lesson->test_count++] = test;
     return lesson_read_notes(lesson, &tests[lesson->test_count - 1], error);
@@ -79,7 +79,7 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
         return true;
     kept = arena_text(&lesson->kept, text, length);
     if (!kept)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     if (is_test)
         return take_test(lesson, file + sizeof before - 1, name - around, kept, length,
                          error);
@@ -146,7 +146,7 @@ static bool take_text(struct lesson *lesson, const struct text *text, c205_error
     bool good = join_lines(text->lines, &joined)
                     ? lesson_take(lesson, strchr(text->name, '/') + 1,
                                   joined.text ? joined.text : "", joined.length, error)
-                    : error_set(error, "no memory");
+                    : error_set(error, "out of memory");
 
     text_buffer_free(&joined);
     return good;
@@ -186,7 +186,7 @@ bool lessons_open(struct lessons *lessons, c205_error *error)
     lessons->count = 0;
     lessons->items = calloc(most + 1, sizeof *lessons->items);
     if (!lessons->items)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     while (text && text->name)
         text = open_next(&lessons->items[lessons->count++], text, error);
     return text;

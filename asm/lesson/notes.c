@@ -68,7 +68,7 @@ static bool take_test_note(struct test_note *note)
         return refuse(note, "expected one sentence after 'test:', once");
     note->test->tries = arena_text(&note->lesson->kept, note->at,
                                    (size_t)(note->end - note->at));
-    return note->test->tries || error_set(note->error, "no memory");
+    return note->test->tries || error_set(note->error, "out of memory");
 }
 
 static bool take_clocks(struct test_note *note, uint64_t *clocks)
@@ -123,7 +123,7 @@ static bool take_tolerance_note(struct test_note *note)
     length = word_length(note);
     if (!tolerance
         || !(tolerance->label = arena_text(&note->lesson->kept, note->at, length)))
-        return error_set(note->error, "no memory");
+        return error_set(note->error, "out of memory");
     note->at += length;
     skip_blanks(note);
     tolerance->most = c205_to_double(c205_from_text(note->at, &end));

@@ -106,7 +106,7 @@ static void print_first(const struct diagnostics *said, c205_error *error)
     while (first < said->items + said->count && first->severity != SEVERITY_ERROR)
         first++;
     if (said->errors == 0 || first == said->items + said->count)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     else
         error_set(error, "%.80s:%zu:%zu: %.120s", first->file, first->line,
                   first->column, first->message);

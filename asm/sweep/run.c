@@ -89,7 +89,7 @@ static bool take_account(const struct program_sweep *sweep, const c205 *machine,
 
     *account = accounts_together(&accounts);
     accounts_free(&accounts);
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     return good;
 }
 
@@ -171,7 +171,7 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
             continue;
         grown = array_grow(sweep->crossings, sweep->crossing_count, sizeof *grown);
         if (!grown)
-            return error_set(error, "no memory");
+            return error_set(error, "out of memory");
         sweep->crossings = grown;
         grown[sweep->crossing_count++] = (struct swept_crossing){
             points[1], second_is_faster(&points[1])
@@ -225,7 +225,7 @@ static bool begin(struct program_sweep *sweep, c205_error *error)
     sweep->point_count = swept_values(&sweep->range, sweep->asked, values);
     sweep->points = calloc(sweep->point_count, sizeof *sweep->points);
     if (!sweep->points)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     for (size_t i = 0; i < sweep->point_count; i++) {
         sweep->points[i].value = values[i];
         sweep->all += sweep->program_count * values[i];

@@ -67,7 +67,7 @@ bool timeline_save(const struct timeline *timeline, const char *path, const char
     if (timeline_write(timeline, timeline_form_of(path), title, &sink))
         return atomic_file_commit(whole, error);
     atomic_file_discard(whole);
-    return error_set(error, "no memory");
+    return error_set(error, "out of memory");
 }
 
 void timeline_title(const struct timeline *timeline, const char *program,

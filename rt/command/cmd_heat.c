@@ -256,7 +256,7 @@ static bool print_all(const struct rt205_arguments *arguments, const struct heat
         return false;
     if (!print_result(arguments, heat, arguments->heat.stages ? &stages : NULL,
                       results))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     if (!check_precision(heat, error)
         || (arguments->strict && !check_strictly(heat, error))
         || !draw(arguments, heat, results, error))

@@ -166,7 +166,7 @@ static bool begin(struct hits_ways *ways)
         return error_set(&ways->error, "--hits requires --from NAME, the emitting "
                                        "part");
     if (!named_parts_find(ways->scene, &ways->parts))
-        return error_set(&ways->error, "no memory");
+        return error_set(&ways->error, "out of memory");
     ways->other = c205_model_find(other, &ways->error);
     return ways->other;
 }
@@ -177,7 +177,7 @@ bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *
     struct hits_ways ways = { .arguments = arguments, .scene = scene };
     bool good = begin(&ways) && find_ways(&ways)
                 && (print_result(&ways, results)
-                    || error_set(&ways.error, "no memory"));
+                    || error_set(&ways.error, "out of memory"));
 
     *error = ways.error;
     for (int way = 0; way < WAYS; way++)

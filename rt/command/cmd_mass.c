@@ -171,7 +171,7 @@ static bool print_all(const struct rt205_arguments *arguments, const struct mass
         return false;
     print_run(arguments, mass, results);
     if (!print_tables(mass, arguments->mass.stages ? &stages : NULL, results))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     if (!check_precision(mass, error))
         return false;
     job_set_close(arguments->trace.job_set, true);

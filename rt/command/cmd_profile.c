@@ -73,7 +73,7 @@ static int run(const struct rt205_arguments *arguments,
 {
     struct scene *scene = cmd_read_scene(arguments);
     struct profile profile = { .traces = { NULL } };
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     bool good = scene != NULL && profile_run(&profile, scene, &arguments->trace, &error)
                 && print_result(arguments, &profile, results);
 

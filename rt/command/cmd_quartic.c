@@ -175,7 +175,7 @@ static int solve(const struct rt205_arguments *arguments,
                  const struct polynomials *polynomials,
                  const struct command_output *results)
 {
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct iterations iterations;
     struct roots_options options = search_options(arguments, arguments->trace.mode,
                                                   (enum falsi)arguments->falsi);
@@ -288,7 +288,7 @@ static int compare_rules(const struct rt205_arguments *arguments,
                          const struct polynomials *polynomials,
                          const struct command_output *results)
 {
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct comparison comparison = { arguments, polynomials, { { { 0 } } } };
     struct table *table = table_new(TABLE_COLUMNS(rules));
     bool good = table != NULL && run_rules(&comparison, &error);

@@ -17,7 +17,7 @@ static bool write_rows(const struct trace_options *options, const struct trace *
     size_t rows = options->height < PICTURE_PART ? options->height : PICTURE_PART;
     bool good = frame_allocate(&part, options->width, rows);
 
-    snprintf(why->message, sizeof why->message, "no memory for the picture");
+    snprintf(why->message, sizeof why->message, "out of memory for the picture");
     for (size_t row = 0; good && row < options->height; row += PICTURE_PART) {
         if (options->height - row < PICTURE_PART)
             part.height = options->height - row;
@@ -315,7 +315,7 @@ static int trace_and_write(const struct rt205_arguments *arguments, struct trace
                            struct line_profile *const *profile,
                            const struct command_output *results)
 {
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
 
     if (!trace_run(trace, &error))
         return end_early(arguments, trace, &error);
@@ -355,7 +355,7 @@ static int render(const struct rt205_arguments *arguments, const struct scene *s
     struct observer observer = frame_profile_observer(&profile);
     const struct observer *const observers[] = { &observer, NULL };
     struct trace_options options = arguments->trace;
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct trace *trace;
     int code;
 

@@ -36,7 +36,7 @@ int cmd_debug_pixel(const struct rt205_arguments *arguments,
                     const struct command_output *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct trace *trace;
     struct frame_pixel pixel;
     int code;

@@ -152,7 +152,7 @@ static int speedup(const struct rt205_arguments *arguments,
                    const struct command_output *results)
 {
     struct speedup_report *report = speedup_report_new(arguments->trace.model);
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     bool good;
 
     good = report && measure_all(arguments, report, &error)
@@ -196,7 +196,7 @@ static int formulations(const struct rt205_arguments *arguments,
     struct speedup_measure(*measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
                                                             sizeof *measures);
     struct table *table = NULL;
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     bool good;
 
     if (measures

@@ -86,7 +86,7 @@ static int check_files(const struct rt205_arguments *arguments)
         if (arguments->results.path && file_is_one(path, arguments->results.path))
             return cmd_usage(arguments->command, "-o and --json name the same file");
         if (!outputs_add(path))
-            return cmd_failed(arguments->command, "no memory");
+            return cmd_failed(arguments->command, "out of memory");
     }
     return CMD_DONE;
 }
@@ -189,7 +189,7 @@ static bool report_progress(const struct rt205_arguments *arguments,
 {
     bool good = true;
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     print_head(arguments, sweep, kind, results);
     if (results->file)
         good = sweep_report_write(report, output_table_format(results), results->file);

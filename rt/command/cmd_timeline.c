@@ -47,7 +47,7 @@ static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
         goes_on = c205_step(machine, &stop);
     c205_free(machine);
     if (!timeline_is_good(timeline))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     if (timeline->full)
         return error_set(error,
                          "more than %d instructions: select fewer with --region "
@@ -110,7 +110,7 @@ static int trace_and_draw(const struct rt205_arguments *arguments,
     struct scene *scene = cmd_read_scene(arguments);
     struct trace *trace;
     struct frame_pixel pixel;
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     bool good;
 
     if (!scene)

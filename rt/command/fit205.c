@@ -121,7 +121,7 @@ static bool report_progress(const struct arguments *arguments,
 
     if (!write_models(arguments, study, written, error))
         return false;
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (!report_print(study, written, results))
         return false;
     objective_print(study, written, results);
@@ -148,7 +148,7 @@ static int fit(const struct arguments *arguments, const struct command_output *r
 {
     struct sources *sources = calloc(1, sizeof *sources);
     struct study *study = calloc(1, sizeof *study);
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     bool good = sources && study && work(arguments, sources, study, results, &error);
 
     if (sources) {

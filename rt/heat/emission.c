@@ -91,7 +91,7 @@ static void put_pieces(struct record *record, const struct emitter *emitter)
 
     if (!share || !alias || !columns
         || !alias_build(emitter->areas, count, share, alias)) {
-        layout_fail(record->layout, "no memory");
+        layout_fail(record->layout, "out of memory");
     } else {
         record_check(record, emitter->pieces, emitter->piece_words * count);
         fill_columns(emitter, share, alias, columns);
@@ -204,7 +204,7 @@ struct emission *emission_new(const struct primitive *primitive,
     struct emission *emission = calloc(1, sizeof *emission);
 
     if (!emission) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     emission->options = *options;
@@ -235,7 +235,7 @@ static bool load(const struct emission *emission, c205 *machine,
            && image_load(&emission->image, machine, error)
            && (c205_write(machine, emission->choice, words,
                           sizeof words / sizeof *words)
-               || error_set(error, "no memory"));
+               || error_set(error, "out of memory"));
 }
 
 c205 *emission_load(const struct emission *emission,
@@ -257,7 +257,7 @@ bool emission_run(const struct emission *emission, const struct emission_choice 
     bool good = machine && program_run(machine, NULL, NULL, NULL, error)
                 && ((c205_read(machine, emission->made, planes, words)
                      && (!accounts || accounts_add(accounts, machine)))
-                    || error_set(error, "no memory"));
+                    || error_set(error, "out of memory"));
 
     c205_free(machine);
     return good;

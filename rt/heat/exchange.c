@@ -149,7 +149,7 @@ bool exchange_find(const struct exchange_given *given, struct exchange *exchange
     good = words && made && begin(given, exchange)
                ? run(given, program, words, made, &exchange->accounts, error)
                      && take(given, made, exchange, error)
-               : error_set(error, "no memory");
+               : error_set(error, "out of memory");
     free(words);
     free(made);
     object_free(program);

@@ -29,7 +29,7 @@ struct factors *factors_new(const struct scene *scene,
     }
     factors = calloc(1, sizeof *factors);
     if (!factors) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     factors->programs.scene = scene;
@@ -237,7 +237,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
         return false;
     good = packet_begin(&packet, work->programs)
                ? packet_run(work->programs, emitting->source, &choice, &packet, error)
-               : error_set(error, "no memory");
+               : error_set(error, "out of memory");
     if (good)
         packet_put(&packet, words);
     packet_free(&packet);
@@ -274,13 +274,13 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     struct coming *coming = &work->coming[i];
 
     if (!coming->packets && !begin_coming(work, coming))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     if (!packet_take(&coming->packets[unit % count], words))
         return error_set(error, "the result of a packet is incomplete");
     if (++coming->count < count)
         return true;
     if (!conclude(work->programs, coming->packets, &work->rows[i]))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     end_coming(coming, count);
     return true;
 }
@@ -370,7 +370,7 @@ bool factors_find(const struct factors *factors, const size_t *emitters, size_t 
 
     for (size_t i = 0; i < count; i++)
         rows[i] = (struct factor_row){ .receivers = 0 };
-    good = begin(&work) ? run_job_set(&work, error) : error_set(error, "no memory");
+    good = begin(&work) ? run_job_set(&work, error) : error_set(error, "out of memory");
     end(&work);
     for (size_t i = 0; !good && i < count; i++)
         factor_row_free(&rows[i]);

@@ -70,7 +70,8 @@ static bool find_sphere(struct global_work *work, c205_error *error)
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     double low[3] = { INFINITY, INFINITY, INFINITY };
     double high[3] = { -INFINITY, -INFINITY, -INFINITY }, square = 0;
-    bool good = (bounds && bound_nodes(scene, bounds)) || error_set(error, "no memory");
+    bool good = (bounds && bound_nodes(scene, bounds))
+                || error_set(error, "out of memory");
 
     for (size_t i = 0; good && i < scene->region_count; i++)
         good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
@@ -157,7 +158,7 @@ static bool begin(struct global_work *work, c205_error *error)
     work->lines_of_packet = lines < GLOBAL_LINES_PACKET ? lines : GLOBAL_LINES_PACKET;
     work->packets = lines / work->lines_of_packet;
     if (!begin_room(work))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     return find_sphere(work, error) && begin_chords(work, error)
            && begin_lines(work, error) && begin_gaps(work, error);
 }
@@ -280,7 +281,7 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
             packet->counts[i] = c205_from_integer(c205_to_integer(packet->counts[i])
                                                   + c205_to_integer(made[i]));
     } else {
-        error_set(packet->error, "no memory");
+        error_set(packet->error, "out of memory");
     }
     free(part);
     free(made);
@@ -291,7 +292,7 @@ static bool count_all(struct global_packet *packet)
 {
     struct ends ends = { .count = 0 };
     size_t most = MAX_ENDS - 1, gaps;
-    bool good = lay_ends(packet, &ends) || error_set(packet->error, "no memory");
+    bool good = lay_ends(packet, &ends) || error_set(packet->error, "out of memory");
 
     gaps = good ? ends.count - 1 : 0;
     for (size_t i = 0; good && i < gaps; i += most)
@@ -309,7 +310,7 @@ static bool run_packet(struct global_packet *packet)
 
     if (good)
         good = accounts_add_all(&packet->accounts, &packet->seen.accounts)
-               || error_set(packet->error, "no memory");
+               || error_set(packet->error, "out of memory");
     heat_charge(packet->clocks, &packet->accounts, STEP_CROSSINGS);
     good = good && count_all(packet);
     heat_charge(packet->clocks, &packet->accounts, STEP_COUNTS);
@@ -364,7 +365,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
 {
     struct global_packet packet = { .work = context, .unit = unit, .error = error };
     bool good = begin_packet(&packet) ? run_packet(&packet)
-                                      : error_set(error, "no memory");
+                                      : error_set(error, "out of memory");
 
     (void)job;
     if (good) {

@@ -30,7 +30,7 @@ static bool add_accounts(const struct heat_work *work, const struct accounts *ac
     for (int i = 0; i < HEAT_STEPS; i++)
         work->heat->clocks[i] += clocks[i];
     return accounts_add_all(&work->heat->accounts, accounts)
-           || error_set(work->error, "no memory");
+           || error_set(work->error, "out of memory");
 }
 
 /* ---- By rays --------------------------------------------------------------- */
@@ -103,7 +103,7 @@ static bool find_by_rays(struct heat_work *work)
     work->emitter_count = 0;
     work->emitters = calloc(primitives + 1, sizeof *work->emitters);
     work->rows = calloc(primitives + 1, sizeof *work->rows);
-    good = (work->emitters && work->rows) || error_set(work->error, "no memory");
+    good = (work->emitters && work->rows) || error_set(work->error, "out of memory");
     if (good)
         list_emitters(work);
     good = good && find_rows(work);
@@ -226,7 +226,7 @@ static bool begin_round(const struct heat_work *work)
     memset(heat->clocks, 0, sizeof heat->clocks);
     surfaces_free(&heat->surfaces);
     return surfaces_find(heat->scene, &heat->parts, heat->request->by, &heat->surfaces)
-           || error_set(work->error, "no memory");
+           || error_set(work->error, "out of memory");
 }
 
 static bool find_factors(struct heat_work *work)
@@ -270,7 +270,7 @@ bool heat_begin(const struct scene *scene, const struct heat_request *request,
         return error_set(error, "the scene has no surfaces");
     heat->refusals = source_refusals(scene);
     if (!heat->refusals || !named_parts_find(scene, &heat->parts))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     return take_given(heat, &heat->emissivities, request->emissivities,
                       request->emissivity_count, NULL, error)
            && take_given(heat, &heat->temperatures, request->temperatures,

@@ -99,7 +99,7 @@ static bool find_values(struct heat_drawing *drawing)
 
     drawing->values = calloc(count + 1, sizeof *drawing->values);
     if (!drawing->values)
-        return error_set(drawing->error, "no memory");
+        return error_set(drawing->error, "out of memory");
     for (size_t i = 0; i < count; i++)
         drawing->values[i] = NAN;
     if (drawing->look->shown == SHOWN_FLOW)
@@ -188,7 +188,7 @@ static bool paint_scene(struct heat_drawing *drawing)
     *scene = *from;
     scene->primitives = malloc(size);
     if (!scene->primitives)
-        return error_set(drawing->error, "no memory");
+        return error_set(drawing->error, "out of memory");
     for (size_t i = 0; i < from->primitive_count; i++) {
         double color[3];
 
@@ -269,7 +269,7 @@ static bool read_and_write(const struct heat_drawing *drawing,
         color_scale_draw(&scale, &frame, options->height);
         good = write_frame(drawing, &frame);
     } else {
-        error_set(drawing->error, "no memory");
+        error_set(drawing->error, "out of memory");
     }
     frame_free(&frame);
     free(value);

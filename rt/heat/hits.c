@@ -121,7 +121,7 @@ static bool run_hits(struct hits_work *work)
     uint64_t at, made, clocks = 0;
 
     if (!words)
-        return error_set(work->error, "no memory");
+        return error_set(work->error, "out of memory");
     put_numbers(words, work->cylinders, numbers);
     single_run_begin(&run, work->program, options->model, work->error);
     run.accounts = &work->hits->accounts;
@@ -236,7 +236,7 @@ static bool begin(struct hits_work *work)
     work->area = calloc(repeats, sizeof *work->area);
     if (!work->cylinders || !work->planes || !work->reported || !work->share
         || !work->area)
-        return error_set(work->error, "no memory");
+        return error_set(work->error, "out of memory");
     if (!list_cylinders(work))
         return false;
     work->program = assemble(work, "heat/hits");

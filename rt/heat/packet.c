@@ -155,7 +155,7 @@ static bool follow(const struct packet_work *work, const struct ray_query *lines
     if (accounts_add_all(&work->packet->accounts, &found->accounts))
         return true;
     ray_hits_free(found);
-    return error_set(work->error, "no memory");
+    return error_set(work->error, "out of memory");
 }
 
 static void begin_run(const struct packet_work *work, const struct object *program,
@@ -224,7 +224,7 @@ static bool keep_faces(const struct packet_work *work)
         return false;
     list = lay_crossings(&found);
     good = list ? run_faces(work, list, found.first[found.line_count])
-                : error_set(work->error, "no memory");
+                : error_set(work->error, "out of memory");
     charge(work, STEP_FACES);
     free(list);
     ray_hits_free(&found);
@@ -303,7 +303,7 @@ static bool receive(const struct packet_work *work)
     list = calloc(rays, sizeof *list);
     if (list)
         list_receivers(work, &found, list);
-    good = list ? run_received(work, list) : error_set(work->error, "no memory");
+    good = list ? run_received(work, list) : error_set(work->error, "out of memory");
     charge(work, STEP_COUNTS);
     free(list);
     ray_hits_free(&found);
@@ -324,7 +324,7 @@ static bool run_packet(struct packet_work *work)
     work->lines = malloc((points + 1) * sizeof *work->lines);
     good = work->stays && work->lines
                ? points == 0 || (keep_faces(work) && receive(work))
-               : error_set(work->error, "no memory");
+               : error_set(work->error, "out of memory");
     free(work->made.planes);
     free(work->stays);
     free(work->lines);

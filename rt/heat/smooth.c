@@ -116,7 +116,7 @@ bool smooth_flows(const struct smooth_given *given, double *flows,
     made = calloc(made_size(given->count), sizeof *made);
     good = words && made ? run(given, program, words, made, accounts, error)
                                && take(given, made, flows, error)
-                         : error_set(error, "no memory");
+                         : error_set(error, "out of memory");
     free(words);
     free(made);
     object_free(program);
@@ -193,7 +193,7 @@ static bool take_row(const struct smoothing *smoothing, size_t i, c205_error *er
 
     surface->smooth = calloc(smoothing->surfaces->count + 1, sizeof *surface->smooth);
     if (!surface->smooth)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
 
     for (size_t j = 0; j < smoothing->count; j++)
         surface->smooth[smoothing->seen[j]] = flows[j] / smoothing->areas[i];
@@ -260,7 +260,7 @@ bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
     };
     bool good = (smoothing.seen && smoothing.names && smoothing.areas && smoothing.flows
                  && smoothing.variances)
-                || error_set(error, "no memory");
+                || error_set(error, "out of memory");
 
     good = good && list_seen(&smoothing, error)
            && smooth(&smoothing, mode, model, accounts, error);

@@ -98,7 +98,7 @@ static bool find_sphere(struct heat_source *source, const struct scene *scene,
     const char *refusal;
 
     if (!bounds)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     bound = bounds[primitive];
     refusal = refusal_of(scene, bounds, primitive);
     free(bounds);
@@ -171,7 +171,7 @@ struct heat_source *source_new(const struct scene *scene, size_t primitive,
     struct heat_source *source = calloc(1, sizeof *source);
 
     if (!source) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     source->options = *options;
@@ -254,7 +254,7 @@ static bool make_spots(const struct heat_source *source, const c205_word *lines,
                          source->primitive.line, made->count, MAX_EMISSION);
     crossings = lay_crossings(found);
     made->planes = malloc((EMITTED_PLANES * made->count + 1) * sizeof *made->planes);
-    good = (crossings && made->planes) || error_set(error, "no memory");
+    good = (crossings && made->planes) || error_set(error, "out of memory");
     if (good && made->count > 0)
         good = run_spots(source, lines, crossings, made, accounts, error);
     free(crossings);
@@ -272,7 +272,7 @@ static bool run_lines(const struct heat_source *source,
                                   error);
 
     if (good && !accounts_add_all(accounts, &found.accounts))
-        good = error_set(error, "no memory");
+        good = error_set(error, "out of memory");
     good = good && make_spots(source, planes, &found, made, accounts, error);
     ray_hits_free(&found);
     return good;
@@ -287,7 +287,7 @@ static bool run_by_lines(const struct heat_source *source,
     c205_word *planes = malloc(EMITTED_PLANES * count * sizeof *planes);
     bool good = lines && planes
                     ? run_lines(source, choice, lines, planes, made, accounts, error)
-                    : error_set(error, "no memory");
+                    : error_set(error, "out of memory");
 
     free(lines);
     free(planes);
@@ -304,7 +304,7 @@ static bool run_emission(const struct heat_source *source,
     made->planes = malloc(EMITTED_PLANES * made->count * sizeof *made->planes);
     return made->planes
                ? emission_run(source->emission, choice, made->planes, accounts, error)
-               : error_set(error, "no memory");
+               : error_set(error, "out of memory");
 }
 
 bool source_run(const struct heat_source *source, const struct emission_choice *choice,

@@ -197,7 +197,7 @@ static bool find_exchange(const struct thermal_work *work, enum trace_mode mode,
         }
     }
     good = good ? exchange_find(&given, &thermal->exchange, work->error)
-                : error_set(work->error, "no memory");
+                : error_set(work->error, "out of memory");
     free(factors);
     free(area);
     free(names);
@@ -235,7 +235,7 @@ bool thermal_find(const struct surfaces *surfaces, const struct named_parts *par
                                        .temperatures = temperatures,
                                        .thermal = thermal,
                                        .error = error };
-    bool good = begin(surfaces, thermal) || error_set(error, "no memory");
+    bool good = begin(surfaces, thermal) || error_set(error, "out of memory");
 
     if (good)
         find_outside(&work);

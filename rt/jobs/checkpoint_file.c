@@ -295,7 +295,7 @@ struct checkpoint_file *checkpoint_open(const char *path, uint64_t key,
                                         c205_error *error)
 {
     struct checkpoint_file *file = new_file(path, key);
-    c205_error why = { "no memory" };
+    c205_error why = { "out of memory" };
 
     if (file && begin(file, &why))
         return file;

@@ -26,7 +26,7 @@ bool job_set_open(struct job_set *job_set, uint64_t key, c205_error *error)
     if (job_set->path_count == 0 || job_set->file || !is_first(job_set))
         return true;
     if (key == 0)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     job_set->file = checkpoint_open(job_set->paths[0], key, error);
     for (size_t i = 1; job_set->file && i < job_set->path_count; i++)
         if (!checkpoint_merge(job_set->file, job_set->paths[i], error))
@@ -141,7 +141,7 @@ static void ask(struct pool *pool)
 static void take_unit(struct pool *pool, size_t unit, struct serialized_result *words)
 {
     const struct job_set_work *work = pool->work;
-    c205_error why = { "no memory" };
+    c205_error why = { "out of memory" };
 
     if (words->failed
         || (job_set_collects(work->job_set)
@@ -191,7 +191,7 @@ static void do_unit(struct hand *hand, size_t unit)
     struct pool *pool = hand->pool;
     const struct job_set_work *work = pool->work;
     struct serialized_result words = { .items = NULL };
-    c205_error why = { "no memory" };
+    c205_error why = { "out of memory" };
     bool good = work->run(work->context, hand->number, unit, &words, &why);
 
     lock_take(pool->lock);
@@ -425,7 +425,7 @@ static bool run_all(struct pool *pool, c205_error *error)
     if (!hands || !pool->begun || !pool->lock) {
         free(hands);
         lock_free(pool->lock);
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     }
     for (size_t i = 0; i < count; i++)
         hands[i] = (struct hand){ .pool = pool, .number = i };

@@ -108,7 +108,7 @@ static void put_heights(struct record *record, const struct bump *bump)
     c205_word *words = calloc(size + 1, sizeof *words);
 
     if (!rows || !words) {
-        layout_fail(record->layout, "no memory");
+        layout_fail(record->layout, "out of memory");
     } else if (size > 0) {
         if (pigment_list_count(&bump->pattern) > 0)
             put_listed(bump, count, rows);

@@ -67,7 +67,7 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
         return;
     stops = stops_words(&scene->sky);
     if (!stops) {
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
         return;
     }
     gradient_words(&scene->sky, numbers);

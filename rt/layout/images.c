@@ -63,7 +63,7 @@ static void put_rows(struct record_layout *layout, const struct image_table *tab
     c205_word *words = calloc(count, sizeof *words);
 
     if (!words)
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     for (size_t row = 0; words && row < table->height; row++) {
         const uint16_t *samples = table->samples + row * count;
         for (size_t i = 0; i < count; i++)
@@ -83,7 +83,7 @@ static uint64_t put_table(struct record_layout *layout, const struct image_table
         put_numbers(light, table->light, (size_t)table->most + 1);
         put_rows(layout, table, light, address);
     } else {
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     }
     free(light);
     return address;
@@ -103,7 +103,7 @@ uint64_t *images_layout(struct record_layout *layout, const struct scene *scene)
     uint64_t *addresses = calloc(scene->image_count + 1, sizeof *addresses);
 
     if (!addresses) {
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
         return NULL;
     }
     lay_out(layout, &scene->sky, addresses);

@@ -70,7 +70,7 @@ static uint64_t layout_table(struct record_layout *layout,
     uint64_t table = layout_reserve(layout, size);
 
     if (!words) {
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
         return table;
     }
     put_numbers(words, interiors->index, size);

@@ -179,7 +179,7 @@ static void layout_things(struct record_layout *layout, const struct scene *scen
         layout_solids(layout, scene, &interiors, images, &viewpoints, bounding);
         interiors_layout(layout, &interiors, scene);
     } else {
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     }
     interiors_free(&interiors);
     free(images);
@@ -197,7 +197,7 @@ struct scene_layout *layout_new(const struct object *program, const struct scene
                                     .context = context };
 
     if (!whole) {
-        layout_fail(&layout, "no memory");
+        layout_fail(&layout, "out of memory");
         return NULL;
     }
     layout.image = &whole->image;

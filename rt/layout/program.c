@@ -23,7 +23,7 @@ struct object *program_assemble(const char *kernel, const struct asm_define *def
         error_set(error, "%s:%zu: %s", errors.items[0].file, errors.items[0].line,
                   errors.items[0].message);
     else if (!object)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     diagnostics_free(&errors);
     return object;
 }

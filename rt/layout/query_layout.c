@@ -26,7 +26,7 @@ static void layout_bare_solids(struct record_layout *layout, const struct scene 
     if (interiors_find(scene, &interiors))
         layout_solids(layout, scene, &interiors, NULL, NULL, bounding);
     else
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     interiors_free(&interiors);
 }
 
@@ -40,7 +40,7 @@ struct query_layout *query_layout_new(const struct object *program,
                                     .free = program_end(program) };
 
     if (!whole) {
-        layout_fail(&layout, "no memory");
+        layout_fail(&layout, "out of memory");
         return NULL;
     }
     layout.image = &whole->image;
@@ -73,7 +73,7 @@ static void layout_rays(struct record_layout *layout,
     uint64_t rays = layout_reserve(layout, 6 * count);
 
     if (!words)
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     for (size_t i = 0; words && i < count; i++)
         for (size_t k = 0; k < 3; k++) {
             const struct scene_ray *line = &packet->lines[i];

@@ -35,7 +35,7 @@ void layout_words(struct record_layout *layout, uint64_t address,
                   const c205_word *words, size_t count)
 {
     if (!layout->failed && !image_write(layout->image, address, words, count))
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
 }
 
 void layout_word(struct record_layout *layout, const char *name, c205_word word)
@@ -50,7 +50,7 @@ uint64_t layout_reserve(struct record_layout *layout, size_t words)
     if (layout->failed || words == 0)
         return address;
     if (!image_reserve(layout->image, address, words))
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     layout->free = program_round_up(address + UINT64_C(64) * words);
     return address;
 }
@@ -85,7 +85,7 @@ void record_begin(struct record *record, struct record_layout *layout, const cha
     record->words = calloc(record->size + 1, sizeof *record->words);
     record->line = 0;
     if (!record->words)
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     record->address = layout_reserve(layout, count * record->size + more);
     record->table = record->address + UINT64_C(64) * count * record->size;
 }

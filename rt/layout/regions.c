@@ -56,7 +56,7 @@ static size_t layout_tree(struct record *record, struct places *places, size_t i
                               .joins = &places->joins[region->first_node] };
 
     if (!plan_tree(places->scene, region, &plan)) {
-        layout_fail(record->layout, "no memory");
+        layout_fail(record->layout, "out of memory");
         return before;
     }
     places->results[i] = plan.result;
@@ -76,7 +76,7 @@ static void layout_steps(struct record_layout *layout, struct places *places)
     struct record record;
 
     if (!steps) {
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
         return;
     }
     record_begin(&record, layout, "T_SIZE", count, 0);
@@ -426,7 +426,7 @@ static void layout_scene(struct record_layout *layout, const struct scene *scene
         && places.clear && places.spheres && plan_hierarchy(&places, bounding))
         layout_records(layout, &places);
     else
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     free(places.joins);
     free(places.needed);
     free(places.kept);
@@ -445,7 +445,7 @@ static void layout_nested(struct record_layout *layout, const struct scene *scen
     if (nesting_make(scene, &nested))
         layout_scene(layout, &nested.scene, BOUNDING_HIERARCHY, nested.bounds, places);
     else
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     nesting_free(&nested);
 }
 
@@ -461,7 +461,7 @@ static void layout_as_written(struct record_layout *layout, const struct scene *
     if (bounds && (bounding == BOUNDING_NONE || bound_nodes(scene, bounds)))
         layout_scene(layout, scene, bounding, bounds, places);
     else
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     free(bounds);
 }
 

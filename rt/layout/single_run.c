@@ -83,7 +83,7 @@ bool single_run_end(struct single_run *run, uint64_t from, c205_word *words,
     if (good)
         *clocks += c205_clock(machine);
     if (good && run->accounts && !accounts_add(run->accounts, machine))
-        good = error_set(run->error, "no memory");
+        good = error_set(run->error, "out of memory");
     c205_free(machine);
     image_free(&run->image);
     return good;

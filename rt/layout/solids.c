@@ -43,14 +43,14 @@ static void put_table(struct record *record, const struct primitive *primitive,
     c205_word *words = calloc(count + 1, sizeof *words);
 
     if (!table || !words) {
-        layout_fail(record->layout, "no memory");
+        layout_fail(record->layout, "out of memory");
     } else if (count > 0) {
         record_check(record, table, count);
         put_numbers(words, table, count);
         if (put_integers(primitive, viewpoints, table, count, words))
             record_table(record, "P_TABLE", words, count);
         else
-            layout_fail(record->layout, "no memory");
+            layout_fail(record->layout, "out of memory");
     }
     free(table);
     free(words);
@@ -167,7 +167,7 @@ static void put_stops(struct record *record, const struct pigment *pigment,
     if (stops)
         record_table(record, "P_STOPS", stops, stops_size(pigment));
     else
-        layout_fail(record->layout, "no memory");
+        layout_fail(record->layout, "out of memory");
     free(stops);
     map->pigment = pigment;
     record_read(record, "P_STOPS", &map->address, 1);
@@ -380,7 +380,7 @@ static uint64_t material_of(struct record *record, const struct primitive *primi
         record_read(record, "P_BUMP", &words[BUMP], 1);
     material = materials_first(materials, words, record->address);
     if (material == 0)
-        layout_fail(record->layout, "no memory");
+        layout_fail(record->layout, "out of memory");
     return material;
 }
 
@@ -410,7 +410,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     uint64_t material;
 
     if (!materials)
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
                  table_words(scene, plans, viewpoints));
     row = record_row(&record);
@@ -471,7 +471,7 @@ void layout_solids(struct record_layout *layout, const struct scene *scene,
     struct row crossings;
 
     if (!plans || !bumps) {
-        layout_fail(layout, "no memory");
+        layout_fail(layout, "out of memory");
         free(plans);
         free(bumps);
         return;

@@ -48,7 +48,8 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     double low[3] = { INFINITY, INFINITY, INFINITY };
     double high[3] = { -INFINITY, -INFINITY, -INFINITY };
-    bool good = (bounds && bound_nodes(scene, bounds)) || error_set(error, "no memory");
+    bool good = (bounds && bound_nodes(scene, bounds))
+                || error_set(error, "out of memory");
 
     for (size_t i = 0; good && i < scene->region_count; i++)
         good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
@@ -130,7 +131,7 @@ static bool begin_work(struct columns_work *work, c205_error *error)
     work->clocks = calloc(units, sizeof *work->clocks);
     work->crossings = calloc(units, sizeof *work->crossings);
     if (!work->words || !work->clocks || !work->crossings)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     work->rays = assemble(work, "mass/rays", error);
     work->columns = assemble(work, "mass/columns", error);
     work->overlaps = assemble(work, "mass/overlaps", error);
@@ -349,7 +350,7 @@ static bool add_columns(const struct columns_packet *packet)
     c205_word *planes = calloc(CROSSED_SIZE * count + 1, sizeof *planes);
     bool good = planes ? lay_crossings(packet, planes) && run_columns(packet, planes)
                              && run_overlaps(packet, planes)
-                       : error_set(packet->error, "no memory");
+                       : error_set(packet->error, "out of memory");
 
     free(planes);
     return good;
@@ -372,7 +373,7 @@ static bool do_packet(const struct columns_work *work, size_t unit, c205_error *
     bool good = packet.rays && packet.lines
                     ? make_rays(&packet) && find_crossings(&packet)
                           && add_columns(&packet)
-                    : error_set(error, "no memory");
+                    : error_set(error, "out of memory");
 
     ray_hits_free(&packet.seen);
     free(packet.rays);
@@ -519,7 +520,7 @@ bool columns_sum(const struct scene *scene, const struct columns_options *option
     sums->words = calloc(VIEWS * sums->repeats * width_of(sums), sizeof *sums->words);
     good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
                              && (!collects(&work) || add_packets(&work, error))
-                       : error_set(error, "no memory");
+                       : error_set(error, "out of memory");
     if (good)
         add_accounts(&work);
     end_work(&work);

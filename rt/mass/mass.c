@@ -133,7 +133,7 @@ static bool find_figures(struct mass *mass, c205_error *error)
         double worst;
 
         if (!mass_figures_find(&body, &row->figures))
-            return error_set(error, "no memory");
+            return error_set(error, "out of memory");
         worst = mass_worst(&row->figures, &mass->sums, &figure);
         if (worst > mass->worst) {
             mass->worst = worst;
@@ -215,7 +215,7 @@ bool mass_begin(const struct scene *scene, const struct mass_request *request,
                 struct mass *mass, struct diagnostics *reports, c205_error *error)
 {
     *mass = (struct mass){ .request = request, .scene = scene };
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     return choose_parts(mass, error) && weigh_parts(mass, reports, error)
            && make_rows(mass);
 }

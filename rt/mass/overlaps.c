@@ -383,7 +383,7 @@ void overlaps_give(const struct overlaps *overlaps, struct single_run *run)
     if (tables.fields && tables.words)
         give_tables(&tables, run);
     else
-        layout_fail(&run->layout, "no memory");
+        layout_fail(&run->layout, "out of memory");
     free(tables.fields);
     free(tables.words);
 }

@@ -115,7 +115,7 @@ static void *begin_band(void *context, const struct object *program, c205_error 
 
     if (band && iterations_begin(band, program, sum->vector))
         return band;
-    error_set(error, band ? "the root solver cannot be watched" : "no memory");
+    error_set(error, band ? "the root solver cannot be watched" : "out of memory");
     free(band);
     return NULL;
 }

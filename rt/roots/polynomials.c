@@ -193,7 +193,7 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
             continue;
         if (!(first && is_heading(line)) && take_polynomial(&line, &polynomial)
             && !add(polynomials, line.number, &polynomial))
-            return failed(reports, path, "no memory");
+            return failed(reports, path, "out of memory");
         first = false;
     }
     return reports->errors == 0;

@@ -138,7 +138,7 @@ static bool lay_out(struct root_search *search, const struct polynomial *polynom
                          error)))
         return false;
     if (count > 0 && !write_planes(search, polynomials))
-        return error_set(error, "no memory for the polynomials");
+        return error_set(error, "out of memory for the polynomials");
     return write_symbol(search, "roots_polynomials", c205_from_integer((int64_t)count),
                         error)
            && write_symbol(search, "roots_wanted",
@@ -166,7 +166,7 @@ struct root_search *roots_new(const struct polynomial *polynomials, size_t count
     struct root_search *search = calloc(1, sizeof *search);
 
     if (!search) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     search->options = *options;
@@ -253,7 +253,7 @@ bool roots_read(const struct root_search *search, struct polynomial_roots *roots
             roots[i].root[k] = words[i];
     }
     free(words);
-    return good || error_set(error, "no memory for the roots");
+    return good || error_set(error, "out of memory for the roots");
 }
 
 enum falsi roots_falsi(const struct root_search *search)

@@ -62,7 +62,7 @@ bool named_add(struct named_values *given, const char *text, c205_error *error)
         return true;
     }
     return keep(given, text, (size_t)(sign - text), value)
-           || error_set(error, "no memory");
+           || error_set(error, "out of memory");
 }
 
 bool named_add_scene(struct named_values *given, const struct scene *scene,
@@ -81,7 +81,7 @@ bool named_add_scene(struct named_values *given, const struct scene *scene,
             return error_set(error, "%.100s must be %s", declared->name,
                              given->kind->range);
         if (!keep(given, declared->name, length - behind, declared->value))
-            return error_set(error, "no memory");
+            return error_set(error, "out of memory");
     }
     return true;
 }
@@ -134,7 +134,7 @@ static bool take_line(struct named_values *given, char *line, c205_error *error)
     if (!given->kind->allows(value))
         return error_set(error, "the %s must be %s", given->kind->name,
                          given->kind->range);
-    return keep(given, line, strlen(line), value) || error_set(error, "no memory");
+    return keep(given, line, strlen(line), value) || error_set(error, "out of memory");
 }
 
 bool named_read(struct named_values *given, const char *path,

@@ -6,7 +6,7 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/axis.h"
 
-const char emitter_no_memory[] = "no memory";
+const char emitter_no_memory[] = "out of memory";
 
 void emitter_free(struct emitter *emitter)
 {

@@ -126,7 +126,7 @@ static struct scene *read_scene(const struct speedup_subject *subject,
     scene = scene_read_text(subject->name, text, &how, &reports);
     if (!scene)
         error_set(error, "%s: %s", subject->name,
-                  reports.count > 0 ? reports.items[0].message : "no memory");
+                  reports.count > 0 ? reports.items[0].message : "out of memory");
     diagnostics_free(&reports);
     return scene;
 }
@@ -193,7 +193,7 @@ static void *begin_projection(void *context, const struct object *program,
     struct projected_band *band = calloc(1, sizeof *band);
 
     (void)program;
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (band)
         band->projection = c205_projection_new(projecting->model, error);
     if (band && band->projection)

@@ -138,7 +138,7 @@ bool thread_pool_run(const struct thread_pool *pool, c205_error *error)
     bool good;
 
     crew.states = calloc(pool->count + 1, sizeof *crew.states);
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     crew.lock = lock_new();
     if (!crew.states || !crew.lock) {
         free(crew.states);

@@ -200,7 +200,7 @@ static bool collect(const struct band_work *work, const c205 *machine,
                     const struct frame_layout *layout, struct band *band,
                     c205_error *error)
 {
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     band->accounts.model = work->model;
     band->rows_done = band->rows;
     return read_frame(work, machine, layout, band) && read_counters(work, machine, band)

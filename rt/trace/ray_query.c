@@ -70,7 +70,7 @@ static bool lay_out(struct ray_query *query, c205_error *error)
     struct scene bare;
 
     if (!find_orders(query) || !lay_bare(query->scene, &bare))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     query->program = form_assemble_lines(options->mode, options->queue,
                                          options->normals, options->bodies, &bare,
                                          error);
@@ -104,7 +104,7 @@ struct ray_query *ray_query_new(const struct scene *scene,
         return NULL;
     query = calloc(1, sizeof *query);
     if (!query) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     query->options = *options;
@@ -357,7 +357,7 @@ static bool find_packet(const struct ray_query *query, c205 *machine,
         || !program_run(machine, NULL, NULL, &stopped, error))
         return false;
     return collect(query, machine, packet, found, line)
-           || error_set(error, "no memory");
+           || error_set(error, "out of memory");
 }
 
 static bool find_packets(const struct ray_query *query, c205 *machine,
@@ -390,7 +390,7 @@ bool ray_query_find(const struct ray_query *query, const struct scene_ray *list,
         return false;
     found->first = calloc(count + 1, sizeof *found->first);
     if (!found->first)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     machine = c205_new(query->options.model, error);
     good = machine && find_packets(query, machine, list, found, error);
     c205_free(machine);

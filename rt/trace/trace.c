@@ -185,7 +185,7 @@ static bool prepare(struct trace *trace, const struct scene *scene, c205_error *
 
     if (!lay_out(trace, scene, error))
         return false;
-    error_set(error, "no memory for the frame");
+    error_set(error, "out of memory for the frame");
     return framebuffer_take(&trace->planes, FRAME_CHANNELS * pixels);
 }
 
@@ -204,7 +204,7 @@ struct trace *trace_new(const struct scene *scene, const struct trace_options *o
     struct trace *trace = calloc(1, sizeof *trace);
 
     if (!trace) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     trace->lock = lock_new();
@@ -232,7 +232,7 @@ struct trace *trace_new(const struct scene *scene, const struct trace_options *o
     };
     divide(trace);
     if (!trace->lock || !trace->watching)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     else if (check_threshold(options, scene, error) && prepare(trace, scene, error))
         return trace;
     trace_free(trace);
@@ -307,7 +307,7 @@ static bool take_band(void *context, size_t number, struct serialized_result *wo
 
     lock_take(trace->lock);
     good = (band_take(&band, trace->options.width, words) && add_band(trace, &band))
-           || error_set(error, "no memory");
+           || error_set(error, "out of memory");
     lock_give_back(trace->lock);
     band_free(&band);
     return good;
@@ -440,7 +440,7 @@ bool trace_run(struct trace *trace, c205_error *error)
     bool good;
 
     if (!begin_jobs(trace))
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     trace->work.progress = options->progress ? report_progress : NULL;
     good = job_set_run(&work, error);
     end_jobs(trace);

@@ -81,7 +81,7 @@ static void *begin(void *context, const struct object *program, c205_error *erro
     (void)context;
     (void)program;
     if (!use)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     return use;
 }
 

@@ -12,7 +12,7 @@ static void *begin(void *context, const struct object *program, c205_error *erro
         *sum = line_profile_new(program);
     band = *sum ? line_profile_new(program) : NULL;
     if (!band)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     return band;
 }
 

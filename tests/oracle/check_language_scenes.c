@@ -296,7 +296,7 @@ static bool same_as_povray(const char *text, const struct scene *scene, size_t n
 {
     struct frame ours;
     if (!frame_allocate(&ours, WIDTH, HEIGHT))
-        give_up("no memory left");
+        give_up("out of memory");
     trace_read(trace, 0, &ours);
     bool good = same_picture(text, &scene->camera, number, &ours, theirs, judgement);
     frame_free(&ours);

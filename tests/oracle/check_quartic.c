@@ -49,7 +49,7 @@ static void *allocate(size_t count, size_t size)
 {
     void *room = calloc(count, size);
     if (!room) {
-        fputs("check_quartic: no memory\n", stderr);
+        fputs("check_quartic: out of memory\n", stderr);
         exit(2);
     }
     return room;

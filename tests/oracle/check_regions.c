@@ -147,7 +147,7 @@ static bool same_as_plain(const struct sight *sight, const struct trace *trace,
     bool good = true;
     if (!plain_trace(sight->scene, sight->width, sight->height, &expected)
         || !frame_allocate(&found, sight->width, sight->height))
-        give_up("no memory left");
+        give_up("out of memory");
     trace_read(trace, 0, &found);
     bool *inner = inner_pixels(&expected);
     for (size_t i = 0; good && i < WITH_FRAME; i++) {

@@ -69,7 +69,7 @@ static bool compare(const char *path, const struct trace_options *options,
         || !run_povray(path, frame->width, frame->height,
                        options->threshold > 0 ? &how : NULL, &theirs, &error)) {
         printf("\t-\t-\n");
-        fprintf(stderr, "%s: %s\n", path, all ? error.message : "no memory");
+        fprintf(stderr, "%s: %s\n", path, all ? error.message : "out of memory");
         free(all);
         return false;
     }
@@ -111,7 +111,7 @@ static bool print_trace(const char *path, struct trace *trace,
 static bool print_scene(const char *path, const struct scene *scene,
                         const struct trace_options *options, size_t reports)
 {
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct trace *trace = trace_new(scene, options, &error);
     bool good = true;
     if (trace)

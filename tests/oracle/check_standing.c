@@ -165,11 +165,11 @@ static bool same_as_others(const struct scene *scene, const struct trace *trace,
     char also[MANY_REASON];
     if (!plain_trace(scene, WIDTH, HEIGHT, &plain)
         || !frame_allocate(&ours, WIDTH, HEIGHT))
-        give_up("no memory left");
+        give_up("out of memory");
     trace_read(trace, 0, &ours);
     bool *inner = inner_pixels(&plain);
     if (!inner)
-        give_up("no memory left");
+        give_up("out of memory");
     bool good = same_as_plain(&plain, &ours, inner, reason);
     bool by_povray = same_as_povray(number, &ours, inner, also);
     if (good)

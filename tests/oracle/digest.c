@@ -116,7 +116,7 @@ static void run_randoms(struct digest *digest, unsigned long count)
 {
     c205_model **models = calloc(random_model_count, sizeof *models);
     c205 **machines = calloc(random_model_count, sizeof *machines);
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
 
     if (!models || !machines)
         fail(error.message);

@@ -293,7 +293,7 @@ static bool is_plain_line(const struct along *along, bool certain)
     struct plain_crossing *plain = calloc(room, sizeof *plain);
     struct ray ray = ray_of(along->line);
     if (!plain)
-        give_up("no memory left");
+        give_up("out of memory");
     bool same = plain_line(along->scene, &ray, LEAST - along->behind, plain, room)
                 == along->count;
     for (size_t k = 0; same && k < along->count; k++)

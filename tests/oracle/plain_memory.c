@@ -17,7 +17,7 @@ void *plain_room(void *items, size_t count, size_t size)
 {
     void *room = realloc(items, count * size);
     if (!room) {
-        fprintf(stderr, "no memory left\n");
+        fprintf(stderr, "out of memory\n");
         exit(2);
     }
     return room;

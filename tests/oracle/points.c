@@ -88,7 +88,7 @@ struct point_maker *point_maker_new(const struct point_kind *kind, c205_error *e
 {
     struct point_maker *maker = calloc(1, sizeof *maker);
     if (!maker) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         return NULL;
     }
     maker->kind = *kind;

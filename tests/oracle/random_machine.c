@@ -67,7 +67,7 @@ c205 *random_machine_load_shared(const struct random_program *program,
                                  struct random_shared *shared)
 {
     c205 *machine = machines[program->model];
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     if (!random_load_shared(machine, program, shared, &error))
         random_machine_fail(error.message);
     return machine;
@@ -77,7 +77,7 @@ uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared)
 {
     static c205_word words[C205_PAGE_WORDS];
     uint64_t hash = HASH_BEGIN;
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     for (size_t i = 0; i < RANDOM_PAGES; i++) {
         if (!shared->page[i])
             continue;

@@ -8,7 +8,7 @@ void *test_room(size_t size)
 {
     void *made = calloc(1, size);
     if (!made) {
-        fputs("no memory left\n", stderr);
+        fputs("out of memory\n", stderr);
         exit(2);
     }
     return made;
@@ -19,7 +19,7 @@ FILE *test_text(char **words)
     static size_t size;
     FILE *text = open_memstream(words, &size);
     if (!text) {
-        fputs("no memory left\n", stderr);
+        fputs("out of memory\n", stderr);
         exit(2);
     }
     return text;

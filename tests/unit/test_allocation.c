@@ -156,7 +156,7 @@ static const struct object *object;
 
 static bool no_memory(c205_error *error)
 {
-    return error_set(error, "no memory");
+    return error_set(error, "out of memory");
 }
 
 static bool find_models(FILE *out, c205_error *error)
@@ -203,7 +203,8 @@ static const char program_text[] =
 /* Copies the first error. An error that could not be allocated is not in the list. */
 static void print_first(const struct diagnostics *errors, c205_error *error)
 {
-    error_set(error, "%.200s", errors->count ? errors->items[0].message : "no memory");
+    error_set(error, "%.200s",
+              errors->count ? errors->items[0].message : "out of memory");
 }
 
 static struct object *assembled(const char *text, c205_error *error)
@@ -471,7 +472,7 @@ static bool reply_to(struct engine *engine, const char *request, FILE *out,
     char *reply = engine_answer(engine, request, strlen(request));
     bool good = reply && strncmp(reply, "{\"ok\": true", 11) == 0
                 && !strstr(reply, "\"printed_cut\": true")
-                && !strstr(reply, "no memory");
+                && !strstr(reply, "out of memory");
     if (good)
         fprintf(out, "%s\n", reply);
     free(reply);
@@ -573,7 +574,7 @@ TEST_CALL(report_pipes, exhaust(report_pipes, false))
 
 /* A page that is allocated on its first access causes a trap that names the reason if
  * the allocation fails. It is mapped when memory is available. */
-TEST(unidentifiable_page)
+TEST(untouched_page)
 {
     static const char text[] = "        .entry first\n"
                                "first:  EX r4, 0x50000000\n"
@@ -594,7 +595,7 @@ TEST(unidentifiable_page)
         host.fails = 0;
         c205_describe_stop(machine, &stop, &error);
         if (stop.trap == C205_TRAP_UNMAPPED_ADDRESS)
-            assert_non_null(strstr(error.message, "no memory left"));
+            assert_non_null(strstr(error.message, "out of memory"));
         else
             assert_int_equal(stop.trap, C205_TRAP_NONE);
         assert_true(c205_read(machine, 0x50000000, &word, 1));

@@ -67,7 +67,7 @@ struct clock *clock_new(const c205_model *model, c205_error *error)
         return clock;
     }
     snprintf(error->message, sizeof error->message,
-             "no memory left for the machine's clock");
+             "out of memory for the machine's clock");
     clock_free(clock);
     return NULL;
 }
@@ -89,7 +89,7 @@ bool clock_set_regions(struct clock *clock, const char *const *names, size_t cou
 {
     if (!accounts_open(&clock->accounts, names, count)) {
         snprintf(error->message, sizeof error->message,
-                 "no memory left for the accounts of %zu region%s", count,
+                 "out of memory for the accounts of %zu region%s", count,
                  count == 1 ? "" : "s");
         return false;
     }

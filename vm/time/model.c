@@ -360,7 +360,7 @@ static bool read_model(c205_model *model, c205_place *place, c205_error *error)
 void *model_out_of_memory(c205_error *error)
 {
     snprintf(error->message, sizeof error->message,
-             "no memory left for a machine model");
+             "out of memory for a machine model");
     return NULL;
 }
 

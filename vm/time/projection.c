@@ -83,7 +83,7 @@ c205_projection *c205_projection_new(const c205_model *model, c205_error *error)
     c205_projection *projection = calloc(1, sizeof *projection);
     const char *wrong = NULL;
     if (!projection)
-        wrong = "no memory left for a projection";
+        wrong = "out of memory for a projection";
     else if (!c205_model_is_projection(model))
         wrong = "the model is a machine, not a projection";
     if (!wrong) {
@@ -265,7 +265,7 @@ bool projection_complete(const c205_projection *projection, c205_error *error)
 {
     if (projection->no_memory)
         snprintf(error->message, sizeof error->message,
-                 "no memory left for the accounts of a projection");
+                 "out of memory for the accounts of a projection");
     return !projection->no_memory;
 }
 

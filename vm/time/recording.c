@@ -46,7 +46,7 @@ c205_recording *c205_recording_new(c205_error *error)
     c205_recording *recording = calloc(1, sizeof *recording);
     if (!recording)
         snprintf(error->message, sizeof error->message,
-                 "no memory left for a recording");
+                 "out of memory for a recording");
     return recording;
 }
 
@@ -249,7 +249,7 @@ static bool retime_machine(const c205_recording *recording, const c205_model *mo
     bool good = player.clock && names;
     if (player.clock && !names)
         snprintf(error->message, sizeof error->message,
-                 "no memory left to play a recording");
+                 "out of memory while a recording is played");
     for (size_t i = 0; good && i <= recording->regions; i++)
         names[i] = "";
     good = good
@@ -288,7 +288,7 @@ bool c205_retime(const c205_recording *recording, const c205_model *model,
     bool good = changed;
     if (good && recording->no_memory) {
         snprintf(error->message, sizeof error->message,
-                 "no memory left to record the run");
+                 "out of memory while the run is recorded");
         good = false;
     }
     if (good && c205_model_is_projection(model))

@@ -52,7 +52,7 @@ bool refuse_as_said(struct engine *engine, c205_error *error)
 {
     const char *said = said_text(engine);
 
-    refuse(error, "%s", said ? said : "no memory");
+    refuse(error, "%s", said ? said : "out of memory");
     forget_said(engine);
     return false;
 }
@@ -65,7 +65,7 @@ bool put_said(struct engine *engine, struct json *reply, const char *key,
 
     json_text(reply, key, said ? said : "");
     forget_said(engine);
-    return good || refuse(error, "no memory");
+    return good || refuse(error, "out of memory");
 }
 
 bool needs_program(const struct engine *engine, c205_error *error)
@@ -277,7 +277,7 @@ static char *put_refusal(const struct engine *engine, const char *why)
 static char *answer_read(struct engine *engine, const struct json_value *request)
 {
     struct text_buffer text = { .text = NULL };
-    c205_error error = { "no memory" };
+    c205_error error = { "out of memory" };
     struct json *reply = json_open_line(&text, &error);
 
     if (!reply)

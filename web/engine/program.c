@@ -81,7 +81,7 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
 
     options->defines = list;
     if (!list)
-        return refuse(error, "no memory");
+        return refuse(error, "out of memory");
     if (!is_object(defines) || count > MAX_DEFINES)
         return refuse(error, "\"defines\" must have at most %d names with integers",
                       MAX_DEFINES);
@@ -108,7 +108,7 @@ static bool take_files(const struct json_value *request, struct arena *arena,
     if (!is_object(files))
         return refuse(error, "\"files\" must have names with strings");
     if (!texts || !tables || !lines)
-        return refuse(error, "no memory");
+        return refuse(error, "out of memory");
     tables[0] = texts;
     options->texts = tables;
     for (const struct json_value *item = files ? files->first : NULL; item;
@@ -128,7 +128,7 @@ bool take_options(const struct json_value *request, struct arena *arena,
     options->sealed = true;
     return take_defines(request, arena, options, error)
            && take_files(request, arena, options, error)
-           && (!arena->failed || refuse(error, "no memory"));
+           && (!arena->failed || refuse(error, "out of memory"));
 }
 
 bool uses_defines(const struct asm_options *options, struct object *const *objects,
@@ -146,7 +146,7 @@ struct object *engine_assemble(struct engine *engine, const char *name,
     struct object *object = assemble_text(name, text, options, &engine->diagnostics);
 
     if (!object && engine->diagnostics.errors == 0)
-        refuse(error, "no memory");
+        refuse(error, "out of memory");
     else if (!object)
         refuse(error, "%.100s cannot be assembled: %zu error%s", name,
                engine->diagnostics.errors, engine->diagnostics.errors == 1 ? "" : "s");
@@ -356,7 +356,7 @@ static bool put_lines(const struct engine *engine, struct json *reply,
     size_t count = 0;
 
     if (!lines)
-        return refuse(error, "no memory");
+        return refuse(error, "out of memory");
     for (size_t i = 0; i < object->line_count; i++) {
         size_t line = program_line(engine, object->lines[i].address);
 
@@ -387,7 +387,7 @@ static bool begin_program(struct engine *engine, const char *name,
     engine->object = object;
     engine->model = model;
     engine->name = copy_of(name);
-    if (engine->name ? make_debugger(engine, error) : refuse(error, "no memory"))
+    if (engine->name ? make_debugger(engine, error) : refuse(error, "out of memory"))
         return true;
     program_drop(engine);
     return false;

@@ -261,7 +261,7 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
             continue;
         good = take_window(request, symbol->name, &window, error)
                && (put_symbol(engine, symbol, &window, reply)
-                   || refuse(error, "no memory"));
+                   || refuse(error, "out of memory"));
     }
     json_end(reply);
     return good;

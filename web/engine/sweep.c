@@ -45,7 +45,7 @@ static bool put_picture(const struct program_sweep *sweep, struct json *reply,
     if (good)
         json_text(reply, "svg", text.text);
     text_buffer_free(&text);
-    return good || refuse(error, "no memory");
+    return good || refuse(error, "out of memory");
 }
 
 /* Writes the members of c205 sweep --json, and the picture. */
@@ -155,7 +155,7 @@ static bool take_program(struct engine *engine, const struct json_value *request
         return true;
     first = at_first(laboratory);
     if (!first)
-        return refuse(error, "no memory");
+        return refuse(error, "out of memory");
     object = engine_assemble(engine, name, text, first, error);
     if (object && !laboratory->model)
         laboratory->model = program_model(model, object, error);
@@ -168,7 +168,7 @@ static bool take_program(struct engine *engine, const struct json_value *request
         arena_text(&laboratory->arena, name, strlen(name)),
         arena_text(&laboratory->arena, text, strlen(text)), strlen(text)
     };
-    return !laboratory->arena.failed || refuse(error, "no memory");
+    return !laboratory->arena.failed || refuse(error, "out of memory");
 }
 
 static bool take_sweep(struct engine *engine, const struct json_value *request,
@@ -190,7 +190,7 @@ static bool take_sweep(struct engine *engine, const struct json_value *request,
     sweep->options = &laboratory->options;
     sweep->report = text_buffer_sink(&laboratory->report);
     if (!sweep->constant)
-        return refuse(error, "no memory");
+        return refuse(error, "out of memory");
     if (!take_program(engine, request, "text", "name", error)
         || !take_program(engine, request, "other", "other-name", error))
         return false;
@@ -204,7 +204,7 @@ bool answer_sweep(struct engine *engine, const struct json_value *request,
     struct laboratory *laboratory = calloc(1, sizeof *laboratory);
 
     if (!laboratory)
-        return refuse(error, "no memory");
+        return refuse(error, "out of memory");
     engine->laboratory = laboratory;
     laboratory->sweep.clocks_most = ENGINE_SWEEP_LIMIT;
     if (take_slice(engine, request, error) && take_sweep(engine, request, error))

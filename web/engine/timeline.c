@@ -98,7 +98,7 @@ static bool put_spans(const struct engine *engine, struct json *reply,
     if (good)
         put_lanes(timeline, &lanes, reply);
     arena_free(&arena);
-    return good || refuse(error, "no memory");
+    return good || refuse(error, "out of memory");
 }
 
 /* ---- Files --------------------------------------------------------------- */
@@ -118,7 +118,7 @@ static bool put_file(const struct engine *engine, struct json *reply, c205_error
     if (good)
         json_text(reply, "file", text.text);
     text_buffer_free(&text);
-    return good || refuse(error, "no memory");
+    return good || refuse(error, "out of memory");
 }
 
 /* ---- timeline ------------------------------------------------------------ */
@@ -128,7 +128,7 @@ static bool put_timeline(struct engine *engine, struct json *reply, c205_error *
     struct timeline *timeline = engine->replay.timeline;
 
     if (!timeline_is_good(timeline))
-        return refuse(error, "no memory");
+        return refuse(error, "out of memory");
     timeline_finish(timeline);
     json_count(reply, "from", timeline->from);
     json_count(reply, "to", timeline->to);

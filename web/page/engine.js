@@ -53,10 +53,10 @@ export async function startEngine(wasm, complain = (text) => console.error(text)
   function answerText(text) {
     const request = encoder.encode(text);
     const at = room(request.length);
-    if (at === 0) throw new Error("the engine has no memory left");
+    if (at === 0) throw new Error("the engine is out of memory");
     new Uint8Array(memory.buffer, at, request.length).set(request);
     const reply = answer(at, request.length);
-    if (reply === 0) throw new Error("the engine has no memory left");
+    if (reply === 0) throw new Error("the engine is out of memory");
     const bytes = new Uint8Array(memory.buffer, reply);
     const words = decoder.decode(bytes.subarray(0, bytes.indexOf(0)));
     free(reply);

@@ -44,7 +44,7 @@ static bool read_text(struct csv *csv, struct diagnostics *diagnostics)
         return fail_whole(csv, error.message, diagnostics);
     csv->text = malloc(length + 1);
     if (!csv->text)
-        return fail_whole(csv, "no memory", diagnostics);
+        return fail_whole(csv, "out of memory", diagnostics);
     memcpy(csv->text, csv->source, length + 1);
     return true;
 }
@@ -93,7 +93,7 @@ static bool add_row(struct csv *csv, char *line, size_t number,
         csv->rows = rows;
     if (!rows || !fields) {
         free(fields);
-        return fail_whole(csv, "no memory", diagnostics);
+        return fail_whole(csv, "out of memory", diagnostics);
     }
     rows[csv->count++] = (struct csv_row){ number, fields };
     return cut(csv, line, number, fields, diagnostics);

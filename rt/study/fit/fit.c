@@ -112,7 +112,7 @@ static bool time_points(const struct fit *fit, const bool *needed, struct point 
                          .lock = lock_new() };
 
     if (!work.lock)
-        return error_set(error, "no memory");
+        return error_set(error, "out of memory");
     share_out(&work);
     lock_free(work.lock);
     fill_in(fit, points, count);
@@ -130,7 +130,7 @@ static struct point *points_at(const struct fit *fit, const double *places,
     struct point *points = calloc(1 + constants, sizeof *points);
 
     if (!points)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     for (size_t i = 0; points && i < 1 + constants; i++) {
         memcpy(points[i].places, places, constants * sizeof *places);
         points[i].moved = i == 0 ? MAX_FREE : i - 1;

@@ -85,7 +85,7 @@ bool written_predict(const struct study *study, double predicted[MAX_FIT_OBSERVA
     bool good = clocks != NULL;
 
     if (!good)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     good = good && time_all(study, clocks, error);
     for (size_t i = 0; good && i < all->count; i++)
         predicted[i] = observation_predict(all, &all->items[i], clocks);

@@ -33,7 +33,7 @@ static const struct fit_run *find_run(struct observations *all, const char *prog
     for (size_t i = 0; i < all->run_count; i++)
         if (strcmp(all->runs[i]->program, program) == 0)
             return all->runs[i];
-    fail(error, "%s", "no memory");
+    fail(error, "%s", "out of memory");
     runs = array_grow(all->runs, all->run_count, sizeof *runs);
     if (!runs)
         return NULL;
@@ -66,7 +66,7 @@ static const c205_model *find_model(struct observations *all, const char *machin
     for (size_t i = 0; i < all->model_count; i++)
         if (strcmp(c205_model_name(all->models[i]), name) == 0)
             return all->models[i];
-    fail(error, "%s", "no memory");
+    fail(error, "%s", "out of memory");
     models = array_grow(all->models, all->model_count, sizeof *models);
     if (!models)
         return NULL;
@@ -87,7 +87,7 @@ static bool find_timing(struct observations *all, const struct fit_run *run,
             return true;
     timings = array_grow(all->timings, all->timing_count, sizeof *timings);
     if (!timings)
-        return fail(error, "%s", "no memory");
+        return fail(error, "%s", "out of memory");
     all->timings = timings;
     timings[all->timing_count++] = (struct run_timing){ run, model };
     return true;
@@ -263,7 +263,7 @@ static bool read_row(struct observations *all, const struct csv *file,
     struct observation *item;
 
     if (!items)
-        return csv_wrong(file, row, NAME, "no memory", diagnostics);
+        return csv_wrong(file, row, NAME, "out of memory", diagnostics);
     all->items = items;
     item = &items[all->count++];
     *item = (struct observation){ .name = row->fields[NAME],
@@ -290,7 +290,7 @@ bool observations_read(struct observations *all, const char *path,
     if (!files) {
         const struct position whole = { .file = path };
 
-        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, "no memory");
+        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, "out of memory");
         return false;
     }
     all->files = files;

@@ -91,7 +91,8 @@ static bool assemble(struct fit_run *run, const struct run_options *options,
     snprintf(path, sizeof path, "%.200s/%s", options->folder, words);
     run->object = assemble_file(path, &how, &errors);
     if (!run->object)
-        fail(error, "%.200s", errors.count > 0 ? errors.items[0].message : "no memory");
+        fail(error, "%.200s",
+             errors.count > 0 ? errors.items[0].message : "out of memory");
     diagnostics_free(&errors);
     return run->object != NULL;
 }
@@ -120,7 +121,7 @@ static bool name_regions(struct fit_run *run, const c205 *machine, c205_error *e
     for (size_t i = 0; i < run->region_count; i++) {
         run->regions[i] = copied(c205_account_at(machine, i)->name);
         if (!run->regions[i])
-            return fail(error, "%s: no memory", run->program);
+            return fail(error, "%s: out of memory", run->program);
     }
     return true;
 }
@@ -148,7 +149,7 @@ struct fit_run *run_new(const char *program, const struct run_options *options,
     c205 *machine = NULL;
     bool good;
 
-    fail(error, "%s", "no memory");
+    fail(error, "%s", "out of memory");
     if (run && (run->program = copied(program)) != NULL)
         machine = find_subject(run, &mode) ? frame_machine(run, mode, options, error)
                                            : text_machine(run, options, error);

@@ -139,7 +139,7 @@ bool unidentifiable_find(const struct fit *fit, const struct fit_change *change,
 
     unidentifiable->count = 0;
     if (!good)
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
     for (size_t i = 0; good && i < all->timing_count; i++)
         good = run_time(all->timings[i].run, all->timings[i].model, NULL, 0, RUN_FINE,
                         question.before[i], error);

@@ -101,7 +101,7 @@ static struct atomic_file *open_beside(const char *path, const char *end,
     struct atomic_file *whole = beside ? atomic_file_open(beside, error) : NULL;
 
     if (!beside)
-        error_set(error, "%.180s: no memory", path);
+        error_set(error, "%.180s: out of memory", path);
     free(beside);
     return whole;
 }
@@ -116,7 +116,7 @@ static bool open_files(struct files *files, const char *path, c205_error *error)
     files->name = text_of("%s", name);
     files->script_name = text_of("./%.*s.gp", (int)strlen(name) - ENDING, name);
     if (!files->folder || !files->name || !files->script_name)
-        return error_set(error, "%.180s: no memory", path);
+        return error_set(error, "%.180s: out of memory", path);
     return (files->data = open_beside(path, ".dat", error)) != NULL
            && (files->script = open_beside(path, ".gp", error)) != NULL
            && (files->picture = atomic_file_open(path, error)) != NULL;
@@ -270,7 +270,7 @@ static bool write_files(const struct plot *plot, const struct table *table,
 {
     write_data(plot, table, files->data->file);
     if (!plot_script_write(plot, axes, files->name, files->script->file))
-        return error_set(error, "%.180s: no memory", plot->title);
+        return error_set(error, "%.180s: out of memory", plot->title);
     return commit(&files->data, error) && commit(&files->script, error)
            && gnuplot_draw(files->folder, files->script_name, files->picture->file,
                            error)
@@ -285,7 +285,7 @@ bool plot_write(const struct plot *plot, const struct table *table, const char *
     bool good;
 
     if (!table_is_whole(table))
-        return error_set(error, "%.180s: no memory", plot->title);
+        return error_set(error, "%.180s: out of memory", plot->title);
     if (!plot_check_path(path, error) || !find_axes(plot, table, &axes, error))
         return false;
     good = open_files(&files, path, error)

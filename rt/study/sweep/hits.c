@@ -83,7 +83,7 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
     trace = speedup_trace(sweep->subject, &point.view, &point.trace, &scene, error);
     good = trace && trace_run(trace, error);
     if (good) {
-        error_set(error, "no memory");
+        error_set(error, "out of memory");
         good = read_hits(trace, scout) && find_square(scout);
         shrink(scout);
     }
@@ -265,7 +265,7 @@ static bool report_hits(struct sweep *sweep, struct sweep_report *report,
     struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (!table)
         return false;
     for (size_t i = 0; i < sweep->count; i++) {

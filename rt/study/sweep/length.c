@@ -19,7 +19,7 @@ static bool run_lengths(struct sweep *sweep, const size_t *lengths, size_t count
     struct sweep_point *points = malloc((count + 1) * sizeof *points);
     bool good;
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (!points)
         return false;
     for (size_t i = 0; i < count; i++) {
@@ -79,7 +79,7 @@ static bool run_between(struct sweep *sweep, size_t first, size_t last,
     size_t count = 0;
     bool good;
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     for (size_t n = first; lengths && n <= last; n++)
         if (!sweep_with_queue(sweep, n))
             lengths[count++] = n;
@@ -261,7 +261,7 @@ static bool report_length(struct sweep *sweep, struct sweep_report *report,
     struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (!table)
         return false;
     fill(table, sweep, &found);

@@ -28,7 +28,7 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1, sizeof *plans);
 
-    strcpy(error->message, "no memory");
+    strcpy(error->message, "out of memory");
     if (plans)
         *crossings = plan_leaves(scene, plans);
     free(plans);

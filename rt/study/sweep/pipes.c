@@ -154,7 +154,7 @@ static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
                                                "Times as fast as one pipe with 64 bits",
                                                TABLE_COLUMNS(plot_columns));
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (!points || !limits || !plotted)
         return false;
     for (size_t i = 0; i < sweep->count; i++) {

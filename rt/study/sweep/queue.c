@@ -252,7 +252,7 @@ static bool report_queue(struct sweep *sweep, struct sweep_report *report,
                                     "The best queue, "
                                     "the paper's, the longest",
                                     TABLE_COLUMNS(difference_columns));
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (!points || !words || !difference)
         return false;
     fill_points(points, sweep);

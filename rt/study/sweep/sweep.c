@@ -245,7 +245,7 @@ static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
     struct sweep_measure *measures = realloc(sweep->measures,
                                              (sweep->count + more) * sizeof *measures);
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (measures)
         sweep->measures = measures;
     return measures != NULL;
@@ -281,7 +281,7 @@ const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
 {
     c205_model **models = array_grow(sweep->models, sweep->model_count, sizeof *models);
 
-    error_set(error, "no memory");
+    error_set(error, "out of memory");
     if (!models)
         return NULL;
     sweep->models = models;
