@@ -26,7 +26,7 @@ let passed = 0, failed = 0, unread = 0;
 
 // ---- The same in both ------------------------------------------------------
 
-const cannotRead = /there is no (OpenImageIO|FreeType) in the page to read|no such file(?=[^]*\bttf\b)/;
+const cannotRead = /(pictures|fonts) cannot be read in the page|no such file(?=[^]*\bttf\b)/;
 
 const filesOf = (folder, names = /./) => Object.fromEntries(
   fs.readdirSync(folder).filter((name) => names.test(name)).sort()
