@@ -125,4 +125,12 @@ TEST(ends)
         }
 }
 
+/* The smallest normalised word of each exponent: an estimate of the decimal exponent that
+ * is one too large shows here. */
+TEST(each_exponent)
+{
+    for (int64_t exponent = -28672; exponent < 28672; exponent++)
+        check((c205_word)exponent << 48 | UINT64_C(1) << 46, C205_SCIENTIFIC, 5);
+}
+
 GROUP(set_up_oracle, tear_down_oracle);

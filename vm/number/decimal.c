@@ -186,12 +186,13 @@ typedef struct digits {
     int32_t power; /* of ten */
 } digits;
 
-/* Returns an estimate p of the decimal exponent of normalised words. Up to the error of
- * 0.30103 for log10(2), 10^p is at most these words and not far below a tenth of
- * them. */
+/* Returns the decimal exponent p of the smallest normalised word of a binary exponent:
+ * 10^p is at most this word, and 10^(p + 1) is above it. No power of two of this range is
+ * closer to a power of ten than 1e-5 relative to it, so the product needs log10(2) to ten
+ * digits. */
 static int32_t power_below(word_format f, int32_t exponent)
 {
-    return (int32_t)floor((exponent + f.digits - 1) * 0.30103);
+    return (int32_t)floor((exponent + f.digits - 1) * 0.301029995663981);
 }
 
 /* Returns the shortest decimal number in the interval of the word. A whole number of
