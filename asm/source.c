@@ -107,7 +107,7 @@ bool source_find(struct assembler *assembler, const char *name, const char *from
     if (read_from(assembler, from, slash ? (size_t)(slash - from) + 1 : 0, name, source,
                   error))
         return true;
-    for (; folder && *folder && errno != ETXTBSY; folder++)
+    for (; folder && *folder && is_missing(errno); folder++)
         if (read_from(assembler, *folder, strlen(*folder), name, source, error))
             return true;
     return false;

@@ -238,7 +238,7 @@ cp drawer/1-no-gold.s numbered/anna/1.s
 check 0 --folder numbered "$lesson" --format csv
 tells out "^anna,scale,yes,gold,"
 check 1 --folder missing "$lesson"
-tells err '^c205 check: missing: '
+tells err '^c205 check: missing is not a folder'
 mkdir empty
 check 0 --folder empty
 

@@ -2,6 +2,7 @@
  * processes. */
 #include "rt/command/rt205_command.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,17 +12,23 @@
 
 /* ---- Shares -------------------------------------------------------------- */
 
-bool cmd_is_part(const char *text, struct job_set *job_set)
+/* Reads a number of digits only. Returns what follows it, or NULL. */
+static const char *read_digits(const char *text, size_t *number)
 {
     char *end;
 
-    job_set->part = strtoul(text, &end, 10);
-    if (end == text || *end != '/' || *text == '-')
+    errno = 0;
+    *number = strtoul(text, &end, 10);
+    return isdigit((unsigned char)*text) && errno == 0 ? end : NULL;
+}
+
+bool cmd_is_part(const char *text, struct job_set *job_set)
+{
+    text = read_digits(text, &job_set->part);
+    if (!text || *text != '/')
         return false;
-    text = end + 1;
-    job_set->parts = strtoul(text, &end, 10);
-    return end != text && *end == '\0' && *text != '-' && job_set->part > 0
-           && job_set->part <= job_set->parts;
+    text = read_digits(text + 1, &job_set->parts);
+    return text && !*text && job_set->part > 0 && job_set->part <= job_set->parts;
 }
 
 bool cmd_take_part(char *text, void *job_set)

@@ -73,7 +73,7 @@ void named_parts_add_name(c205_error *error, const char *separator, const char *
 
     if (used + strlen(separator) + strlen(name) + 5 < room)
         snprintf(error->message + used, room - used, "%s%s", separator, name);
-    else if (used + 4 < room && strcmp(error->message + used - 3, "..."))
+    else if (used + 4 < room && (used < 3 || strcmp(error->message + used - 3, "...")))
         snprintf(error->message + used, room - used, "...");
 }
 

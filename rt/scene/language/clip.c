@@ -145,7 +145,7 @@ static bool clip(struct reader *reader, struct scene_object *object,
     hide(reader, by);
     return reader_spend(reader, TOKEN_COST * (object->part_count + copies))
            && shape_count(reader, copies, at)
-           && mesh_count(reader, (count - 1) * mesh_triangles(by), at)
+           && mesh_count(reader, count > 0 ? (count - 1) * mesh_triangles(by) : 0, at)
            && (object_clip(object, by) || reader_no_memory(reader));
 }
 

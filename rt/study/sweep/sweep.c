@@ -119,10 +119,14 @@ static double run_weight(const void *context, size_t number)
 /* Adds the failing point to the error. */
 static void name_point(const struct sweep_point *point, c205_error *error)
 {
+    const char *model = c205_model_name(point->trace.model);
     c205_error why = *error;
 
-    error_set(error, "with a queue of %zu on %.60s: %s", point->trace.queue,
-              c205_model_name(point->trace.model), why.message);
+    if (point->trace.mode == TRACE_SCALAR)
+        error_set(error, "in scalar form on %.60s: %s", model, why.message);
+    else
+        error_set(error, "with a queue of %zu on %.60s: %s", point->trace.queue, model,
+                  why.message);
 }
 
 static bool trace_form(void *context, const struct task *task, c205_error *error)
