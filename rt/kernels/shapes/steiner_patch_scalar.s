@@ -89,10 +89,10 @@ patch_save:     .space PATCH_REGISTERS
         RTOR    sh4, e3
         .endif
         dot     n2x, n2y, n2z, n2x, n2y, n2z, spread, t3
-        CFPLT   e3, spread, framebuffer_found\@
+        CFPLT   e3, spread, planes_found\@
         cross_product dx, dy, dz, other_x, other_y, other_z, n2x, n2y, n2z
         dot     n2x, n2y, n2z, n2x, n2y, n2z, spread, t3
-framebuffer_found\@:
+planes_found\@:
         MPYS    spread, sh5, spread
         dot     n2x, n2y, n2z, dx, dy, dz, e0, t3
         MPYS    e0, dx, t3

@@ -134,13 +134,13 @@
         dot_vectors n2x, n2y, n2z, n2x, n2y, n2z, spread, e12
         CMPGEV  [e3], [spread], [hits0]
         CNTOB   [hits0], s0
-        IBXEQ   s0, r0, r0, framebuffer_found\@
+        IBXEQ   s0, r0, r0, planes_found\@
         cross_constant lane_dx, lane_dy, lane_dz, other_x, other_y, other_z, e0, e1, e2, e12
         VTOV    [e0], [n2x] ? [hits0]
         VTOV    [e1], [n2y] ? [hits0]
         VTOV    [e2], [n2z] ? [hits0]
         dot_vectors n2x, n2y, n2z, n2x, n2y, n2z, spread, e12
-framebuffer_found\@:
+planes_found\@:
         MPYSV   [spread], s3, [spread]
         dot_vectors n2x, n2y, n2z, lane_dx, lane_dy, lane_dz, e0, e12
         MPYSV   [e0], [lane_dx], [e1]
