@@ -94,12 +94,12 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) $(mpi_packag
 # programs, polynomials per kind, scenes of solids, of many regions, with lines and
 # masses, and as texts, tries per row of the table, compilers. The slowest parts come
 # first.
-check_parts = check-unit check-scenes check-hosts check-commands check-web-engine \
-	check-web-tracer check-texts check-library check-random check-language-scenes check-uses \
-	check-regions check-faces check-standing check-heat check-fit check-arithmetic \
-	check-course check-mass check-quartic check-docs check-adaptive check-bugs check-lines \
-	check-install check-language check-narrow check-rooms check-programs check-isa \
-	check-bench
+check_parts = check-unit check-scenes check-commands check-hosts check-web-tracer \
+	check-uses check-bench check-web-engine check-faces check-random check-docs \
+	check-language-scenes check-course check-regions check-fit check-arithmetic \
+	check-adaptive check-library check-heat check-mass check-texts check-lines \
+	check-language check-quartic check-standing check-install check-programs check-isa \
+	check-bugs check-narrow check-rooms
 CASES ?= 500000
 PAIRS ?= some
 PROGRAMS ?= 8000
