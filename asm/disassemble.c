@@ -29,7 +29,7 @@ unsigned disassemble_one(c205_word word, uint64_t address,
 /* A list of addresses. */
 struct addresses {
     uint64_t *items;
-    size_t count, capacity;
+    size_t count;
 };
 
 struct disassembler {
@@ -309,20 +309,13 @@ static void add_label(struct disassembler *disassembler, uint64_t address,
                       const char *name)
 {
     struct labels *labels = &disassembler->labels;
-    size_t capacity = labels->capacity ? 2 * labels->capacity : 64;
-    struct label *items;
+    struct label *items = array_grow(labels->items, labels->count, sizeof *items);
 
-    if (labels->count == labels->capacity) {
-        items = realloc(labels->items, capacity * sizeof *items);
-        if (!items) {
-            disassembler->failed = true;
-            return;
-        }
-        labels->items = items;
-        labels->capacity = capacity;
-    }
-    labels->items[labels->count].address = address;
-    labels->items[labels->count++].name = name;
+    disassembler->failed |= !items;
+    if (!items)
+        return;
+    labels->items = items;
+    items[labels->count++] = (struct label){ .address = address, .name = name };
 }
 
 /* Sorts by address; at one address a label with a name is first. */

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/array.h"
 #include "base/error.h"
 #include "base/hash.h"
 #include "rt/platform/processes.h"
@@ -30,7 +31,7 @@ struct checkpoint_file {
     char *path;
     uint64_t key;
     long end; /* after the last complete unit */
-    size_t count, room;
+    size_t count;
     struct unit_place *places; /* sorted by number */
 };
 
@@ -125,18 +126,14 @@ size_t checkpoint_count(const struct checkpoint_file *file)
 static bool note_unit(struct checkpoint_file *file, uint64_t number, long at)
 {
     size_t i = place_of(file, number);
+    struct unit_place *places;
 
     if (checkpoint_has(file, number))
         return true;
-    if (file->count == file->room) {
-        size_t room = file->room > 0 ? 2 * file->room : 64;
-        struct unit_place *places = realloc(file->places, room * sizeof *places);
-
-        if (!places)
-            return false;
-        file->places = places;
-        file->room = room;
-    }
+    places = array_grow(file->places, file->count, sizeof *places);
+    if (!places)
+        return false;
+    file->places = places;
     memmove(&file->places[i + 1], &file->places[i],
             (file->count++ - i) * sizeof *file->places);
     file->places[i] = (struct unit_place){ number, at };

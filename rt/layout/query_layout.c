@@ -47,7 +47,7 @@ struct query_layout *query_layout_new(const struct object *program,
     layout_bare_solids(&layout, scene, bounding);
     whole->program = program;
     whole->end = layout.free;
-    whole->most = seen_crossings_most(scene);
+    whole->most = max_ray_hits(scene);
     whole->objects = scene->object_count;
     image_share(&whole->image);
     if (!layout.failed)

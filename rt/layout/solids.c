@@ -346,38 +346,25 @@ static size_t table_words(const struct scene *scene, const struct leaf_plan *pla
 static uint64_t material_of(struct record *record, const struct primitive *primitive,
                             struct material_table *materials)
 {
-    enum {
-        PIGMENT,
-        COLOR,
-        PATTERN = 7,
-        FINISH = 19,
-        REST = 27,
-        GLOSS = 44,
-        MAP = 52,
-        INTERIOR = 60,
-        BUMP = 61
+    static const struct {
+        const char *field;
+        size_t count; /* words */
+    } fields[] = {
+        { "P_PIGMENT", 1 },  { "P_COLOR", 6 },   { "P_PATTERN", 12 }, { "P_FINISH", 8 },
+        { "P_INVERTED", 9 }, { "P_PASSING", 8 }, { "P_GLOSS", 8 },    { "P_MAP", 8 },
+        { "P_INTERIOR", 1 }, { "P_BUMP", 1 },
     };
     c205_word words[MATERIAL_WORDS] = { 0 }, transformed = 0;
+    size_t at = 0;
     uint64_t material;
 
     record_read(record, "P_TRANSFORMED", &transformed, 1);
     if (primitive->kind != PRIMITIVE_SPHERE || transformed != 0)
         return record->address;
-    record_read(record, "P_PIGMENT", &words[PIGMENT], 1);
-    record_read(record, "P_COLOR", &words[COLOR], 6);
-    if (words[PIGMENT] != 0)
-        record_read(record, "P_PATTERN", &words[PATTERN], 12);
-    record_read(record, "P_FINISH", &words[FINISH], 8);
-    record_read(record, "P_INVERTED", &words[REST], 9);
-    record_read(record, "P_PASSING", &words[REST + 9], 8);
-    if (object_symbol(record->layout->program, "P_GLOSS"))
-        record_read(record, "P_GLOSS", &words[GLOSS], 8);
-    if (object_symbol(record->layout->program, "P_MAP"))
-        record_read(record, "P_MAP", &words[MAP], 8);
-    if (object_symbol(record->layout->program, "P_INTERIOR"))
-        record_read(record, "P_INTERIOR", &words[INTERIOR], 1);
-    if (object_symbol(record->layout->program, "P_BUMP"))
-        record_read(record, "P_BUMP", &words[BUMP], 1);
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; at += fields[i++].count)
+        if (object_symbol(record->layout->program, fields[i].field)
+            && (strcmp(fields[i].field, "P_PATTERN") != 0 || words[0] != 0))
+            record_read(record, fields[i].field, &words[at], fields[i].count);
     material = materials_first(materials, words, record->address);
     if (material == 0)
         layout_fail(record->layout, "out of memory");

@@ -142,7 +142,7 @@ size_t most_crossings(const struct scene *scene)
     return most;
 }
 
-size_t seen_crossings_most(const struct scene *scene)
+size_t max_ray_hits(const struct scene *scene)
 {
     size_t most = 0;
 

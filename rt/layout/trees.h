@@ -36,7 +36,7 @@ size_t plan_leaves(const struct scene *scene, struct leaf_plan *plans);
  * for it if it exceeds their default (MAX_CROSSINGS in records.s). */
 size_t most_crossings(const struct scene *scene);
 /* Returns a bound on the visible crossings of a line with the whole scene. */
-size_t seen_crossings_most(const struct scene *scene);
+size_t max_ray_hits(const struct scene *scene);
 
 /* A step of the evaluation. The operations are the values of T_OPERATION. */
 enum step_operation { STEP_AND, STEP_OR, STEP_AND_NOT };

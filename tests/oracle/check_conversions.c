@@ -37,7 +37,7 @@ static bool same_text(c205_word word, const char *expected, const char *got)
 
 /* ---- Doubles ------------------------------------------------------------ */
 
-static double double_of_bits(uint64_t bits)
+static double double_from_bits(uint64_t bits)
 {
     double value;
     memcpy(&value, &bits, sizeof value);
@@ -66,7 +66,7 @@ static double random_double(uint64_t *random)
     }
     if (choice % 3 == 0)
         bits &= ~UINT64_C(0) << random_between(random, 0, 63);
-    return double_of_bits(bits);
+    return double_from_bits(bits);
 }
 
 static bool from_double_agrees(const struct converters *as, uint64_t *random)

@@ -14,6 +14,7 @@
 #ifndef C205_LANE_PARTS_H
 #define C205_LANE_PARTS_H
 
+#include "vm/number/double_bits.h"
 #include "vm/number/lane_kinds.h"
 
 #include <math.h>
@@ -79,22 +80,6 @@ static inline uint64_t out_of_range(int64_t e)
 /* ---- Doubles and their bits --------------------------------------------- */
 
 static const uint64_t two_to_52 = UINT64_C(0x4330000000000000);
-
-static inline double double_of_bits(uint64_t bits)
-{
-    double d;
-
-    memcpy(&d, &bits, sizeof d);
-    return d;
-}
-
-static inline uint64_t bits_of_double(double d)
-{
-    uint64_t bits;
-
-    memcpy(&bits, &d, sizeof bits);
-    return bits;
-}
 
 /* These convert between natural numbers below 2^51 and doubles, rounding to the nearest
  * number. The number occupies the last bits of the double 2^52 + n. */

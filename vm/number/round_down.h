@@ -13,12 +13,13 @@
 #define C205_ROUND_DOWN_H
 
 #include "vm/number/arith.h"
+#include "vm/number/double_bits.h"
 #include "vm/number/host.h"
 #include "vm/number/lane_kinds.h"
 #include "vm/number/common_range.h"
 
 /* The digits of a double after the first one, and the bias of its stored exponent.
- * FLOORED_DIGITS are the digits of a word's coefficient after the first one. */
+ * ROUND_DOWN_DIGITS are the digits of a word's coefficient after the first one. */
 enum {
     DOUBLE_DIGITS = 52,
     DOUBLE_BIAS = 1023,
@@ -29,22 +30,6 @@ enum {
 static inline uint64_t double_exponent(int e)
 {
     return (uint64_t)(e + DOUBLE_BIAS) << DOUBLE_DIGITS;
-}
-
-static inline double round_down_double(uint64_t bits)
-{
-    double d;
-
-    memcpy(&d, &bits, sizeof d);
-    return d;
-}
-
-static inline uint64_t round_down_bits(double d)
-{
-    uint64_t bits;
-
-    memcpy(&bits, &d, sizeof bits);
-    return bits;
 }
 
 /* ---- Moderate words ------------------------------------------------------ */
@@ -77,8 +62,7 @@ static inline double moderate_value(c205_word w)
     uint64_t large = exponent
                      + (double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << WORD_DIGITS);
 
-    return round_down_double(large ^ (w & WORD_COEFFICIENT_MASK))
-           - round_down_double(large);
+    return double_of_bits(large ^ (w & WORD_COEFFICIENT_MASK)) - double_of_bits(large);
 }
 
 /* Returns a nonzero double as a normalised word, rounded down. A normalised coefficient
@@ -88,26 +72,26 @@ static inline double moderate_value(c205_word w)
  * floor. */
 static inline c205_word round_down_word(double value)
 {
-    uint64_t bits = round_down_bits(value);
+    uint64_t bits = bits_of_double(value);
     uint64_t shorter = bits + (uint64_t)((int64_t)bits >> 63);
     uint64_t field = double_exponent(DOUBLE_BIAS + 1);
     uint64_t places = (shorter & field) - double_exponent(ROUND_DOWN_DIGITS);
     uint64_t large = double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << 51;
-    double c = round_down_double(bits - places) + round_down_double(large);
+    double c = double_of_bits(bits - places) + double_of_bits(large);
     uint64_t exponent = (uint64_t)((int64_t)places
                                    >> (DOUBLE_DIGITS - ROUND_DOWN_PLACE));
 
-    return format_with_coefficient(whole_words, exponent, round_down_bits(c));
+    return format_with_coefficient(whole_words, exponent, bits_of_double(c));
 }
 
 /* Returns the double, rounded down to 47 digits. */
 static inline double round_down_value(double value)
 {
     enum { BEYOND = (1 << (DOUBLE_DIGITS - ROUND_DOWN_DIGITS)) - 1 };
-    uint64_t bits = round_down_bits(value);
+    uint64_t bits = bits_of_double(value);
     uint64_t is_negative = (uint64_t)((int64_t)bits >> 63);
 
-    return round_down_double((bits + (is_negative & BEYOND)) & ~(uint64_t)BEYOND);
+    return double_of_bits((bits + (is_negative & BEYOND)) & ~(uint64_t)BEYOND);
 }
 
 /* ---- Operations ---------------------------------------------------------- */

@@ -13,8 +13,7 @@
 #define C205_WORD_H
 
 #include "vm/c205.h"
-
-#include <string.h>
+#include "vm/number/double_bits.h"
 
 typedef struct word_format {
     int32_t exponent_bits; /* 4 or more */
@@ -152,13 +151,9 @@ static inline bool word_is_normalised(c205_word w)
  * so loops with it vectorise on every host. */
 static inline int32_t word_bit_length(uint64_t x)
 {
-    uint64_t bits = UINT64_C(0x4330000000000000) | x << 1 | 1;
-    double d;
+    double d = double_of_bits(UINT64_C(0x4330000000000000) | x << 1 | 1);
 
-    memcpy(&d, &bits, sizeof d);
-    d -= 4503599627370496.0;
-    memcpy(&bits, &d, sizeof d);
-    return (int32_t)(bits >> 52) - 1023;
+    return (int32_t)(bits_of_double(d - 4503599627370496.0) >> 52) - 1023;
 }
 
 /* Returns the significant bits of -2^51 <= c < 2^51: the least n with -2^n <= c <

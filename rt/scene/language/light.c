@@ -26,16 +26,6 @@ static bool read_shadowless(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
-{
-    struct placement step;
-
-    if (!step_read(reader, item, &step))
-        return false;
-    object_move(subject, &step);
-    return true;
-}
-
 /* The object casts no shadow, and as in POV-Ray it is visible to all rays. */
 static bool read_looks_like(struct reader *reader, void *subject,
                             const struct item *item)
@@ -194,7 +184,7 @@ static const struct keyword words[] = {
     { "tightness", read_measure, offsetof(struct light, tightness) },
     { "fade_distance", read_fading, offsetof(struct light, fade_distance) },
     { "fade_power", read_fading, offsetof(struct light, fade_power) },
-    STEP_WORDS(read_step),
+    STEP_WORDS(object_step_read),
     { NULL, NULL, 0 },
 };
 

@@ -145,7 +145,7 @@ static bool read_inverse(struct reader *reader, void *subject, const struct item
            && (object_invert(subject) || reader_no_memory(reader));
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+bool object_step_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct placement step;
 
@@ -248,7 +248,7 @@ static bool read_material(struct reader *reader, void *subject, const struct ite
 }
 
 static const struct keyword modifiers[] = {
-    STEP_WORDS(read_step),
+    STEP_WORDS(object_step_read),
     { "texture", read_texture, 0 },
     { "pigment", read_pigment, 0 },
     { "finish", read_finish, 0 },

@@ -18,6 +18,8 @@ enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
     { "matrix", read, STEP_MATRIX }, { "transform", read, STEP_NAMED }
 /* clang-format on */
 bool step_read(struct reader *reader, const struct item *item, struct placement *step);
+/* Reads a step and moves an object by it. */
+bool object_step_read(struct reader *reader, void *object, const struct item *item);
 /* Reads the block of transform { ... }. */
 bool transform_read(struct reader *reader, struct placement *placement);
 
