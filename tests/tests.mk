@@ -206,6 +206,7 @@ check-rooms: $(engine) $(libraries)
 	sh tests/check_names.sh $(BUILD)
 	sh tests/check_words.sh
 	sh tests/mutants/check.sh
+	@$(MAKE) --no-print-directory -n mutants-whole >/dev/null
 
 check-programs: $(BUILD)/c205
 	sh tests/run_programs.sh $(BUILD)/c205
@@ -291,6 +292,9 @@ SEED ?= 1
 covered_parts = $(UNITS:%=check-unit:UNITS=%) $(SCENES:%=check-scenes:SCENES=%) \
 	$(filter-out check-unit check-scenes check-hosts check-web-% check-language \
 		check-install check-rooms,$(check_parts))
+# The build without a fault.
+mutants-whole: all $(BUILD)/fit205 $(engine) $(helpers) \
+		$(call objects,$(wildcard $(foreach kind,unit oracle fuzz,tests/$(kind)/*.c)))
 check-mutants: ## makes N random faults, which the tests should find
 	@sh .ci/need $(test_packages)
 	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) $(N) $(SEED) "$(ONLY)" \
@@ -397,6 +401,6 @@ fuzz: ## runs the fuzzers for SECONDS each
 
 fuzz-targets: $(fuzz_targets) $(replays)
 
-.PHONY: $(check_parts) tests check-planted check-mutants check-mpi \
+.PHONY: $(check_parts) tests mutants-whole check-planted check-mutants check-mpi \
 	check-samples check-poison check-points check-stream check-emission check-timing \
 	san cover cover-tests fuzz fuzz-targets

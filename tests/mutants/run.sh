@@ -241,15 +241,13 @@ report() {
 # Copies the sources with their times; built files remain.
 refresh() {
     mkdir -p "$whole"
-    for name in vm base asm rt web tests scenes docs .ci Makefile *.mk README.md LICENSE; do
+    for name in vm base asm rt web tests scenes docs .ci Makefile build.mk install.mk \
+        README.md LICENSE; do
         rm -rf "${whole:?}/$name"
         cp -Rp "$name" "$whole"
     done
     rm -rf "$whole/web/node_modules"
-    # shellcheck disable=SC2046
-    in_tree "$whole" 3600 -j "$jobs" all build/fit205 build/libengine.a \
-        build/tests/unit/libhelpers.a $(find tests/unit tests/oracle tests/fuzz -name '*.c' |
-            sed 's/^/build\//; s/c$/o/') || exit 1
+    in_tree "$whole" 3600 -j "$jobs" mutants-whole || exit 1
 }
 
 refresh
