@@ -58,3 +58,18 @@ find vm base asm web/engine web/tracer/platform rt -name '*.[ch]' -o -name '*.cc
 others=$(find vm base asm web/engine web/tracer/platform rt \( -name '*.cc' -o -name '*.js' -o -name '*.py' \) |
     grep -vx -e rt/picture/picture_oiio.cc -e rt/study/fit/ceres_fit.cc)
 [ -z "$others" ] || { echo "not C, and no adapter: $others"; exit 1; }
+
+# docs/architecture.md has a row for each room and names only files that exist.
+. tests/count.sh
+page=docs/architecture.md
+for room in $(grep -v '^#' tests/rooms.txt | tr '| ' '\n' | grep -v '[.]'); do
+    grep -q "^| \`$room\` |" "$page"
+    verdict $? "$page has no row for $room"
+done
+# The quotes are those of the page.
+# shellcheck disable=SC2016
+for file in $(grep -o '`[a-z][a-z0-9_/.]*`' "$page" | tr -d '`' | grep /); do
+    [ -e "$file" ]
+    verdict $? "$page names $file, which does not exist"
+done
+counted
