@@ -14,7 +14,7 @@ function command_of(comment,    text) {
     sub(/ \|.*| *2>.*/, "", text)
     gsub(/"?\$BUILD"?\//, "build/", text)
     gsub(/\$DRAWN\//, "", text)
-    return text ~ /^(c205|rt205|fit205|build\/)[^;$]*$/ ? text : ""
+    return text ~ /^([A-Z]+=[^ ]* )?(c205|rt205|fit205|build\/)[^;$]*$/ ? text : ""
 }
 
 # Called before the line after a block.
