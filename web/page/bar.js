@@ -1,10 +1,10 @@
-// bar.js - what runs the program: buttons, the slider over all steps, the line that tells
-// how it went; and what the program has printed.
+// bar.js - runs the program: the buttons, the slider over all steps, the status line and
+// the output of the program.
 
 import { $, count } from "./dom.js";
 
-const SELDOM = 500; // milliseconds between two words on what is still under way
-// Buttons, and how they go.
+const SELDOM = 500; // milliseconds between two reports of progress
+// Maps the id of each button to the value of "how" in the request "go".
 const WAYS = { run: "end", reset: "start", step: "step", back: "back", on: "continue",
   before: "reverse-continue" };
 const WHY = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
@@ -16,10 +16,10 @@ export function say(words, mood = "") {
   $("status").className = `status ${mood}`;
 }
 
-// What the debugger said, as a sentence.
+// Makes a sentence of a message of the debugger.
 const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
 
-// How a movement ended.
+// Reports how a run or a step ended.
 function told(reply) {
   if (!reply.ok) return say(reply.error, "bad");
   if (reply.stopped) return say("Stopped by you.");
@@ -27,7 +27,7 @@ function told(reply) {
     MOOD[reply.why]);
 }
 
-// Buttons, slider and output, of a view or of no program.
+// Updates buttons, slider and output from a view; null: no program is loaded.
 function settle(view) {
   const { step = 0, steps = 0, ended = false, clock = 0, printed = "", printed_cut: cut = false } = view ?? {};
   const slider = $("slider");

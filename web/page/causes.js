@@ -1,8 +1,8 @@
-// causes.js - where the clocks went: a bar and a table of causes, and the regions.
+// causes.js - the clocks of a run: a bar and a table by cause, and a table by region.
 
 import { colour, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
 
-/** A bar of {cause, clocks}, each as wide as its share. */
+/** Returns a stacked bar of {cause, clocks}. The width of a part is its share of the clocks. */
 export function bar(causes) {
   const all = causes.reduce((sum, { clocks }) => sum + clocks, 0);
   let at = 0;
@@ -15,7 +15,7 @@ export function bar(causes) {
   return draw("svg", { class: "bar-of-causes", "aria-hidden": "true" }, parts);
 }
 
-/** The name of a cause, behind a patch of its colour. */
+/** Returns the name of a cause after a patch of its colour. */
 export const named = (cause) => el("span", { class: "cause" },
   el("i", { class: `patch ${colour(cause)}`, "aria-hidden": "true" }), cause);
 

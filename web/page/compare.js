@@ -1,5 +1,5 @@
-// compare.js - two programs side by side, and the one or two causes that make the
-// difference, in words.
+// compare.js - compares two programs: a sentence names the one or two causes that make the
+// difference, and tables show causes, regions and figures.
 
 import { choices, count, el, fill, fixed, heading, table } from "./dom.js";
 import { named } from "./causes.js";
@@ -17,14 +17,14 @@ export function makeCompare(panel, session, others) {
         el("button", { type: "button", click: keep }, "Keep my program for later"))),
     result));
 
-  /** Another program is mine: nothing is chosen any more. */
+  /** Clears both lists and the result, after another program was opened. */
   function renew() {
     fill(first);
     fill(second);
     offer();
   }
 
-  // At first, mine beside the one that I began with.
+  // Fills both lists. The default compares the starting text with the program in the editor.
   function offer() {
     const [mine, ...list] = others();
     const chosen = first.value;
@@ -67,7 +67,7 @@ export function makeCompare(panel, session, others) {
     ];
   }
 
-  // The decimals of c205 compare; all others are counts.
+  // Decimal places, as in c205 compare. All other figures are counts.
   const decimals = { milliseconds: 3, "mean vector length": 1, "Mflop/s": 2 };
   const figure = (x, name) => x == null ? "-" : fixed(x, decimals[name] ?? 0);
 

@@ -1,8 +1,8 @@
-// console.js - the debugger's own verbs, as on a terminal.
+// console.js - accepts the commands of the debugger, like the terminal.
 
 import { el, fill, heading } from "./dom.js";
 
-const KEEP = 400; // entries on the page
+const KEEP = 400; // commands that the transcript shows
 
 export function makeConsole(panel, session) {
   const said = [];

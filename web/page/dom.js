@@ -1,4 +1,4 @@
-// dom.js - elements of the page: found, made, filled; numbers as they are shown.
+// dom.js - finds, creates and fills elements of the page; formats numbers; stores values.
 
 export const $ = (id) => document.getElementById(id);
 
@@ -14,17 +14,18 @@ function furnish(node, attributes, children) {
   return node;
 }
 
-/** Children in place of those that a node has. */
+/** Replaces the children of a node. */
 export function fill(node, ...children) {
   node.replaceChildren(...there(children));
 }
 
-/** An element; an attribute that is a function listens, a child that is null is none. */
+/** Creates an element. An attribute whose value is a function becomes an event listener; children
+ * that are null or false are skipped. */
 export function el(name, attributes = {}, ...children) {
   return furnish(document.createElement(name), attributes, children);
 }
 
-/** The same of a drawing. */
+/** Creates an SVG element, with attributes and children as in el. */
 export function draw(name, attributes = {}, ...children) {
   return furnish(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
 }
@@ -33,13 +34,13 @@ export function icon(name) {
   return draw("svg", { "aria-hidden": "true" }, draw("use", { href: `#icon-${name}` }));
 }
 
-/** What a panel has on top: its heading and what is said beside it. */
+/** Returns the heading of a panel, with the elements at its right. */
 export function heading(panel, title, ...aside) {
   return el("div", { class: "heading" },
     el("h2", { id: `${panel}-heading` }, title), el("div", { class: "aside" }, ...aside));
 }
 
-/** A table: columns of [title, class], rows of cells (texts or elements). */
+/** Returns a table. columns: [title, class]; rows: {cells}, whose cells are texts or elements. */
 export function table(caption, columns, rows) {
   return el("table", {},
     el("caption", { class: "unseen" }, caption),
@@ -51,8 +52,8 @@ export function table(caption, columns, rows) {
         : el("td", { class: columns[i][1] }, cell))))));
 }
 
-/** Choices of a select: a list of {value, title}, or of {group, choices}.  What was chosen stays so
- * if it is still there. */
+/** Fills a select with choices: {value, title}, or {group, choices}. The selected value stays
+ * selected if it is still in the list. */
 export function choices(select, list) {
   const before = select.value;
   const option = ({ value, title }) => el("option", { value }, title);
@@ -63,23 +64,24 @@ export function choices(select, list) {
 }
 
 export const count = (n) => n.toLocaleString("en");
-// Rounded as printf does: toLocaleString alone rounds the shortest decimal form of the number.
+// Rounds as printf does: toLocaleString alone rounds the shortest decimal form of the number.
 export const fixed = (x, places, signed = false) => Number.isFinite(x)
   ? Number(x.toFixed(places)).toLocaleString("en", { minimumFractionDigits: places,
     maximumFractionDigits: places, signDisplay: signed ? "always" : "negative" })
   : "-";
-/** "1 clock", "2 clocks". */
+/** Returns a number with its noun: "1 clock", "2 clocks". */
 export const some = (n, what) => `${count(n)} ${what}${n === 1 ? "" : "s"}`;
-/** A time in the unit that suits it. */
+/** Formats a time in µs, ms or s, with two decimals. */
 export function duration(microseconds) {
   const [unit, by] = microseconds < 1000 ? ["µs", 1] : microseconds < 1e6 ? ["ms", 1e3] : ["s", 1e6];
   return `${fixed(microseconds / by, 2)} ${unit}`;
 }
 
-/** The class that has the colour of a cause: vector start-up, vector_startup .. */
+/** Returns the CSS class with the colour of a cause. Case and all but letters are ignored, so
+ * "vector start-up" and vector_startup have the same class. */
 export const colour = (cause) => `cause-${cause.toLowerCase().replace(/[^a-z]/g, "")}`;
 
-const lost = new Map(); // names of values that could not be stored: why
+const lost = new Map(); // name of a value that could not be stored: the reason
 
 function report() {
   const [why] = lost.values();
@@ -87,13 +89,14 @@ function report() {
   $("unstored").textContent = why ? `${why} Your text is lost when this page is closed: copy it, or use Share.` : "";
 }
 
-/** Values that are stored between visits.  The page reports it if one cannot be stored.  What is
- * read may be anything: other versions of the page, and other pages, write there. */
+/** Values that are stored between visits. The page reports a value that cannot be stored. A value
+ * that is read may have any type, because other versions of the page, and other pages of the same
+ * origin, write to the same storage. */
 export const kept = {
   get(name) {
     try { return JSON.parse(localStorage.getItem(`c205.${name}`)); } catch { return null; }
   },
-  /** A text; null: there is none. */
+  /** Returns the value if it is a text, or else null. */
   text(name) {
     const value = kept.get(name);
     return typeof value === "string" ? value : null;

@@ -1,5 +1,5 @@
-// editor.js - the program's text: CodeMirror with the assembler's words, breakpoints
-// in the gutter, the line at which the program stands, errors where they are.
+// editor.js - the text of the program: CodeMirror with highlighting for the assembler,
+// breakpoints in the gutter, a mark at the current line, and errors at their positions.
 
 import { defaultKeymap, history, historyKeymap, indentMore } from "@codemirror/commands";
 import { HighlightStyle, StreamLanguage, bracketMatching, syntaxHighlighting }
@@ -13,13 +13,13 @@ import { count, el, fixed, some } from "./dom.js";
 import { MAX_PROGRAM } from "./share.js";
 
 const TAB = 8;
-const MARGIN = 2; // lines above and below the line that is brought into sight
+const MARGIN = 2; // lines that stay visible above and below the current line
 
-// --- the language -----------------------------------------------------------
+// --- Language --------------------------------------------------------------
 
 const NAME = /^[A-Za-z_$][\w$.]*/;
 
-// One statement a line: labels, the operation, operands, a comment.
+// A line has one statement: labels, the operation, operands and a comment.
 function language(about) {
   const mnemonics = new Set(about.instructions.map((row) => row.mnemonic.toUpperCase()));
   const directives = new Set(about.directives.map((name) => name.toLowerCase()));
@@ -64,7 +64,7 @@ const colours = HighlightStyle.define([
   [tags.special(tags.variableName), "register"], [tags.invalid, "unknown"],
 ].map(([tag, name]) => ({ tag, class: `word-${name}` })));
 
-// --- the gutter: breakpoints and where the program stands ----------------------
+// --- Gutter: breakpoints and the current line ----------------------------------
 
 const setBreaks = StateEffect.define();
 const setHere = StateEffect.define();
@@ -78,7 +78,7 @@ const BREAK = new Mark("break", "a breakpoint");
 const HERE = new Mark("here", "the next instruction");
 const ROOM = new Mark("room", "");
 
-// Clocks of a line, on a ground that is the darker the larger their share is.
+// The clocks of a line. The background is darker for a larger share of the run.
 class Clocks extends GutterMarker {
   constructor({ clocks, percent, executions }) {
     super();
@@ -138,9 +138,9 @@ function hereMarks(view) {
   return line ? RangeSet.of(HERE.range(lineStart(view.state.doc, line))) : RangeSet.empty;
 }
 
-// --- the editor ---------------------------------------------------------------
+// --- Editor ---------------------------------------------------------------------
 
-// Spaces to the next column of eight; of a selection, all its lines.
+// Inserts spaces up to the next multiple of eight columns. A selection is indented line by line.
 function tab(view) {
   if (!view.state.selection.main.empty) return indentMore(view);
   const at = view.state.selection.main.head;
@@ -150,7 +150,7 @@ function tab(view) {
   return true;
 }
 
-// What the table says of a word.
+// Returns the operands and the effect of an instruction, from the instruction table.
 function explain(about, word) {
   const row = about.instructions.find(({ mnemonic }) =>
     mnemonic.toUpperCase() === word.replace(/,h$/i, "").toUpperCase());
@@ -158,12 +158,13 @@ function explain(about, word) {
 }
 
 /**
- * The editor in PARENT.  CHANGED hears of the text, BREAKS of the lines with
- * breakpoints, AT of what the table says of the word under the cursor, TOOLONG of the length of
- * a text that is rejected.
+ * Creates the editor in PARENT. The callbacks are: CHANGED, with the text, after each change;
+ * BREAKS, with the lines that have breakpoints; AT, with the table's entry for the word under the
+ * cursor; TOOLONG, with the length of a text that was rejected.
  */
 export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong }) {
-  // However it comes: pasted, dropped, typed.  A text that is longer already may become shorter.
+  // Rejects each change, by paste, drop or typing, that makes a text longer than the limit. A text
+  // that is longer already may become shorter.
   const limit = EditorState.transactionFilter.of((change) => {
     const length = change.changes.newLength;
     if (length <= Math.max(MAX_PROGRAM, change.startState.doc.length)) return change;
@@ -229,7 +230,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
   ];
   const view = new EditorView({ parent });
 
-  // A line, with so many around it, within the editor: the page stays where it is.
+  // Scrolls the editor, and not the page, until a line and AROUND lines on each side are visible.
   function bringIntoSight(position, around) {
     const { height, ...line } = view.lineBlockAt(position);
     const top = line.top + view.documentPadding.top, bottom = top + height;
@@ -240,7 +241,8 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.scrollDOM.scrollTop = bottom + margin - clientHeight;
   }
 
-  // Errors that are told below make less room: the line that is being written stays in sight.
+  // The list of errors below the editor makes the editor smaller. This keeps the line with the
+  // cursor visible.
   new ResizeObserver(() => {
     if (view.hasFocus) bringIntoSight(view.state.selection.main.head, MARGIN / 8);
   }).observe(view.scrollDOM);
@@ -248,24 +250,24 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
   return {
     view,
     get text() { return view.state.doc.toString(); },
-    /** Another text, of which there is no way back to the one before. */
+    /** Replaces the text and clears the undo history. */
     set(text) {
       view.setState(EditorState.create({ doc: text, extensions }));
       at(null);
     },
-    /** As if it had been typed. */
+    /** Replaces the text as if the user had typed it: the change can be undone. */
     type(text) {
       view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text }, userEvent: "input" });
     },
     setBreaks(list) {
       view.dispatch({ effects: setBreaks.of(list) });
     },
-    /** Marks the line, and brings it into sight. */
+    /** Marks the current line and scrolls to it; 0 removes the mark. */
     stand(line) {
       view.dispatch({ effects: setHere.of(line) });
       if (line) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
     },
-    /** Clocks beside lines: {line, clocks, percent, executions}. */
+    /** Shows clocks next to lines: {line, clocks, percent, executions}. */
     charge(rows) {
       view.dispatch({ effects: setClocks.of(rows) });
     },
@@ -275,7 +277,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong
       view.dispatch({ selection: { anchor }, scrollIntoView: true });
       view.focus();
     },
-    /** Errors and warnings: {severity, line, column, length, message}. */
+    /** Marks errors and warnings: {severity, line, column, length, message}. */
     tell(diagnostics) {
       const { doc } = view.state;
       view.dispatch(setDiagnostics(view.state, diagnostics.filter((one) => one.line).map((one) => {

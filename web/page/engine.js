@@ -1,10 +1,10 @@
-// engine.js - the engine of the page, in a worker, a page or node: requests are objects,
-// and so are replies; web/engine/engine.h says which there are.
+// engine.js - runs the engine of the page in a worker, a page or node. Requests and replies
+// are objects; web/engine/engine.h lists them.
 
-const SUCCESS = 0, NO_FILE = 8; // of WASI: ebadf
+const SUCCESS = 0, NO_FILE = 8; // errno values of WASI: success, ebadf
 
-// What the module wants of its host: it has a clock, and no files but those that
-// what it prints when it fails goes to.
+// The functions that the module imports: a clock, and a write function, whose text goes to
+// COMPLAIN. The module prints only when it fails. All other functions of files fail.
 function imports(memory, complain) {
   const view = () => new DataView(memory().buffer);
   const noFile = () => NO_FILE;
@@ -39,7 +39,7 @@ function imports(memory, complain) {
   };
 }
 
-/** An engine from the bytes of engine.wasm, or from a module compiled of them. */
+/** Starts an engine from the bytes of engine.wasm or from a compiled module. */
 export async function startEngine(wasm, complain = (text) => console.error(text)) {
   const module = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
   const instance = await WebAssembly.instantiate(module, {
@@ -49,7 +49,7 @@ export async function startEngine(wasm, complain = (text) => console.error(text)
   const encoder = new TextEncoder(), decoder = new TextDecoder();
   _initialize();
 
-  /** The reply to a request as text. */
+  /** Sends a request as JSON text and returns the reply as text. */
   function answerText(text) {
     const request = encoder.encode(text);
     const at = room(request.length);
@@ -66,7 +66,7 @@ export async function startEngine(wasm, complain = (text) => console.error(text)
   return {
     answerText,
     answer: (request) => JSON.parse(answerText(JSON.stringify(request))),
-    /** Bytes that it has taken. */
+    /** Returns the size of the engine's memory in bytes. */
     size: () => memory.buffer.byteLength,
   };
 }

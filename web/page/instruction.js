@@ -1,9 +1,9 @@
-// instruction.js - the last instruction: its time as a sum with numbers in it, what it
-// waited for, and how sure the constants are.
+// instruction.js - the last instruction: its time as a sum of terms, the reasons of its
+// waits, and the sources of the constants.
 
 import { colour, count, el, fill, heading, some } from "./dom.js";
 
-// How a constant came into the model (docs/timing.md).
+// The source of a constant of the model (docs/timing.md).
 const SOURCES = {
   P: "read in a primary source",
   S: "read in a secondary source",
@@ -21,14 +21,14 @@ export function makeInstruction(panel, session) {
     next && el("p", { class: "next" }, "Next: ", el("code", {}, next))));
 }
 
-// "7 memory wait + 1 issue", each underlined with its colour.
+// Returns a sum like "7 memory wait + 1 issue", each term underlined with its colour.
 function sum(parts, waits = true) {
   return parts.map(({ clocks, cause, wait }, i) => [i > 0 && " + ",
     el("span", { class: `term ${colour(cause)}` },
       el("span", {}, el("b", {}, count(clocks)), ` ${cause}`, waits && wait && `, ${wait}`))]);
 }
 
-// A line of the program without its comment.
+// Returns a line of the program without its comment.
 const sourceLine = (text, line) => text.split("\n")[line - 1]?.replace(/;.*/, "").trim().replace(/\s+/g, " ");
 
 function told(last, written) {

@@ -1,9 +1,9 @@
-// keys.js - keys for all that the bar has, none of them a browser's own with Ctrl; and the
-// dialogue that tells them.
+// keys.js - a key for each button of the bar, and the dialogue that lists them. No key
+// uses Ctrl, because browsers use its combinations.
 
 import { $, el } from "./dom.js";
 
-// Key, the button that it is for, what it does.
+// Each row: the key, the id of its button, the description.
 const KEYS = [
   ["F8", "run", "run to the end"],
   ["Shift F8", "reset", "go back to the beginning"],
@@ -35,7 +35,7 @@ function tell() {
   }
 }
 
-/** A key presses its button, if that can be pressed. */
+/** Makes each key click its button if the button is enabled. */
 export function makeKeys() {
   tell();
   addEventListener("keydown", (event) => {

@@ -1,5 +1,6 @@
-// laboratory.js - one or two programs against a constant: Mflop/s of every length (clocks of what
-// does no arithmetic), the straight line through their clocks, n-half.  All figures are the engine's.
+// laboratory.js - measures one or two programs for many values of a constant: the rate in Mflop/s
+// (clocks, if a program has no arithmetic), the straight line through the clocks, and n-half. The
+// engine computes all figures.
 
 import { choices, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
 
@@ -9,7 +10,7 @@ const WIDTH = 720, HEIGHT = 300, LEFT = 56, RIGHT = 96, TOP = 16, BOTTOM = 40;
 export function makeLaboratory(panel, session, others) {
   let told = null;
   let names = [];
-  let at = 0; // the point that the slider stands at
+  let at = 0; // index of the point at the slider
 
   const first = el("select", { id: "lab-first" });
   const second = el("select", { id: "lab-second" });
@@ -69,12 +70,12 @@ export function makeLaboratory(panel, session, others) {
     show();
   }
 
-  // Is there a rate to be shown, of one of them at least?
+  // Returns true if any point has a rate.
   const rated = () => told.points.some((point) => series().some((one) => point[`${one}mflops`] > 0));
   const steady = () => told.points.length > 1
     && series().every((one) => new Set(told.points.map((point) => point[`${one}clocks`])).size === 1);
 
-  // As c205 sweep names them: "first_clocks" beside another program, else "clocks".
+  // Prefixes of the figures, as in c205 sweep: "first_" and "second_" if there are two programs.
   const series = () => names.length > 1 ? ["first_", "second_"] : [""];
 
   function show() {
@@ -102,7 +103,7 @@ export function makeLaboratory(panel, session, others) {
     mark();
   }
 
-  // Where the two change places.
+  // Names the program that is faster from a value of the constant on.
   function crossing({ value, faster, first_clocks: a, second_clocks: b }) {
     const [mine, other] = faster === "first" ? [0, 1] : [1, 0];
     return el("p", {}, `From ${told.constant} = ${count(value)} on ${names[mine]} is faster: `
@@ -126,7 +127,7 @@ export function makeLaboratory(panel, session, others) {
       [count(point[`${one}clocks`]), ...(rated() ? [fixed(point[`${one}mflops`], 2)] : [])])] })));
   }
 
-  // Mflop/s, or clocks, against the constant, that on a scale of factors.
+  // Draws Mflop/s, or clocks, as a function of the constant. The axis of the constant is logarithmic.
   function drawing() {
     const { points } = told;
     const [low, high] = [points[0].value, points.at(-1).value];

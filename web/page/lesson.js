@@ -1,11 +1,11 @@
-// lesson.js - the text of a lesson, its goals, the verdict; and what has been reached
-// so far, kept between visits where the browser lets us.
+// lesson.js - the text of a lesson, its goals, the verdict, and the progress of the learner,
+// which is stored in the browser.
 
 import { $, count, el, fill, kept, some } from "./dom.js";
 
 const MEDALS = ["", "bronze", "silver", "gold"];
 
-/** What is kept of a lesson: {text, medal, passed}, without what has another type. */
+/** Returns the stored progress of a lesson: {text, medal, passed}. Values of a wrong type are dropped. */
 export function progress(name) {
   const { text, medal, passed } = kept.get(`lesson.${name}`) ?? {};
   return { ...(typeof text === "string" && { text }),
@@ -13,19 +13,19 @@ export function progress(name) {
 }
 export const note = (name, more) => kept.set(`lesson.${name}`, { ...progress(name), ...more });
 
-/** "3 First vector", with a sign of what was reached. */
+/** Returns number and title of a lesson, like "3 First vector", with a mark for the best result. */
 export function title({ number, title: words, name }) {
   const { passed, medal } = progress(name);
   return `${number} ${words}${passed ? ` ✓${medal ? ` ${medal}` : ""}` : ""}`;
 }
 
-// "gold 95, silver 110": clocks of a test.
+// Returns the clock limits of a test for each medal: "gold 95, silver 110".
 const wanted = ({ goals }) => Object.entries(goals)
   .map(([medal, clocks]) => `${medal} ${count(clocks)}`).join(", ");
 
 let shown = null;
 
-/** EXERCISE: what is written is an answer to it. */
+/** Shows a lesson. EXERCISE: the editor has the learner's answer to it, not an example. */
 export function showLesson(lesson, exercise) {
   hideVerdict();
   $("check").disabled = !exercise;
@@ -48,7 +48,7 @@ export function setFolded(folded) {
   $("fold").setAttribute("aria-expanded", String(!folded));
 }
 
-// A verdict is where the text was.
+// Shows the verdict in place of the text of the lesson, or the text.
 function judged(so) {
   $("verdict").hidden = !so;
   $("lesson-panel").classList.toggle("judged", so);
@@ -56,7 +56,7 @@ function judged(so) {
 
 export const hideVerdict = () => judged(false);
 
-/** The engine's verdict in its own words. */
+/** Shows the verdict of the engine and stores the best result. */
 export function showVerdict(reply) {
   const best = progress(reply.lesson);
   const better = MEDALS.indexOf(reply.medal) > MEDALS.indexOf(best.medal ?? "");
@@ -81,6 +81,6 @@ const tested = (test) => el("section", {},
   el("p", { class: "tries" }, test.tries),
   ...sentences(test.report));
 
-// What is of several lines shows lines of the program.
+// Formats a report. A sentence of several lines quotes lines of the program.
 const sentences = (report) => report.map((sentence) =>
   el("p", { class: sentence.includes("\n") ? "lines" : null }, sentence));

@@ -1,7 +1,8 @@
-// machine.js - the page's side of the worker: asks the engine, and begins with a new
-// one when the old one does not answer any more.
+// machine.js - the page's side of the worker: sends requests to the engine, and starts a new
+// engine if the old one does not answer.
 
-// Milliseconds from a stop to a worker that has to go, and where the engine does it all in one go.
+// Milliseconds from a stop to the end of the worker. AT_ONCE is for a request that the engine cannot
+// interrupt.
 const PATIENCE = 3000, AT_ONCE = 250;
 
 export class Machine {
@@ -10,10 +11,10 @@ export class Machine {
   #next = 1;
   #watch = 0;
 
-  /** An engine has ended with the program that it had. */
+  /** True after an engine was lost together with its program. */
   lost = false;
 
-  /** SOURCE: the worker's text; WASM: a promise of the engine's bytes. */
+  /** SOURCE: the text of the worker; WASM: a promise of the bytes of the engine. */
   constructor(source, wasm) {
     this.#source = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
     this.#wasm = wasm;
@@ -45,8 +46,7 @@ export class Machine {
     this.#lose("it was started again");
   }
 
-  // A new worker, which has no program; what was asked of the old one is answered with
-  // an error.
+  // Starts a new worker, which has no program. Requests to the old worker are answered with an error.
   #lose(why, stopped = false) {
     this.lost = true;
     this.#worker.terminate();
@@ -56,7 +56,7 @@ export class Machine {
     this.#start();
   }
 
-  /** The engine's reply; PROGRESS hears of what takes longer than a slice. */
+  /** Returns the engine's reply. PROGRESS receives reports if the request takes more than a slice. */
   async ask(request, progress) {
     await this.#ready;
     return new Promise((resolve) => {
@@ -66,12 +66,12 @@ export class Machine {
     });
   }
 
-  /** Nothing is asked that is not answered. */
+  /** True if every request was answered. */
   get idle() {
     return this.#asked.size === 0;
   }
 
-  /** Whatever is going on ends soon, with what it has so far. */
+  /** Stops the current request. Its reply has the result so far. */
   stop() {
     this.#worker.postMessage({ stop: true });
     clearTimeout(this.#watch);

@@ -1,4 +1,4 @@
-// main.js - the page: puts the panels together and ties the bar and the keys to them.
+// main.js - the page: creates the panels and connects them with the bar and the keys.
 
 import { makeBar, say } from "./bar.js";
 import { makeCauses } from "./causes.js";
@@ -33,7 +33,7 @@ const [about, carried] = await Promise.all([session.machine.ask({ do: "about" })
   });
 const programs = new Programs(about, carried);
 
-// --- panels -------------------------------------------------------------------
+// --- Panels --------------------------------------------------------------------
 
 let typing = 0;
 const editor = makeEditor($("source"), about, {
@@ -66,21 +66,21 @@ const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {
   if (name === "tracer") openTracer();
 });
 
-// When it is first looked at.
+// Creates the panel of the ray tracer when it is opened for the first time.
 async function openTracer() {
   if ($("tracer").hasChildNodes()) return;
   tracerPanel($("tracer"), { source: tracerSource(), wasm: tracerBytes, scenes: await scenes(),
     models: about.models });
 }
 
-/** My program, and those that it can be held beside. */
+/** Returns the program in the editor and all programs that it can be compared with. */
 function others() {
   return [{ value: "mine", title: "my program", text: editor.text },
     ...(session.kept ? [{ value: "kept", title: "kept", text: session.kept }] : []),
     ...programs.others];
 }
 
-// --- the text: errors, where it stands, where its time goes ------------------------
+// --- Text: errors, the current line, clocks of lines ---------------------------------
 
 session.on("loaded", (reply) => {
   const told = reply.diagnostics ?? [];
@@ -103,11 +103,11 @@ session.on("view", ({ ended, line }) => editor.stand(ended ? 0 : line));
 session.on("profile", (rows) => editor.charge(rows));
 session.on("breaks", (lines) => editor.setBreaks(lines));
 
-// --- programs -----------------------------------------------------------------------
+// --- Programs -------------------------------------------------------------------------
 
 /**
- * TEXT: in place of what the learner has written of it, which is not touched yet.  Pages are as
- * WARM says, or as in the lesson's tests.
+ * Opens a program. TEXT replaces the text that the learner stored for it; the stored text stays
+ * until the text is edited. WARM: whether pages are in memory; if missing, as in the lesson's tests.
  */
 function open(key, text, warm) {
   programs.choose(key);
@@ -153,12 +153,12 @@ async function share() {
   }
 }
 
-// A link is of the text that it was made of.
+// Removes the link from the address bar, because the program is no longer that of the link.
 function forgetLink() {
   if (location.hash) history.replaceState(null, "", location.pathname + location.search);
 }
 
-// OTHERWISE: what is opened when there is no link, or a spoilt one.
+// Opens the program of a link. OTHERWISE: opened if there is no link or a damaged one.
 async function openLink(otherwise) {
   let shared = null, fault = "";
   try {
@@ -182,7 +182,7 @@ async function openLink(otherwise) {
   if (fault) say(fault, "bad");
 }
 
-// --- buttons and lists ----------------------------------------------------------------
+// --- Buttons and lists ------------------------------------------------------------------
 
 const acts = {
   check, share, theme: switchTheme,
@@ -201,7 +201,7 @@ $("warm").addEventListener("change", () => { session.warm = $("warm").value; ses
 $("licences").addEventListener("toggle", async () => {
   $("licences").lastElementChild.textContent = await notice();
 });
-// A lesson's link to another lesson, and what opens one of its examples.
+// Opens another lesson, or an example of the lesson, from a link in its text.
 $("lesson-text").addEventListener("click", (event) => {
   const { lesson, example } = event.target.closest("[data-lesson], [data-example]")?.dataset ?? {};
   if (!lesson && !example) return;
@@ -211,14 +211,14 @@ $("lesson-text").addEventListener("click", (event) => {
 });
 addEventListener("hashchange", () => openLink());
 
-// --- the beginning ----------------------------------------------------------------------
+// --- Start --------------------------------------------------------------------------------
 
 choices($("model"), about.models.map(({ name, title }) => ({ value: name, title })));
 session.model = $("model").value = about.model;
 await openLink(kept.get("at"));
 document.body.classList.add("ready");
 
-// For those who look behind the page: its tests, and a curious console.
+// For tests, and for users of the browser's console.
 window.c205 = { session, editor, about, ask: (request) => session.machine.ask(request),
   example: (name) => carried.examples.find((one) => one.name === name)?.text,
   quiet: () => typing === 0 && !session.busy && session.machine.idle };

@@ -1,5 +1,5 @@
-// programs.js - all programs that there are: lessons with what is to be completed and
-// their examples, the other examples, the learner's own.
+// programs.js - the list of programs: lessons with their exercises and examples, other
+// examples, and the learner's own program.
 
 import { $, choices, kept } from "./dom.js";
 import { note, progress, title } from "./lesson.js";
@@ -7,7 +7,7 @@ import { note, progress, title } from "./lesson.js";
 export const OWN = "own";
 const EMPTY = '        .include "print.s"\n\n        EXIT\n';
 
-/** ABOUT: what the engine has; COURSE: what the page carries. */
+/** ABOUT: the engine's description of itself; COURSE: the lessons and examples of the page. */
 export class Programs {
   #list = new Map(); // key: {name, text, lesson}; a lesson's key is lesson:NAME
 
@@ -27,14 +27,14 @@ export class Programs {
     return this.#list.has(key);
   }
 
-  /** The one by that key, or the first of all. */
+  /** Selects the program with that key, or the first program if there is none. */
   choose(key) {
     this.key = this.#list.has(key) ? key : this.#list.keys().next().value;
     Object.assign(this, { lesson: undefined, exercise: false }, this.#list.get(this.key));
     kept.set("at", this.key);
   }
 
-  /** Whether its pages are in memory: as in the lesson's tests; "": as the program says. */
+  /** "warm" if the pages are in memory in all tests of the lesson; "": as the program states. */
   get warm() {
     return this.lesson?.tests.every(({ warm }) => warm) ? "warm" : "";
   }
@@ -48,7 +48,7 @@ export class Programs {
     return this.lesson ? this.#of(`part:${this.lesson.name}:`) : [];
   }
 
-  /** Into the list to choose from; a lesson's examples while it is open. */
+  /** Fills the list of programs. The examples of a lesson are in it while the lesson is open. */
   offer() {
     const groups = [
       { group: "Course", choices: this.#of("lesson:", ({ lesson }) => title(lesson)) },
@@ -60,7 +60,7 @@ export class Programs {
     $("lesson").value = this.key;
   }
 
-  /** What the learner has written of it; null: nothing. */
+  /** The text that the learner wrote for this program; null: none. */
   get written() {
     if (this.exercise) return progress(this.lesson.name).text ?? null;
     return this.key === OWN ? kept.text("own") : null;
@@ -71,7 +71,7 @@ export class Programs {
     else if (this.key === OWN) kept.set("own", text);
   }
 
-  /** Those that another can be held beside. */
+  /** The programs that the current one can be compared with. */
   get others() {
     const start = { value: "start", title: "the starting text", text: this.text };
     return [...(this.exercise ? [start] : []), ...this.#parts, ...this.#of("example:")];

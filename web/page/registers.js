@@ -1,8 +1,8 @@
-// registers.js - what the registers hold; what the last instruction changed is marked.
+// registers.js - the contents of the registers. Those that the last instruction changed are marked.
 
 import { count, el, fill, heading, table } from "./dom.js";
 
-const MAX = 64; // rows; a program that uses more is rare
+const MAX = 64; // rows; few programs use more registers
 
 export function makeRegisters(panel, session) {
   session.on("view", ({ registers }) => {
@@ -25,7 +25,7 @@ const title = ({ number, name, changed }) => [
   el("code", {}, `r${number}`), name && el("b", {}, ` ${name}`),
   changed && el("span", { class: "unseen" }, " changed")];
 
-// A descriptor is told as one, halves by their names; else it is a number.
+// Formats a descriptor as such, named halves with their names, and any other word as a number.
 function meaning({ text, descriptor, left, right }) {
   if (descriptor) return `${count(descriptor.count)} ${descriptor.kind} ${descriptor.label
     ? `of ${descriptor.label}` : `from ${descriptor.address.toString(16).toUpperCase()}`}`;

@@ -1,9 +1,9 @@
-// session.js - the program at hand: what is loaded and where it stands.  Panels hear
-// of it: "loaded" (the engine's reply), "view" (what all panels show), "profile" (clocks
-// by lines), "moved" (how a movement ended), "busy", "progress", "breaks".
+// session.js - the loaded program and its state. Panels listen to these events: "loaded"
+// (the engine's reply), "view" (the data of all panels), "profile" (clocks by line),
+// "moved" (how a run or a step ended), "busy", "progress" and "breaks".
 
-const PATIENCE = 2000; // milliseconds that a line of the debugger may take
-const ELEMENTS = 64, MAX_ELEMENTS = 4096; // of each vector that are looked at
+const PATIENCE = 2000; // milliseconds, limit for a command of the debugger
+const ELEMENTS = 64, MAX_ELEMENTS = 4096; // of each vector in a view
 
 export class Session {
   #listeners = {};
@@ -14,13 +14,13 @@ export class Session {
   name = "program.s";
   text = "";
   model = "";
-  warm = ""; // "": as the program says; "warm", "cold"
+  warm = ""; // "warm" or "cold"; "": as the program states
   breaks = [];
   loaded = null;
   view = null;
   busy = false;
   elements = ELEMENTS;
-  kept = ""; // a program put aside to compare with
+  kept = ""; // a program that was stored for a comparison
 
   constructor(machine) {
     this.machine = machine;
@@ -34,12 +34,12 @@ export class Session {
     for (const listener of this.#listeners[kind] ?? []) listener(what);
   }
 
-  /** A setting of a request, left out when the program itself says it. */
+  /** The settings of a request. "warm" is missing if the program states it. */
   get setting() {
     return { model: this.model, ...(this.warm && { warm: this.warm === "warm" }) };
   }
 
-  /** Asks for something that may take long: busy until it is there. */
+  /** Sends a request that may take long. The session is busy until the reply arrives. */
   async longer(request, progress) {
     this.#occupy(true);
     const reply = await this.machine.ask(request, progress);
@@ -60,13 +60,13 @@ export class Session {
     this.machine.stop();
   }
 
-  /** The text has changed: what is loaded is another program's. */
+  /** Sets the text. The loaded program is out of date from then on. */
   change(text) {
     this.text = text;
     this.#stale = true;
   }
 
-  /** Assembles the text and goes to its beginning. */
+  /** Assembles the text and goes to the start of the program. */
   async load() {
     const turn = ++this.#turn;
     if (this.busy) this.stop();
@@ -83,7 +83,7 @@ export class Session {
     await this.look();
   }
 
-  /** Breakpoints at lines of the program's text; the engine says where they stand. */
+  /** Sets breakpoints at lines of the text. The engine returns the lines that can have one. */
   async setBreaks(lines) {
     this.breaks = lines;
     if (!this.loaded?.ok) return;
@@ -101,7 +101,7 @@ export class Session {
     this.#lookAtLines(view);
   }
 
-  // Clocks by lines of the text itself, "program.s:12" being line 12.
+  // Reports the clocks of the lines of the text itself. "program.s:12" is its line 12.
   async #lookAtLines(view) {
     const profile = await this.machine.ask({ do: "profile", idle: true });
     if (view !== this.view || !profile.ok || profile.stopped) return;
@@ -110,13 +110,13 @@ export class Session {
       .map((row) => ({ ...row, line: Number(row.line.slice(start.length)) })));
   }
 
-  /** More elements of vectors, up to a most. */
+  /** Requests four times as many elements of each vector, up to a limit. */
   lookFurther() {
     this.elements = Math.min(4 * this.elements, MAX_ELEMENTS);
     return this.look();
   }
 
-  /** Moves, as the debugger's verbs do: "end", "step", "back" .., "step-to" N. */
+  /** Runs or steps as HOW states: "end", "step", "back" and so on, or "step-to" with N. */
   async go(how, n) {
     if (this.busy) return;
     if (this.#stale || this.machine.lost) await this.load();
@@ -129,7 +129,7 @@ export class Session {
     this.#tell("moved", reply);
   }
 
-  /** A line of the debugger's own verbs. */
+  /** Sends a command to the debugger. */
   async say(line) {
     const reply = await this.machine.ask({ do: "say", line, ms: PATIENCE });
     await this.look();
@@ -137,7 +137,7 @@ export class Session {
     return reply;
   }
 
-  /** To a step, as the slider is drawn: of many targets the last one counts. */
+  /** Goes to a step while the slider is dragged. Only the last of several pending steps counts. */
   async slide(step) {
     const moving = this.#target !== null;
     this.#target = step;

@@ -1,10 +1,10 @@
-// share.js - a link that holds all: behind its # the program (deflated), the model,
-// the pages, the lesson.  Nothing of it goes to any server.
+// share.js - a link that contains the program (deflated), the model, the state of the pages
+// and the lesson. They are in the fragment, after #, which no browser sends to a server.
 
 import { count } from "./dom.js";
 
-/** Limits, checked where a link is made and where it is opened: bytes of a program (a link may hold
- * very many that are packed well), and characters of a link, which every browser opens. */
+/** Limits, checked when a link is made and when it is opened. MAX_PROGRAM: bytes of a program, because
+ * a short link can unpack to many. MAX_LINK: characters of a link that every browser opens. */
 export const MAX_PROGRAM = 1 << 20;
 const MAX_LINK = 1 << 19;
 
@@ -38,7 +38,7 @@ function check(length, most, what) {
   if (length > most) throw tooLong(most, what);
 }
 
-/** The # part for {text, model, warm, lesson}; throws a RangeError if that is too long. */
+/** Returns the fragment for {text, model, warm, lesson}. Throws a RangeError if it is too long. */
 export async function toHash({ text, model, warm, lesson }) {
   const bytes = new TextEncoder().encode(text);
   check(bytes.length, MAX_PROGRAM, "bytes");
@@ -50,7 +50,8 @@ export async function toHash({ text, model, warm, lesson }) {
   return hash;
 }
 
-/** What a # part holds; null: nothing of ours; throws: it is spoilt, or too long (a RangeError). */
+/** Returns the contents of a fragment; null if it has neither program nor lesson. Throws a RangeError
+ * if it is too long, and another error if it is damaged. */
 export async function fromHash(hash) {
   check(hash.length, MAX_LINK, "characters in the link");
   const words = new URLSearchParams(hash.slice(1));

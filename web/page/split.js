@@ -1,9 +1,9 @@
-// split.js - the bar between the lesson and the program below it: drawn by a pointer or
-// moved by keys, and kept between visits.
+// split.js - the bar between the lesson and the program below it. It is moved by pointer or
+// keys, and its position is stored.
 
 import { $, kept } from "./dom.js";
 
-const LEAST = 15, MAX = 85, STEP = 5; // percent of the height that the lesson has
+const LEAST = 15, MAX = 85, STEP = 5; // percent of the height, for the lesson
 const USUAL = 50;
 
 export function makeSplit() {

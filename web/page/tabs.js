@@ -1,4 +1,4 @@
-// tabs.js - tabs by click and by arrow keys, as the ARIA practices have them.
+// tabs.js - tabs, selected by click or by arrow keys, as in the ARIA authoring practices.
 
 export function makeTabs(list, shown = () => {}) {
   const tabs = [...list.querySelectorAll("[role=tab]")];

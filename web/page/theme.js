@@ -1,4 +1,4 @@
-// theme.js - light and dark: as the system likes it, until the switch says otherwise.
+// theme.js - light and dark colours: those of the system until the user selects others.
 
 import { $, kept } from "./dom.js";
 
@@ -6,7 +6,7 @@ const liked = matchMedia("(prefers-color-scheme: dark)");
 const root = document.documentElement;
 const dark = () => root.dataset.theme ? root.dataset.theme === "dark" : liked.matches;
 
-// The switch has the name of what it leads to.
+// Labels the switch with the theme that it selects.
 function name() {
   $("theme").lastElementChild.textContent = dark() ? "Light" : "Dark";
 }

@@ -1,19 +1,19 @@
-// timeline.js - what each unit did at each clock, as the engine recorded it: on top
-// what each clock was charged to, below it a lane for each unit.  A click on an
-// instruction goes to it; + - and the arrow keys change the stretch that is shown.
+// timeline.js - the work of each unit at each clock. The top row shows the cause that each
+// clock was charged to; below it each unit has a lane. A click on an instruction goes to it;
+// + - and the arrow keys change the visible range.
 
 import { colour, count, draw, duration, el, fill, some } from "./dom.js";
 import { named } from "./causes.js";
 
-const MAX = 600; // instructions in a picture
+const MAX = 600; // instructions in the drawing
 const BOX = 17, GAP = 6, TOP = 22, LEFT = 116; // pixels
-const FIRST = 240; // clocks, at first
-const NEAREST = 16; // clocks, the least that are shown
+const FIRST = 240; // clocks, initial range
+const NEAREST = 16; // clocks, shortest range
 
 export function makeTimeline(panel, session) {
   let from = 0;
   let to = FIRST;
-  let whole = true; // nobody has chosen a stretch: it is all of a run that is short
+  let whole = true; // the user has selected no range: a short run is shown from its start to its end
   let told = null; // the engine's reply
   let turn = 0;
 
@@ -64,7 +64,7 @@ export function makeTimeline(panel, session) {
     ask();
   }
 
-  // Where the program stands is always in sight.
+  // Moves the range so that it contains the current clock.
   function follow() {
     if (whole && clock() <= 2 * FIRST) {
       from = 0;
@@ -137,12 +137,12 @@ export function makeTimeline(panel, session) {
   new ResizeObserver(() => { if (told && picture.clientWidth > 0) show(); }).observe(picture);
 }
 
-// What is read at a box.
+// The tooltip of a box.
 const words = ({ cause = "active", begin, end }, { text, arrived, issued, ready }) =>
   [`${cause}: ${some(end - begin, "clock")}, ${begin} .. ${end}`, text,
     `arrived ${arrived}, issued ${issued}, result ${ready}`].join("\n");
 
-// Round numbers between two clocks, about so many.
+// Returns round numbers between two clocks, at most about MOST of them.
 function ticks(from, to, most) {
   const least = (to - from) / Math.max(most, 2);
   const power = 10 ** Math.floor(Math.log10(Math.max(least, 1)));

@@ -1,5 +1,5 @@
-// tracer-worker.js - rt205 behind the page: a run at a time, with its picture while it
-// grows.  Whoever wants a run to end ends the worker.
+// tracer-worker.js - runs rt205 in a worker, one run at a time, and posts the rows of the
+// picture as they are finished. To stop a run, the page terminates the worker.
 
 import { loadTracer } from "../tracer/tracer.js";
 

@@ -1,23 +1,23 @@
-// tracer.js - the ray tracer: a scene, drawn by the machine while one looks on, with
-// the clocks that it takes.  All figures are rt205's.
+// tracer.js - the panel of the ray tracer: draws a scene, shows its rows as they are finished,
+// and shows the clocks that they took. rt205 computes all figures.
 
 import { bar, named } from "./causes.js";
 import { choices, count, duration, el, fill, fixed, heading, table } from "./dom.js";
 
-const OWN = "own"; // a scene of the learner's
+const OWN = "own"; // key of the learner's own scene
 const SCENE = "scenes/bracket.pov";
 const SIZES = [[80, 60], [160, 120], [320, 240], [640, 480]];
 const STAGES = [["vector", "vector: a queue of rays at a time"], ["scalar", "scalar: ray by ray"],
   ["kernels", "kernels: as in the paper of 1984"]];
 const QUEUE = 2000, LONGEST = 65535; // rays
 const MODEL = "cyber205-2pipe";
-const PAPER = [400, 250], SMALL = [80, 50]; // rays of Table 1: the paper's, or enough for two queues
+const PAPER = [400, 250], SMALL = [80, 50]; // rays of Table 1: as in the paper, and for two queues
 const ALL = "all";
-// Rows of Table 1 by their names, and what of a scene's text goes with them.
+// Rows of Table 1: the name, and a pattern of the objects in a scene that belong to it.
 const ROWS = [["sphere", /\bsphere\b/g], ["cylinder", /\bcylinder\b/g],
   ["Steiner", /\bsteiner\w*/gi], ["torus", /\btorus\b/g]];
 
-/** rt205 in a worker of its own, which begins with the first run and ends with a stop. */
+/** rt205 in a worker. The worker starts with the first run; a stop terminates it. */
 class Tracer {
   #source; #wasm; #bytes; #worker; #end;
 
@@ -26,7 +26,8 @@ class Tracer {
     this.#wasm = wasm;
   }
 
-  /** { code, files, stdout, stderr } or { stopped } or { lost }; TOLD hears of all before. */
+  /** Returns { code, files, stdout, stderr }, { stopped } or { lost }. TOLD receives all messages
+   * before the end. */
   async run(args, files, told) {
     const wasm = await (this.#bytes ??= this.#wasm());
     return new Promise((resolve) => {
@@ -53,14 +54,14 @@ class Tracer {
 }
 
 /**
- * The panel.  source: the worker's text; wasm: gives a promise of rt205's bytes, asked for at
- * the first run; scenes: { files: texts by path, list: [{ path, title }] }; models: those
- * that programs run on, [{ name, title }].
+ * Creates the panel. source: the text of the worker; wasm: returns a promise of the bytes of rt205,
+ * called at the first run; scenes: { files: texts by path, list: [{ path, title }] }; models: the
+ * models that programs run on, [{ name, title }].
  */
 export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const tracer = new Tracer(source, wasm);
   let busy = false;
-  let picture = null; // the address of the last one
+  let picture = null; // URL of the last picture
 
   const field = (id, label, input) => el("div", { class: "field" }, el("label", { for: id }, label), input);
   const scene = el("select", { id: "tracer-scene", change: () => show(scene.value) });
@@ -68,7 +69,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const queue = el("input", { id: "tracer-queue", type: "number", min: 1, max: LONGEST, value: QUEUE, required: true });
   const model = el("select", { id: "tracer-model" });
   const size = el("select", { id: "tracer-size" });
-  // What begins a run and ends it, and what is told of it: of the picture, and of the table.
+  // The start and stop buttons, the status text and the progress bar of a run.
   const work = (words, kind, name) => ({
     start: el("button", { type: "submit", class: kind }, words),
     stop: el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop"),
@@ -126,7 +127,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
 
   const options = () => ["--model", model.value, ...(stage.value === "scalar" ? [] : ["--queue", queue.value])];
 
-  // A run from its beginning to its end; null: another one is under way.
+  // Runs rt205 to its end. Returns null if another run is active.
   async function run({ start, stop, said, part }, args, files, words, rows) {
     if (busy) return null;
     const others = [drawing.start, measuring.start].filter((one) => one !== start);
@@ -191,7 +192,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     save.hidden = false;
   }
 
-  // The paper's comparison, of which there is a row for each primitive and kind of figure.
+  // Measures Table 1 of the paper. The result has a row for each primitive and kind of figure.
   async function measure(event) {
     event.preventDefault();
     const all = row.value === ALL;
@@ -211,15 +212,15 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   }
 }
 
-/** The cells of a row of Table 1, with the digits that rt205 speedup prints. */
+/** Returns the cells of a row of Table 1, with as many digits as rt205 speedup prints. */
 export function cellsOfTable1(row) {
   const places = { scalar: 3, vector: 4, cyber720: 2, vector_over_scalar: 2, vector_over_720: 0 };
-  const error = row.figures.endsWith("%"); // all are in percent, then
+  const error = row.figures.endsWith("%"); // all cells are percentages
   return [row.primitive, row.figures, ...Object.entries(places).map(([key, n]) =>
     row[key] == null ? "-" : fixed(row[key], error ? 1 : n, error))];
 }
 
-// The row of which the scene has most; of none: the first.
+// Returns the row with most matches in the scene, or the first row if nothing matches.
 function rowOf(text) {
   const found = ROWS.map(([name, words]) => ({ name, times: text.match(words)?.length ?? 0 }));
   return found.reduce((best, one) => one.times > best.times ? one : best).name;

@@ -1,6 +1,6 @@
-// worker.js - the engine behind the page: takes requests in turn, continues with long
-// ones in slices and looks at its messages in between, so that each can be stopped.  One
-// that is only of use while nobody wants anything else ("idle") gives way to the next.
+// worker.js - runs the engine in a worker. It answers requests one at a time, in slices, and
+// reads its messages between slices, so that a request can be stopped. A request marked "idle"
+// is stopped when another request arrives.
 
 import { startEngine } from "./engine.js";
 
@@ -9,7 +9,8 @@ const waiting = [];
 let engine = null;
 let stopped = false;
 
-// What has to wait for messages waits for one of its own, behind them.
+// pause() lets the worker receive the messages that have arrived: it posts a message to itself,
+// which is delivered after them.
 const turn = new MessageChannel();
 let goOn = null;
 turn.port1.onmessage = () => goOn();
