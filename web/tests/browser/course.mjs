@@ -1,11 +1,13 @@
-// course.mjs - every lesson: its text is there, its solution passes and what it begins
-// with fails, with the words and clocks of c205 check.
+// course.mjs - for every lesson, compares the page's verdict on the starting text and on the
+// solution with the JSON report of c205 check: sentences, clocks and result. It also checks the
+// lesson texts and what is stored between visits. A failure means that the page grades or stores
+// an answer differently.
 
 import assert from "node:assert/strict";
 import { Visit } from "./visit.mjs";
 import { PRINTS, SUM, WRONG } from "./texts.mjs";
 
-// The page's verdict, and c205's, of one answer.
+// Checks that page and c205 give the same verdict on an answer, and returns that of c205.
 async function verdict(visit, native, { name }, answer) {
   await visit.write(answer);
   await visit.press("check");
@@ -40,7 +42,7 @@ export const tests = {
       const done = await verdict(visit, native, lesson, lesson.solution);
       assert.equal(done.passed, true, lesson.name);
     }
-    // What cannot be assembled, and what has not what is looked for.
+    // An answer that cannot be assembled, and one that does not solve the exercise.
     for (const answer of [WRONG, SUM]) {
       const told = await verdict(visit, native, native.lessons.at(-1), answer);
       assert.equal(told.passed, false);
@@ -99,7 +101,7 @@ export const tests = {
     await visit.write("; lost\n".repeat(100));
     assert.match(await visit.text("#unstored"), /^The storage of this browser is full\. .* copy it, or use Share\.$/);
     assert.equal(await visit.shown("#unstored"), true);
-    // A value that has room does not hide that another has none.
+    // A value that fits must not hide the warning about another one.
     await visit.page.evaluate("localStorage.removeItem('fill0')");
     await visit.press("theme");
     assert.equal(await visit.shown("#unstored"), true);
@@ -146,7 +148,7 @@ export const tests = {
       const faults = (await visit.view()).accounts.causes.find(({ cause }) => cause === "page fault");
       if (warm) assert.equal(faults?.clocks ?? 0, 0, name);
     }
-    // A choice holds until something else is opened; what is no lesson says it itself.
+    // The choice is valid until another program is opened. "" leaves it to a program of no lesson.
     await visit.choose("warm", "cold");
     await visit.press("run");
     assert.equal(await visit.look("session.warm"), "cold");

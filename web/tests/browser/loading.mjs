@@ -1,12 +1,14 @@
-// loading.mjs - the page comes up: from a file, from a server, and works without one.
+// loading.mjs - loads the page from a file, and from a server that is then stopped, and runs
+// programs. A failure means that the page loads too slowly, needs the network, or blocks while a
+// program runs.
 
 import assert from "node:assert/strict";
 import { serve } from "./server.mjs";
 import { Visit } from "./visit.mjs";
 import { LOOP, PRINTS } from "./texts.mjs";
 
-const FIRST_RUN = 1000; // milliseconds from the beginning of loading to the end of a run, ..
-const SHARED = 3; // .. and how many times that on a machine that has other work
+const FIRST_RUN = 1000; // milliseconds from the start of loading to the end of a run, on an idle machine
+const SHARED = 3; // factor on FIRST_RUN for a machine that has other work
 
 async function runs(visit) {
   await visit.write(PRINTS);
@@ -18,7 +20,7 @@ export const tests = {
   async "the one file, from a file: address"({ browser, page, say }) {
     const visit = await Visit.open(browser, page);
     await runs(visit);
-    // Once more, with nothing in the way, and timed: a page that was loaded before.
+    // Measures a second load of the page, with its first run.
     await visit.choose("lesson", "example:saxpy_vector.s");
     await visit.page.reload();
     await visit.page.waitForSelector("body.ready");
@@ -52,7 +54,7 @@ export const tests = {
     const status = "document.getElementById('status').textContent";
     await visit.page.waitForFunction(`/^Running: step [1-9]/.test(${status})`);
     const first = JSON.stringify(await visit.text("#status"));
-    // The page does other things in the meantime.
+    // The page reacts to clicks while the program runs.
     await visit.page.click("#tab-console");
     assert.equal(await visit.shown("#console"), true);
     await visit.page.click("#tab-machine");
@@ -64,7 +66,7 @@ export const tests = {
     assert.equal(await visit.text("#status"), "Stopped by you.");
     await visit.press("step");
     assert.equal((await visit.view()).step, view.step + 1);
-    // Whoever types while it runs stops it, too.
+    // A change of the text also stops the run.
     await visit.page.click("#run");
     await visit.page.waitForFunction("document.body.classList.contains('busy')");
     await visit.write(PRINTS);

@@ -1,4 +1,6 @@
-// looks.mjs - light and dark, narrow and wide, by keys alone, for those who listen.
+// looks.mjs - checks layout and accessibility: axe finds no violation in any view, nothing is
+// cut off at widths from 320 to 1920 pixels, and all controls are reached by keys. A failure means
+// that some users cannot see or reach a part of the page.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
@@ -20,7 +22,7 @@ async function faults(visit) {
 const wide = { width: 1440, height: 900 };
 const narrow = { width: 390, height: 844 };
 
-// What reaches beyond the page's width.
+// Returns the elements that reach beyond the width of the page.
 const beyond = (visit) => visit.page.evaluate(() => {
   const width = document.documentElement.clientWidth;
   return [document.documentElement.scrollWidth > width && "the page scrolls sideways",
@@ -112,7 +114,7 @@ export const tests = {
     await visit.key("F4");
     const reached = [];
     for (let i = 0; i < 80; i++) {
-      // The text of the program takes Tab for itself until Escape is pressed.
+      // Tab indents the text of the program unless Escape was pressed before it.
       if (await visit.page.evaluate("document.activeElement.classList.contains('cm-content')"))
         await visit.page.keyboard.press("Escape");
       await visit.page.keyboard.press("Tab");
@@ -131,7 +133,7 @@ export const tests = {
       "step", "on", "slider", "check", "to-compare", "fold", "lesson-text", "again", "cm-content", "output",
       "tab-machine", "machine"])
       assert.ok(reached.some((one) => one.split(" ").includes(name)), `${name} is not reached: ${reached}`);
-    // Tabs go by arrows.
+    // Arrow keys select tabs.
     await visit.page.focus("#tab-machine");
     await visit.key("ArrowRight");
     assert.equal(await visit.shown("#laboratory"), true);
@@ -159,7 +161,7 @@ export const tests = {
     assert.equal(await top(), 0);
     await visit.choose("lesson", `lesson:${native.lessons[2].name}`);
     assert.equal(await top(), 0);
-    // The line at which it stands is in sight within the editor, all the same.
+    // The current line is nevertheless visible inside the editor.
     assert.ok(await visit.page.$eval(".cm-line.here", (line) => {
       const { top: above, bottom } = line.getBoundingClientRect();
       const box = line.closest(".cm-scroller").getBoundingClientRect();
@@ -172,7 +174,7 @@ export const tests = {
       await visit.press(id);
       assert.ok(Math.abs(await top() - low) < 100, `${id}: from ${low} to ${await top()}`);
     }
-    // What is said is in sight wherever one reads; a verdict is seen from its beginning.
+    // The status line is always visible, and a verdict is shown from its first line.
     assert.ok(await visit.page.$eval("#status", (node) => node.getBoundingClientRect().top >= 0));
     await visit.press("check");
     assert.ok(await visit.page.$eval("#verdict h3", (node) => {
@@ -208,7 +210,7 @@ export const tests = {
   },
 
   async "at 200 % there is room for the program, and for what is written when errors are told"({ browser, page }) {
-    // Half of a large screen's pixels, and half of a laptop's.
+    // At 200 % the page has half of the pixels of a large screen or of a laptop.
     for (const size of [{ width: 960, height: 540 }, { width: 640, height: 360 }, { width: 1280, height: 600 }]) {
       const visit = await Visit.open(browser, page, size);
       assert.deepEqual(await beyond(visit), []);

@@ -1,4 +1,6 @@
-// moving.mjs - forth and back: steps, the slider, breakpoints, the console, links.
+// moving.mjs - steps forward and backward, drags the slider, stops at breakpoints, sends commands
+// and opens links. All panels must show the same state at the same step. A failure means that the
+// state of a panel depends on how the step was reached.
 
 import assert from "node:assert/strict";
 import { randomBytes } from "node:crypto";
@@ -12,7 +14,7 @@ const open = async ({ browser, page }, text = SUM) => {
   return visit;
 };
 
-// What the page shows of where the program stands.
+// Returns the texts of the panels that show the state of the program.
 const PANELS = ["where", "instruction", "causes", "registers", "vectors", "output"];
 const shown = (visit) => visit.page.evaluate((panels) =>
   panels.map((id) => document.getElementById(id).textContent), PANELS);
@@ -25,7 +27,7 @@ async function slide(visit, step) {
   await visit.quiet();
 }
 
-// Numbers below N, the same for the same seed.
+// Returns a function that yields random numbers below N. The seed determines the sequence.
 function dice(seed) {
   let state = seed;
   return (n) => {
@@ -44,7 +46,7 @@ export const tests = {
     }
     for (let i = 11; i >= 0; i--) {
       await visit.press("back");
-      // How many steps are known differs, and what is not known at the beginning.
+      // PANELS[0] differs: it shows the number of known steps.
       const now = await shown(visit);
       assert.deepEqual(now.slice(1), seen[i].slice(1));
       assert.equal((await visit.view()).step, i);
@@ -198,7 +200,7 @@ export const tests = {
     await other.close();
   },
 
-  // Up to the limits and beyond, packed well and badly.
+  // Programs up to the limits and beyond, with good and with poor compression.
   async "Share makes only links that it opens"(world) {
     const noise = (length) => randomBytes(length).toString("base64").slice(0, length);
     const MAX = 1 << 20;

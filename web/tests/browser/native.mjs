@@ -1,4 +1,4 @@
-// native.mjs - c205 itself, for what the page is held beside.
+// native.mjs - runs the native c205 and rt205, whose output the page is compared with.
 
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
@@ -16,7 +16,7 @@ export class Native {
     process.on("exit", () => rmSync(this.#folder, { recursive: true, force: true }));
   }
 
-  /** {status, out, told}; what stands in FILES is there for the command. */
+  /** Runs a command in a folder with FILES. Returns {status, out, told}; told: text of stderr. */
   run(command, args, files = {}) {
     for (const [name, text] of Object.entries(files)) writeFileSync(join(this.#folder, name), text);
     const { status, stdout, stderr } = spawnSync(join(this.build, command), args,
@@ -37,7 +37,7 @@ export class Native {
     return { status, ...JSON.parse(readFileSync(join(this.#folder, "out.json"), "utf8")) };
   }
 
-  /** Lessons with what stands in their folders. */
+  /** The lessons, with the starting text and the solution of each. */
   get lessons() {
     const course = join(root, "docs/course");
     return readdirSync(course).filter((name) => /^\d\d-/.test(name)).sort().map((folder) => {

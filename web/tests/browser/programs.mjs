@@ -1,4 +1,6 @@
-// programs.mjs - what programs print and take in the page is what c205 run says.
+// programs.mjs - compares the page's output, clocks, sweeps and comparisons with those of c205 run,
+// sweep and compare, for all examples. A failure means that the page shows other figures than the
+// command.
 
 import assert from "node:assert/strict";
 import { COUNTS, PRINTS_MUCH } from "./texts.mjs";
@@ -76,7 +78,7 @@ export const tests = {
     const told = await visit.text("#laboratory .result");
     assert.ok(!told.includes("Mflop/s"), told);
     assert.ok(!told.includes("check that the program uses"));
-    // .. and says when nothing depends on the constant.
+    // It reports when nothing depends on the constant.
     await visit.page.$eval("#lab-constant", (input) => { input.value = "other"; });
     await visit.press("laboratory button[type=submit]");
     await visit.page.waitForSelector("#laboratory .steady");

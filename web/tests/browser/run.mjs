@@ -1,5 +1,5 @@
-// run.mjs BUILD [BROWSERS [TEXT]] - the page's tests in real browsers: all, or those of
-// which the name has the text in it.  Exit status 1 if one fails.
+// run.mjs BUILD [BROWSERS [TEXT]] - runs the page's tests in real browsers: all tests, or those
+// whose name contains TEXT. Exit status: 1 if a test fails, 2 for wrong usage.
 
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";

@@ -1,4 +1,4 @@
-// server.mjs - the site's folder behind a small server on this machine.
+// server.mjs - serves the folder of the site on this machine.
 
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
@@ -6,12 +6,12 @@ import { extname, join, normalize } from "node:path";
 
 const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": "text/javascript",
   ".wasm": "application/wasm", ".json": "application/json", ".md": "text/markdown" };
-// The strictest that the page needs: nothing of it comes from elsewhere, or is made up of texts.
+// The strictest policy that the page works with. It forbids data of other origins and eval.
 const POLICY = ["default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src blob:",
   "style-src 'self' 'unsafe-inline'", "img-src data: blob:", "connect-src 'self'", "base-uri 'none'",
   "form-action 'none'"].join("; ");
 
-/** {address, asked (paths so far), end}. */
+/** Starts the server. Returns {address, asked, end}; asked: the paths requested so far. */
 export async function serve(folder) {
   const asked = [];
   const server = createServer(async ({ url }, response) => {

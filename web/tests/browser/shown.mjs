@@ -1,10 +1,11 @@
-// shown.mjs - what the panels show is what the engine tells: numbers beside numbers, bits
-// beside elements, boxes as long as their clocks, after every instruction of a program.
+// shown.mjs - compares the panels with the engine's view after every instruction of a program:
+// terms of the time, causes, regions, control bits, and the boxes of the time line. A failure means
+// that a panel shows other figures than the engine computed.
 
 import assert from "node:assert/strict";
 import { Visit } from "./visit.mjs";
 
-// Bits that let results through, a link, a scalar that waits for its load, a region.
+// The program has control bits, a link, a scalar that waits for a load, and a region.
 const PROGRAM = `        .include "vectors.s"
         .regs   r16, xs, ys, zs, at, one, link
         .data
@@ -41,7 +42,7 @@ const number = (text) => Number(text.replaceAll(",", ""));
 const rows = (visit, selector) => visit.page.$$eval(`${selector} tbody tr`, (list) => list.map((row) =>
   [...row.children].map((cell) => cell.textContent)));
 
-// Every step of the program, told with what the engine says of it.
+// Executes the program step by step and passes the engine's view after each step to LOOK.
 async function eachStep(visit, look) {
   for (let ended = false; !ended;) {
     await visit.press("step");
@@ -51,7 +52,7 @@ async function eachStep(visit, look) {
   }
 }
 
-// "3 memory wait, .. + 1 issue": the clocks of each term of the N-th formula.
+// Returns the clocks of the terms of the N-th formula, such as "3 memory wait + 1 issue".
 const terms = (visit, n) => visit.page.$$eval("#instruction .formula", (list, which) =>
   [...list[which]?.querySelectorAll(".term b") ?? []].map((one) => one.textContent), n);
 
@@ -120,7 +121,7 @@ export const tests = {
     for (const button of [null, "Zoom in", "Later", "Earlier", "Zoom out", "Whole run"]) {
       if (button) await visit.page.click(`#timeline button[aria-label="${button}"]`);
       await visit.quiet();
-      // Clocks to pixels: by two ticks, of which the clocks are written above them.
+      // The scale from clocks to pixels comes from two ticks and the clocks written above them.
       const { boxes, ticks, width: all, stretch } = await visit.page.$eval("#timeline svg", (svg) => ({
         boxes: [...svg.querySelectorAll("g.insn rect")].map((rect) => ({
           x: Number(rect.getAttribute("x")), width: Number(rect.getAttribute("width")),

@@ -1,4 +1,4 @@
-// texts.mjs - programs that several tests want.
+// texts.mjs - programs that several tests use.
 
 export const PRINTS = `        .include "print.s"
         .reg    x, r16
@@ -14,7 +14,7 @@ loop:   IS      i, 1
         BIM     loop
 `;
 
-/** A loop of so many turns, with a sum. */
+/** A loop of 10 iterations that computes a sum. */
 export const SUM = `        .regs   r16, i, one, count, sum
         ES      i, 0
         ES      one, 1
@@ -24,7 +24,7 @@ loop:   ADDX    sum, i, sum
         IBXLT   i, one, count, loop, i
         EXIT
 `;
-export const SUM_LOOP = 6; // its line
+export const SUM_LOOP = 6; // line of the loop's first instruction
 
 export const WRONG = `        .reg    x, r16
         ADNV    x, x, x
@@ -32,7 +32,7 @@ export const WRONG = `        .reg    x, r16
         EXIT
 `;
 
-/** n turns without arithmetic of numbers. */
+/** A loop of n iterations without floating-point arithmetic. */
 export const COUNTS = `        .include "core.s"
         .ifndef n
         .equ    n, 10
@@ -45,7 +45,7 @@ again:  IBXLT   i, one, most, again, i
         EXIT
 `;
 
-/** TEXT, again and again: 20,000 times. */
+/** Prints TEXT 20,000 times. */
 export const PRINTS_MUCH = `        .include "print.s"
         .regs   r16, i, one, most, text
         ES      i, 0

@@ -1,11 +1,12 @@
-// tracer.mjs - the ray tracer of the page, beside rt205.
+// tracer.mjs - compares the page's ray tracer with rt205: its output for both stages, a scene with
+// an error, and Table 1. A failure means that the page passes other options or shows other figures.
 
 import assert from "node:assert/strict";
 import { Visit } from "./visit.mjs";
 
-const PATIENCE = 120000; // milliseconds, of a run
+const PATIENCE = 120000; // milliseconds, limit for a run
 
-/** What rt205 prints. */
+/** Returns what rt205 prints, stderr first. */
 function rt205(native, args, files) {
   const { out, told } = native.rt205([...args, "--jobs", "1"], files);
   return told + out;
@@ -24,7 +25,7 @@ async function openTracer(browser, page) {
   return visit;
 }
 
-// Of the picture (0), or of the table (1).
+// Waits for a status text. WHICH: 0 for the picture, 1 for the table.
 const said = (visit, words, which = 0) => visit.page.waitForFunction(
   `document.querySelectorAll("#tracer [role=status]")[${which}].textContent === ${JSON.stringify(words)}`,
   { timeout: PATIENCE });
@@ -36,7 +37,7 @@ async function write(visit, text) {
   }, text);
 }
 
-/** How many colours the picture has, and whether that to download has the same. */
+/** Returns the number of colours of the picture, and whether the file to download has the same pixels. */
 const picture = (visit) => visit.page.evaluate(async () => {
   const pixels = async (image) => {
     const bitmap = await createImageBitmap(image);
@@ -93,7 +94,7 @@ export const tests = {
   async "Table 1 is that of rt205"({ browser, page, native }) {
     const visit = await openTracer(browser, page);
     await visit.page.$eval("#tracer-queue", (input) => { input.value = "500"; });
-    // The row of what the scene is made of, with the paper's rays; all of them, with few.
+    // A single row, with the paper's rays, follows from the objects of the scene; all rows use few rays.
     await write(visit, "torus { 1, 0.2 } torus { 2, 0.2 } sphere { 0, 1 }");
     assert.equal(await visit.page.$eval("#tracer-row", ({ value }) => value), "torus");
     await write(visit, scene);

@@ -1,5 +1,5 @@
-// visit.mjs - a page as a learner has it before him: open it, do things, look.  Nothing is
-// kept from one visit to the next.
+// visit.mjs - a visit to the page: opens it and operates it like a learner. Each visit has its own
+// browser context, so nothing is stored from one visit to the next.
 
 import assert from "node:assert/strict";
 
@@ -31,7 +31,7 @@ export class Visit {
     return visit;
   }
 
-  /** The system's liking; by the page's own switch where the browser cannot be told. */
+  /** Sets the system's colour scheme. If the browser cannot, the test uses the page's own switch. */
   async like(scheme) {
     try {
       await this.page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
@@ -40,19 +40,19 @@ export class Visit {
     }
   }
 
-  /** Closes it; nothing may have gone wrong, and nothing been asked of anybody else. */
+  /** Closes the page. Fails if it reported an error or requested anything from another origin. */
   async close(own = ["file:", "blob:", "data:", "http://127.0.0.1:"]) {
     await this.context.close();
     assert.deepEqual(this.faults, []);
     assert.deepEqual(this.requests.filter((url) => !own.some((start) => url.startsWith(start))), []);
   }
 
-  /** What the page has for those who look behind it (window.c205). */
+  /** Evaluates an expression of the objects in window.c205. */
   look(what) {
     return this.page.evaluate(`(async ({ session, editor, about, ask }) => ${what})(window.c205)`);
   }
 
-  /** The engine's own reply. */
+  /** Sends a request to the engine and returns its reply. */
   ask(request) {
     return this.look(`ask(${JSON.stringify(request)})`);
   }
@@ -61,7 +61,7 @@ export class Visit {
     return this.ask({ do: "view" });
   }
 
-  /** Until nothing is under way any more. */
+  /** Waits until no operation is active. */
   async quiet() {
     await this.page.waitForFunction("window.c205.quiet()");
   }
@@ -84,7 +84,7 @@ export class Visit {
     await this.quiet();
   }
 
-  /** As if typed: the text in place of what there is. */
+  /** Replaces the text of the program as if it had been typed. */
   async write(text) {
     await this.page.evaluate((words) => window.c205.editor.type(words), text);
     await this.quiet();

@@ -1,16 +1,17 @@
-// check_tracer.mjs - rt205.wasm is rt205: what both print, write and end with is
-// the same, byte for byte; of pictures the pixels are.
+// check_tracer.mjs - compares rt205.wasm with rt205: exit status, output and written files must be
+// the same, byte for byte; pictures must have the same pixels.
 //
 //     node check_tracer.mjs BUILD DRAWN [TEXT]
 //
-// In the project's folder.  BUILD has rt205 and web/rt205.wasm, DRAWN random
-// scenes.  TEXT: only the runs whose command lines have it, or grow.  Runs: every scene of
-// scenes/ and tests/scenes, and those of DRAWN, each in a random way: stage, queue, model,
-// what is asked for; the other commands; scene texts that are damaged at random; wrong
-// usage.  Last (grow) pictures while they grow, and how long they take.
+// Run it in the project's folder. BUILD contains rt205 and web/rt205.wasm, DRAWN contains random
+// scenes. TEXT selects the runs whose command line contains it, or "table1" or "grow".
 //
-// What only OpenImageIO and FreeType can read the page cannot: then the
-// one error that says so is asked for.
+// The runs are: the scenes of scenes/, tests/scenes and DRAWN with random stage, queue, model and
+// output options; the other commands; scene texts with random damage; wrong usage. Then the rows of
+// Table 1 are compared, and "grow" checks pictures while they grow and prints how long they take.
+//
+// A failure means that the page computes something else than the command. Files that need OpenImageIO
+// or FreeType cannot be read in the page; there the test requires the error that reports this.
 import { spawnSync } from "node:child_process";
 import fs from "node:fs";
 import path from "node:path";
@@ -20,11 +21,11 @@ import { cellsOfTable1 } from "../../page/tracer.js";
 import { loadTracer } from "../../tracer/tracer.js";
 
 const [build, drawn, only = ""] = process.argv.slice(2);
-const out = path.join(build, "web/checked"); // where both write
+const out = path.join(build, "web/checked"); // both programs write here
 const run = await loadTracer(fs.readFileSync(path.join(build, "web/rt205.wasm")));
 let passed = 0, failed = 0, unread = 0;
 
-// ---- The same in both ------------------------------------------------------
+// ---- Comparison of both ----------------------------------------------------
 
 const cannotRead = /(pictures|fonts) cannot be read in the page|no such file(?=[^]*\bttf\b)/;
 
@@ -39,7 +40,7 @@ const given = {
   [path.join(out, "folder")]: "",
 };
 
-/** The pixels of an 8-bit RGB picture (ISO/IEC 15948). */
+/** Returns header and pixels of an 8-bit RGB picture in PNG format (ISO/IEC 15948). */
 function pixels(png) {
   const chunks = {};
   for (let at = 8; at < png.length;) {
@@ -88,7 +89,7 @@ function inPage(args, more = {}) {
   return { ...ended, ...printed };
 }
 
-/** What differs; "" nothing does. */
+/** Returns a description of the first difference; "": none. */
 function difference(one, other) {
   for (const key of ["code", "stderr", "stdout"])
     if (one[key] !== other[key])
@@ -131,7 +132,7 @@ function check(args, more) {
 // ---- Random cases -------------------------------------------------------------
 
 let state = 205;
-const draw = (most) => { // 0 .. most - 1; Knuth's numbers for modulus 2^31
+const draw = (most) => { // 0 .. most - 1; a linear congruential generator of Knuth's, modulus 2^31
   state = (Math.imul(state, 1103515245) + 12345) & 0x7fffffff;
   return (state >>> 8) % most;
 };
@@ -161,7 +162,7 @@ const anyWay = () => [
 // ---- The runs --------------------------------------------------------------
 
 const scenes = Object.keys(given).filter((name) => name.endsWith(".pov"));
-// Every third of them, unless THOROUGH asks for all.
+// Runs every third scene, or all if THOROUGH is set.
 const part = process.env.THOROUGH ? 1 : 3;
 for (const scene of scenes.filter((name, i) => i % part === 0))
   check(["render", scene, ...draw(4) === 0 ? ["-o", path.join(out, "a.png")] : ["--no-picture"],
@@ -190,7 +191,7 @@ for (const args of [
 ])
   check([...args, ...(args[0] === "timeline" ? [] : json)]);
 
-// Wrong usage, and what is not there.
+// Wrong usage, and files that do not exist.
 for (const args of [
   [], ["--help"], ["--version"], ["render"], ["render", "--help"], ["paint", "a.pov"],
   ["render", "scenes/none.pov", "--no-picture"], ["render", "scenes", "--no-picture"],
@@ -205,7 +206,7 @@ for (const args of [
 ])
   check(args);
 
-// A text with some of its bytes gone, twice there, or another's.
+// Returns a text in which bytes were removed, repeated, inserted or copied from elsewhere in it.
 function damaged(text) {
   const at = draw(text.length), length = 1 + draw(one([2, 20, 400]));
   const from = draw(text.length);
@@ -224,13 +225,13 @@ for (let i = 0; i < 60 / part; i++) {
   fs.writeFileSync(broken, text);
   check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
 }
-// Nested as deep as the reader goes, and deeper.
+// Nesting beyond the limit of the parser.
 for (const [open, close] of [["union { ", " }"], ["(", ")"], ["#if (1) ", " #end"], ["{", "}"]]) {
   const text = `#declare A = ${open.repeat(100000)} 1 ${close.repeat(100000)};`;
   fs.writeFileSync(broken, text);
   check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
 }
-// A file that is found by a name of other case: the folder is listed.
+// A file name in another case: the parser finds it in the listing of the folder.
 {
   const text = '#include "STEINER.inc" sphere { 0, 1 }';
   fs.writeFileSync(broken, text);
@@ -240,7 +241,7 @@ fs.rmSync(broken, { force: true });
 
 // ---- Table 1 of the page -----------------------------------------------------
 
-// The page formats the figures of JSON; its digits are those that rt205 prints.
+// The page formats the figures of the JSON output. Its digits must be those that rt205 prints.
 if (only === "" || only === "table1") {
   const printed = (format) => spawnSync(path.join(build, "rt205"),
     ["speedup", "-W", "16", "-H", "10", "--format", format]).stdout.toString();
@@ -256,7 +257,7 @@ if (only === "" || only === "table1") {
 
 // ---- Pictures that grow ------------------------------------------------------
 
-// What is shown in the end is the picture, with all of its clocks; in words, how long it took.
+// Checks that the rows shown make up the final picture and that the clocks are complete. Prints the time.
 function watch(scene, width, height) {
   const seen = Buffer.alloc(3 * width * height);
   const begin = performance.now();
@@ -283,7 +284,7 @@ function watch(scene, width, height) {
 }
 if (only === "" || only === "grow") {
   watch("scenes/bracket.pov", 160, 120);
-  watch("scenes/first.pov", 256, 160); // of two bands
+  watch("scenes/first.pov", 256, 160); // two bands
 }
 fs.rmSync(out, { recursive: true, force: true });
 if (passed === 0)

@@ -1,7 +1,8 @@
-// engine.mjs BUILD SHARE OF - the engine of the page in node beside c205 itself, on all programs that
-// there are: what they print, their clocks and causes, the registers at the end, the
-// profile and the files of the timeline, byte for byte; and after steps to and fro what a
-// run that came there for the first time shows.  Of OF shares of the programs this is one.
+// engine.mjs BUILD SHARE OF - compares the page's engine, in node, with c205 on all programs:
+// output, clocks, causes, final registers, profile and timeline files must be equal, byte for byte.
+// After steps forward and backward the engine must show the same as a run that reaches the step for
+// the first time. A failure means that engine and command differ, or that the engine's replay is
+// wrong. The programs are divided into OF shares; this run takes the one with number SHARE.
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -37,7 +38,7 @@ function same(a, b, ...told) {
   verdict(one === two, ...told, "\n    c205:   ", around(one), "\n    engine: ", around(two));
 }
 
-// ---- c205 itself
+// ---- c205
 
 function native(...args) {
   const run = spawnSync(c205, args, { encoding: "utf8", maxBuffer: 1 << 28 });
@@ -46,14 +47,14 @@ function native(...args) {
 
 // ---- The engine
 
-/** Goes on with a request until it is done, in slices. */
+/** Sends a request and continues it in slices until it is done. */
 function finish(asked, request) {
   let reply = asked.answer(request);
   while (reply.ok && reply.done === false) reply = asked.answer({ do: "more", ms: 20 });
   return reply;
 }
 
-/** The files that a text includes, by the names that it has for them. */
+/** Returns the files that a text includes, by the names that the text uses. */
 function included(text, folder, files = {}) {
   for (const [, name] of text.matchAll(/\.inc(?:lude|file)\s+"([^"]+)"/gm)) {
     const path = normalize(join(folder, name));
@@ -79,7 +80,7 @@ const below = (() => {
   };
 })();
 
-/** What is seen, but for how far the run is known. */
+/** Returns the complete view without the number of known steps. */
 function seen(asked) {
   const view = asked.answer({ do: "view", "all-registers": true });
   delete view.steps;
@@ -166,7 +167,7 @@ function checkAnswer(path, lesson) {
   for (const key of Object.keys(told)) same(told[key], graded[key], `${path}: ${key} of the verdict`);
 }
 
-// ---- All of it
+// ---- All programs
 
 const folders = ["tests/programs", "tests/programs/traps", "asm/examples", "asm/examples/debugging",
   "asm/examples/profiling", "asm/isa_examples"];
