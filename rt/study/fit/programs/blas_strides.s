@@ -1,5 +1,5 @@
-; blas_strides.s - the BLAS of blas.inc with increments other than 1, which
-; linpack.s does not use: all rows of every second or third word.
+; blas_strides.s - the routines of blas.inc with increments other than 1, which
+; linpack.s does not use: on every second or third word of an array.
 
         .include "frame/linkage.s"
         .include "blas.inc"

@@ -1,17 +1,18 @@
-; linpack.s - the LINPACK benchmark: a system of ORDER equations, 100 unless it is set,
-; solved by SGEFA and SGESL with called BLAS (sgefa.inc, blas.inc).
+; linpack.s - the LINPACK benchmark: SGEFA and SGESL solve a system of ORDER
+; equations (default 100) and call the BLAS (sgefa.inc, blas.inc).
 ;
 ; The matrix is that of the published program: J := 3125 J mod 65536 from 1325,
-; A := (J - 32768) / 16384, column by column, in an array of LDA = 201 rows; B
-; is the sum of the columns, so that the solution is all ones.  What counts is
-; the time of both routines, which are the named regions: 2/3 n^3 + 2 n^2
-; operations.  The solution is checked by the residual
+; A := (J - 32768) / 16384, column by column, in an array of LDA = 201 rows.  B
+; is the sum of the columns, so the solution consists of ones.  The figure of
+; the benchmark is the time of both routines, which are the named regions, for
+; 2/3 n^3 + 2 n^2 operations.  The solution is checked by the residual
 ;
 ;       max |A x - b| / (n max |A| max |x| eps),  eps = 2^-46
 ;
-; which must be below n (32 for n = 100; a machine that rounds shows a few, this
-; one cuts all sums in the same direction).  Published for the CYBER 205 with two pipes:
-; 17 Mflop/s; and 113 for ORDER = 1000, where the program could be written again.
+; which must be below n (32 for n = 100).  A machine that rounds has a residual
+; of a few units; this machine truncates all sums in the same direction.
+; Published for the CYBER 205 with two pipes: 17 Mflop/s; 113 Mflop/s for
+; ORDER = 1000, where the rules allow the program to be rewritten.
 ; Source: Dongarra, Performance of Various Computers Using Standard Linear
 ; Equations Software in a FORTRAN Environment (1983 and later).
 
@@ -63,8 +64,8 @@ figure_text:    .text " Mflop/s\n"
         ELEN    \register, \length
         .endm
 
-; B := B + the sum over the columns A(.,J) of A(.,J) F(J), where F(J + 1) stands
-; step words behind F(J).
+; B := B + the sum over the columns A(.,J) of A(.,J) F(J).  F(J + 1) is step
+; words after F(J).
         .macro  add_columns first, step
         EX      factor, \first
         vector  column, a, ORDER
@@ -81,7 +82,7 @@ next\@:
         IBXNE   columns, minus, r0, next\@, columns
         .endm
 
-; The greatest magnitude of a vector; and of all columns.
+; norm: the greatest magnitude of a vector; norm_of_matrix: that of the matrix.
         .macro  norm result, address, length
         vector  vector, \address, \length
         MAXV    |[vector]|, r0, \result
@@ -117,7 +118,7 @@ linpack:
 
         EX      target, generate
         BSAVE   back, [target]
-        add_columns unit, 0             ; B again, and then A x - B
+        add_columns unit, 0             ; B, then A x - B
         vector  vector, b, ORDER
         VTOV    -[vector], [vector]
         add_columns x, 1
@@ -136,7 +137,7 @@ linpack:
         CFPLT   residual, allowed, solved
         ES      failed, 1
 solved:
-        SUBX    ended, begun, clocks    ; of 20 ns: FLOPS 50 / clocks
+        SUBX    ended, begun, clocks    ; unit 20 ns: rate = FLOPS 50 / clocks
         ADDN    clocks, r0, clocks
         EX      number, FLOPS * 50
         ADDN    number, r0, number
@@ -146,7 +147,7 @@ solved:
         EXIT    vector, r0, 4
         EXIT    failed
 
-; A, and B := 0.
+; Generates A and sets B to 0.
 generate:
         ES      seed, 1325
         ES      step, 3125

@@ -3,7 +3,7 @@
 ;             DO 1 K = 1, N
 ;           1 X(K) = Q + Y(K) * (R * Z(K+10) + T * Z(K+11))
 ;
-; One multiplication and two linked pairs.
+; The loop compiles to one multiplication and two linked pairs.
 
         .equ    N, 1001
         .equ    FLOPS, 5 * N

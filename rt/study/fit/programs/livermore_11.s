@@ -8,7 +8,7 @@
         .equ    FLOPS, N - 1
         .include "livermore.inc"
 
-; What is loaded ahead behind the last Y is not used.
+; The word after the last Y is loaded ahead and not used.
         .data
 x:              .space N
 y:              .space N + 1

@@ -3,7 +3,7 @@
 ;             DO 12 K = 1, N
 ;          12 X(K) = Y(K+1) - Y(K)
 ;
-; One subtraction.
+; The loop compiles to one subtraction.
 
         .equ    N, 1000
         .equ    FLOPS, N

@@ -8,13 +8,13 @@
 ;             B5(K) = SA(K) + STB5 * SB(K)
 ;         193 STB5 = B5(K) - STB5
 ;
-; B5(K) and STB5 both go through memory.
+; B5(K) and STB5 are both stored and loaded again.
 
         .equ    N, 101
         .equ    FLOPS, 6 * N
         .include "livermore.inc"
 
-; What is loaded ahead beyond SA and SB is not used.
+; The words after SA and SB are loaded ahead and not used.
         .data
 common_stb5:    .word 0
                 .space 1
@@ -26,7 +26,7 @@ b5:             .space N
 
         .regs   r24, b_at, sa_at, sb_at, stb5_at, b_k, sa_k, sb_k, stb5, p
 
-; All elements, from those at the three addresses on, step bits apart.
+; Processes all elements from the three addresses on, in steps of step bits.
         .macro  elements_in_turn step
 next\@: MPYS    stb5, sb_k, p
         IX      sb_at, \step

@@ -4,7 +4,7 @@
 ;             DO 3 K = 1, N
 ;           3 Q = Q + Z(K) * X(K)
 ;
-; One dot product, whose sum is added to Q.
+; The loop compiles to one dot product, whose sum is added to Q.
 
         .equ    N, 1001
         .equ    FLOPS, 2 * N
@@ -30,7 +30,7 @@ z:              .space N
         ADDLEN  x_v, n, x_v
         ADDLEN  z_v, n, z_v
         DOTV    [z_v], [x_v], sum
-        ADDN    sum, r0, sum            ; one number of the two parts
+        ADDN    sum, r0, sum            ; adds the two parts of the sum
         ADDN    sum, sum_lower, sum
         LOD     [q_at], q
         ADDN    q, sum, q

@@ -8,7 +8,7 @@
         .equ    FLOPS, 2 * (N - 1)
         .include "livermore.inc"
 
-; The operands that are loaded ahead behind the last ones are not used.
+; The words after the last operands are loaded ahead and not used.
         .data
 x:              .space N
 y:              .space N + 1

@@ -5,7 +5,7 @@
 ;            *       T * (U(K+3) + R * (U(K+2) + R * U(K+1)) +
 ;            *       T * (U(K+6) + Q * (U(K+5) + Q * U(K+4))))
 ;
-; Eight linked pairs.
+; The loop compiles to eight linked pairs.
 
         .equ    N, 995
         .equ    FLOPS, 16 * N
@@ -23,7 +23,7 @@ work:           .space N
 sum:            .space N
         .code
 
-; u0_v .. u6_v are U(K) .. U(K+6); work_v and sum_v the compiler's own.
+; u0_v .. u6_v: U(K) .. U(K+6); work_v and sum_v: temporaries of the compiler.
         .regs   r24, x_v, y_v, z_v, u0_v, u1_v, u2_v, u3_v, u4_v, u5_v, u6_v
         .regs   r34, work_v, sum_v
 

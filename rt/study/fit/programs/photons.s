@@ -1,35 +1,35 @@
-; photons.s - photons in a slab by the Monte Carlo method, one after the other
-; and all at a time.
+; photons.s - simulates photons in a slab by the Monte Carlo method, one photon
+; at a time and all photons at the same time.
 ;
-; Photons enter at x = 0 along the axis of a slab.  Each flies a distance
-; -ln u1, is reflected or transmitted if it leaves the slab there, is absorbed
-; with the probability 1 - SURVIVAL, or else flies on in a direction whose
-; cosine is 2 u3 - 1.  Every photon draws its numbers from a row of its own, so
-; that all forms do the same operations on the same numbers and their tallies
-; agree.
+; Photons enter at x = 0 along the axis of a slab.  Each photon flies a distance
+; -ln u1.  If it leaves the slab, it is reflected or transmitted.  Else it is
+; absorbed with the probability 1 - SURVIVAL, or it continues in a direction
+; whose cosine is 2 u3 - 1.  Every photon has its own sequence of random
+; numbers, so all forms do the same operations on the same numbers and their
+; tallies agree.
 ;
-; Three forms, each a region: scalar, a FORTRAN program with its calls
-; (photons_scalar.inc); in_registers, the same without (photons_registers.inc);
-; vector (photons_vector.inc).  Published is, for the vector form of GAMTEB, 15
-; to 18 times the speed of its scalar one.  Per flight that program does more
-; than this one, which is little but draws and a logarithm.
+; There are three forms, each in a region: scalar, a FORTRAN program with its
+; calls (photons_scalar.inc); in_registers, the same without calls
+; (photons_registers.inc); vector (photons_vector.inc).  The published speedup
+; of the vector form of GAMTEB over its scalar form is 15 to 18.  GAMTEB does
+; more work per flight; here a flight is mainly random numbers and a logarithm.
 ;
 ; Sources: F. B. Brown and W. R. Martin, Monte Carlo methods for radiation
-; transport analysis on vector computers, Prog. Nucl. Energy 14 (1984), of the
+; transport analysis on vector computers, Prog. Nucl. Energy 14 (1984), for the
 ; method; Vectorization of Monte Carlo particle transport: an architectural
-; study using the LANL benchmark GAMTEB, Supercomputing 1989 (the abstract), of
-; the ratio.
+; study using the LANL benchmark GAMTEB, Supercomputing 1989 (abstract), for the
+; ratio.
 
         .include "frame/linkage.s"
         .include "photons.inc"
 
-        .equ    APART, 1025     ; draws from the row of one to that of the next, odd
+        .equ    APART, 1025     ; distance of two sequences in the stream, odd
 
         .data
 seeds:          .space PHOTONS
         .code
 
-; The tallies of the three forms, and where these return to.
+; The tallies of the three forms, and the return address.
         .share  main
         .regs   r20, reflected, transmitted, absorbed
         .regs   r23, reflected_r, transmitted_r, absorbed_r
@@ -59,7 +59,7 @@ photons:
         stream_vector_load
         ES      minus, -1
 
-; jump := a to the power APART; the seeds are its powers.
+; jump := a^APART.  The seeds are the powers of jump.
         ES      count, APART
         stream_power count, jump, seed, at
         EX      at, seeds

@@ -1,9 +1,10 @@
-; stride.s - additions to every STRIDE-th of a vector, in two ways.
+; stride.s - adds every STRIDE-th element of a vector in two ways.
 ;
-; With a control vector all elements stream, STRIDE for each that counts; or
-; those that count are gathered by a list of places, and added without gaps.
-; FORTRAN for the machine took the first way for a stride of 2 and the second
-; from 3 on: so with one pipe, where an addition takes a clock,
+; With a control vector all elements stream, STRIDE elements for each useful
+; one.  With an index list the useful elements are gathered and then added
+; without gaps.  FORTRAN for this machine used the first way for a stride of 2
+; and the second way from 3 on.  With one pipe, where an addition takes a clock
+; per element, this implies
 ;
 ;       2 < 1 + g   and   3 > 1 + g,   g = clocks of a gathered element.
 
@@ -45,7 +46,7 @@ places:         .space COUNT
         .kernel control
         ADDNV   [numbers_at], [numbers_at], [results_at] ? [which_at]
         .endkernel
-        STO     [table], first          ; it has ended
+        STO     [table], first          ; waits until the addition has ended
         .kernel gather
         VXTOV   [places_at], [table], [packed_at]
         ADDNV   [packed_at], [packed_at], [packed_at]

@@ -1,8 +1,9 @@
-; vector_add.s - additions of LENGTH elements, one after the other has ended.
+; vector_add.s - adds vectors of LENGTH elements, each after the end of the
+; last.
 ;
-; Their time alone, without what hides under the stream of the one before: a
-; store waits for each.  With LENGTH = 0 that is the start-up; with the length of
-; half the greatest rate, n-half, they make half as many results.
+; A store waits for each addition, so none overlaps the stream of the one before
+; it.  With LENGTH = 0 the time is the start-up.  With LENGTH = n-half the rate
+; of results is half of the maximum rate.
 
         .ifndef LENGTH
         .equ    LENGTH, 0
@@ -23,7 +24,7 @@ waited:         .space 1
         EX      results_at, results
         ELEN    results_at, LENGTH
         EX      waited_at, waited
-        STO     [waited_at], r0         ; the first touch of the page
+        STO     [waited_at], r0         ; touches the page for the first time
         .rept   TIMES
         .kernel add
         ADDNV   [numbers_at], [numbers_at], [results_at]
