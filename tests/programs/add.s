@@ -18,15 +18,15 @@
 ; coefficient overflow
         words   carry, X'0000 7FFF FFFF FFFF', X'0000 7FFF FFFF FFFF'
         halves  carry, X'007F FFFF', X'007F FFFF'
-; a tiny negative operand counts: results are cut by floor
+; a tiny negative operand changes the result, because sums are rounded down (floor)
         sized_pair under, 1.0, X'FFA2 8000 0000 0000', 1.0, X'D280 0000'
-; shifted out of the register altogether
+; shifted out of the register completely
         sized_pair far, 1.0, X'F000 8000 0000 0000', 1.0, X'9080 0000'
 ; inexact
         pair    tenth, 0.1, 0.2
-; its exponent counts in the alignment
+; the exponent of a zero coefficient takes part in the alignment
         sized_pair zero_coefficient, 1.0, X'0010 0000 0000 0000', 1.0, X'1000 0000'
-; machine zero leaves the other operand
+; machine zero leaves the other operand unchanged
         pair    zero_left, 0.0, 7
         pair    zero_right, -1.5, 0.0
         pair    zero_both, 0.0, 0.0

@@ -14,13 +14,13 @@
 ; ADJE: T := R with the exponent S, its coefficient shifted to suit;
 ; indefinite if it does not fit
         both_two ADJE, left_3, 5, -3, X'FFFD 0000 0000 0028', X'FD00 0028'
-; to the right what leaves the coefficient is lost (floor)
+; right shift: bits that leave the coefficient are lost (floor)
         both_two ADJE, integer, 1.0, 0, 1, 1
         both_two ADJE, fraction, 2.75, 0, 2, 2
         both_two ADJE, negative, -2.75, 0, -3, -3
         both_two ADJE, all_lost, -5, 100, X'0064 FFFF FFFF FFFF', X'64FF FFFF'
         sized_two ADJE, same, 1.0, -46, 1.0, 1.0, -22, 1.0
-; what just fits, and what does not
+; coefficients that just fit, and coefficients that do not fit
         sized_two ADJE, fits, 1, -46, 1.0, 1, -22, 1.0
         two     ADJE, minus_one, -1, -47, X'FFD1 8000 0000 0000'
         two_half ADJEH, minus_one, -1, -23, X'E980 0000'
@@ -28,7 +28,7 @@
         both_two ADJE, far_too_long, 1, -40000, indefinite, X'7000 0000'
         two     ADJE, zero_coefficient, X'0010000000000000', -100, X'FF9C000000000000'
         two_half ADJEH, zero_coefficient, X'1000 0000', -100, X'9C00 0000'
-; only the low 48 bits of S count
+; only the low 48 bits of S are used
         two     ADJE, low_bits, 5, X'1234 FFFF FFFF FFFD', X'FFFD 0000 0000 0028'
         two_half ADJEH, low_bits, 5, X'ECFF FFFD', X'FD00 0028'
 ; the exponent leaves its range
@@ -39,7 +39,7 @@
         two_half ADJEH, zero_underflow, X'1000 0000', -40000, 0.0
         gives_both ADJE, zero, 0.0, 0.0
         gives_both ADJE, indefinite, indefinite, X'7000 0000'
-; register 0 is 0 for S
+; register 0 is 0 as S
         fetch   left, 12.5
         ADJE    left, r0, result
         word_is ADJE, register_zero, 12
@@ -53,15 +53,15 @@
         both_two ADJS, normalised, 5, 100, X'FFD4 5000 0000 0000', X'EC50 0000'
         both_two ADJS, as_it_is, 1.0, 5, 1.0, 1.0
         both_two ADJS, minus_one, -1, 47, X'FFD1 8000 0000 0000', X'E980 0000'
-; to the right what leaves the coefficient is lost (floor)
+; right shift: bits that leave the coefficient are lost (floor)
         both_two ADJS, right_2, 13, -2, X'0002 0000 0000 0003', X'0200 0003'
         both_two ADJS, negative, -13, -2, X'0002 FFFF FFFF FFFC', X'02FF FFFC'
         both_two ADJS, all_lost, 5, -50, X'0032 0000 0000 0000', X'3200 0000'
         both_two ADJS, sign_left, -5, -50, X'0032 FFFF FFFF FFFF', X'32FF FFFF'
-; a coefficient of 0 moves 47 places at most
+; a coefficient of 0 is shifted by at most 47 places
         two     ADJS, zero_coefficient, X'0010000000000000', 60, X'FFE1000000000000'
         two_half ADJSH, zero_coefficient, X'1000 0000', 60, X'F900 0000'
-; only the low 48 bits of S count
+; only the low 48 bits of S are used
         two     ADJS, low_bits, 5, X'1234 0000 0000 0003', X'FFFD 0000 0000 0028'
         two_half ADJSH, low_bits, 5, X'EC00 0003', X'FD00 0028'
 ; the exponent leaves its range
@@ -72,7 +72,7 @@
         two_half ADJSH, furthest, 5, X'0080 0000', X'7000 0000'
         gives_both ADJS, zero, 0.0, 0.0
         gives_both ADJS, indefinite, indefinite, X'7000 0000'
-; register 0 is machine zero for R, 0 for S
+; register 0 is machine zero as R and 0 as S
         ADJS    r0, right, result
         word_is ADJS, of_register_zero, 0.0
         fetch   left, 5
@@ -91,7 +91,7 @@
         two_half PACKH, low_bits, X'1234 5680', X'5600 0007', X'8000 0007'
         two     PACK, negative, 28671, -1, X'6FFF FFFF FFFF FFFF'
         two_half PACKH, negative, 111, -1, X'6FFF FFFF'
-; no word is special here, and no flag set
+; PACK treats no word as special and sets no data flag
         two     PACK, indefinite, X'7000000000007000', indefinite, indefinite
         two_half PACKH, indefinite, X'7000 0070', X'7000 0000', X'7000 0000'
 ; register 0 is 0

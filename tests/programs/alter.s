@@ -1,6 +1,6 @@
-; For each condition and alteration of a bit a word says whether the branch was taken,
-; and another what has become of the bit.  A wrong bit, condition or alteration makes
-; one differ.
+; For each condition and alteration of a bit, one word records whether the branch was
+; taken and another the value of the bit afterwards.  A wrong bit, condition or
+; alteration makes one of them differ.
 ; tests: BAB BADF BARB
 
         .include "alter.inc"
@@ -21,7 +21,7 @@ cell_\name: .word pattern
         LOD     [place], \to
         .endm
         uses    BAB
-; It may alter the instructions that follow: ES becomes IS.
+; It can alter the instructions after it: ES becomes IS.
         ES      r50, 5
         EX      left, BAB.altering + 7
         EX      target, BAB.altering
@@ -43,9 +43,9 @@ BAB.altering:
         LSDFR   r0, \to
         .endm
         uses    BADF
-; only the low 6 bits of a bit's number count
+; only the low 6 bits of a bit's number are used
         alter   BADF, low_bits, -1, if_one | change, 1, X'4000 0000 0000 0000'
-; a divide fault seen and cleared; the result stays indefinite
+; a divide fault is tested and cleared; the result stays indefinite
         fetch   left, 1.0
         DIVU    left, r0, result
         ES      right, 41
@@ -67,12 +67,12 @@ BADF.fault:
         RTOR    left, \to
         .endm
         uses    BARB
-; only the low 6 bits of a bit's number count
+; only the low 6 bits of a bit's number are used
         alter   BARB, low_bits, -1, if_one | change, 1, X'4000 0000 0000 0000'
-; register 0 is 0, and stays it
+; register 0 is 0 and stays 0
         BARB    r0, right, [target], if_one | to_one
 ; expect: r0 = 0
-; A loop of two passes: the bit is the count.
+; A loop of two passes that uses the bit as its counter.
         ES      one, 1
         EX      target, BARB.again
 BARB.again: ADDX    passes, one, passes

@@ -1,6 +1,6 @@
 ; Counts of bits, and strings that are masked, merged or compressed, are compared with
-; those worked out by hand: any first bit, offsets, short sources, results over sources.
-; A wrong bit, length or count makes a bit or word differ.
+; results worked out by hand: any first bit, offsets, short sources, overlaps.  A wrong
+; bit, length or count makes a bit or word differ.
 ; tests: CNTOB CNTLB MASKB MRGB CPSB
 ; warns: zero-length CNTOB CNTLB MASKB MRGB
 
@@ -27,7 +27,7 @@ CNTOB.long: .word   X'FFFF FFFF FFFF FFFF', X'FFFF FFFF FFFF FFFF'
         .code
         descriptor from, CNTOB.some, 12
         CNTOB   [from], r40
-        IX      from, 6                 ; a string begins at any bit
+        IX      from, 6                 ; a string can start at any bit
         ELEN    from, 4
         CNTOB   [from], r41
         descriptor from, CNTOB.long, 192
@@ -54,12 +54,12 @@ CNTLB.long: .word   0, 0, 0
         .code
         descriptor from, CNTLB.zeros_first, 12
         CNTLB   [from], r40
-        IX      from, 5                 ; a string begins at any bit
+        IX      from, 5                 ; a string can start at any bit
         ELEN    from, 7
         CNTLB   [from], r41
         descriptor from, CNTLB.ones_first, 5
         CNTLB   [from], r42
-        ELEN    from, 2                 ; all are alike: the length
+        ELEN    from, 2                 ; all bits are equal: the length
         CNTLB   [from], r43
         descriptor from, CNTLB.long, 150
         CNTLB   [from], r44
@@ -80,20 +80,20 @@ CNTLB.long: .word   0, 0, 0
         .macro  strings
         descriptor va, first, 100
         descriptor vb, second, 100
-        EX      vz, picks               ; its length does not count
+        EX      vz, picks               ; its length is ignored
         .endm
         strings
         ES      by, 8
         makes_2 MASKB, long, 100, [va], [vb], [to] ? [vz]
         makes_2 MASKB, where_zeros, 16, [va], [vb], [to] ?! [vz]
-        makes_2 MASKB, offset, 24, [va], [vb], [to, by] ? [vz] ; of the control vector, too
-        into_string MASKB.any_bit, 13         ; strings begin at any bit
+        makes_2 MASKB, offset, 24, [va], [vb], [to, by] ? [vz] ; also offsets the control vector
+        into_string MASKB.any_bit, 13         ; a string can start at any bit
         IX      va, 5
         IX      vb, 3
         IX      vz, 4
         IX      to, 7
         MASKB   [va], [vb], [to] ? [vz]
-        ELEN    va, 4                   ; zeros follow
+        ELEN    va, 4                   ; padded with zeros
         ELEN    vb, 9
         makes_2 MASKB, short_sources, 16, [va], [vb], [to] ? [vz]
         makes_2 MASKB, nothing, 0, [va], [vb], [to] ? [vz]
@@ -104,9 +104,9 @@ CNTLB.long: .word   0, 0, 0
 ; expect-bits: [MASKB.short_sources] = 11101001100000001111
 ; expect-bits: [MASKB.nothing] = 11111111
         strings
-        makes_2 MASKB, source_offset, 16, [va, by], [vb, by], [to] ? [vz] ; A and B from bit 8 on
+        makes_2 MASKB, source_offset, 16, [va, by], [vb, by], [to] ? [vz] ; A and B start at bit 8
 ; expect-bits: [MASKB.source_offset] = 00001111111111111111
-; Each bit is made from the one before.
+; The result overlaps its source: each bit is computed from the bit before it.
         .data
 MASKB.chain: .word   X'8000 0000 0000 0000'
         .code
@@ -130,11 +130,11 @@ MRGB.chain: .word   X'8000 0000 0000 0000'
         ES      by, 8
         makes_2 MRGB, plain, 16, [va], [vb], [to] ? [vz]
         makes_2 MRGB, where_zeros, 16, [va], [vb], [to] ?! [vz]
-        makes_2 MRGB, offset, 24, [va], [vb], [to, by] ? [vz] ; of the control vector, too
-        makes_2 MRGB, source_offset, 16, [va, by], [vb, by], [to] ? [vz] ; A and B from bit 8 on
+        makes_2 MRGB, offset, 24, [va], [vb], [to, by] ? [vz] ; also offsets the control vector
+        makes_2 MRGB, source_offset, 16, [va, by], [vb, by], [to] ? [vz] ; A and B start at bit 8
         IX      va, 5
         IX      vb, 3
-        ELEN    va, 4                   ; zeros follow
+        ELEN    va, 4                   ; padded with zeros
         ELEN    vb, 6
         makes_2 MRGB, short_sources, 16, [va], [vb], [to] ? [vz]
         makes_2 MRGB, nothing, 0, [va], [vb], [to] ? [vz]
@@ -148,7 +148,7 @@ MRGB.chain: .word   X'8000 0000 0000 0000'
         EX      vz, MRGB.halves
         makes_2 MRGB, long, 100, [va], [vb], [to] ? [vz]
 ; expect: [MRGB.long] = X'3333 FFFF 0000 FFFF', X'0F0F 1234 5FFF FFFF'
-; Each bit is made from the second before it.
+; The result overlaps its sources: each bit is computed from the bit two before it.
         EX      vz, MRGB.halves + 64
         descriptor va, MRGB.chain, 8
         descriptor to, MRGB.chain + 2, 8
@@ -165,14 +165,14 @@ CPSB.chain: .word   X'8000 0000 0000 0000'
         descriptor va, first, 100
         descriptor vz, picks, 16        ; 8 ones, 8 zeros
         ES      by, 8
-        makes_1 CPSB, plain, 1000, [va], [to] ? [vz] ; its length does not count
+        makes_1 CPSB, plain, 1000, [va], [to] ? [vz] ; its length is ignored
         LTOR    to, r40
         makes_1 CPSB, where_zeros, 0, [va], [to] ?! [vz]
         LTOR    to, r41
-        makes_1 CPSB, offset, 0, [va], [to, by] ?! [vz] ; of the control vector, too
+        makes_1 CPSB, offset, 0, [va], [to, by] ?! [vz] ; also offsets the control vector
         LTOR    to, r42
         makes_1 CPSB, source_offset, 0, [va, by], [to] ? [vz]
-        ELEN    va, 6                   ; zeros follow
+        ELEN    va, 6                   ; padded with zeros
         makes_1 CPSB, short_source, 0, [va], [to] ? [vz]
         LTOR    to, r43
 ; expect-bits: [CPSB.plain] = 000011111111
@@ -186,7 +186,7 @@ CPSB.chain: .word   X'8000 0000 0000 0000'
         register_is CPSB, r43, 8
         descriptor va, first + 5, 95
         descriptor vz, picks + 12, 28   ; 0000 1111 0000 1111 0000 0000 0000
-        into_string CPSB.any_bit, 0          ; strings begin at any bit
+        into_string CPSB.any_bit, 0          ; a string can start at any bit
         IX      to, 3
         CPSB    [va], [to] ? [vz]
         descriptor va, first, 100
@@ -203,8 +203,8 @@ CPSB.chain: .word   X'8000 0000 0000 0000'
         register_is CPSB, r44, 100
         register_is CPSB, r45, 0
 ; expect: r0 = 0
-; A result may lie over its source; what it overwrites there is read no more,
-; unless it lies behind.
+; A result may overlap its source.  Bits that it overwrites before they are read are
+; read with their new values.
         descriptor vz, CPSB.second_ones, 8
         descriptor to, CPSB.in_place, 8
         CPSB    [to], [to] ? [vz]

@@ -1,13 +1,13 @@
-; For each pair in the table a word says whether each branch was taken, and it is
-; compared with what the relation of the two says.  A relation that is confused with
-; another, an operand that is not cut to its bits, or a wrong target makes a word
-; differ.
+; For each pair in the table a word records which branches were taken.  It is compared
+; with the relation of the two operands.  A confused relation, an operand that is not
+; cut to its number of bits, or a wrong target makes a
+; word differ.
 ; tests: BEQ BNE BGE BLT BHEQ BHNE BHGE BHLT CFPEQ CFPNE CFPGE CFPLT CFPGT CFPLE IBXEQ
 ; tests: IBXNE IBXGE IBXLT IBXGT IBXLE
 
         .include "branch.inc"
 
-; The operands of R and S, or of A and Z.
+; The operands R and S, or A and Z.
         pair    less, 1.0, 2.0
         pair    equal, 2.0, 2.0
         pair    greater, -1.0, -2.0
@@ -20,7 +20,7 @@
         pair    register_zero, 0, 0
 ; BEQ BNE BGE BLT, BHEQ BHNE BHGE BHLT of half words: if R .. S go to T;
 ; CFPEQ CFPNE CFPGE CFPLT CFPGT CFPLE: if A .. Z go to target.
-; What is 1 of a pair:                 eq ne ge lt gt le
+; The expected results of a pair:      eq ne ge lt gt le
         order   less,                    0, 1, 0, 1, 0, 1
         order   equal,                   1, 0, 1, 0, 0, 1
         order   greater,                 0, 1, 1, 0, 1, 0
@@ -46,9 +46,9 @@
         counts  negative, -3, 1, 2, X'0000 FFFF FFFF FFFE',  0, 1, 0, 1, 0, 1
 ; the sum wraps to a negative number
         counts  wrapped, 140737488355327, 1, 0, X'0000800000000000',  0, 1, 0, 1, 0, 1
-; the high 16 bits of the operands do not count
+; the high 16 bits of the operands are ignored
         counts  high_bits, X'1234000000000003', X'FFFF000000000001', 4, 4,  1, 0, 1, 0, 0, 1
-; backwards: a loop
+; a backward branch: a loop
         loop    IBXEQ, sum, limit, limit, sum, 2, 10
         loop    IBXNE, sum, step, limit, sum, 5, 5
         loop    IBXGE, limit, right, step, limit, 3, X'0000 FFFF FFFF FFFF'

@@ -1,4 +1,4 @@
-; The clock is compared with the clocks that the instructions before it must take.
+; The clock is compared with the time that the instructions before it take.
 ; tests: CLOCK
 ; CLOCK: T := clocks passed so far, as an integer
 
@@ -7,7 +7,7 @@
         ES      r12, 5
         CLOCK   r13
         ADDN    r12, r12, r14           ; 5 clocks
-        RTOR    r14, r15                ; waits for them
+        RTOR    r14, r15                ; waits for the result
         CLOCK   r16
         CLOCK   r0
 ; expect: r10 = 0

@@ -1,12 +1,12 @@
-; The bits that the four comparisons make of two vectors are compared with those that
-; the relations say: every use, and operands that are not normalised.  A wrong relation,
-; a wrong bit address, or a bit beyond the result makes a bit differ.
+; The bits that the four comparisons of two vectors yield are compared with the
+; relations of their elements: every use, and operands that are not normalised.  A wrong
+; relation, a wrong bit address, or a change outside the result makes a bit differ.
 ; tests: CMPEQV CMPNEV CMPGEV CMPLTV
 ; warns: zero-length CMPEQV CMPNEV CMPGEV CMPLTV
 
         .include "compare.inc"
 
-; What the four make of a use.
+; The bits that the four comparisons yield in a use.
         .macro  compared use, eq, ne, ge, lt
 ; expect-bits: [CMPEQV.\use] = \eq
 ; expect-bits: [CMPNEV.\use] = \ne
@@ -32,7 +32,7 @@ odd_b:  .word   2.0, X'0010 0000 0000 0000', X'8FFF 1234 5678 9ABC'
         comparison CMPNEV
         comparison CMPGEV
         comparison CMPLTV
-; two bits more than there are elements: they stay as they were
+; two bits after the last element keep their values
         compared plain,          00011011, 11100111, 00111111, 11000011
         compared broadcast_a,    010000, 101111, 011011, 100100
         compared broadcast_b,    000100, 111011, 000101, 111010

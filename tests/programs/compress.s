@@ -1,6 +1,6 @@
-; The elements that are kept, their number and the bits that say which are compared with
-; those followed by hand, for every use.  An element too many or too few, a wrong
-; length, or a bit beside the result makes a word differ.
+; The kept elements, their number and the bits that select them are compared with
+; results worked out by hand, for every use.  A missing or additional element, a wrong
+; length, or a bit outside the result makes a word differ.
 ; tests: CPSV ACPSV
 ; warns: zero-length ACPSV
 
@@ -24,7 +24,7 @@ CPSV.place0: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         LTOR    to, ones
 ; expect: [CPSV.plain] = 1.0, X'7ABC 0123 4567 89AB', 4.0, 9.0, 9.0, 9.0
         register_is CPSV, ones, 3
-        into    CPSV.where_zeros, 2          ; that of C is not looked at
+        into    CPSV.where_zeros, 2          ; the length of C is ignored
         CPSV    [va], [to] ?! [vz]
         LTOR    to, zeros
 ; expect: [CPSV.where_zeros] = 2.0, 5.0, 6.0, 9.0, 9.0, 9.0
@@ -35,22 +35,22 @@ CPSV.place0: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         register_is CPSV, scalar, 3
         of_one  CPSV, offset_source, [va, twice], [to] ? [vz]
 ; expect: [CPSV.offset_source] = X'7ABC 0123 4567 89AB', 5.0, 6.0, 9.0, 9.0, 9.0
-        of_one  CPSV, short_source, [short_a], [to] ?! [vz] ; continued with machine zeros
+        of_one  CPSV, short_source, [short_a], [to] ?! [vz] ; padded with machine zeros
         LTOR    to, short
 ; expect: [CPSV.short_source] = 2.0, 0.0, 0.0, 9.0, 9.0, 9.0
         register_is CPSV, short, 3
-; no ones: the address of C stays, its length is 0
+; Z has no ones: the address of C stays and its length is 0
         descriptor vz, CPSV.none, n
         of_one  CPSV, nothing, [va], [to] ? [vz]
         LTOR    to, empty
 ; expect: [CPSV.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         register_is CPSV, empty, 0
-; an empty Z
+; Z is empty
         descriptor vz, z, 0
         CPSV    [va], [to] ? [vz]
         LTOR    to, zero_bits
         register_is CPSV, zero_bits, 0
-; in place
+; source and result at the same address
         descriptor vz, z, n
         descriptor to, CPSV.place0, n
         descriptor from, CPSV.place0, n
@@ -58,7 +58,7 @@ CPSV.place0: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         LTOR    to, in_place
 ; expect: [CPSV.place0] = 1.0, 3.0, 4.0, 4.0, 5.0, 6.0
         register_is CPSV, in_place, 3
-; room for those that are kept is enough: C is the last word of its page
+; C needs room only for the kept elements: here it is the last word of its page
         .data
         .org    0xBFFFC0
 CPSV.edge: .word   0
@@ -103,7 +103,7 @@ ACPSV.\name\()_kept: .word 9.0
         sieve   offsets, [va, once], [vb, twice]
 ; expect: [ACPSV.offsets] = -2.0, 4.5, 100.0, 9.0, 9.0, 9.0
 ; expect-bits: [ACPSV.offsets_bits] = 10101111
-        sieve   short, [short_a], [short_b]     ; B continues with zeros
+        sieve   short, [short_a], [short_b]     ; B is padded with zeros
 ; expect: [ACPSV.short] = 3.0, 4.5, 9.0, 9.0, 9.0, 9.0
 ; expect-bits: [ACPSV.short_bits] = 00111111
         sieve   magnitudes, |[va]|, |[vb]|
@@ -113,13 +113,13 @@ ACPSV.\name\()_kept: .word 9.0
 ; expect: [ACPSV.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 ; expect: [ACPSV.nothing_kept] = 0
 ; expect-bits: [ACPSV.nothing_bits] = 11111111
-; comparison is that of values; indefinite is not >= anything
+; values are compared, not representations; indefinite is not >= any operand
         descriptor va, ACPSV.odd_a, 4
         descriptor vb, ACPSV.odd_b, 4
         sieve   odd, [va], [vb]
 ; expect: [ACPSV.odd] = 0.0, 6, 9.0
 ; expect-bits: [ACPSV.odd_bits] = 10101111
-; Z lies in C: a later element goes over the first answer.
+; Z overlaps C: a later element overwrites the first bits.
         descriptor va, ACPSV.crowd, 4
         EX      r140, ACPSV.crowded
         EX      r141, ACPSV.crowded + 64

@@ -1,4 +1,4 @@
-; Words contracted to half words, and half words extended, are compared with those
+; Words contracted to half words, and half words extended, are compared with results
 ; worked out by hand: both signs, ties, the ends of the exponent range, specials.  A
 ; wrong rounding, exponent, half or data flag makes a word differ.
 ; tests: CON RCON EXTH
@@ -19,7 +19,7 @@
         contracts CON, tenth, 0.1, X'E666 6666'
         contracts CON, minus_tenth, -0.1, X'E699 9999'
         contracts CON, below, X'FFD1 7FFF FFFF FFFF', X'E97F FFFF'
-; it does not normalise: integers below 2^24 are lost
+; CON does not normalise: integers below 2^24 are lost
         contracts CON, small, 5, X'1800 0000'
         contracts CON, small_negative, -5, X'18FF FFFF'
         contracts CON, integer, X'0000 7FFF FFFF FFFF', X'187F FFFF'
@@ -31,7 +31,7 @@
 ; specials become the plain half words
         contracts CON, zero, X'8123 0000 0000 0005', 0.0
         contracts CON, indefinite, X'7123 0000 0000 0005', X'7000 0000'
-; register 0 is machine zero; the other half stays
+; register 0 is machine zero; the other half of the result is kept
         EXH     h200, 7
         CON     r0, h201
         register_is CON, r100, X'0000 0007 8000 0000'
@@ -41,16 +41,16 @@
         flags_are CON, X'0000 0000 0032 0000'
 ; RCON: T := R contracted to 32 bits, its coefficient rounded, a half upwards
         contracts RCON, plain, 1.5, 1.5
-; down and up
+; rounded down and up
         contracts RCON, tenth, 0.1, X'E666 6666'
         contracts RCON, three_tenths, 0.3, X'E84C CCCD'
         contracts RCON, minus_tenth, -0.1, X'E699 999A'
         contracts RCON, minus_three_tenths, -0.3, X'E8B3 3333'
-; a half
+; ties
         contracts RCON, half, X'0000 0000 0080 0000', X'1800 0001'
         contracts RCON, less, X'0000 0000 007F FFFF', X'1800 0000'
         contracts RCON, minus_half, X'0000 FFFF FF80 0000', X'1800 0000'
-; 2^23 does not fit: 2^22, exponent one more
+; 2^23 does not fit: the coefficient is 2^22 and the exponent is increased by 1
         contracts RCON, carry, X'FFD1 7FFF FFFF FFFF', 1.0
 ; at the ends of the exponent range: 87 + 24 and -136 + 24
         contracts RCON, largest, X'0057 7FFF FF7F FFFF', X'6F7F FFFF'
@@ -60,7 +60,7 @@
 ; specials become the plain half words
         contracts RCON, zero, X'8123 0000 00FF FFFF', 0.0
         contracts RCON, indefinite, X'7123 0000 00FF FFFF', X'7000 0000'
-; register 0 is machine zero; the other half stays
+; register 0 is machine zero; the other half of the result is kept
         EXH     h200, 7
         RCON    r0, h201
         register_is RCON, r100, X'0000 0007 8000 0000'
@@ -79,7 +79,7 @@
         extends plain, 1.5, 1.5
         extends negative, -200.25, -200.25
         extends tenth, 0.1, X'FFCE 6666 6600 0000'
-; exact, and not normalised
+; the result is exact and not normalised
         extends integer, 5, X'FFE8 0000 0500 0000'
         extends minus_one, -1, X'FFE8 FFFF FF00 0000'
         extends zero_coefficient, X'1000 0000', X'FFF8 0000 0000 0000'

@@ -1,6 +1,6 @@
-; Vectors contracted to half words, or extended, are compared with those worked out by
-; hand, for every use and for results over their sources.  A wrong rounding, size of an
-; element, order or data flag makes a word differ.
+; Vectors contracted to half words, or extended, are compared with results worked out by
+; hand, for every use and for results that overlap their sources.  A wrong rounding,
+; element size, order or data flag makes a word differ.
 ; tests: CONV RCONV EXTV
 ; warns: recurrence EXTV
 
@@ -27,12 +27,12 @@ CONV.over: .word   1.0, 2.0, 3.0
 ; expect-halves: [CONV.broadcast] = -200.25, kept, -200.25, -200.25, kept
         of_one  CONV, offset, [va, once], [to, by] ?! [vz]
 ; expect-halves: [CONV.offset] = kept, X'E699 9999', kept, kept, X'7000 0000'
-        of_one  CONV, negative, -|[va]|, [to] ?! [vz] ; in the size of words
+        of_one  CONV, negative, -|[va]|, [to] ?! [vz] ; the sign is applied to words
 ; expect-halves: [CONV.negative] = kept, X'E699 9999', kept, kept, X'6F80 0000'
-        of_one  CONV, short_source, [short], [to] ; machine zeros follow
+        of_one  CONV, short_source, [short], [to] ; padded with machine zeros
 ; expect-halves: [CONV.short_source] = 1.5, X'E699 9999', 0.0, 0.0, 0.0
-; The result lies over the source: each word is read before the half word in
-; its place is stored.
+; The result overlaps the source: each word is read before the half word at its
+; place is stored.
         descriptor va, CONV.over, 3
         descriptor to, CONV.over, 3
         CONV    [va], [to]
@@ -56,7 +56,7 @@ RCONV.word: .word   X'0057 7FFF FFFF FFFF'
 ; expect-halves: [RCONV.offset] = kept, X'E699 999A', kept, kept, 1.0
         of_one  RCONV, negative, -[va], [to] ; a half upwards is one towards zero
 ; expect-halves: [RCONV.negative] = -1.5, 0.1, X'E8B3 3333', X'1800 0000', -1.0
-        of_one  RCONV, short_source, [short], [to] ; machine zeros follow
+        of_one  RCONV, short_source, [short], [to] ; padded with machine zeros
 ; expect-halves: [RCONV.short_source] = 1.5, X'E699 999A', 0.0, 0.0, 0.0
         flags_are RCONV, X'0000 0000 0032 0000'
 ; EXTV: C := A extended to 64 bits
@@ -79,11 +79,11 @@ EXTV.scalars:
         into_words EXTV.negative
         EXTV    -|[va]|, [to] ? [vz]
 ; expect: [EXTV.negative] = -1.5, kept, X'FFCE99999A000000', X'FFE8FFFFFB000000', kept
-        into_words EXTV.short_source         ; machine zeros follow
+        into_words EXTV.short_source         ; padded with machine zeros
         EXTV    [short_a], [to]
 ; expect: [EXTV.short_source] = 1.5, -2.0, X'FFCE 6666 6600 0000', 0.0, 0.0
-; The result lies over the source: a half word is read before the word in its
-; place is stored, so the third comes from the second word.
+; The result overlaps the source: a half word is read before the word at its
+; place is stored, so the third result comes from the second word stored.
         .data
 EXTV.over: .halfword 1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         .code

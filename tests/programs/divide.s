@@ -14,10 +14,10 @@
         pair    mixed, -0.5, 10.0
 ; unnormalised: integers
         pair    integers, 42, 6
-; inexact: towards zero
+; inexact: rounded towards zero
         pair    third, 1.0, 3.0
         pair    minus_third, -1.0, 3.0
-; as significant as the less significant operand
+; as many significant bits as the less significant operand
         pair    less_significant, 0.1, 5
         sized_pair small, 1, X'0000 7FFF FFFF FFFF', 1, X'007F FFFF'
         pair    zero_dividend, 0.0, 7

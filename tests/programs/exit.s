@@ -1,4 +1,4 @@
-; What the monitor prints for each request is compared with the lines expected, from
+; The output of the monitor for each request is compared with the expected lines, for
 ; words, vectors, bits and text in memory.  A wrong format or request makes a line
 ; differ.
 ; tests: EXIT
@@ -21,7 +21,7 @@ values: .word   1.5, -2.0, 3
         EXIT    number, r0, 2           ; an integer
         EXIT    r0, r0, 5
 ; expect-print: -7
-        EXIT    number, r0, 3           ; hex
+        EXIT    number, r0, 3           ; a word in hexadecimal
         EXIT    r0, r0, 5
 ; expect-print: 0000 FFFF FFFF FFF9
         EX      text, letters

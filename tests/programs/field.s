@@ -1,6 +1,6 @@
-; Fields of bits that are taken from a word, or put into one, are compared with words
-; worked out by hand: first and last bit, whole word, no bit.  A wrong place, length or
-; neighbour makes a word differ.
+; Bit fields extracted from a word, or inserted into one, are compared with words worked
+; out by hand: first and last bit, whole word, empty field.  A wrong position or length,
+; or a changed bit outside the field, makes a word differ.
 ; tests: EXTB INSB
 
         .include "scalar.inc"

@@ -1,6 +1,6 @@
-; Elements fetched from a table, or stored into one, by index or at a period, are
-; compared with words followed by hand, for every use and for results that lie over
-; their sources.  A wrong index, order, length or control bit makes a word differ.
+; Elements that are gathered or scattered, by index or with a period, are compared with
+; words worked out by hand, for every use and for results that overlap their sources.  A
+; wrong index, order, length or control bit makes a word differ.
 ; tests: VGATHP VSCATP VTOVX VXTOV
 ; warns: zero-length VGATHP VSCATP VTOVX VXTOV
 
@@ -17,12 +17,12 @@ VGATHP.chain: .word   5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0
         .code
         ES      by, 1
         descriptor vz, z, n
-        EX      vtable, VGATHP.table0          ; its length does not count
+        EX      vtable, VGATHP.table0          ; its length is ignored
         ES      period, 3
         of_two  VGATHP, plain, period, [vtable], [to]
         of_two  VGATHP, where_ones, period, [vtable], [to] ? [vz]
         of_two  VGATHP, where_zeros, period, [vtable], [to] ?! [vz]
-        of_two  VGATHP, offset_result, period, [vtable], [to, by] ? [vz] ; and of the control vector
+        of_two  VGATHP, offset_result, period, [vtable], [to, by] ? [vz] ; also offsets the control vector
         into    VGATHP.short_result, 2
         VGATHP  period, [vtable], [to]
         of_two  VGATHP, again, r0, [vtable], [to] ; r0 is a period of 0
@@ -35,13 +35,13 @@ VGATHP.chain: .word   5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0
 ; expect: [VGATHP.short_result] = 20.0, 23.0, 9.0, 9.0, 9.0, 9.0
 ; expect: [VGATHP.again] = 20.0, 20.0, 20.0, 20.0, 20.0, 20.0
 ; expect: [VGATHP.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-; Backwards; of the period 48 bits count.
+; A negative period: the table is read backwards.  Only 48 bits of it are used.
         EX      place, VGATHP.back
         LOD     [place], period
         EX      vtable, VGATHP.table0 + 64*14
         of_two  VGATHP, backwards, period, [vtable], [to]
 ; expect: [VGATHP.backwards] = 34.0, 32.0, 30.0, 28.0, 26.0, X'7ABC 0123 4567 89AB'
-; The result lies over the table: what has been stored is gathered again.
+; The result overlaps the table: stored elements are gathered again.
         ES      period, 2
         EX      vtable, VGATHP.chain
         descriptor to, VGATHP.chain + 64, 4
@@ -57,7 +57,7 @@ VSCATP.chain: .word   5.0, 6.0, 7.0, 8.0, 9.0, 10.0
         .data
 VSCATP.\name: .word 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         .code
-        EX      to, VSCATP.\name + 64*\first ; its length does not count
+        EX      to, VSCATP.\name + 64*\first ; its length is ignored
         VSCATP  \a, \b, [to] \mask
         .endm
         descriptor vb, VSCATP.b, n
@@ -67,8 +67,8 @@ VSCATP.\name: .word 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         scatters plain, period, [vb]
         scatters where_ones, period, [vb], ? [vz]
         scatters where_zeros, period, [vb], ?! [vz]
-        scatters offset_source, period, [vb, twice] ; the source is short by that
-        scatters again, r0, [vb] ; of all for one place the last stays
+        scatters offset_source, period, [vb, twice] ; shortens the source
+        scatters again, r0, [vb] ; the last store to the place wins
         ES      period, -1
         scatters backwards, period, [vb], , 8
         ELEN    vb, 0
@@ -84,7 +84,7 @@ VSCATP.\name: .word 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 ; expect: [VSCATP.backwards] = 9.0, 9.0, 9.0, 35.0, X'7ABC 0123 4567 89AB', 33.0, 32.0
 ; expect: [VSCATP.backwards + 7*64] = 31.0, 30.0, 9.0, 9.0
 ; expect: [VSCATP.nothing] = 9.0, 9.0, 9.0
-; The source lies in the result: what has been scattered is read again.
+; The source overlaps the result: scattered elements are read again.
         descriptor vb, VSCATP.chain, 3
         EX      to, VSCATP.chain + 64
         ES      period, 1
@@ -108,18 +108,18 @@ VTOVX.values: .word   X'2000 0000 0000 0000', 5.0, 6.0
         .data
 VTOVX.\name: .word 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         .code
-        EX      to, VTOVX.\name + 64    ; its length does not count
+        EX      to, VTOVX.\name + 64    ; its length is ignored
         VTOVX   \a, \b, [to] \mask
         .endm
         operands_of_two VTOVX.
-        stores plain, [va], [vb] ; of two for one place the last stays
+        stores plain, [va], [vb] ; the last store to a place wins
         stores broadcast, [va], x
         stores where_ones, [va], [vb], ? [vz]
         stores where_zeros, [va], [vb], ?! [vz]
-        stores offset_source, [va], [vb, twice] ; the source is short by that
-        stores offset_list, [va, twice], [vb] ; the list is short by that
+        stores offset_source, [va], [vb, twice] ; shortens the source
+        stores offset_list, [va, twice], [vb] ; shortens the list
         stores short_list, [short_a], [vb]
-        stores short_source, [va], [short_b] ; continued with machine zeros
+        stores short_source, [va], [short_b] ; padded with machine zeros
         ELEN    va, 0
         stores nothing, [va], [vb]
 ; expect: [VTOVX.plain] = 32.0, 31.0, 35.0, 34.0, 30.0, 9.0
@@ -131,13 +131,13 @@ VTOVX.\name: .word 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
 ; expect: [VTOVX.short_list] = 32.0, 31.0, 9.0, 33.0, 30.0, 9.0
 ; expect: [VTOVX.short_source] = 0.0, 31.0, 0.0, 0.0, 30.0, 9.0
 ; expect: [VTOVX.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-; The source lies in the result: what has been scattered is read again.
+; The source overlaps the result: scattered elements are read again.
         descriptor va, VTOVX.next, 3
         descriptor vb, VTOVX.chain, 3
         EX      to, VTOVX.chain
         VTOVX   [va], [vb], [to]
 ; expect: [VTOVX.chain] = 5.0, 5.0, 5.0, 5.0
-; The control vector lies in the result: its later bits are the new ones.
+; The control vector overlaps the result: its later bits are those stored.
         descriptor va, VTOVX.places, 3
         descriptor vb, VTOVX.values, 3
         EX      vz, VTOVX.own
@@ -156,17 +156,17 @@ VXTOV.chain: .word   5.0, 6.0, 7.0, 8.0
 VXTOV.next: .word   1, 2, 0
         .code
         operands VXTOV.
-        EX      vtable, VXTOV.table           ; its length does not count
+        EX      vtable, VXTOV.table           ; its length is ignored
         of_two  VXTOV, plain, [va], [vtable], [to]
         of_two  VXTOV, where_ones, [va], [vtable], [to] ? [vz]
         of_two  VXTOV, where_zeros, [va], [vtable], [to] ?! [vz]
-        of_two  VXTOV, offset_result, [va], [vtable], [to, by] ? [vz] ; and of the control vector
-        of_two  VXTOV, short_list, [short_a], [vtable], [to] ; as many as there are indices
+        of_two  VXTOV, offset_result, [va], [vtable], [to, by] ? [vz] ; also offsets the control vector
+        of_two  VXTOV, short_list, [short_a], [vtable], [to] ; one result per index
         into    VXTOV.short_result, 2
         VXTOV   [va], [vtable], [to]
         into    VXTOV.nothing, 0
         VXTOV   [va], [vtable], [to]
-        of_two  VXTOV, offset_list, [va, twice], [vtable], [to] ; the list is short by that
+        of_two  VXTOV, offset_list, [va, twice], [vtable], [to] ; shortens the list
 ; expect: [VXTOV.offset_list] = X'7ABC 0123 4567 89AB', 22.0, 22.0, 21.0, 9.0, 9.0
 ; expect: [VXTOV.plain] = 23.0, 20.0, X'7ABC 0123 4567 89AB', 22.0, 22.0, 21.0
 ; expect: [VXTOV.where_ones] = 23.0, 9.0, X'7ABC 0123 4567 89AB', 22.0, 9.0, 9.0
@@ -175,7 +175,7 @@ VXTOV.next: .word   1, 2, 0
 ; expect: [VXTOV.short_list] = 23.0, 20.0, X'7ABC 0123 4567 89AB', 22.0, 9.0, 9.0
 ; expect: [VXTOV.short_result] = 23.0, 20.0, 9.0, 9.0, 9.0, 9.0
 ; expect: [VXTOV.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-; The result lies over the table: what has been stored is gathered again.
+; The result overlaps the table: stored elements are gathered again.
         descriptor va, VXTOV.next, 3
         EX      vtable, VXTOV.chain
         descriptor to, VXTOV.chain, 3

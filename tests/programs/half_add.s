@@ -1,6 +1,6 @@
 ; Sums, differences and averages of half word vectors are compared with half words
-; worked out by hand.  Elements lie on right halves, so a wrong size or address of an
-; element makes one differ.
+; worked out by hand.  The vectors start in right halves, so a wrong element size or
+; address makes one differ.
 ; Vectors of half words: add, subtract, average.
 ; warns: recurrence ADDNV,H
 
@@ -31,16 +31,16 @@ uneven_b:
         makes   SUBUV, -9.0, -2.5, 6.0, X'EC000000', -2.5, X'EDF00000', 11.0, X'ED1C0000'
         makes   AVGV, 5.5, -0.75, 0.0, 4.5, 0.75, 9.0, 2.5, 6.25
         makes   AVGDV, -4.5, -1.25, 3.0, 0.0, -1.25, -1.0, 5.5, 1.75
-; The lower halves of sums: those of a tiny number that is lost in the upper
-; one, of 0.1 and 0.2, none of what machine zero leaves, none of integers.
+; Lower halves of sums: of a tiny number that is lost in the upper half, and of
+; 0.1 + 0.2.  Sums with machine zero and sums of integers have no lower half.
         descriptor va, uneven_a, n
         descriptor vb, uneven_b, n
         plain   ADDLV
 ; expect-halves: [ADDLV.plain] = X'D340 0000', X'D140 0000', X'E900 0000', X'E900 0000', X'7000 0000'
         plain   SUBLV
 ; expect-halves: [SUBLV.plain] = X'D340 0000', X'D000 0000', X'E900 0000', X'E900 0000', X'7000 0000'
-; The result lies one half word after the first source: each element is made
-; from the one before.
+; The result starts one half word after the first source, so each element is
+; computed from the element before it.
         odd
 chain:  .halfword 1.0, kept, kept, kept, kept, kept
         .code

@@ -30,7 +30,7 @@ pattern_b:
         makes   ADDXV, 8, X'EA400005', X'00FFFFF1', X'80123457', X'70123457', 8, 3, 6
         makes   SUBXV, 2, X'EA3FFFFB', X'00FFFFF5', X'80123455', X'70123455', 2, 7, 4
         makes   SHIFTV, X'00000028', X'4800001D', X'003FFFFC', X'002468AD', X'E02468AC', 40, 1, 10
-; Counts of 32 and more circulate, of less than -32 are -32.
+; Counts of 32 and more rotate modulo 32; counts below -32 act like -32.
         load    x, minus
         odd
 minus:  .half   X'8000 0001'
@@ -39,7 +39,7 @@ minus:  .half   X'8000 0001'
         into    far
         SHIFTV,H x, [vb], [to]
 ; expect-halves: [far] = X'C0000000', X'80000001', X'FFFFFFFF', X'FFFFFFFF', X'00000003'
-; Three elements, then zeros.
+; A source of three elements, padded with zeros.
         descriptor va, pattern_a, 3
         descriptor vb, pattern_b, 3
         load    x, pattern_a

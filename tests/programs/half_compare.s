@@ -1,4 +1,4 @@
-; Bits and indices that comparisons of half word vectors make are compared with those
+; Bits and indices from comparisons of half word vectors are compared with results
 ; counted by hand.  A wrong relation, or an index of the wrong size, makes one differ.
 ; Vectors of half words: compare, select, search.
 
@@ -33,7 +33,7 @@ a:      .halfword 1.0, -2.0, 3.0, 2, X'7000 0000'
 ; An index is an integer of 64 bits in a whole register.
         SELEQV,H [va], [vb], r60
         SELEQV,H [va], [vb], r61 ?! [vz]
-        SELEQV,H [va, once], y, r62     ; none of four
+        SELEQV,H [va, once], y, r62     ; none of four elements
 ; expect: r60 = 0
 ; expect: r61 = 5
 ; expect: r62 = 4
@@ -49,7 +49,7 @@ a:      .halfword 1.0, -2.0, 3.0, 2, X'7000 0000'
         SELLTV,H -|[va]|, x, r68 ?! [vz]
 ; expect: r67 = 2
 ; expect: r68 = 1
-; So are the indices of a search.
+; The indices of a search are also integers of 64 bits.
         searches SCHEQV
 ; expect: [SCHEQV.plain] = 0, 5, 5, 3, 5
 ; expect: [SCHEQV.broadcast] = 3, kept, 3, 3, kept

@@ -1,5 +1,5 @@
-; Results of linked pairs on half words are compared with those worked out by hand.  A
-; wrong size of what is handed over, or a result that is stored, makes one differ.
+; Results of linked pairs on half words are compared with results worked out by hand.  A
+; wrong size of the linked operand, or storing it, makes one differ.
 ; Linked pairs on half words.
 
         .include "half_vector.inc"
@@ -34,7 +34,7 @@
         MPYSV,H [short_a], x, [t]
         ADDNV,H [t], [vb], [to]
 ; expect-halves: [short_source] = 18.0, -15.5, 24.0, 8.0, 8.0
-; a recurrence: the result lies one half word after the source
+; a recurrence: the result starts one half word after the source
         odd
 chain:  .halfword 1.0, 2.0, 3.0, 4.0
         .code

@@ -1,7 +1,7 @@
 ; Half words that are gathered, scattered, masked, merged, compressed or computed in
-; series are compared with those followed by hand.  An index or period of the wrong size
-; makes one differ.
-; Vectors of half words: elements moved about, made from two numbers, from a
+; series are compared with results worked out by hand.  An index or period of the wrong
+; size makes one differ.
+; Vectors of half words: elements moved, computed from two numbers, and from a
 ; polynomial.
 
         .include "half_vector.inc"
@@ -15,7 +15,7 @@ list:   .word   3, 0, -1, 2, X'7123 0000 0000 0004'
 table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         .code
         operands
-; The index list has words; they count half words.
+; The index list consists of words; the indices count half words.
         descriptor va, list, n
         EX      vb, table
         into    gathered
@@ -33,7 +33,7 @@ table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         EX      to, scattered_some + 32
         VTOVX,H [va], x, [to] ? [vz]
 ; expect-halves: [scattered_some] = 3.0, kept, kept, 3.0, 3.0
-; A period counts half words, too, and is in a whole register.
+; A period also counts half words, and it is in a whole register.
         .regs   r64, period
         ES      period, 2
         EX      vb, table
@@ -58,12 +58,12 @@ table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         into    merged
         MRGV,H  [va], [vb], [to] ? [vz]
 ; expect-halves: [merged] = 1.0, -1.0, 2.0, 3.0, -2.0
-        into    merged_short            ; machine zeros follow
+        into    merged_short            ; padded with machine zeros
         ELEN    va, 2
         MRGV,H  [va], y, [to] ? [vz]
         ELEN    va, n
 ; expect-halves: [merged_short] = 1.0, 0.5, 2.0, 0.0, 0.5
-; The machine sets the length.
+; The machine sets the length of the result.
         into    compressed
         CPSV,H  [va], [to] ? [vz]
         LTOR    to, r60

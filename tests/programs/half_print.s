@@ -1,6 +1,6 @@
-; What is printed of half words is compared with the lines expected.  A half that is not
-; extended first, or the wrong half, makes a line differ.
-; Half words printed: extended first, so 0.1 is what it was cut to.
+; The printed half words are compared with the expected lines.  A half word that is not
+; extended first, or the wrong half of a register, makes a line differ.
+; Half words are extended before they are printed, so 0.1 shows its truncation.
 
         .include "print.s"
         .include "vectors.s"

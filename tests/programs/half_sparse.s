@@ -4,8 +4,8 @@
 ;
 ;       110100 of A     101101 of B
 ;
-; so there are a sum of the first, A alone, B alone, a sum, B alone; and two
-; products.
+; so the elements of a sum are: a sum, A alone, B alone, a sum, B alone.  A product
+; has two elements.
         .include "half_vector.inc"
 
         .regs   r42, vx, vy
@@ -21,7 +21,7 @@
         LTOR    to, elements
         LTOR    vz, places
         EX      to, \length
-        SUBX    elements, to, elements  ; 0 if it is as long
+        SUBX    elements, to, elements  ; 0 if the lengths are equal
         .data
 \op\().lengths: .word 9.0, 9.0
         .code
@@ -75,7 +75,7 @@ b:      .halfword 10.0, -3.0, 4.5, -0.25
 ; expect-halves: [DIVUS.plain] = 0.1, 1.0, kept
 ; expect-bits: [DIVUS.order] = 100100 11
 ; expect: [DIVUS.lengths] = 0, 6
-; The order vector of the result is given; its third place is that of B alone.
+; The order vector of the result is given; its third place has an element of B alone.
         into    given
         .data
         .bitvector wanted, 4, "1011"
@@ -86,7 +86,7 @@ b:      .halfword 10.0, -3.0, 4.5, -0.25
 ; expect-halves: [given] = -9.0, -3.0, 0.0, kept, kept
 ; expect-bits: [wanted] = 1011
 ; expect: places = 4
-; A packed vector that is too short: machine zero follows -2.0.
+; The packed vector is too short, so -2.0 is followed by machine zero.
         ELEN    va, 2
         into    short
         .data

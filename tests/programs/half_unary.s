@@ -1,11 +1,11 @@
 ; Results of instructions with one source on half word vectors are compared with half
-; words worked out by hand.  A wrong rounding, neighbour or size of an element makes one
+; words worked out by hand.  A wrong rounding, neighbour or element size makes one
 ; differ.
 ; Vectors of half words: instructions with one source.
 
         .include "half_vector.inc"
 
-; Scalar is what op makes of the scalar, e0 .. e4 what it makes of the elements of a.
+; Scalar: the result for the scalar; e0 .. e4: the results for the elements of a.
         .macro  uses op, scalar, e0, e1, e2, e3, e4
         into    \op\().plain
         \op,H   [va], [to]
@@ -13,7 +13,7 @@
         into    \op\().broadcast
         \op,H   x, [to] ?! [vz]
 ; expect-halves: [\op\().broadcast] = kept, \scalar, kept, kept, \scalar
-        into    \op\().offset           ; of source, result, control vector
+        into    \op\().offset           ; offsets of source, result and control vector
         \op,H   [va, once], [to, by] ? [vz]
         .endm
 
@@ -37,13 +37,13 @@ scalars:
         elementwise EXPV, -20, -21, -21, -18, -24, -26
         uses    VREVV, -6.25, 0.1, -0.5, 16.0, -2.75, 2.75
 ; expect-halves: [VREVV.offset] = kept, kept, -0.5, 16.0, kept
-        elementwise ADJMV, -6.25, 0.0, 6.625, 7.75, X'E799 9999', X'E566 6666' ; the last with machine zero
+        elementwise ADJMV, -6.25, 0.0, 6.625, 7.75, X'E799 9999', X'E566 6666' ; padded with machine zero
         elementwise DELTAV, 0.0, -5.5, 18.75, -16.5, X'E94C CCCC', X'E699 999A'
-; Machine zeros follow a short source; sign control takes it first.
+; A short source is padded with machine zeros after its signs are changed.
         into    short
         VTOV,H  -|[short_a]|, [to]
 ; expect-halves: [short] = -2.75, -2.75, -16.0, 0.0, 0.0
-; 16 has 5 significant bits, so its root has.
+; 16 has 5 significant bits, so its root has 5 significant bits.
         descriptor va, squares, n
         into    roots
         SQRTV,H [va], [to]

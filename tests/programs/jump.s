@@ -1,5 +1,5 @@
-; Counts and links are compared with those of the way that the branches must take.  A
-; wrong target, link or count makes a word differ, or the program never ends.
+; Counts and links are compared with those of the path that the branches must take.  A
+; wrong target, link or count makes a word differ, or the program does not end.
 ; tests: BIM BSAVE DBNZ IBNZ
 
         .include "keep.inc"
@@ -15,7 +15,7 @@ BIM.first: IS      passed, 1
         BIM     BIM.second - 64, offset
         ES      passed, -1
 BIM.second: IS      passed, 1
-; of R only the low 48 bits count; they may be negative
+; only the low 48 bits of R are used; they may be negative
         EX      offset, -32
         ELEN    offset, 9
         BIM     BIM.third + 32, offset
@@ -23,7 +23,7 @@ BIM.second: IS      passed, 1
 BIM.third: IS      passed, 1
         register_is BIM, passed, 3
 ; BSAVE: R := address of the next instruction; go to T + 32 S
-; a call and the return from it, twice
+; a call and its return, twice
         ES      two, 2
         EX      target, BSAVE.routine
         BSAVE   link, [target]
@@ -34,7 +34,7 @@ BSAVE.first_return:
 BSAVE.second_return:
         register_is BSAVE, sum, 4
         register_is BSAVE, link, BSAVE.second_return
-; the target may be in the register that gets the link
+; the target may be in the register that receives the link
         EX      here, BSAVE.past
         BSAVE   here, [here]
 BSAVE.linked: ES      sum, 0
@@ -53,7 +53,7 @@ DBNZ.loop: ADDX    turns, one, turns
         DBNZ    count, [target]
         register_is DBNZ, count, 0
         register_is DBNZ, turns, 3
-; T + 32 S; the high 16 bits of the count stay and do not count
+; the target is T + 32 S; the high 16 bits of the count are kept and ignored
         EX      length, 0
         ELEN    length, 5
         EX      target, DBNZ.skipped - 64
@@ -80,7 +80,7 @@ IBNZ.loop:
         IBNZ    count, [target]
         register_is IBNZ, count, 0
         register_is IBNZ, turns, 3
-; T + 32 S; the high 16 bits of the count stay and do not count
+; the target is T + 32 S; the high 16 bits of the count are kept and ignored
         EX      length, -2
         ELEN    length, 5
         EX      target, IBNZ.skipped - 64

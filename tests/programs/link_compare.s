@@ -1,6 +1,6 @@
 ; Bits and clocks are compared with those worked out by hand from the timing of
 ; docs/timing.md.
-; MPYSV and CMPGEV as one stream: the second makes bits, under a control vector
+; MPYSV and CMPGEV run as one stream: the second makes bits, under a control vector
 ; and with an offset of its result.
         .equ    n, 6
         .regs   r10, va, product, bits, skipped, least, wanted
@@ -11,7 +11,7 @@ found:  .word   X'FFFF FFFF FFFF FFFF'
         .code
         EX      va, a                   ; at 0
         ELEN    va, n
-        RTOR    va, product             ; of its length, wherever
+        RTOR    va, product             ; only its length is used
         EX      bits, found
         ELEN    bits, n + 1
         ES      skipped, 1
@@ -21,10 +21,10 @@ found:  .word   X'FFFF FFFF FFFF FFFF'
         MPYSV   [va], [va], [product]
         CMPGEV  [product], least, [bits, skipped] ? [wanted]
         EXIT
-; The squares 1, 4, 9, 20.25, 0.25, 10,000 and the bits 1 to 6 of z, 110111: a bit
-; of the result is left alone, then 0 0 1 1 0 1, but the third of them keeps its one.
+; The squares are 1, 4, 9, 20.25, 0.25, 10,000 and the bits 1 to 6 of z are 110111.
+; The first bit of the result is kept; then come 0 0 1 1 0 1, of which the third stays 1.
 ; expect: [found] = X'9BFF FFFF FFFF FFFF'
 ; expect-flags: X'0000 0000 0000 0000'
-; Start-up 84, the page 30 + 1,000, six elements on two pipes 3.
+; Clocks: start-up 84, page 30 + 1,000, six elements on two pipes 3.
 ; expect-clocks: 8 + 84 + 1030 + 3
 ; expect-model: cyber205-2pipe-prior

@@ -1,7 +1,7 @@
 ; Results and clocks are compared with those worked out by hand from the timing of
 ; docs/timing.md.
-; DIVSV and ADDNV as one stream, which starts up as much later and goes as slowly
-; as a division.
+; DIVSV and ADDNV run as one stream, which has the additional start-up and the rate
+; of a division.
         .equ    n, 6
         .regs   r10, dividend, divisor, result, three
         .data
@@ -22,7 +22,7 @@ c:      .space  n
         EXIT
 ; expect: [c] = 3.125, -1.0, 2.25, 4.0, 2.75, -397.0
 ; expect-flags: X'0000 0000 0000 0000'
-; Start-up 84 and the 80 - 51 of the division beyond an addition; the page
-; 30 + 1,000; six elements at 1.625 are 9.75, so 10.
+; Clocks: start-up 84 + (80 - 51), by which a division exceeds an addition; page
+; 30 + 1,000; six elements at 1.625 are 9.75, rounded to 10.
 ; expect-clocks: 7 + 84 + 29 + 1030 + 10
 ; expect-model: cyber205-2pipe-prior

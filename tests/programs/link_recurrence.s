@@ -1,7 +1,7 @@
 ; Results and clocks are compared with those worked out by hand from the timing of
 ; docs/timing.md.
-; A recurrence in a linked pair: its elements wait for all of the pair, whichever
-; of the two reads them.
+; A recurrence in a linked pair: its elements wait for the whole pair, whichever of
+; the two instructions reads them.
         .equ    n, 4
         .regs   r10, ahead, behind, handed
         .data
@@ -16,11 +16,11 @@ a:      .word   1.0, 16.0, 0.0, 0.0, 0.0
         SQRTV   [behind], [handed]
         ADDNV   [handed], [ahead], [behind]
         EXIT
-; The root of 16 and 1, then the root of nothing and what was made before.
+; The roots of 16 and 1, then the root of 0 and of elements stored before.
 ; expect: [a] = 1.0, 5.0, 5.0, 5.0, 5.0
 ; expect-flags: X'0000 0000 0010 0000'
 ; expect-warning: recurrence
-; Start-up 84 + 80 - 51, the page 30 + 1,000, four elements at 1.625 are 6.5, so 7,
-; and three of them wait a start-up each.
+; Clocks: start-up 84 + 80 - 51, page 30 + 1,000, four elements at 1.625 are 6.5,
+; rounded to 7, and three of them wait a start-up each.
 ; expect-clocks: 5 + 113 + 1030 + 7 + 3 * 113
 ; expect-model: cyber205-2pipe-prior

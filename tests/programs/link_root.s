@@ -1,6 +1,6 @@
 ; Results and clocks are compared with those worked out by hand from the timing of
 ; docs/timing.md.
-; MPYSV and SQRTV of half words as one stream: a geometric mean.
+; MPYSV and SQRTV of half words run as one stream: a geometric mean.
         .equ    n, 6
         .regs   r10, va, vb, result
         .data
@@ -20,7 +20,7 @@ c:      .space  n / 2
         EXIT
 ; expect-halves: [c] = 2.0, 4.0, 3.0, 5.0, X'8000 0000', 6.0
 ; expect-flags: X'0000 0000 0010 0000'
-; Start-up 84 and the 80 - 51 of the root beyond an addition; the page 30 + 1,000;
-; six elements at 0.8125 are 4.875, so 5.
+; Clocks: start-up 84 + (80 - 51), by which a root exceeds an addition; page 30 + 1,000;
+; six elements at 0.8125 are 4.875, rounded to 5.
 ; expect-clocks: 6 + 84 + 29 + 1030 + 5
 ; expect-model: cyber205-2pipe-prior

@@ -1,7 +1,7 @@
 ; Results and clocks are compared with those worked out by hand from the timing of
 ; docs/timing.md.
-; SHIFTV and ORV as one stream: two words are packed into one, as programs did to
-; halve the room of their data.
+; SHIFTV and ORV run as one stream: two words are packed into one, as programs did to
+; halve the size of their data.
         .equ    n, 6
         .regs   r10, left, right, packed, half_word
         .data
@@ -23,6 +23,6 @@ both:   .space  n
 ; expect: [both] = X'0000000100000007', X'0000000200000008', X'0000000300000009'
 ; expect: [both + 3*64] = X'800000000000000A', X'FFFFFFFFFFFFFFFF', 11
 ; expect-flags: X'0000 0000 0000 0000'
-; Start-up 84, the page 30 + 1,000, six elements on two pipes 3.
+; Clocks: start-up 84, page 30 + 1,000, six elements on two pipes 3.
 ; expect-clocks: 7 + 84 + 1030 + 3
 ; expect-model: cyber205-2pipe-prior

@@ -1,10 +1,10 @@
-; Results of linked pairs of every two units are compared with those worked out by hand.
-; A pair that is refused, or whose operands are swapped, makes one differ.
-; Linked pairs of every two units: add, multiply, divide, shift, logical.
+; Linked pairs of every two units are compared with results worked out by hand.
+; A rejected pair, or exchanged operands, makes one differ.
+; The units are: add, multiply, divide, shift, logical.
 
         .include "vector.inc"
 
-; A pair, the first of one source or of two, the second likewise.
+; Runs a linked pair; the name states the number of sources of both instructions.
         .macro  link_two_two name, first, a, b, second, c, d
         into    \name, 3
         LINKV
@@ -39,11 +39,11 @@ two:    .word   2.0
         descriptor vb, b, 3
         descriptor p, ones, 3
         descriptor q, tens, 3
-        descriptor t, 0, 3              ; what is handed over lies nowhere
+        descriptor t, 0, 3              ; the handed-over vector is not in memory
         load    x, two
         ES      bit, 1
         ES      mask, 15
-; Add first.  Integers are added as integers.
+; The first instruction adds.  Integers are added as integers.
         link_two_two add_multiply, ADDNV, [va], [vb], MPYSV, [t], x
 ; expect: [add_multiply] = 12.0, 24.0, 24.0
         link_two_two add_divide, SUBNV, [va], [vb], DIVSV, [t], x
@@ -52,8 +52,8 @@ two:    .word   2.0
 ; expect: [add_shift] = 22, 44, 66
         link_two_two add_logical, ADDXV, [p], [q], ANDV, [t], mask
 ; expect: [add_logical] = 11, 6, 1
-; Multiply first.  A number that is shifted left by one has twice its exponent, and
-; the sign of that behind its last digit.
+; The first instruction multiplies.  SHIFTV by one doubles the exponent and moves the
+; sign bit of the word to its last bit.
         link_two_two multiply_add, MPYSV, [va], x, SUBNV, [vb], [t]
 ; expect: [multiply_add] = -6.0, -15.0, -36.0
         link_two_two multiply_divide, MPYSV, [va], x, DIVSV, [t], [vb]
@@ -64,7 +64,7 @@ two:    .word   2.0
         link_two_two multiply_logical, MPYSV, [va], x, ORV, [t], mask
 ; expect: [multiply_logical] = X'FFD5 4000 0000 000F', X'FFD6 4800 0000 000F'
 ; expect: [multiply_logical + 2*64] = X'FFD7 4000 0000 000F'
-; Divide first, or take roots.
+; The first instruction divides or takes roots.
         link_two_two divide_add, DIVSV, [va], x, ADDNV, [t], [vb]
 ; expect: [divide_add] = 4.0, 7.5, 4.0
         link_two_two divide_multiply, DIVSV, [va], [vb], MPYSV, x, [t]
@@ -74,7 +74,7 @@ two:    .word   2.0
         link_one_two divide_logical, SQRTV, [va], ORV, mask, [t]
 ; expect: [divide_logical] = X'FFD3 4000 0000 000F', X'FFD3 6000 0000 000F'
 ; expect: [divide_logical + 2*64] = X'FFD4 4000 0000 000F'
-; Shift first.  2, 4 and 6 have 2 and 3 significant bits.
+; The first instruction shifts.  2, 4 and 6 have 2 and 3 significant bits.
         link_two_two shift_add, SHIFTV, [p], bit, ADDXV, [t], [q]
 ; expect: [shift_add] = 12, 24, 36
         link_two_two shift_multiply, SHIFTV, [p], bit, MPYSV, [t], [vb]
@@ -83,7 +83,7 @@ two:    .word   2.0
 ; expect: [shift_divide] = 1.0, 2.0, 3.0 ~ 0
         link_two_two shift_logical, SHIFTV, [p], bit, XORV, [t], [q]
 ; expect: [shift_logical] = 8, 16, 24
-; A logical one first.
+; The first instruction is a logical one.
         link_two_two logical_add, ORV, [p], mask, ADDXV, [t], [q]
 ; expect: [logical_add] = 25, 35, 45
         link_two_two logical_multiply, XORV, [va], r0, MPYSV, [t], [vb]
@@ -92,10 +92,10 @@ two:    .word   2.0
 ; expect: [logical_divide] = 2.0, 3.0, 4.0
         link_two_two logical_shift, XORV, [p], [q], SHIFTV, [t], bit
 ; expect: [logical_shift] = 22, 44, 58
-; One that has one source hands over, too; the signs are those of the second.
+; The first instruction may have one source; sign control belongs to the second.
         link_one_two unary, FLRV, [va], MPYSV, -[t], x
 ; expect: [unary] = -8.0, -18.0, -32.0 ~ 0
-; What the first raises counts, also where the second holds the element back.
+; Data flags of the first are set even where the control vector masks the second.
         .data
         .bitvector none, 3, "000"
 zeros:  .word   1.0, 0.0, 1.0

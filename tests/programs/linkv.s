@@ -1,6 +1,6 @@
-; Results of linked pairs are compared with those of the two instructions one after the
-; other: control vectors, offsets, short sources, signs, a recurrence.  A result that is
-; stored, or an operand that is read at the wrong time, makes a word differ.
+; Results of linked pairs are compared with those of the two instructions in sequence:
+; control vectors, offsets, short sources, signs, a recurrence.  Storing the linked
+; operand, or reading an operand at the wrong time, makes a word differ.
 ; tests: LINKV
 ; warns: recurrence LINKV
 ; LINKV: the next two vector instructions run as one stream; the first one's
@@ -55,19 +55,19 @@ kept:   .word   9.0, 9.0, 9.0, 9.0, 9.0, 9.0
         ADDNV   [va], [vb], [t]
         MPYSV   [t], [t], [to]
 ; expect: [square] = 121.0, 2.25, 0.0, 81.0, 2.25, 9950.0625
-        into    with_offset             ; of the second result and its control vector
+        into    with_offset             ; offsets the result and its control vector
         ELEN    t, n - 1
         LINKV
         MPYSV   [va], x, [t]
         ADDNV   [t], [vb], [to, by] ? [vz]
 ; expect: [with_offset] = 9.0, 9.0, -15.5, 21.0, 9.0, 9.0
         into    nothing, 0
-        ELEN    t, 0                    ; both have one length
+        ELEN    t, 0                    ; both lengths are equal
         LINKV
         MPYSV   [va], x, [t]
         ADDNV   [t], [vb], [to]
 ; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-; a recurrence: the result lies one word after the source
+; a recurrence: the result starts one word after the source
         .data
 chain:  .word   1.0, 2.0, 3.0, 4.0
         .code

@@ -37,7 +37,7 @@
         two     SHIFT, right_4, X'8123 4567 89AB CDEF', -4, X'F812 3456 789A BCDE'
         two     SHIFT, right_positive, indefinite, -60, 7
         two     SHIFT, right_64, X'8123 4567 89AB CDEF', -64, X'FFFF FFFF FFFF FFFF'
-; 64 and more count as the rest of the division by 64, less than -64 as -64
+; counts of 64 and more rotate modulo 64; counts below -64 act like -64
         two     SHIFT, left_68, X'8123 4567 89AB CDEF', 68, X'1234 5678 9ABC DEF8'
         two     SHIFT, right_1000, X'7123 4567 89AB CDEF', -1000, 0
         SHIFT   left, r0, result        ; register 0 is 0
@@ -92,7 +92,7 @@ scalars:
         .word   scalar_a, scalar_b
         .code
 
-; Two words combined bit by bit: a result is expected that the assembler computes.
+; Combines two words bit by bit; the assembler computes the expected result.
         .macro  bits_of op, use, i, a, b, between, before=
 ; expect: [\op\().\use + \i*64] = word(\before (bits(\a) \between bits(\b)))
         .endm

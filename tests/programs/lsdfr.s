@@ -1,4 +1,4 @@
-; The data flag register is compared with what a divide fault and stores leave in it.
+; The data flag register is compared with the flags of a divide fault and of stores.
 ; tests: LSDFR
 ; LSDFR: T := data flag register; data flag register := R
 

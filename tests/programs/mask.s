@@ -1,6 +1,6 @@
-; Vectors made of two by a control vector are compared with words followed by hand, for
-; every use.  An element of the wrong source, or the wrong one of its source, makes a
-; word differ.
+; Vectors that a control vector selects from two sources are compared with words worked
+; out by hand, for every use.  An element of the wrong source, or the wrong element,
+; makes a word differ.
 ; tests: MASKV MRGV
 ; warns: zero-length MASKV MRGV
 
@@ -20,8 +20,8 @@ MASKV.chain: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0
         of_two  MASKV, broadcast_a, x, [vb], [to] ? [vz]
         of_two  MASKV, broadcast_b, [va], y, [to] ? [vz]
         of_two  MASKV, offset_sources, [va, once], [vb, twice], [to] ? [vz]
-        of_two  MASKV, offset_result, [va], [vb], [to, by] ? [vz] ; and of the control vector
-        of_two  MASKV, short_sources, [short_a], [short_b], [to] ? [vz] ; continued with machine zeros
+        of_two  MASKV, offset_result, [va], [vb], [to, by] ? [vz] ; also offsets the control vector
+        of_two  MASKV, short_sources, [short_a], [short_b], [to] ? [vz] ; padded with machine zeros
         into    MASKV.nothing, 0
         MASKV   [va], [vb], [to] ? [vz]
 ; expect: [MASKV.plain] = 1.0, 12.0, X'7ABC 0123 4567 89AB', 4.0, 15.0, 16.0
@@ -32,7 +32,7 @@ MASKV.chain: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0
 ; expect: [MASKV.offset_result] = 9.0, 11.0, 2.0, X'7ABC 0123 4567 89AB', 14.0, 15.0
 ; expect: [MASKV.short_sources] = 1.0, 12.0, X'7ABC 0123 4567 89AB', 4.0, 0.0, 0.0
 ; expect: [MASKV.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-; The result lies one word after A: each element is taken from the one before.
+; The result starts one word after A, so each element comes from the one before it.
         descriptor from, MASKV.chain, n
         descriptor to, MASKV.chain + 64, n
         MASKV   [from], [vb], [to] ? [vz]
@@ -51,7 +51,7 @@ MRGV.scalars:
         of_two  MRGV, broadcast_a, x, [vb], [to] ? [vz]
         of_two  MRGV, broadcast_b, [va], y, [to] ? [vz]
         of_two  MRGV, offset_sources, [va, once], [vb, twice], [to] ? [vz]
-        into    MRGV.short_sources           ; continued with machine zeros
+        into    MRGV.short_sources           ; padded with machine zeros
         ELEN    short_a, 2
         MRGV    [short_a], [short_b], [to] ? [vz]
         into    MRGV.nothing, 0

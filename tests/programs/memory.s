@@ -1,5 +1,5 @@
-; Words and half words are compared after a load or a store at an address and an index.
-; A wrong address, a cut index, or a change of the other half makes a word differ.
+; Words and half words are compared after loads and stores with an address and an index.
+; A wrong address, a truncated index, or a changed other half makes a word differ.
 ; tests: LOD LODH STO STOH
 
         .include "keep.inc"
@@ -16,12 +16,12 @@ LOD.list: .word   11.0, 12.0, X'7ABC 0123 4567 89AB'
         LOD     [base], first
         register_is LOD, first, 11.0
         ES      index, 2
-        LOD     [base, index], third    ; all 64 bits, whatever they are
+        LOD     [base, index], third    ; copies all 64 bits
         register_is LOD, third, X'7ABC 0123 4567 89AB'
         ES      index, -1
         LOD     [base, index], before
         register_is LOD, before, 10.0
-; of a descriptor and of an index only the low 48 bits count
+; only the low 48 bits of a descriptor and of an index are used
         ELEN    base, 3
         ES      index, 1
         ELEN    index, 5
@@ -35,7 +35,7 @@ LOD.list: .word   11.0, 12.0, X'7ABC 0123 4567 89AB'
         .halfword 10.0
 LODH.list: .halfword 11.0, 12.0, X'7ABC 0123'
         .code
-        EX      base, LODH.list              ; on any half word
+        EX      base, LODH.list              ; an address of any half word
         EXH     h201, 7
         LODH    [base], h200
         half_register_is LODH, h200, 11.0
@@ -44,12 +44,12 @@ LODH.list: .halfword 11.0, 12.0, X'7ABC 0123'
         LODH    [base, index], h203
         register_is LODH, r101, X'0000 0000 ED60 0000'
         ES      index, 2
-        LODH    [base, index], h204     ; all 32 bits, whatever they are
+        LODH    [base, index], h204     ; copies all 32 bits
         half_register_is LODH, h204, X'7ABC 0123'
         ES      index, -1
         LODH    [base, index], h205
         half_register_is LODH, h205, 10.0
-; of a descriptor and of an index only the low 48 bits count
+; only the low 48 bits of a descriptor and of an index are used
         ELEN    base, 3
         ES      index, 1
         ELEN    index, 5
@@ -72,14 +72,14 @@ STO.list: .word   9.0, 9.0, 9.0
         ES      index, -1
         STO     [base, index], index
 ; expect: [STO.before] = X'0000 FFFF FFFF FFFF'
-; of a descriptor and of an index only the low 48 bits count
+; only the low 48 bits of a descriptor and of an index are used
         ELEN    base, 3
         ES      index, 1
         ELEN    index, 5
         STO     [base, index], word
 ; expect: [STO.list + 1*64] = X'0007 0000 0000 04D2'
         ES      index, 2
-        STO     [base, index], r0       ; register 0 as bits is 0
+        STO     [base, index], r0       ; as bits, register 0 is 0
 ; expect: [STO.list + 2*64] = 0
 ; STOH: half word at address R + 32 S := T
         .data
@@ -92,16 +92,16 @@ STOH.list: .halfword 9.0, 9.0, 9.0, 9.0
         STOH    [base], h200
 ; expect-halves: [STOH.list] = X'0000 04D2'
         ES      index, -1
-        STOH    [base, index], h201     ; and no other half word
+        STOH    [base, index], h201     ; changes no other half word
 ; expect-halves: [STOH.before] = X'00FF FFFF'
-; of a descriptor and of an index only the low 48 bits count
+; only the low 48 bits of a descriptor and of an index are used
         ELEN    base, 3
         ES      index, 1
         ELEN    index, 5
         STOH    [base, index], h201
 ; expect-halves: [STOH.list + 1*32] = X'00FF FFFF'
         ES      index, 2
-        STOH    [base, index], h1       ; h0 and h1 as bits are 0
+        STOH    [base, index], h1       ; as bits, h0 and h1 are 0
 ; expect-halves: [STOH.list + 2*32] = 0, 9.0
         flags_are STOH, X'0000 0000 0000 0000'
         EXIT

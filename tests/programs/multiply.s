@@ -15,12 +15,12 @@
         pair    integers, 6, 7
         words   long, X'0000 7FFF FFFF FFFF', X'0000 7FFF FFFF FFFF'
         halves  long, X'007F FFFF', X'007F FFFF'
-; the one product that does not fit 94 bits
+; the only product that does not fit in 94 bits
         words   least, X'0000 8000 0000 0000', X'0000 8000 0000 0000'
         halves  least, X'0080 0000', X'0080 0000'
-; inexact: floor
+; inexact: rounded down (floor)
         pair    negative, 0.1, -0.3
-; as significant as the less significant operand
+; as many significant bits as the less significant operand
         pair    less_significant, 5, 0.1
 ; -1 has no significant bit
         pair    minus_one, -1, -1

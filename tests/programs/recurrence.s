@@ -1,7 +1,7 @@
 ; Results and clocks are compared with those worked out by hand from the timing of
 ; docs/timing.md.
-; Results that lie upon what is still to be read: each is made from the one
-; before, and waits until that has come through the pipe.
+; Results overlap the unread part of a source: each element is computed from the one
+; before it and waits until that one has passed through the pipe.
         .equ    n, 6
         .regs   r10, counted, next, one, few, further
         .data
@@ -23,8 +23,8 @@ count:  .word   1
 ; expect: [count] = 1, 2, 3, 2, 4, 6, 4
 ; expect-flags: X'0000 0000 0000 0000'
 ; expect-warning: recurrence
-; Start-up 51, the page 30 + 1,000, six elements on two pipes 3, and five of them
-; wait 51 each.  Then 51 again, of which 10 under the stream before, 2 for four
-; elements, of which one waits.
+; Clocks: start-up 51, page 30 + 1,000, six elements on two pipes 3, and five of them
+; wait 51 each.  Then 51, of which 10 overlap the stream before, and 2 for four
+; elements, one of which waits.
 ; expect-clocks: 5 + 51 + 1030 + 3 + 5 * 51 + 51 - 10 + 2 + 51
 ; expect-model: cyber205-2pipe-prior

@@ -28,7 +28,7 @@ SUMV.large: .word   X'000E 4000 0000 0000', 1.0, X'000D 8000 0000 0000', 1.0
 SUMV.larger: .word   X'0030 4000 0000 0000', 1.0, X'002F 8000 0000 0000', 1.0
 SUMV.odd: .word   1.0, X'7000 0000 0000 0000', 2.0
         .code
-; the upper part, and in the word after the lower one
+; the upper part; the lower part is in the next word
         uses    SUMV, SUMV.a
 ; expect: [SUMV.plain] = 106.5, 0.0 ~ 0
 ; expect: [SUMV.where_ones] = 9.0, 0.0 ~ 0
@@ -40,8 +40,8 @@ SUMV.odd: .word   1.0, X'7000 0000 0000 0000', 2.0
 ; expect: [SUMV.negative] = -111.5, 0.0 ~ 0
         empty   SUMV
 ; expect: [SUMV.nothing] = X'8000 0000 0000 0000', X'8000 0000 0000 0000'
-; To the bit.  1.0 is 2^46 x 2^-46, 2^-60 is 2^46 x 2^-106: shifted right by 60
-; in the register of 95 bits it is 2^33, all of it in the lower part, which has
+; Exact bits: 1.0 is 2^46 x 2^-46 and 2^-60 is 2^46 x 2^-106.  Shifted right by 60 in
+; the register of 95 bits, the latter is 2^33, all of it in the lower part, which has
 ; the exponent -46 - 47 = -93.
         total   SUMV, one_small, SUMV.fine, 2
 ; expect: [SUMV.one_small] = 1.0, X'FFA3 0002 0000 0000'
@@ -49,9 +49,9 @@ SUMV.odd: .word   1.0, X'7000 0000 0000 0000', 2.0
         SUMV    [va], value
         keep    SUMV.two_small
 ; expect: [SUMV.two_small] = 1.0, X'FFA3 0004 0000 0000'
-; What cancels leaves its exponent: 2^60 - 2^60 is 0 x 2^14 above.  Each 1.0 is
-; below, with the exponent 14 - 47, and is not lost beside it; join_parts makes
-; one number of them, and ADDN with ADDL two, which later steps use.
+; A cancelled sum keeps its exponent: 2^60 - 2^60 has the upper part 0 x 2^14.  Each 1.0
+; is in the lower part, with the exponent 14 - 47, and is not lost.  join_parts adds
+; the two parts; ADDN with ADDL makes two numbers of them, which later steps use.
         total   SUMV, cancelled, SUMV.large, 4
 ; expect: [SUMV.cancelled] = X'000E 0000 0000 0000', X'FFDF 0004 0000 0000'
         join_parts value, index, value
@@ -64,13 +64,13 @@ SUMV.odd: .word   1.0, X'7000 0000 0000 0000', 2.0
         RTOR    place, index
         keep    SUMV.both
 ; expect: [SUMV.both] = X'000E 4000 0000 0000', X'FFDF 0002 0000 0000'
-; Beside 2^94 a 1.0 is beyond the register, and so it is beside what 2^94 leaves
-; when it cancels.
+; 1.0 added to 2^94 is beyond the register; it is also beyond it when it is added to the
+; zero that cancelling 2^94 leaves.
         total   SUMV, lost, SUMV.larger, 4
 ; expect: [SUMV.lost] = X'0030 0000 0000 0000', X'0001 0000 0000 0000'
         total   SUMV, special, SUMV.odd, 3
 ; expect: [SUMV.special] = indefinite, indefinite
-; With r0 neither part is stored.
+; If C is r0, neither part is stored.
         ES      r1, 7
         SUMV    [va], r0
         register_is SUMV, r1, 7
@@ -86,7 +86,7 @@ DOTV.fine_b: .word   X'FFD2 4000 0000 0001', X'FF96 4000 0000 0000'
 DOTV.odd_a: .word   2.0, X'8000 0000 0000 0000', 1.0
 DOTV.odd_b: .word   3.0, 5.0, X'7000 0000 0000 0000'
         .code
-; the upper part, and in the word after the lower one
+; the upper part; the lower part is in the next word
         uses_of_two DOTV, DOTV.
 ; expect: [DOTV.plain] = -5.75, 0.0 ~ 0
 ; expect: [DOTV.broadcast_a] = 27.5, 0.0 ~ 0
@@ -94,21 +94,21 @@ DOTV.odd_b: .word   3.0, 5.0, X'7000 0000 0000 0000'
 ; expect: [DOTV.where_ones] = 21.25, 0.0 ~ 0
 ; expect: [DOTV.where_zeros] = -27.0, 0.0 ~ 0
 ; expect: [DOTV.offset_sources] = -14.75, 0.0 ~ 0
-; a short source continues with ones
+; a short source is padded with ones
 ; expect: [DOTV.short_source] = 116.0, 0.0 ~ 0
 ; expect: [DOTV.negated] = 5.75, 0.0 ~ 0
 ; expect: [DOTV.magnitudes] = 66.25, 0.0 ~ 0
 ; expect: [DOTV.nothing] = X'8000 0000 0000 0000', X'8000 0000 0000 0000'
-; To the bit.  (1 + 2^-46)^2 = 1 + 2^-45 + 2^-92: of the product of coefficients,
-; 2^92 + 2^47 + 1, the upper part is 2^45 + 1 with the exponent -45, the lower one
+; Exact bits: (1 + 2^-46)^2 = 1 + 2^-45 + 2^-92.  The product of coefficients is
+; 2^92 + 2^47 + 1; its upper part is 2^45 + 1 with the exponent -45, its lower part is
 ; 1 with the exponent -92.  1.0 x 2^-60 has the upper part 2^45 with the exponent
-; -105, which shifted right by 60 is 2^32 below.
+; -105; shifted right by 60 it is 2^32 in the lower part.
         product square, fine_a, fine_b, 1
 ; expect: [DOTV.square] = X'FFD3 2000 0000 0001', X'FFA4 0000 0000 0001'
         product two_products, fine_a, fine_b, 2
 ; expect: [DOTV.two_products] = X'FFD3 2000 0000 0001', X'FFA4 0001 0000 0001'
-; The upper part is normalised; then one more addition makes a number of both,
-; and its lower form what that leaves.
+; The upper part is normalised; then ADDN makes one number of both parts, and ADDL
+; gives the rest of that sum.
         ADDN    value, r0, value
         ADDL    value, index, place
         ADDN    value, index, value
@@ -119,7 +119,7 @@ DOTV.odd_b: .word   3.0, 5.0, X'7000 0000 0000 0000'
 ; expect: [DOTV.zero] = 6.0, 0.0 ~ 0
         product special, odd_a, odd_b, 3
 ; expect: [DOTV.special] = indefinite, indefinite
-; With r0 neither part is stored.
+; If C is r0, neither part is stored.
         ES      r1, 7
         DOTV    [va], [vb], r0
         register_is DOTV, r1, 7
@@ -157,8 +157,8 @@ MAXV.a: .word   1.0, -200.0, 3.0, 100.0, 100.0, -200.0
 MAXV.odd: .word   1.0, X'7000 0000 0000 0003', 2.0
         .bitvector MAXV.zeros, 3, "000"
         .code
-; the first of equals, counted over all elements; the index is in the
-; word after
+; the first of equal elements, with its index among all elements; the index is in the
+; next word
         .macro  greatest source, result
         MAXV    \source, index, \result
         .endm
@@ -166,13 +166,13 @@ MAXV.odd: .word   1.0, X'7000 0000 0000 0003', 2.0
 ; expect: [greatest.plain] = 100.0, 3
 ; expect: [greatest.where_ones] = 100.0, 3
 ; expect: [greatest.where_zeros] = 100.0, 4
-; counted from the first element after the offset
+; the index counts from the first element after the offset
 ; expect: [greatest.offset_source] = 100.0, 1
         signs   greatest
 ; expect: [greatest.negated] = 200.0, 1
 ; expect: [greatest.magnitudes] = 200.0, 1
 ; expect: [greatest.negative] = -1.0, 0
-; Either may be left out; if both are one register the value stays.
+; Both registers are optional; if they are the same one, it receives the value.
         ES      value, 7
         finds   MAXV, index_alone, [va], value, r0
 ; expect: [MAXV.index_alone] = 3
@@ -182,10 +182,10 @@ MAXV.odd: .word   1.0, X'7000 0000 0000 0003', 2.0
         finds   MAXV, one_register, [va], value, value
 ; expect: [MAXV.one_register] = 100.0, 7
         descriptor va, MAXV.odd, 3
-        finds   MAXV, special, [va], index, value ; as it stands
+        finds   MAXV, special, [va], index, value ; copied unchanged
 ; expect: [MAXV.special] = X'7000 0000 0000 0003', 1
         descriptor vz, MAXV.zeros, 3
-        finds   MAXV, held_back, [va], index, value ? [vz] ; nothing to look at
+        finds   MAXV, held_back, [va], index, value ? [vz] ; no element is selected
 ; expect: [MAXV.held_back] = indefinite, 3
         flags_are MAXV, X'0000 0000 0002 0000'
 
@@ -197,13 +197,13 @@ MAXV.odd: .word   1.0, X'7000 0000 0000 0003', 2.0
 ; expect: [least.plain] = -200.0, 1
 ; expect: [least.where_ones] = 1.0, 0
 ; expect: [least.where_zeros] = -200.0, 1
-; counted from the first element after the offset
+; the index counts from the first element after the offset
 ; expect: [least.offset_source] = -200.0, 3
         signs   least
 ; expect: [least.negated] = -100.0, 3
 ; expect: [least.magnitudes] = 1.0, 0
 ; expect: [least.negative] = -200.0, 1
-; Either may be left out; if both are one register the value stays.
+; Both registers are optional; if they are the same one, it receives the value.
         ES      value, 7
         finds   MINV, index_alone, [va], value, r0
 ; expect: [MINV.index_alone] = 1

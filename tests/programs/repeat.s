@@ -1,6 +1,6 @@
-; Masks that repeat a group of bits are compared bit by bit with those worked out by
-; hand: any first bit, several words, no group, no length.  A wrong count or group, or a
-; bit beside the result, makes a bit differ.
+; Masks that repeat a group of bits are compared bit by bit with results worked out by
+; hand: any first bit, several words, empty group, empty result.  A wrong count or
+; group, or a bit outside the result, makes a bit differ.
 ; tests: MRKO MRKZ
 ; warns: zero-length MRKO MRKZ
 

@@ -12,14 +12,14 @@
         RJTIME  first
         RJTIME  second
         ADDN    r0, clocks, r21         ; 5 clocks
-        RTOR    r21, r22                ; waits for them
+        RTOR    r21, r22                ; waits for the result
         RJTIME  third
         RJTIME  r0
 ; expect: first = 19
 ; expect: second = 18
 ; expect: third = 11
 ; expect: r0 = 0
-; what it reads when the clocks have passed
+; the value after the time has expired
         ES      clocks, 2
         WJTIME  clocks
         RJTIME  r23

@@ -1,6 +1,6 @@
-; For each element of one vector the index of the first of another for which a relation
-; holds is compared with the one counted by hand, for every use.  A wrong relation,
-; order of reading or count makes a word differ.
+; For each element of a vector, the index of the first element of another vector with a
+; given relation to it is compared with the index counted by hand, for every use.  A
+; wrong relation, reading order or count makes a word differ.
 ; tests: SCHEQV SCHNEV SCHGEV SCHLTV
 ; warns: zero-length SCHEQV SCHNEV SCHGEV SCHLTV
 

@@ -1,13 +1,13 @@
-; The index of the first pair for which a relation holds is compared with the one
-; counted by hand, for every use of two vectors.  A wrong relation, an index that is
-; counted from elsewhere, or a pair that the control vector leaves out makes a word
+; The index of the first pair with a given relation is compared with the index counted
+; by hand, for every use of two vectors.  A wrong relation, an index that is counted
+; from another element, or a pair that the control vector masks makes a word
 ; differ.
 ; tests: SELEQV SELNEV SELGEV SELLTV
 ; warns: zero-length SELEQV SELNEV SELGEV SELLTV
 
         .include "reduce.inc"
 
-; What the four that select an index find in a use.
+; The results of the four instructions in a use.
         .macro  selected use, eq, ne, ge, lt
 ; expect: [SELEQV.\use] = \eq
 ; expect: [SELNEV.\use] = \ne
@@ -59,7 +59,7 @@ selltv_scalars:
         .code
         uses_of_two SELLTV, selltv_
         flags_are SELLTV, X'0000 0000 0000 0000'
-; What they find; offsets are counted from the first element after them.
+; The expected indices.  With an offset they count from the first element after it.
         selected plain,           2, 1, 2, 1
         selected broadcast_a,     3, 0, 3, 0
         selected broadcast_b,     3, 0, 0, 6

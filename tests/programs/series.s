@@ -1,6 +1,6 @@
 ; Arithmetic series and values of polynomials are compared with words worked out by
-; hand, for every use, and where a result is read again.  A wrong order of additions,
-; coefficient, cut or data flag makes a word differ.
+; hand, for every use, and for results that are read again.  A wrong order of additions,
+; coefficient, truncation or data flag makes a word differ.
 ; tests: INTVLV POLYV
 ; warns: recurrence POLYV
 ; warns: zero-length INTVLV POLYV
@@ -20,7 +20,7 @@ INTVLV.large: .word   X'6FFF 7FFF FFFF FFFF'
         of_two  INTVLV, plain, x, y, [to]
         of_two  INTVLV, where_ones, x, y, [to] ? [vz] ; the sums continue where none is stored
         of_two  INTVLV, where_zeros, x, y, [to] ?! [vz]
-        of_two  INTVLV, offset_result, x, y, [to, by] ? [vz] ; one element less, from the second on
+        of_two  INTVLV, offset_result, x, y, [to, by] ? [vz] ; starts at element 1
         of_two  INTVLV, negated, -x, |y|, [to]
         into    INTVLV.nothing, 0
         INTVLV  x, y, [to]
@@ -31,8 +31,8 @@ INTVLV.large: .word   X'6FFF 7FFF FFFF FFFF'
 ; expect: [INTVLV.offset_result] = 9.0, 9.0, 1.5, 2.0, 9.0, 9.0
 ; expect: [INTVLV.constant] = 1.0, 1.0, 1.0, 1.0, 1.0, 1.0
 ; expect: [INTVLV.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-; The sums are upper ones: the exponent is the larger and the coefficient need
-; not be normalised.  -1.0 is FFD1 8000 .., plus 0.5 (FFD1 4000 ..) gives
+; The sums are upper results: the exponent is the larger one, and the coefficient may be
+; unnormalised.  -1.0 is FFD1 8000 .., plus 0.5 (FFD1 4000 ..) gives
 ; FFD1 C000 .., and so on.
 ; expect: [INTVLV.negated] = -1.0, X'FFD1 C000 0000 0000', zero.47, 0.5, 1.0, 1.5
         load    x, INTVLV.integers
@@ -64,7 +64,7 @@ POLYV.changed: .word  2.0, -3.0, 1.0
         of_two  POLYV, where_ones, [va], [vb], [to] ? [vz]
         of_two  POLYV, where_zeros, [va], [vb], [to] ?! [vz]
         of_two  POLYV, offset_sources, [va, once], [vb, once], [to] ; -3x + 1; machine zero follows A
-        of_two  POLYV, offset_result, [va], [vb], [to, by] ? [vz] ; and of the control vector
+        of_two  POLYV, offset_result, [va], [vb], [to, by] ? [vz] ; also offsets the control vector
         of_two  POLYV, negated, -[va], [vb], [to]
         of_two  POLYV, magnitudes, |[va]|, |[vb]|, [to]
         into    POLYV.nothing, 0
@@ -78,7 +78,7 @@ POLYV.changed: .word  2.0, -3.0, 1.0
 ; expect: [POLYV.negated] = 6.0, 3.0, 28.0, 3.0, 0.0, 231.0
 ; expect: [POLYV.magnitudes] = 6.0, 15.0, 28.0, 3.0, 3.0, 231.0
 ; expect: [POLYV.nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
-; one coefficient as it is, whatever x is; no coefficient
+; one coefficient is returned unchanged for every x; then no coefficient
         descriptor from, POLYV.odd_a, n
         descriptor vb, POLYV.odd_b, 1
         of_two  POLYV, constant, [from], [vb], [to]
@@ -86,13 +86,13 @@ POLYV.changed: .word  2.0, -3.0, 1.0
         of_two  POLYV, none, [from], [vb], [to]
 ; expect: [POLYV.constant] = 5, 5, 5, 5, 5, 5
 ; expect: [POLYV.none] = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-; Each value is the next x.
+; Each value is the x of the next element.
         descriptor from, POLYV.chain, 3
         descriptor vb, POLYV.b, 3
         descriptor to, POLYV.chain + 64, 3
         POLYV   [from], [vb], [to]
 ; expect: [POLYV.chain] = 1.0, 0.0, 1.0, 0.0
-; The first value is a coefficient for the second.
+; The first value replaces a coefficient for the second.
         descriptor vb, POLYV.changed, 3
         descriptor to, POLYV.changed + 64, 2
         POLYV   [va], [vb], [to]

@@ -1,5 +1,5 @@
 ; Registers are compared with words worked out by hand after instructions that set, add
-; to or move a register or a part of one.  A wrong sign, carry, half or length field, or
+; to or move a register or a part of it.  A wrong sign, carry, half or length field, or
 ; a change of register 0, makes a word differ.
 ; tests: ES EX IS IX ELEN ADDLEN LTOR EXH IXH RTOR RTORH
 
@@ -10,7 +10,7 @@
         .regs   r139, high, longest
 
 ; ES: R := I16, sign extended to 48 bits; high 16 bits zero
-        EX      r11, -1                 ; whatever was there is gone
+        EX      r11, -1                 ; replaces all 64 bits
         ES      r10, 5
         ES      r11, -2
         ES      r12, 32767
@@ -19,7 +19,7 @@
         register_is ES, r11, X'0000 FFFF FFFF FFFE'
         register_is ES, r12, 32767
         register_is ES, r13, X'0000 FFFF FFFF 8000'
-        ES      r0, 7                   ; nothing is kept in register 0
+        ES      r0, 7                   ; register 0 keeps no value
         flags_are ES, X'0000 0000 0000 0000'
 ; EX: R := I48; high 16 bits zero
         .data
@@ -44,7 +44,7 @@ EX.place: .word   42
         EX      wrapped, X'FFFF FFFF FFFF'
         IS      wrapped, 2
         register_is IS, wrapped, 1
-; the high 16 bits stay, and take no carry
+; the high 16 bits are kept and receive no carry
         EX      length, X'FFFF FFFF FFFF'
         ELEN    length, 10
         IS      length, 1
@@ -57,7 +57,7 @@ EX.place: .word   42
         ES      r11, 5
         IX      r11, -6
         register_is IX, r11, X'0000 FFFF FFFF FFFF'
-; the high 16 bits stay, and take no carry: a descriptor moves on by a word
+; the high 16 bits are kept and receive no carry: a descriptor advances by a word
         EX      r12, X'FFFF FFFF FFFF'
         ELEN    r12, 10
         IX      r12, 65
@@ -84,7 +84,7 @@ EX.place: .word   42
         EX      less, -30
         ADDLEN  vector, less, shorter
         register_is ADDLEN, shorter, X'0046 FFFF 0000 0040'
-; 16 bits: the length wraps, the address stays
+; 16 bits: the length wraps and the address is kept
         EX      by, 65535
         ADDLEN  vector, by, wrapped
         register_is ADDLEN, wrapped, X'0063 FFFF 0000 0040'
@@ -111,7 +111,7 @@ EX.place: .word   42
         half_register_is EXH, h24, X'0080 0000'
         EXH     h255, 9
         register_is EXH, r127, X'0000 0000 0000 0009'
-        EXH     h0, 7                   ; both are constants
+        EXH     h0, 7                   ; h0 and h1 are constants
         EXH     h1, 7
         flags_are EXH, X'0000 0000 0000 0000'
 ; IXH: low 24 bits of R += I24
@@ -125,7 +125,7 @@ EX.place: .word   42
         EXH     h23, 0
         IXH     h22, 2
         register_is IXH, r11, X'0000 0001 0000 0000'
-; the high 8 bits stay, and take no carry
+; the high 8 bits are kept and receive no carry
         fetch_half half_left, X'0AFF FFFF'
         IXH     half_left, 1
         half_register_is IXH, half_left, X'0A00 0000'
@@ -138,22 +138,22 @@ RTOR.word: .word   X'7ABC 0123 4567 89AB'
         .code
         EX      r9, RTOR.word
         LOD     [r9], r10
-        RTOR    r10, r11                ; all 64 bits, whatever they are
+        RTOR    r10, r11                ; copies all 64 bits
         RTOR    r10, r10
         RTOR    r10, r0
         ES      r12, 5
-        RTOR    r0, r12                 ; register 0 as bits is 0
+        RTOR    r0, r12                 ; as bits, register 0 is 0
         register_is RTOR, r10, X'7ABC 0123 4567 89AB'
         register_is RTOR, r11, X'7ABC 0123 4567 89AB'
         register_is RTOR, r12, 0
         flags_are RTOR, X'0000 0000 0000 0000'
 ; RTORH: T := R
-        fetch_half half_left, X'7ABC 0123'      ; all 32 bits, whatever they are
+        fetch_half half_left, X'7ABC 0123'      ; copies all 32 bits
         EXH     h201, 7
         RTORH   half_left, h200              ; from left to left
-        RTORH   h200, h203              ; to right, and the other half stays
+        RTORH   h200, h203              ; from left to right; keeps the other half
         RTORH   h203, h205              ; from right to right
-        RTORH   h205, h206              ; and to left
+        RTORH   h205, h206              ; from right to left
         RTORH   h206, h206
         register_is RTORH, r100, X'7ABC 0123 0000 0007'
         register_is RTORH, r101, X'0000 0000 7ABC 0123'
@@ -163,7 +163,7 @@ RTOR.word: .word   X'7ABC 0123 4567 89AB'
         RTORH   half_left, h1
         EXH     h208, 5
         EXH     h209, 5
-        RTORH   h0, h208                ; as bits they are 0
+        RTORH   h0, h208                ; as bits, h0 and h1 are 0
         RTORH   h1, h209
         register_is RTORH, r104, 0
         flags_are RTORH, X'0000 0000 0000 0000'

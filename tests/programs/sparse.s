@@ -1,7 +1,7 @@
 ; The elements, the order vector and the two lengths of a sparse result are compared
-; with those worked out by hand: sums where one source has an element, products where
-; both have.  A wrong place, length, missing element or data flag makes a word or bit
-; differ.
+; with results worked out by hand: sums have an element where one source has it,
+; products where both have.  A wrong place, length, missing element or data flag makes a
+; word or bit differ.
 ; tests: ADDNS ADDUS ADDLS SUBNS SUBUS SUBLS MPYSS MPYUS MPYLS DIVSS DIVUS
 ; warns: recurrence ADDNS
 ; warns: zero-length ADDNS ADDUS ADDLS SUBNS SUBUS SUBLS MPYSS MPYUS MPYLS DIVSS DIVUS
@@ -11,8 +11,8 @@
 ; ADDNS: C := normalised(A + B), where one is present
         where_one ADDNS, 11.0, -2.0, -3.0, 9.0, -0.25
         fewer ADDNS, 11.0, -2.0, -3.0, 4.5, 4.5, -0.25, 9.0, 3.0
-; The result lies one word after A: elements are read that have been stored.
-; Its order vector takes the place of X.
+; The result starts one word after A, so stored elements are read.  Its order vector
+; overwrites that of X.
         .data
 ADDNS.chain:  .word   1.0, -2.0, 4.5, 9.0, 9.0, 9.0
         .bitvector chain_order, 6, "110100"
@@ -28,7 +28,7 @@ packed: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
         ADDNS   [va, vx], [vb, vy], [to], [vx]
 ; expect: [ADDNS.chain] = 1.0, 11.0, 11.0, -3.0, 15.5, -0.25
 ; expect-bits: [chain_order] = 11110100
-; Of the sums of neighbours every third one; they lie upon their order vector,
+; Every third sum of neighbours is kept.  The sums overwrite their order vector,
 ; which was read before.
         sparse_operands
         descriptor va, packed, 6
@@ -67,7 +67,7 @@ packed: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 ; expect: [MPYSS.given_few] = -10.0, 0.0, 9.0
 ; expect: [MPYSS.short_order] = 10.0, 9.0
 ; expect: [MPYSS.short_packed] = 10.0, 4.5, 9.0
-; The result lies over A, from its second element on.
+; The result overlaps A from its second element on.
         .data
 MPYSS.chain:  .word   1.0, -2.0, 4.5, 9.0
         .code
@@ -111,7 +111,7 @@ MPYSS.chain:  .word   1.0, -2.0, 4.5, 9.0
 ; expect: [DIVUS.given_few] = X'FFCE 9999 9999 999A', 0.0, 9.0
 ; expect: [DIVUS.short_order] = X'FFCE 6666 6666 6666', 9.0
 ; expect: [DIVUS.short_packed] = X'FFCE 6666 6666 6666', X'FFCF 71C7 1C71 C71C', 9.0
-; Of numbers that are not normalised U has more digits than S.
+; For operands that are not normalised, U yields more digits than S.
         .data
 seven:  .word   X'0000 0000 0000 0007'
 three:  .word   X'0000 0000 0000 0003'

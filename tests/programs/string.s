@@ -1,6 +1,6 @@
-; Strings that are combined of two are compared bit by bit with those worked out by
-; hand: any length, any first bit, offsets, short sources.  A wrong bit of one
-; operation, or one beside the result, makes a bit differ.
+; Combinations of two strings are compared bit by bit with results worked out by hand:
+; any length, any first bit, offsets, short sources.  A wrong bit of one operation, or a
+; changed bit outside the result, makes a bit differ.
 ; tests: ANDB ORB XORB NANDB NORB ANDNB ORNB EQVB
 ; warns: zero-length ANDB ORB XORB NANDB NORB ANDNB ORNB EQVB
 

@@ -1,5 +1,5 @@
-; Registers and memory are compared after exchanges of several lengths, one of the
-; descriptors' own registers among them.  A wrong length, order or address makes a word
+; Registers and memory are compared after exchanges of several lengths, also with the
+; descriptors' own registers.  A wrong length, order or address makes a word
 ; differ.
 ; tests: SWAP
 ; SWAP: registers from S on: first length(T) of them to vector T, then vector
@@ -20,7 +20,7 @@ exchange:
         ES      r32, 3
         ES      r33, 4
         ES      r34, 5
-; three are saved, four loaded
+; three words are saved and four are loaded
         EX      load, new
         ELEN    load, 4
         EX      save, old
@@ -30,7 +30,7 @@ exchange:
 ; expect: r30 = 101
 ; expect: r31 = 102
 ; expect: r32 = 103
-; nothing is loaded
+; no word is loaded
         ELEN    load, 0
         EX      save, only_old
         ELEN    save, 2
@@ -38,10 +38,10 @@ exchange:
 ; expect: [only_old] = 104, 5
 ; expect: r33 = 104
 ; expect: r34 = 5
-; nothing is moved
+; no word is moved
         ELEN    save, 0
         SWAP    [load], r30, [save]
-; what has been saved is loaded, where both are one vector
+; the saved words are loaded if both descriptors name the same vector
         ES      r40, 301
         ES      r41, 302
         EX      load, exchange
@@ -52,7 +52,7 @@ exchange:
 ; expect: [exchange] = 301, 202
 ; expect: r40 = 301
 ; expect: r41 = 202
-; the descriptors themselves may be among the registers
+; the registers may include the descriptors themselves
         EX      load, new
         ELEN    load, 2
         ELEN    save, 0

@@ -16,12 +16,12 @@
         pair    small, 0.5
         pair    small_negative, -0.5
         sized_pair tiny_negative, X'F000 8000 0000 0000', 0, X'9080 0000', 0
-; an exponent of 0 or more: unchanged
+; numbers with an exponent of 0 or more are unchanged
         pair    integer, -7
         sized_pair large, X'0005 4000 0000 0000', 0, X'0540 0000', 0
 ; 2.5
         sized_pair unnormalised, X'FFFF 0000 0000 0005', 0, X'FF00 0005', 0
-; specials stay
+; specials are unchanged
         pair    zero, 0.0
         sized_pair indefinite, X'7000 0000 0000 0000', 0, X'7000 0000', 0
 ; FLR: T := greatest integer not above R, exponent 0
@@ -64,7 +64,7 @@
         makes_both CLG, integer, -7, -7
         makes_both CLG, large, X'0005 4000 0000 0000', X'0540 0000'
         makes_both CLG, unnormalised, 3, 3
-; specials stay
+; specials are unchanged
         one     CLG, zero, X'8123 0000 0000 0005', X'8123 0000 0000 0005'
         one_half CLGH, zero, X'8000 0005', X'8000 0005'
         makes_both CLG, indefinite, indefinite, X'7000 0000'
@@ -74,7 +74,7 @@
         both_one ABS, positive, 2.5, 2.5, 2.5
         both_one ABS, negative, -2.5, 2.5, 2.5
         makes_both ABS, integer, 7, 7
-; 2^47 does not fit: exponent one more
+; 2^47 does not fit: the exponent is increased by 1
         one     ABS, least, X'0000 8000 0000 0000', X'0001 4000 0000 0000'
         one_half ABSH, least, X'0080 0000', X'0140 0000'
         makes_both ABS, zero, 0.0, 0.0
@@ -86,12 +86,12 @@
         both_flags ABS, X'0000 0000 0032 0000'
 ; SQRT: T := square root of R
         both_one SQRT, four, 4.0, 2.0, 2.0
-; floor
+; rounded down (floor)
         both_one SQRT, inexact, 2.0, X'FFD2 5A82 7999 FCEF', X'EA5A 8279'
         both_one SQRT, quarter, 0.0625, 0.25, 0.25
-; as many significant bits as the operand: 16 has 5
+; as many significant bits as the operand: 16 has 5 bits
         both_one SQRT, integer, 16, X'FFFE 0000 0000 0010', X'FE00 0010'
-; 18, of 4 bits
+; 18 with 4 significant bits
         one     SQRT, unnormalised, X'0001 0000 0000 0009', X'FFFF 0000 0000 0008'
         one_half SQRTH, unnormalised, X'0100 0009', X'FF00 0008'
         one     SQRT, large, X'6FFF 7FFF FFFF FFFF', X'37E8 7FFF FFFF FFFF'

@@ -12,14 +12,14 @@
         ES      clocks, 5
         WJTIME  clocks                  ; a new time in place of the old one
         ES      r20, 1
-        LSDFR   r0, flags               ; not yet
+        LSDFR   r0, flags               ; the time has not expired
 ; expect: flags = 0
         ES      r20, 2
         ES      r20, 3
         ES      r20, 4
-        LSDFR   r0, r21                 ; it has run out
+        LSDFR   r0, r21                 ; the time has expired
 ; expect: r21 = X'0000 0000 0800 0000'
-; turned off before it runs out
+; the timer is turned off before the time expires
         ES      clocks, 3
         WJTIME  clocks
         WJTIME  r0
