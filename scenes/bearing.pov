@@ -1,7 +1,7 @@
 // bearing.pov - a shaft in the ball bearing of a pillow block.
 //
-// There is no difference of solids here: a ring is a disk with a smaller,
-// slightly prouder disk on it, a hexagon is three boxes.
+// The scene uses no difference: a ring is a disk with a smaller disk in front
+// of it, and a hexagon is the union of three boxes.
 #version 3.7;
 #include "colors.inc"
 global_settings { assumed_gamma 1.0 }
@@ -41,7 +41,7 @@ light_source { <-8, 2, -6>, color rgb <0.22, 0.28, 0.38> shadowless }
     finish { Satin }
 }
 
-// The axis is z; the camera is on the side of negative z.
+// The axis is z; the camera is at negative z.
 #declare Housing_Radius = 2.0;
 #declare Outer_Race = 1.62;
 #declare Groove = 1.36;
@@ -49,8 +49,8 @@ light_source { <-8, 2, -6>, color rgb <0.22, 0.28, 0.38> shadowless }
 #declare Ball_Radius = 0.23;
 #declare Inner_Race = 0.86;
 #declare Shaft = 0.6;
-#declare Face = -0.5;   // of the housing
-#declare Base = -2.3;   // under the foot
+#declare Face = -0.5;   // front face of the housing
+#declare Base = -2.3;   // lower face of the foot
 
 #declare Housing = union {
     cylinder { <0, 0, Face>, <0, 0, 0.5>, Housing_Radius }
@@ -59,7 +59,7 @@ light_source { <-8, 2, -6>, color rgb <0.22, 0.28, 0.38> shadowless }
     texture { Paint }
 }
 
-// Disks, each a little before the one behind it.
+// Disks, each slightly in front of the larger one.
 #declare Races = union {
     cylinder { <0, 0, Face - 0.10>, <0, 0, 0>, Outer_Race texture { Steel } }
     cylinder { <0, 0, Face - 0.11>, <0, 0, 0>, Groove texture { DarkSteel } }
@@ -99,7 +99,7 @@ light_source { <-8, 2, -6>, color rgb <0.22, 0.28, 0.38> shadowless }
     rotate -35 * z
 }
 
-// Across flats s, a side is s / sqrt(3): three boxes make the hexagon.
+// A hexagon with the distance s across flats has sides s / sqrt(3): three boxes.
 #declare Flats = 0.62;
 #declare Side = Flats / sqrt(3);
 #declare Plate = box { <-Side, 0, -Flats> / 2, <Side / 2, 0.26, Flats / 2> }

@@ -1,6 +1,6 @@
-// bench.pov - the frame whose time is compared with POV-Ray's: a sphere, a box
+// bench.pov - the scene for the comparison of times with POV-Ray: a sphere, a box
 // and cylinders under difference and intersection, a torus, a checkered plane,
-// one light with shadows, one mirror sphere.
+// one light with shadows and one mirror sphere.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
@@ -19,7 +19,7 @@ light_source { <-6, 9, -7>, color rgb 1 }
     ambient 0.16 diffuse 0.7 specular 0.5 roughness 0.02
 }
 
-// A box and a sphere of common middle, bored through three times.
+// A box and a sphere with the same centre, with three bores.
 difference {
     intersection {
         box { -1, 1 }
@@ -41,7 +41,7 @@ torus {
     translate <0.65, 0.26, -1.7>
 }
 
-// the mirror
+// the mirror sphere
 sphere {
     <1.75, 1.25, 0.6>, 1.25
     pigment { color rgb 0.04 }

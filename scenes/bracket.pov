@@ -1,8 +1,8 @@
 // bracket.pov - a bearing bracket: a casting, drilled, bored and faced.
 //
-// Solids are joined and cut as a workshop would: what the tool takes away is
-// subtracted and leaves its own bright surface.  Edges are broken by cones,
-// corners filled by tori.  A square frame of a million pixels shows it best.
+// The solids are made as in a workshop: what a tool removes is subtracted and
+// leaves a bright surface.  Cones chamfer the edges, and tori fill the inner
+// corners.  The scene is made for square pictures of a million pixels.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
 
@@ -38,27 +38,27 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     }
 }
 
-// For rt205 mass: grams in a cubic centimetre.
+// Densities for rt205 mass, in grams per cubic centimetre.
 #declare Cast_Density = 7.2;
 #declare Bronze_Density = 8.8;
 #declare Blackened_Density = 7.85;
 
-// The plate lies on y = 0; the bore runs along z.
-#declare Wide = 3.2;       // of the plate, from the middle
+// The lower face of the plate is y = 0; the bore is parallel to z.
+#declare Wide = 3.2;       // half width of the plate
 #declare Deep = 1.75;
 #declare Thick = 0.45;
 #declare Corner = 0.65;
 #declare Screw_X = Wide - Corner;
 #declare Screw_Z = Deep - Corner;
-#declare Axis = 2.85;      // height of the bore
-#declare Shell = 1.4;      // radius of the housing
-#declare Face = 1.3;       // its ends, along z
+#declare Axis = 2.85;      // height of the bore's axis
+#declare Shell = 1.4;      // outer radius of the housing
+#declare Face = 1.3;       // half length of the housing, along z
 #declare Bore = 0.92;
-#declare Hole = 0.2;       // for the screws
-#declare Head = 0.34;      // of a screw
-#declare Skim = 0.03;      // taken off the front
+#declare Hole = 0.2;       // radius of a screw hole
+#declare Head = 0.34;      // radius of a screw head
+#declare Skim = 0.03;      // depth of the cut off the front
 
-// --- the plate, its corners rounded by cylinders -----------------------------
+// --- The plate: cylinders round its corners ----------------------------------
 
 #macro At_Corners(Thing)
     object { Thing translate <-Screw_X, 0, -Screw_Z> }
@@ -68,7 +68,7 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
 #end
 
 #declare Round = cylinder { 0, Thick * y, Corner }
-#declare Way = cylinder { -y, y, Head + 0.1 }    // room within a boss
+#declare Way = cylinder { -y, y, Head + 0.1 }    // space inside a boss
 #declare Plate = difference {
     union {
         box { <-Screw_X, 0, -Deep>, <Screw_X, Thick, Deep> }
@@ -79,8 +79,8 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     texture { Cast }
 }
 
-// A boss for a screw: a ring of a box-shaped section, its inner edge filled by
-// what a torus leaves of a disk, faced on top, drilled and counterbored.
+// A boss for a screw: a cylinder with a fillet at its foot, which is a disk
+// minus a torus.  Its top is drilled, counterbored and chamfered.
 #declare Boss = 0.52;
 #declare Fillet = 0.13;
 #declare Screw_Boss = difference {
@@ -97,7 +97,7 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     texture { Cast }
 }
 
-// --- the web: walls that run out into the plate ------------------------------
+// --- The web: walls with a hollow transition to the plate --------------------
 
 #declare Run = 1.1;        // radius of the hollow between wall and plate
 #declare Waist = 1.3;
@@ -121,16 +121,16 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     texture { Cast }
 }
 
-// --- the housing: faced, chamfered by cones, bored, tapped -------------------
+// --- The housing: faced, chamfered by cones, bored, with screw holes ---------
 
-#declare Edge = Shell - 0.12;    // what a chamfer of 45 degrees leaves
+#declare Edge = Shell - 0.12;    // end radius, with a chamfer of 45 degrees
 #declare Housing = difference {
     intersection {
         cylinder { -Face * z, Face * z, Shell }
         cone { -Face * z, Edge, Face * z, Edge + 2 * Face }
         cone { -Face * z, Edge + 2 * Face, Face * z, Edge }
     }
-    // a cut off the front
+    // the facing cut at the front
     plane { z, -Face + Skim texture { Cut } }
     cylinder { -2 * z, 2 * z, Bore texture { Cut } }
     cylinder { -2 * z, (0.12 - Face) * z, Bore + 0.14 texture { Cut } }
@@ -146,7 +146,7 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     texture { Cast }
 }
 
-// Where oil is poured in: a boss rounded by a torus, its mouth a cone.
+// The oil inlet: a boss rounded by a torus, with a conical opening.
 #declare Oil_Boss = difference {
     union {
         cylinder { (Bore + 0.2) * y, (Shell + 0.2) * y, 0.4 }
@@ -159,7 +159,7 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     texture { Cast }
 }
 
-// A bush with a collar; a torus leaves a groove for oil.
+// A bush with a collar; a torus cuts the oil groove.
 #declare Bush = difference {
     union {
         cylinder { -Face * z, (Face + 0.08) * z, Bore - 0.01 }
@@ -172,7 +172,7 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     texture { Bronze }
 }
 
-// --- screws: a hexagon is where three slabs meet -----------------------------
+// --- Screws: the hexagon is the intersection of three slabs ------------------
 
 #declare Flats = 0.17;
 #declare Slab = box { <-Flats, 0.2, -1>, <Flats, 1, 1> }
@@ -192,7 +192,7 @@ light_source { <10, 8, -7>, color rgb <0.3, 0.36, 0.46> }
     texture { Blackened }
 }
 
-// --- the whole --------------------------------------------------------------
+// --- The complete bracket ---------------------------------------------------
 
 object { Plate }
 At_Corners(Screw_Boss)
@@ -204,7 +204,7 @@ object { Bush }
 object { Screw rotate 10 * y translate <Screw_X, 0.36, -Screw_Z> }
 object { Screw rotate 25 * y translate <-Screw_X, 0.36, Screw_Z> }
 object { Screw rotate 40 * y translate <Screw_X, 0.36, Screw_Z> }
-// one is not in its place yet
+// one screw lies next to the bracket
 object {
     Screw
     rotate <-81.5, 0, 0>

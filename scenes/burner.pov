@@ -1,8 +1,8 @@
 // burner.pov - a bundle of finned copper tubes over a burner, between walls of brick.
 //
-// A likely form of the case that the paper tells of: radiation from a burner to tubes
-// with fins.  The parts that exchange heat are called Burner, Tube, Fin and Wall; POV-Ray
-// reads the floats below as well, and makes nothing of them.
+// A guess at the case that the paper describes: radiation from a burner to tubes with
+// fins.  The parts that exchange heat are called Burner, Tube, Fin and Wall.  POV-Ray
+// reads the temperatures and emissivities below as well, and ignores them.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
 
@@ -18,7 +18,7 @@ camera {
 light_source { <-8, 10, -7>, color rgb <0.95, 0.93, 0.9> }
 light_source { <6, 4, -9>, color rgb <0.25, 0.28, 0.34> }
 
-// In kelvins; what an option says comes first.
+// Temperatures in kelvins.  Options of rt205 heat take precedence.
 #declare Burner_Temperature = 1150;
 #declare Tube_Temperature = 360;
 #declare Fin_Temperature = 420;
@@ -42,11 +42,11 @@ light_source { <6, 4, -9>, color rgb <0.25, 0.28, 0.34> }
     finish { ambient 0.15 diffuse 0.75 }
 }
 
-#declare Half = 1.8;       // of a tube's length
-#declare Pitch = 1.15;     // from tube to tube
-#declare Height = 1.45;    // of their axes over the burner
+#declare Half = 1.8;       // half length of a tube
+#declare Pitch = 1.15;     // distance between two tubes
+#declare Height = 1.45;    // height of the axes over the burner
 #declare Radius = 0.3;
-#declare Reach = 0.5;      // of a fin
+#declare Reach = 0.5;      // radius of a fin
 #declare Sheet = 0.05;
 #declare Spacing = 0.36;
 
@@ -58,7 +58,7 @@ light_source { <6, 4, -9>, color rgb <0.25, 0.28, 0.34> }
     texture { Copper }
 }
 
-// Its hole ends within the wall of the tube.
+// The hole of the fin ends inside the wall of the tube.
 #declare Fin = difference {
     cylinder { -Sheet / 2 * x, Sheet / 2 * x, Reach }
     cylinder { -x, x, Radius - 0.03 }

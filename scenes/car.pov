@@ -1,8 +1,8 @@
 // car.pov - a car body of Steiner patches that join smoothly.
 //
-// 28 control points shape one half of it; cell.inc says how.  x runs from the
-// nose to the tail, z from the middle to the side.  POV-Ray, which has no such
-// patches, shows meshes; it finds the other files with +L.
+// 28 control points shape one half of it, as cell.inc explains.  x runs from the
+// nose to the tail, z from the middle to the side.  POV-Ray has no Steiner
+// patches and shows meshes instead; it finds the other files with +L.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 #ifndef (steiner_patch)
@@ -38,7 +38,7 @@ light_source { <-9, 3, 4>, color rgb <0.28, 0.3, 0.36> shadowless }
     finish { ambient 0.12 diffuse 0.5 specular 0.9 roughness 0.015 }
 }
 
-// Seven stations, at each the middle, the shoulder and below the sill.
+// Seven cross sections, each with points at the middle, the shoulder and the sill.
 #declare P01 = <-2.50, -0.15, -0.35>;
 #declare P02 = <-2.40, -0.15, -0.75>;
 #declare P03 = <-2.05, -0.20, -0.85>;
@@ -67,11 +67,11 @@ light_source { <-9, 3, 4>, color rgb <0.28, 0.3, 0.36> shadowless }
 #declare P62 = <2.40, 0.00, -0.80>;
 #declare P63 = <2.10, -0.10, -0.85>;
 
-// Across the middle stands the other half.
+// Mirrors a point to the other half.
 #declare Mirror = <1, 1, -1>;
 
 #declare Half = union {
-    // along the middle: the windows are where four patches of glass meet
+    // along the middle: each window consists of four patches of glass
     #declare Skin0 = Enamel; #declare Skin1 = Enamel;
     #declare Skin2 = Enamel; #declare Skin3 = Enamel;
     #declare A0 = P01 * Mirror; #declare A1 = P01; #declare A2 = P02;
@@ -115,7 +115,7 @@ light_source { <-9, 3, 4>, color rgb <0.28, 0.3, 0.36> shadowless }
     cone { -0.16 * z, 0, -0.1 * z, 0.08 texture { Chrome } }
 }
 
-// In the nose.
+// Headlights.
 #declare Lamp = sphere {
     0, 0.15 scale <0.7, 0.8, 1> rotate -30 * y translate <-2.1, 0.52, -0.62>
     pigment { color rgb <0.9, 0.88, 0.75> }

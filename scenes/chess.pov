@@ -1,4 +1,4 @@
-// The end of a game: pieces turned on a lathe, some of them cut, and a glass.
+// The end of a game of chess: pieces turned on a lathe, some cut, and a glass.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 background { rgb <.42, .5, .6> }
@@ -10,7 +10,7 @@ light_source { <8, 6, -7>, rgb .3 shadowless }
 #declare Light = pigment { rgb <.93, .8, .58> }
 #declare Dark = pigment { rgb <.33, .14, .08> }
 
-// A foot that all pieces stand on: points of a path, from the axis outwards, 9 of them.
+// The foot of all pieces: 9 points of a profile, from the axis outwards.
 #macro Foot(R)
     <0, 0>, <R, 0>, <R, .12>, <.94*R, .18>, <.94*R, .22>, <.82*R, .26>, <.78*R, .36>, <.6*R, .46>, <.5*R, .5>
 #end
@@ -39,7 +39,7 @@ light_source { <8, 6, -7>, rgb .3 shadowless }
     #for (I, 0, 2) box { <-.4, 1.31, -.06>, <.4, 1.5, .06> rotate 60*I*y } #end
 }
 
-// Fluted: cylinders go round the head.
+// A fluted head: cylinders cut grooves around it.
 #declare Queen = union {
     difference {
         lathe {
@@ -69,7 +69,7 @@ Stand(King, Light, .5, .5, 25) Stand(Queen, Dark, -1.5, 1.5, 0) Stand(Rook, Ligh
 Stand(Bishop, Dark, 1.5, 1.5, -65) Stand(Bishop, Light, -2.5, -.5, 190)
 Stand(Pawn, Light, .5, -1.5, 0) Stand(Pawn, Light, 1.5, -.5, 0) Stand(Pawn, Dark, -.5, 1.5, 0)
 Stand(Pawn, Dark, 2.5, .5, 0)
-// The other king has fallen.
+// The other king lies on the board.
 object { King pigment { Dark } rotate <0, 40, -90> translate .48*y rotate -35*y translate <-1.9, 0, -1.9> }
 
 // The board.
@@ -80,7 +80,7 @@ box { <-4, -.25, -4>, <4, 0, 4>
 box { <-4.35, -.3, -4.35>, <4.35, -.03, 4.35> pigment { Dark } }
 plane { y, -.3 pigment { rgb <.24, .3, .33> } finish { specular 0 } }
 
-// A glass, its wall as thick as it is.
+// A glass whose wall is modelled with its thickness.
 lathe {
     linear_spline 16, <0, -.3>, <.62, -.3>, <.6, -.26>, <.1, -.17>, <.07, .1>, <.08, .5>, <.3, .68>, <.52, .98>,
     <.58, 1.4>, <.53, 1.85>, <.5, 1.85>, <.54, 1.4>, <.48, 1>, <.27, .73>, <.06, .58>, <0, .57>

@@ -1,5 +1,5 @@
-// A clock: gears and hands of prisms, a face of discs, numerals of letters, a case
-// that is cut open by clipped_by.
+// A clock: gears and hands are prisms, the face consists of discs, the numerals are
+// letters, and clipped_by cuts the case open.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5 }
 background { rgb <.3, .35, .42> }
@@ -9,7 +9,7 @@ light_source { <7, 3, -6>, rgb .3 shadowless }
 #default { finish { ambient .15 diffuse .65 } }
 
 #declare brass = finish { ambient .12 diffuse .5 specular .5 roughness .03 metallic reflection .12 }
-// A gear of so many teeth and spokes, about z.
+// A gear around z with Teeth teeth and spokes.
 #macro Gear(Teeth, Radius, Thick)
     prism {
         linear_sweep 0, Thick, 4*Teeth + 1 + 9
@@ -33,7 +33,7 @@ object { Gear(24, 1.1, .18) rotate 4*z translate <-.55, .5, .35> }
 object { Gear(16, .7, .18) rotate 9*z translate <1.27, -.2, .36> }
 object { Gear(12, .5, .18) pigment { rgb <.75, .72, .7> } rotate 2*z translate <.3, -1.05, .55> }
 
-// The face: rings, and strokes for the minutes.
+// The face: rings, and marks for the minutes.
 #for (I, 0, 2)
     disc { -.2*z, -z, 2.3 - .05*I, 1.75 + .05*I translate -.01*I*z pigment { rgb <.9, .88, .8>*(1 - .3*mod(I, 2)) } }
 #end
@@ -64,7 +64,7 @@ Numeral("12", 12, .16) Numeral("3", 3, .08) Numeral("6", 6, .08) Numeral("9", 9,
 object { Hand(1.15, .08) rotate -55*z translate -.36*z }
 object { Hand(1.65, .055) rotate -230*z translate -.45*z }
 cylinder { -.55*z, .6*z, .09 pigment { rgb <.85, .65, .25> } finish { brass } }
-// The case, half of it.
+// Half of the case.
 difference {
     cylinder { -.3*z, .9*z, 2.55 }
     cylinder { -.4*z, .8*z, 2.35 }

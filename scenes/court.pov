@@ -1,4 +1,4 @@
-// A court: all that seems rough is smooth, only the normals are turned.
+// A court: all surfaces are smooth, and perturbed normals make them look rough.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 5 }
 camera { location <2.4, 3, -9.6> look_at <0, 1.15, 0> angle 46 }
@@ -56,7 +56,7 @@ box {
 object { Column translate <-2.6, 0, 1.5> }
 object { Column translate <2.6, 0, 1.5> }
 
-// Paving, and a round pool whose water goes in rings
+// Paving, and a round pool with circular waves
 difference {
     box { <-90, -.5, -20>, <90, 0, 300> }
     cylinder { -y, y, 2.1 translate <-.3, 0, -1.7> }
@@ -86,7 +86,7 @@ disc {
     finish { ambient .1 diffuse .3 specular .9 roughness .004 reflection { .15, .9 falloff 3 } }
 }
 
-// A turned bowl and balls before the pool
+// A turned bowl and balls in front of the pool
 difference {
     sphere { 0, .75 }
     sphere { .15*y, .68 }

@@ -1,5 +1,5 @@
-// A drop of molten copper has fallen into its pool: one blob, of a crown of
-// jets that lean out, with beads at their ends, and of what rises in the middle.
+// A drop of molten copper that fell into its pool: one blob, with a crown of
+// inclined jets, beads at their ends, and the column that rises in the middle.
 //
 //     rt205 render scenes/drops.pov --samples 3 -W 480 -H 360 -o drops.png
 #version 3.7;
@@ -20,7 +20,7 @@ sky_sphere { pigment { gradient y color_map {
 
 blob {
     threshold .5
-    // what is left of the hollow, and the rim from which the jets come
+    // the rim of the crater, with the jets
     #for (I, 0, Jets - 1)
         #declare A = 2*pi*I/Jets;
         #declare B = 2*pi*(I + 1)/Jets;
@@ -34,7 +34,7 @@ blob {
             sphere { Tip*<1.18, 1.2, 1.18> + .14*y, .17 + .06*rand(Seed), 1.2 }
         #end
     #end
-    // the column, and the drop that leaves it
+    // the column, and the drop that separates from it
     sphere { <0, 0, 0>, 1, 1 scale <.95, .6, .95> }
     cylinder { <0, .1, 0>, <0, 1.35, 0>, .34, 1 }
     sphere { <0, 1.5, 0>, .5, 1 }

@@ -1,7 +1,7 @@
 // finned_tube.pov - tubes of a heat exchanger with annular fins, one cut open.
 //
-// Between such fins heat is exchanged by radiation; rays can count the shares.
-// Here they are only looked at.  A macro makes a tube, loops set the fins.
+// Such fins exchange heat by radiation, and rays can compute the shares.  This
+// scene only shows them.  A macro makes a tube, and loops place the fins.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
 
@@ -32,15 +32,15 @@ light_source { <8, 6, -8>, color rgb <0.3, 0.34, 0.42> }
     finish { ambient 0.2 diffuse 0.7 }
 }
 
-// The tube of the closed form: radius 1, fins out to 1.8, 0.7 apart.
+// The proportions are those of the closed form: radius 1, fin radius 1.8, pitch 0.7.
 #declare Radius = 0.5;
 #declare Wall = 0.1;
 #declare Reach = 0.9;
 #declare Spacing = 0.35;
 #declare Sheet = 0.06;
-#declare Half = 2.4;       // of a tube's length
+#declare Half = 2.4;       // half length of a tube
 
-// A ring; its hole ends within the wall of the tube.
+// A fin is a ring; its hole ends inside the wall of the tube.
 #declare Fin = difference {
     cylinder { -Sheet / 2 * x, Sheet / 2 * x, Reach }
     cylinder { -x, x, Radius - Wall / 2 }
@@ -69,8 +69,8 @@ light_source { <8, 6, -8>, color rgb <0.3, 0.34, 0.42> }
 union { Tube() translate <0, Reach, 1.15> }
 union { Tube() translate <0, Reach + 2 * 0.98, 0.1> }
 
-// The one in front is open from its left end to the middle.  Each fin is cut on
-// its own, so that a ray far from it need not ask all the others.
+// The front tube is open from its left end to the middle.  Each fin is cut
+// separately, so a ray far from it does not test the other fins.
 #macro Opening()
     box { <-3, 0, -3>, <0.17, 3, 0> texture { Section } }
 #end

@@ -1,7 +1,7 @@
 // first.pov - one of each primitive on a checkered floor.
 //
-// The same file renders in POV-Ray 3.7.  The first light casts shadows, the
-// second is shadowless (POV-Ray gives such a light no highlights, either).
+// POV-Ray 3.7 renders the same file.  The first light casts shadows; the second
+// is shadowless (POV-Ray gives such a light no highlights, either).
 #version 3.7;
 #include "colors.inc"
 global_settings { assumed_gamma 1.0 }
@@ -51,7 +51,7 @@ cylinder {
     finish { Glossy }
 }
 
-// A lens: a ball of another shape, by a scale that differs along the axes.
+// A lens: a ball with different scales along the axes.
 sphere {
     0, 0.5
     scale <1.35, 0.45, 1.35>

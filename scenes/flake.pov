@@ -1,5 +1,5 @@
-// flake.pov - a flake of balls: each carries nine of a third of its size.
-// Of depth 1, 2, 3, 4, 5 it has 10, 91, 820, 7,381, 66,430 of them.
+// flake.pov - a flake of balls: each ball carries nine of a third of its size.
+// With depth 1, 2, 3, 4, 5 it has 10, 91, 820, 7,381, 66,430 balls.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
@@ -24,8 +24,8 @@ light_source { <9, 5, -4>, color rgb <0.35, 0.4, 0.5> }
                       + (1 - I / max(Depth, 1)) * <0.3, 0.5, 0.75>;
 #end
 
-// They lie about a ball as in a close packing: six around it, three above,
-// where above is away from the ball that it lies on.
+// The nine balls lie around a ball as in a close packing: six in its equator
+// and three above it.  "Above" is the direction away from the parent ball.
 #declare Around = array[9];
 #for (I, 0, 5)
     #declare Around[I] = vrotate(x, 60 * I * y);

@@ -1,8 +1,8 @@
 // glass.pov - a burning glass, a ball, a goblet and bored blocks of glass
-// before a mirror.
+// in front of a mirror.
 //
-// A lens is where two balls meet; a goblet is what a smaller ellipsoid leaves
-// of a larger one.  Light that passes is tinted, in shadows too.
+// The lens is the intersection of two balls; the goblet is an ellipsoid minus a
+// smaller one.  Transmitted light is tinted, also in shadows.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 6 }
 
@@ -31,7 +31,7 @@ light_source { <7, 7, -4>, color rgb <0.25, 0.28, 0.34> }
     finish { ambient 0.1 diffuse 0.6 specular 0.8 roughness 0.02 }
 }
 
-// Two balls of radius 2.4 whose middles are 4.2 apart.
+// Two balls of radius 2.4 whose centres are 4.2 apart.
 union {
     intersection {
         sphere { 2.1 * z, 2.4 }
@@ -47,7 +47,7 @@ union {
     translate <-1.65, 1.6, -0.5>
 }
 
-// A solid ball turns the picture about.
+// A solid ball, which shows an inverted picture.
 sphere {
     <-0.15, 0.62, -2.2>, 0.62
     pigment { color rgbf <0.97, 0.98, 0.98, 0.95> }
@@ -55,7 +55,7 @@ sphere {
     interior { ior 1.5 }
 }
 
-// Each block with a ball of air within.
+// Blocks, each with a ball of air inside.
 #macro Block(Tint, Turn, Place)
     difference {
         box { <-0.55, 0, -0.55>, <0.55, 1.1, 0.55> }
@@ -85,7 +85,7 @@ merge {
     translate <0.5, 0, 0.2>
 }
 
-// A mirror in its frame leans behind them.
+// A framed mirror leans behind the glasses.
 union {
     box {
         <-2.9, 0.15, 0>, <2.9, 2.9, 0.05>
@@ -101,7 +101,7 @@ union {
     translate 1.9 * z
 }
 
-// a little below what stands on it: faces of glass do not share its plane
+// slightly lower than the objects on it, so that no glass face lies in its plane
 plane {
     y, -0.005
     pigment {

@@ -1,5 +1,5 @@
-// hills.pov - a lighthouse of cones among hills that are paraboloids, under an
-// airship that is a ball of another shape.
+// hills.pov - a lighthouse of cones among paraboloid hills, under an
+// ellipsoidal airship.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
@@ -24,7 +24,7 @@ light_source { <10, 5, -6>, color rgb <0.16, 0.2, 0.28> shadowless }
 
 plane { y, 0 pigment { color rgb <0.05, 0.2, 0.3> } finish { Paint } }
 
-// A hill of height H whose foot is E wide and F deep:
+// A hill of height H, whose base has the half axes E and F:
 //     x^2 / E^2 + z^2 / F^2 + y / H = 1.
 quadric {
     <1 / 9, 0, 1 / 4>, 0, <0, 1 / 1.7, 0>, -1
@@ -42,7 +42,7 @@ quadric {
     texture { Meadow pigment { color rgb <0.3, 0.32, 0.1> } }
 }
 
-// The lighthouse: frustums, an open lampshade, a pointed roof.
+// The lighthouse: frustums, an open lampshade and a conical roof.
 #declare Red = pigment { color rgb <0.6, 0.05, 0.04> }
 #declare White_Lime = pigment { color rgb 0.8 }
 #declare Post = cylinder {
@@ -79,7 +79,7 @@ object { Fir scale 1.25 translate <-4.9, 1.8, 4.2> }
 object { Fir scale 1.1 translate <-2.8, 1.5, 4.4> }
 object { Fir scale 0.6 translate <4.6, 0.9, 1.4> }
 
-// The airship: an ellipsoid, fins, a car below.
+// The airship: an ellipsoid, with fins and a gondola below.
 union {
     sphere { 0, 1 scale <2.1, 0.62, 0.62> }
     cone { <1.2, 0, 0>, 0.05, <2.15, 0, 0>, 0.75 scale <1, 1, 0.06> }

@@ -1,4 +1,4 @@
-// A label: hills before the sun, a frame of stripes.  label.png is of it, for shop.pov:
+// A label: hills in front of the sun, with a striped frame. It makes label.png for shop.pov:
 // rt205 render label.pov --samples 4 -W 96 -H 48 -o label.png
 #version 3.7;
 global_settings { assumed_gamma 1 }

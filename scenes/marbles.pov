@@ -1,5 +1,5 @@
-// Marbles on a board by a window: a lens that shows one row of them sharply, and
-// a light as large as the window.
+// Marbles on a board near a window: the camera's lens focuses on one row of them, and
+// the area light has the size of the window.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 background { rgb <.35, .38, .42> }
@@ -17,7 +17,7 @@ light_source { <6, 5, -9>, rgb .2 shadowless }
 #default { finish { ambient .2 diffuse .6 } }
 
 plane { y, 0 pigment { rgb <.55, .5, .45> } }
-// A board with hollows.
+// A board with hollows for the marbles.
 difference {
     box { <-3, 0, -3>, <3, .3, 3> }
     #for (I, -2, 2)
@@ -29,7 +29,7 @@ difference {
               scale .35 rotate 3*y }
     rotate 20*y
 }
-// Marbles in most of them.
+// Marbles in most of the hollows.
 #declare Stream = seed(7);
 #for (I, -2, 2)
     #for (K, -2, 2)

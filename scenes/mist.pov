@@ -1,5 +1,5 @@
-// Morning mist on a road: posts that fade away in a fog, a sky that is a gradient,
-// hills of a function, a sign of letters.
+// Morning mist on a road: posts that fade in a fog, a sky with a gradient, hills
+// defined by a function, and a sign with letters.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <1.3, 1.7, -8> right 4/3*x angle 50 look_at <-.3, 1.4, 10> }
@@ -9,7 +9,7 @@ light_source { <-60, 50, 40>, rgb <.9, .75, .6> }
 #default { finish { ambient .25 diffuse .6 } }
 
 plane { y, 0 pigment { rgb <.35, .4, .22> } }
-// The road, its middle line.
+// The road and its centre line.
 box { <-2, -.1, -20>, <2, .01, 90> pigment { rgb <.42, .4, .4> } }
 #for (I, -4, 20) box { <-.07, 0, 3*I>, <.07, .02, 3*I + 1.5> pigment { rgb .9 } } #end
 // Posts with caps.

@@ -1,5 +1,5 @@
-// A mobile before a window: polygons with holes, discs, triangles, a net of smooth
-// ones, patches; all of them thin.
+// A mobile in front of a window: polygons with holes, discs, triangles, a mesh of
+// smooth triangles, and patches. All of these are thin surfaces.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 background { rgb <.7, .8, .9> }
@@ -8,7 +8,7 @@ light_source { <-5, 7, -8>, rgb .75 }
 light_source { <6, 2, -7>, rgb .25 shadowless }
 #default { finish { ambient .2 diffuse .65 } }
 
-// The wall, and the window in it: a polygon with a hole of two panes.
+// The wall with its window: a polygon with a hole for two panes.
 polygon {
     15, <-9, -5>, <9, -5>, <9, 6>, <-9, 6>, <-9, -5>,
     <-2.6, -1.8>, <-.1, -1.8>, <-.1, 2.3>, <-2.6, 2.3>, <-2.6, -1.8>,
@@ -36,7 +36,7 @@ Thread(<2.2, 1.13, .05>, 2.49)
            rotate 31*I*y translate <0, .9, 0> }
 #end
 Thread(<0, 1.5, 0>, 2.4)
-// A star, a letter.
+// A star and a letter.
 polygon {
     #local N = 5;
     2*N + 1
@@ -67,7 +67,7 @@ union {
     translate <1.35, .1, .45>
 }
 Thread(<1.35, .1, .45>, 1.2)
-// A leaf that is bent.
+// A bent leaf.
 bicubic_patch {
     type 1 u_steps 4 v_steps 4
     <0, .9, 0>, <.1, .9, -.1>, <.2, .9, -.1>, <.05, .9, 0>,

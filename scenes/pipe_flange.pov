@@ -38,11 +38,11 @@ light_source { <8, 3, -4>, color rgb <0.26, 0.26, 0.3> shadowless }
     finish { Rough }
 }
 
-// The pipes' axis is x; the joint is at x = 0.
+// The axis of the pipes is x; the joint is at x = 0.
 #declare Pipe = 0.85;
 #declare Flange = 1.75;
 #declare Thick = 0.38;
-#declare Circle = 1.32;   // of the bolts
+#declare Circle = 1.32;   // radius of the bolt circle
 
 #declare Half = union {
     cylinder { 0.05 * x, (0.05 + Thick) * x, Flange texture { Iron } }
@@ -50,7 +50,7 @@ light_source { <8, 3, -4>, color rgb <0.26, 0.26, 0.3> shadowless }
     cylinder { Thick * x, 9 * x, Pipe texture { Pipe_Paint } }
 }
 
-// A bolt along x through both flanges, its head at the left.
+// A bolt along x through both flanges; its head is at the left.
 #declare Flats = 0.46;
 #declare Side = Flats / sqrt(3);
 #declare Plate = box {
@@ -74,7 +74,7 @@ light_source { <8, 3, -4>, color rgb <0.26, 0.26, 0.3> shadowless }
     object { Bolt rotate 240 * x }
 }
 
-// The gauge looks along negative z; its stem stands on the pipe.
+// The face of the gauge points along negative z; its stem is on the pipe.
 #declare Gauge = union {
     cylinder { -0.2 * y, 0.75 * y, 0.13 texture { Bolt_Zinc } }
     union {

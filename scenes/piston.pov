@@ -1,8 +1,8 @@
 // piston.pov - a piston of an engine with its rings, its pin and its connecting rod.
 //
-// Lengths are centimetres, densities grams in a cubic one; each part is a solid by itself, and
-// between parts that move there is a clearance.  `rt205 mass scenes/piston.pov --units cm,g` weighs
-// it.  Where the reader knows the word `part` the rings have names of their own.
+// Lengths are in centimetres, densities in grams per cubic centimetre.  Each part is a solid, with
+// a clearance between moving parts.  `rt205 mass scenes/piston.pov --units cm,g` computes its mass.
+// If the reader supports the word `part`, each ring has its own name.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
 
@@ -42,13 +42,13 @@ light_source { <-4, -20, -2>, color rgb 0.3 shadowless }
 }
 
 #declare Bore = 4;           // radius of the piston
-#declare Crown = 2.6;        // its top, over the pin's axis
-#declare Skirt = -3.2;       // .. and its lower edge
+#declare Crown = 2.6;        // height of its top over the axis of the pin
+#declare Skirt = -3.2;       // height of its lower edge
 #declare Pin_Radius = 1.05;
-#declare Long = 13;          // from the pin's axis to the crank's
+#declare Long = 13;          // distance of the axes of pin and crank
 #declare Gap = 0.01;
 
-// A ring about y from a height on.
+// A ring around y that starts at a height.
 #macro Ring(Height, High, Inner, Outer)
     difference {
         cylinder { Height * y, (Height + High) * y, Outer }
@@ -56,7 +56,7 @@ light_source { <-4, -20, -2>, color rgb 0.3 shadowless }
     }
 #end
 
-// A tube along z about the height y.
+// A tube along z at the height y.
 #macro Tube(Height, Half, Inner, Outer)
     difference {
         cylinder { <0, Height, -Half>, <0, Height, Half>, Outer }
@@ -70,7 +70,7 @@ light_source { <-4, -20, -2>, color rgb 0.3 shadowless }
             cylinder { Skirt * y, Crown * y, Bore }
             cylinder { (Skirt - 1) * y, (Crown - 0.75) * y, Bore - 0.45 }
         }
-        // What holds the pin, within the skirt.
+        // The pin bosses, inside the skirt.
         intersection {
             merge {
                 cylinder { <0, 0, -Bore>, <0, 0, -1.5>, 1.75 }
@@ -81,13 +81,13 @@ light_source { <-4, -20, -2>, color rgb 0.3 shadowless }
             cylinder { Skirt * y, (Crown - 0.3) * y, Bore - 0.2 }
         }
     }
-    // Grooves, and the bowl in the crown.
+    // The grooves, and the bowl in the crown.
     Ring(2.05, 0.22, Bore - 0.38, Bore + 1)
     Ring(1.62, 0.22, Bore - 0.38, Bore + 1)
     Ring(1.12, 0.34, Bore - 0.38, Bore + 1)
     sphere { (Crown + 2.3) * y, 2.7 }
     cylinder { -(Bore + 1) * z, (Bore + 1) * z, Pin_Radius + Gap }
-    // The skirt is cut away below the pin's ends.
+    // Cuts of the skirt below the ends of the pin.
     cylinder { <0, Skirt - 0.6, -Bore - 1>, <0, Skirt - 0.6, Bore + 1>, 1.9 }
     texture { Aluminium }
 }
@@ -110,7 +110,7 @@ light_source { <-4, -20, -2>, color rgb 0.3 shadowless }
     merge {
         cylinder { -1.25 * z, 1.25 * z, 1.65 }
         cylinder { <0, -Long, -1.35>, <0, -Long, 1.35>, 2.9 }
-        // The shank, an I in section, and lugs for the bolts.
+        // The shank with an I-section, and lugs for the bolts.
         difference {
             prism {
                 linear_spline linear_sweep -0.95, 0.95, 5

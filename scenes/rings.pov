@@ -31,7 +31,7 @@ plane {
     finish { ambient 0.15 diffuse 0.7 }
 }
 
-// The toy: each ring lies on the one below, and the peg is a cone.
+// The toy: the rings are stacked on a conical peg.
 union {
     cylinder { 0, 0.16 * y, 1.35 pigment { color rgb <0.55, 0.36, 0.16> } }
     torus { 1.35, 0.08 translate 0.08 * y
@@ -51,7 +51,7 @@ union {
     translate <-0.9, 0, 0.9>
 }
 
-// Three links of a chain; the middle one stands.
+// Three links of a chain; the middle one is upright.
 #declare Link = torus { 0.42, 0.1 scale <1.3, 1, 1> }
 union {
     object { Link translate <-0.8, 0.1, 0> }
@@ -63,10 +63,10 @@ union {
     translate <-0.5, 0, -1.9>
 }
 
-// A band whose section is an ellipse, higher than it is thick.  Where there is
-// no elliptical torus it is a quartic:
+// A band with an elliptical section that is higher than it is thick.  In readers
+// without an elliptical torus it is a quartic:
 //     (x^2 + z^2 + K y^2 + B)^2 = 4 R^2 (x^2 + z^2).
-#declare R = 0.6;     // from the axis to the middle of the section
+#declare R = 0.6;     // from the axis to the centre of the section
 #declare Thick = 0.07;
 #declare High = 0.24;
 #ifdef (elliptical_torus)
@@ -92,7 +92,7 @@ union {
     translate <1.55, 0, -0.95>
 }
 
-// A tube thicker than its ring is wide: the sides meet in a dimple.
+// A torus whose minor radius is larger than its major radius: it has a dimple.
 union {
     torus { 0.24, 0.46 scale <1, 0.95, 1>
             pigment { color rgb <0.6, 0.03, 0.04> } }

@@ -1,8 +1,8 @@
 // roman.pov - Steiner's Roman surface and the cross-cap, as quartics.
 //
-// Both are pictures of the projective plane, a sphere whose opposite points
-// are one.  The Roman surface passes through itself along three lines, which
-// meet in its middle; the cross-cap along one.
+// Both are images of the projective plane, which is a sphere with opposite
+// points identified.  The Roman surface intersects itself along three lines
+// that meet in its centre; the cross-cap intersects itself along one line.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 
@@ -24,7 +24,7 @@ light_source { <7, 3, -4>, color rgb <0.2, 0.24, 0.34> shadowless }
 #declare Stone = finish { ambient 0.15 diffuse 0.7 }
 
 // x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z, within 1/sqrt(3) of the origin.
-// The coefficients stand in the order x^4, x^3 y, x^3 z, x^3, x^2 y^2 ..
+// The order of the coefficients is x^4, x^3 y, x^3 z, x^3, x^2 y^2 ..
 quartic {
     <0, 0, 0, 0, 1, 0, 0, 1, 0, 0,
      0, 0, 0, 0, -1, 0, 0, 0, 0, 0,
@@ -38,8 +38,8 @@ quartic {
     finish { Glaze }
 }
 
-// 4 x^2 (x^2 + y^2 + z^2 + z) + y^2 (y^2 + z^2 - 1) = 0, its line of
-// crossing turned upright.
+// 4 x^2 (x^2 + y^2 + z^2 + z) + y^2 (y^2 + z^2 - 1) = 0, rotated so that the
+// line of self-intersection is vertical.
 quartic {
     <4, 0, 0, 0, 4, 0, 0, 4, 4, 0,
      0, 0, 0, 0, 0, 0, 0, 0, 0, 0,

@@ -1,4 +1,4 @@
-// Sails, hulls and flags of Bezier patches, under a sky that is a gradient.
+// Sails, hulls and flags of Bezier patches, under a sky with a gradient.
 //     rt205 render scenes/sails.pov -o sails.png --samples 3
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 4 }
@@ -19,7 +19,7 @@ plane { y, 0 pigment { gradient z color_map { [0 rgb <.03, .14, .2>] [.5 rgb <.0
     finish { ambient .25 diffuse .7 }
 }
 
-// From the mast to the leech, from the boom to the head; wind fills it towards -z.
+// A sail, from the mast to the leech and from the boom to the head; wind bends it towards -z.
 #declare Main = bicubic_patch {
     type 1 flatness .003 u_steps 4 v_steps 4
     <0, .55, 0>, <.7, .5, -.25>, <1.4, .5, -.25>, <2.1, .55, 0>

@@ -1,5 +1,5 @@
-// A sea shell of smooth triangles on a floor of flat ones: a tube that grows as it
-// winds, r = e^(w a), and dunes, a height over each point of a grid.
+// A sea shell of smooth triangles on a floor of flat ones: a tube that grows along a
+// spiral, r = e^(w a). The floor has dunes, which are heights over the points of a grid.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <2.6, 2.7, -7.5> look_at <0, .1, .3> angle 34 }
@@ -7,11 +7,11 @@ background { color rgb <.55, .68, .8> }
 light_source { <6, 9, -7>, color rgb .95 }
 light_source { <-9, 5, -4>, color rgb <.25, .3, .4> shadowless }
 
-#declare Turns = 3.6;                 // how often the tube winds
-#declare Growth = .17;                // of its size in a radian
+#declare Turns = 3.6;                 // number of turns
+#declare Growth = .17;                // exponent w, growth per radian
 #declare Ends = exp(Growth*2*pi*Turns);
 
-// The tube: the angle A about the axis, B about the tube; 1 is its size at the end.
+// The tube: A is the angle around the axis, B around the tube. Its size at the end is 1.
 #macro Tube(A, B)
     #local S = exp(Growth*A)/Ends;
     #local R = S*(1 + .04*cos(24*A));

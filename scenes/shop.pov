@@ -1,5 +1,5 @@
-// A shop: one image on tins, on a ball, along a ring, on a poster, on a jar that is
-// clear around it.
+// A shop: one image on tins, on a ball, along a ring, on a poster, and on a jar that is
+// transparent outside of the image.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 6 }
 camera { location <0, 2.1, -7.5> right 4/3*x angle 42 look_at <0, 1.15, 0> }
@@ -12,7 +12,7 @@ light_source { <5, 5, -4>, rgb .25 shadowless }
 }
 plane { y, 0 pigment { Planks } }
 plane { -z, -2.4 pigment { rgb <.62, .66, .6> } }
-// The poster, in its frame.
+// The poster and its frame.
 box { <-1.66, 1.5, 2.3>, <1.66, 3.2, 2.4> pigment { rgb <.2, .13, .08> } }
 box { <-1.6, 1.56, 2.29>, <1.6, 3.14, 2.31>
       pigment { image_map { png "label.png" once interpolate 2 } scale <3.2, 1.58, 1> translate <-1.6, 1.56, 0> } }
@@ -35,7 +35,7 @@ torus { 1, .34 pigment { image_map { png "label.png" map_type 5 interpolate 2 } 
         finish { phong .6 } scale .75 rotate <-70, 0, 15> translate <.15, .93, .6> }
 sphere { 0, .62 pigment { image_map { png "label.png" map_type 1 interpolate 4 } rotate <0, 120, 25> }
          finish { phong .7 } translate <-.5, .62, -1.3> }
-// The jar, with something in it.
+// The jar and its contents.
 cylinder { 0, 1.5*y, .7
            pigment { image_map { png "label.png" map_type 2 once interpolate 2 } scale <1, .8, 1> rotate 150*y translate .35*y }
            interior { ior 1.1 } finish { specular .6 reflection .06 } translate <2, .01, .2> }

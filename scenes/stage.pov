@@ -1,11 +1,11 @@
-// A stage: letters and a star of prisms in spotlights, a row of footlights that
-// fade, a moon that shines in parallel rays.
+// A stage: letters and a star of prisms in spotlights, a row of footlights with fading,
+// and a moon with parallel rays.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 camera { location <0, 2.4, -11> right 4/3*x angle 48 look_at <0, 1.9, 0> }
 #default { finish { ambient .04 diffuse .75 } }
 
-// The floor, the curtain, the wings.
+// The floor, the curtain and the wings.
 plane { y, 0
         pigment { brick rgb <.15, .1, .06>, rgb <.55, .38, .22> brick_size <2.4, 1, .35> mortar .02 }
         finish { reflection .08 } }
@@ -33,7 +33,7 @@ text {
     rotate -12*y
     translate <1.15, .02, -1.4>
 }
-// A star that hangs, with a hole.
+// A hanging star with a hole.
 prism {
     linear_sweep -.15, .15, 16
     #for (I, 0, 10)

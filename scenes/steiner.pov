@@ -1,11 +1,11 @@
-// steiner.pov - the Roman surface and the cross-cap, piece by piece.
+// steiner.pov - the Roman surface and the cross-cap in separated pieces.
 //
-// Both are made of rational patches: the point that belongs to s, t, u is
+// Both consist of rational patches.  The point with the parameters s, t, u is
 //     Roman surface   (tu, su, st) / (s^2 + t^2 + u^2)
 //     cross-cap       (tu, 2 st, s^2 - t^2) / (s^2 + t^2 + u^2)
-// and the patches are what the triangles of a whole octahedron give, each face
-// cut in four, so that all weights are above 0.  One face is one lobe here,
-// and three copies of it, turned or mirrored, are the others.
+// The patches are the images of the triangles of an octahedron, each face cut in
+// four so that all weights are positive.  One face is the image of one lobe
+// here; three copies, rotated or mirrored, are the other lobes.
 #version 3.7;
 global_settings { assumed_gamma 1.0 }
 #ifndef (steiner_patch)
@@ -80,8 +80,8 @@ union {
     translate <-1.3, 1.3, 0>
 }
 
-// Nearer to the eye one quarter is left out: the inside is of two sheets that
-// cross in a line.
+// One quarter is omitted near the camera: the inside has two sheets that
+// intersect in a line.
 union {
     object { Cap_Quarter pigment { color rgb <0.75, 0.12, 0.08> } }
     object { Cap_Quarter scale <-1, 1, 1>

@@ -1,4 +1,4 @@
-// An island of two peaks, its heights by a formula, in a sea that mirrors it.
+// An island with two peaks in a reflecting sea: a formula gives its heights.
 //     rt205 render scenes/terrain.pov -o terrain.png --samples 3 -W 640 -H 400
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
@@ -14,7 +14,7 @@ sky_sphere {
     pigment { gradient y color_map { [0 rgb <.85, .87, .9>] [.5 rgb <.25, .45, .8>] } }
 }
 
-// How high a hill about a place is, and the roughness of all.
+// The height of a hill at a and b, and the roughness of the terrain.
 #declare Hill = function(x, y, a, b, wide) {
     exp(-((x - a)*(x - a) + (y - b)*(y - b))/(wide*wide))
 };

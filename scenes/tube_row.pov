@@ -1,7 +1,7 @@
 // tube_row.pov - a plane burner under a row of finned copper tubes.
 //
-// A guess at the case that the paper tells of, whose geometry is not known.  Tubes and fins
-// are cylinders, so that it can be asked whether rays strike them, and no more.
+// A guess at the case that the paper describes; its geometry is not known.  Tubes and fins
+// are cylinders, because the scene only serves to test whether rays hit them.
 #version 3.7;
 global_settings { assumed_gamma 1.0 max_trace_level 3 }
 

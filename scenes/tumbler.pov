@@ -1,5 +1,5 @@
-// A tumbler of water with ice and a straw: glass in water in glass.  The water
-// reaches into the glass, so that no two faces lie on each other.
+// A tumbler of water with ice and a straw: glass in water in glass. The water extends
+// into the glass, so that no two faces coincide.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 10 adc_bailout 1/200 }
 background { rgb <.75, .8, .85> }
@@ -29,7 +29,7 @@ cone {
     interior { ior 1.33 }
     no_shadow
 }
-// Ice, and air in it.
+// Ice, with air inside.
 #declare ice = box {
     -.32, .32
     pigment { rgbt <.95, .97, 1, .93> }
@@ -52,7 +52,7 @@ difference {
     cylinder { <-.52, .25, .25>, <.97, 3.95, .1>, .08 }
     pigment { gradient y color_map { [.5 rgb <.8, .1, .1>] [.5 rgb .95] } scale .5 rotate 20*z translate -4*y }
 }
-// A lemon beside it.
+// A lemon next to the tumbler.
 sphere {
     0, .6
     scale <1.3, 1, 1>

@@ -1,5 +1,5 @@
-// A vase turned of smooth triangles, its normals from the profile's own; flowers
-// of triangles and discs; a cloth of bicubic patches over a table.
+// A vase of smooth triangles: its normals follow from the profile. Flowers
+// consist of triangles and discs, and a cloth of bicubic patches covers a table.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 background { rgb <.55, .6, .65> }
@@ -8,7 +8,7 @@ light_source { <-6, 8, -7>, rgb .75 }
 light_source { <5, 6, -8>, rgb .3 shadowless }
 #default { finish { ambient .18 diffuse .65 } }
 
-// The profile: the radius at a height, and how it grows there.
+// The profile: the radius at a height, and its derivative.
 #declare Radius = function(h) { .62 + .32*sin(2.1*h + .3) - .06*h*h + .05*h*h*h }
 #declare Slope = function(h) { .672*cos(2.1*h + .3) - .12*h + .15*h*h }
 #declare Steps = 22;
@@ -28,7 +28,7 @@ mesh {
 }
 disc { 0, y, Radius(0) pigment { rgb <.15, .3, .6> } translate .01*y }
 
-// Flowers: leaves around a ring.
+// Flowers: petals around a ring.
 #macro Flower(Where, Leaves, Size, Turn, Colour)
     union {
         mesh {
@@ -54,7 +54,7 @@ Flower(<.2, 4, -.2>, 12, .55, <15, -5, 10>, rgb <.95, .9, .95>)
 Flower(<1.15, 3.3, -.1>, 7, .6, <25, -35, 0>, rgb <.95, .75, .2>)
 Flower(<.35, 3.1, -.8>, 9, .45, <10, -15, 20>, rgb <.6, .4, .8>)
 
-// The table, its cloth: patches that hang over the edge.
+// The table and its cloth: patches that hang over the edge.
 box { <-4, -.4, -2>, <4, -.03, 2.6> pigment { rgb <.4, .27, .18> } }
 #macro Cloth(X)
     bicubic_patch {

@@ -1,4 +1,4 @@
-// A yard of patterns: bricks, hexagons, stripes, rings, spots; an umbrella.
+// A yard with patterns: bricks, hexagons, stripes, rings, spots; with an umbrella.
 #version 3.7;
 global_settings { assumed_gamma 1 }
 sky_sphere { pigment { gradient y color_map { [0 rgb <.85, .9, .95>] [.6 rgb <.25, .45, .8>] } } }
@@ -14,12 +14,12 @@ box { <-7, 3.2, 3.9>, <7, 3.45, 4.7> pigment { rgb <.7, .68, .62> } }
 cylinder { <-4.4, 0, 2.2>, <-4.4, 4.1, 2.2>, .45
            pigment { gradient y frequency 1 color_map { [.5 rgb <.2, .35, .6>] [.5 rgb .9] }
                      scale .9 rotate 30*x } }
-// An umbrella, its pole, a table.
+// An umbrella, its pole and a table.
 cone { <0, 3, .8>, 2.4, <0, 4.1, .8>, .02 open
        pigment { radial frequency 8 color_map { [.5 rgb <.85, .2, .15>] [.5 rgb <.95, .9, .8>] } translate <0, 0, .8> } }
 cylinder { <0, 0, .8>, <0, 4.2, .8>, .06 pigment { rgb .5 } }
 disc { <0, 1.1, .8>, y, 1.2, .1 pigment { onion color_map { [0 rgb <.6, .4, .2>] [1 rgb <.75, .55, .3>] } scale .12 translate <.4, .9, .2> } }
-// Balls on it and before it.
+// Balls on the table and in front of it.
 sphere { 0, .34 pigment { leopard color_map { [0 rgb <.9, .7, .2>] [.35 rgb <.35, .2, .1>] } scale .05 }
          finish { phong .4 } translate <-.5, 1.44, .6> }
 sphere { 0, .3 pigment { spherical frequency 3 triangle_wave color_map { [0 rgb <.1, .4, .5>] [1 rgb <.9, .95, .8>] } scale .7 translate <.1, .2, -.2> }
