@@ -1,14 +1,14 @@
 #!/bin/sh
-# embed.sh NAME FOLDER FILE ... - text files as C, on stdout, each by its path
-# within the folder:
+# embed.sh NAME FOLDER FILE ... - writes text files as C to stdout, each with its path
+# within FOLDER:
 #
 #   struct text { const char *name; const char *const *lines; };
 #   const struct text NAME[] = { ..., { NULL, NULL } };
-#   const char *const NAME_names[] = { ..., NULL }; without their suffixes
+#   const char *const NAME_names[] = { ..., NULL }; the paths without suffixes
 #
-# A text is an array of its lines, each with its newline, and ends with NULL:
-# C99 promises no more than 4,095 characters in one string.  With TITLES=yes in the
-# environment of an .md file there is only its first line.
+# A text is an array of its lines, each with its newline, and ends with NULL, because
+# C99 guarantees only 4,095 characters in one string. With TITLES=yes in the environment
+# an .md file has only its first line.
 set -eu
 table=$1
 folder=$2

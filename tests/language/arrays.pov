@@ -1,7 +1,7 @@
 // arrays.pov - arrays and their elements.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-// Four numbers are printed on a line.
+// Number prints four numbers on a line.
 #declare Column = 0;
 #macro Number(Value)
     #declare Column = mod(Column + 1, 4);

@@ -1,4 +1,4 @@
-// Functions that the scene declares, and values that #read takes of a file.
+// functions.pov - functions that the scene declares, and values that #read reads from a file.
 #version 3.7;
 #declare K = 3;
 #declare F = function(a, b) { a*b + K }

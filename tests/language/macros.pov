@@ -1,7 +1,7 @@
 // macros.pov - macros, their arguments and their names.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-// Four numbers are printed on a line.
+// Number prints four numbers on a line.
 #declare Column = 0;
 #macro Number(Value)
     #declare Column = mod(Column + 1, 4);
@@ -18,7 +18,7 @@ Number(Three()*2) Number(<Three(), 1, Three()>.z)
 #declare Here = Row(3);
 Number(Here.z) Number(Row(4).y) Number(vlength(Row(0)*2))
 
-// A name alone is passed by reference.
+// An argument that is a name alone is passed by reference.
 #macro Increase(A) #declare A = A + 1; #end
 #declare Value = 1;
 Increase(Value) Number(Value)
@@ -35,7 +35,7 @@ Outer(Value) Number(Value)
 #declare P = 1; #declare Q = 2;
 Swap(P, Q) Number(P) Number(Q)
 
-// Levels of names.
+// Scopes of names.
 #macro Inner() #declare Level = 7; #end
 #macro Around() #local Level = 1; Inner() Number(Level) #end
 Around() Number(defined(Level))
@@ -49,7 +49,7 @@ Shadow() Number(Here)
 #macro Counter() #for (Here, 5, 6) #end Number(Here) #end
 Counter() Number(Here)
 
-// Calls within each other, and the end by #break.
+// Nested calls, and the end of a macro by #break.
 #macro Down(N) #if (N > 0) Number(N) Down(N - 1) #end #end
 Down(4)
 #macro Until(A) #if (A) Text("leaving") #break #end Text("staying") #end
@@ -58,7 +58,7 @@ Until(1) Until(0)
 Define() Defined(21)
 Number(defined(Defined))
 
-// Parts of statements.
+// Macros that contain parts of statements.
 #macro Look() pigment { rgb 1 } scale 2 #end
 #macro Ball(R) sphere { 0, R } #end
 #macro Open() union { #end

@@ -1,6 +1,6 @@
-// Splines of every kind, and what can be done with them.
+// splines.pov - splines of every kind, and the operations on them.
 #version 3.7;
-// Two values are printed on a line.
+// Show prints two values on a line.
 #declare Column = 0;
 #macro Show(A)
     #declare Column = 1 - Column;
@@ -17,19 +17,19 @@
 #end
 #declare Points = spline { 0, <1, 2, 3> 1, <3, -1, 7> 2.5 <2, 2, 2>, 4, <1, 0, 5> }
 All(Points, -1, 5, .5)
-// Few points; a value for all components; points in any order, some again.
+// Splines with few points, with one value for all components, and with unordered or repeated points.
 All(spline { natural_spline 1, <2, 3> }, 0, 2, .5)
 All(spline { cubic_spline 1, <2, 3, 4, 5>, 2, 7 }, 0, 3, .25)
 All(spline { quadratic_spline 3, 1 0, <1, 2, 3, 4, 5> 1, 2, 0, 7 }, -.5, 3.5, .5)
 All(spline { 0, 1 1, 2 2, 4 2, 7 1, 3 }, .5, 2.5, .5)
 All(spline { 0, <1, 2, 3> 1, <5, 4, 3, 2, 1> 2, <6, 7> 3, 8 }, .5, 3, .5)
-// Many of them.
+// A spline of many points.
 #for (I, 1, 300)
     #declare S = spline { I, 1 }
     #declare S = spline { S 0, I }
 #end
 Show(S(150))
-// Random ones.
+// Random splines.
 #declare R = seed(7);
 #for (I, 3, 7)
     #declare S = spline {
@@ -38,7 +38,7 @@ Show(S(150))
     }
     All(S, 0, 9, .6)
 #end
-// Values in expressions; splines as values.
+// Values of splines in expressions; splines as values.
 #declare Copy = Points;
 #declare Longer = spline { Points cubic_spline 6, y, .5, 9 - 1 }
 #declare Points = spline { 0, 1 1, 3 };

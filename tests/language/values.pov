@@ -1,7 +1,7 @@
 // values.pov - floats, vectors and their functions.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-// Four numbers are printed on a line.
+// Number prints four numbers on a line.
 #declare Column = 0;
 #macro Number(Value)
     #declare Column = mod(Column + 1, 4);
@@ -10,13 +10,13 @@ global_settings { assumed_gamma 1 }
 #macro Text(Value) #declare Column = 0; #debug concat(Value, "\n") #end
 #macro Vector(Value) Text(vstr(3, Value, ", ", 0, 9)) #end
 
-// Signs and ranks.
+// Signs and precedence.
 Number(2-3-4) Number(12/3/2) Number(-2*-3) Number(2+3*4) Number(-(2+3)*4)
 Number(5/2) Number(1e-3) Number(.5) Number(5.) Number(1.5e+2)
 Number((true & false | true)) Number((1 | 0 & 0)) Number(!0) Number(2*!0)
 Number(!5) Number(!!5)
 
-// Closer than 1e-10 is the same; < and > do not care.
+// Numbers that differ by less than 1e-10 are equal; < and > have no tolerance.
 Number((1 = 1 + 1e-11)) Number((1 = 1 + 1e-9)) Number((1 != 1 + 1e-11))
 Number((1 < 1 + 1e-11)) Number((1 > 1 - 1e-11)) Number((1 > 1 + 1e-11))
 Number((1 >= 1 + 1e-11)) Number((1 >= 1 + 1e-9)) Number((1 <= 1 - 1e-11))
@@ -64,7 +64,7 @@ Number(Colour.gray)
 #declare Five = Colour*2;
 Text(vstr(5, Five, ", ", 0, 3)) Number(Five.transmit) Number(<7, 8, 9>.y)
 
-// What a still picture's scene may ask for.
+// Values that a scene of a still picture can use.
 Number(clock) Number(clock_on) Number(clock_delta) Number(frame_number)
 Number(initial_frame) Number(final_frame) Number(initial_clock)
 Number(final_clock) Number(version) Number(pi) Number(yes) Number(off)

@@ -22,7 +22,7 @@ found:  .word   X'FFFF FFFF FFFF FFFF'
         CMPGEV  [product], least, [bits, skipped] ? [wanted]
         EXIT
 ; The squares are 1, 4, 9, 20.25, 0.25, 10,000 and the bits 1 to 6 of z are 110111.
-; The first bit of the result is kept; then come 0 0 1 1 0 1, of which the third stays 1.
+; The first bit of the result is kept; then come 0 0 1 1 0 1, the third of which stays 1.
 ; expect: [found] = X'9BFF FFFF FFFF FFFF'
 ; expect-flags: X'0000 0000 0000 0000'
 ; Clocks: start-up 84, page 30 + 1,000, six elements on two pipes 3.
