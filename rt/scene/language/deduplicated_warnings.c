@@ -1,4 +1,4 @@
-/* deduplicated_warnings.c - records notes by value, and reports them by cause. */
+/* deduplicated_warnings.c - records warnings by value, and reports them by cause. */
 #include "rt/scene/language/deduplicated_warnings.h"
 #include "base/error.h"
 
@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* All reported notes with the same words. */
+/* All reported warnings with the same words. */
 struct warning_cause {
     struct warning_cause *next;
     const char *words;
@@ -23,7 +23,7 @@ struct scene_warning {
     size_t page; /* serial number of the last page that has it */
 };
 
-/* A list node: a note, or all notes of another value; then the rest. */
+/* A list node: a warning, or all warnings of another value; then the rest. */
 struct value_warnings {
     struct scene_warning *warning;
     struct value_warnings *used, *rest;
@@ -68,7 +68,7 @@ static struct scene_warning *new_note(struct deduplicated_warnings *book,
     return warning;
 }
 
-/* Returns the note with this place and these words; it is created if there is none.
+/* Returns the warning with this place and these words; it is created if there is none.
  * Returns NULL if there are too many, or without memory. */
 static struct scene_warning *scene_warning_of(struct deduplicated_warnings *book,
                                               const struct warning_place *place,
@@ -154,7 +154,7 @@ void warnings_report(const struct deduplicated_warnings *book, enum severity sev
                         "after " LIMIT_TEXT(MAX_REPORTS));
 }
 
-/* Reports the notes of a value and of all values that it uses. A node is marked as it
+/* Reports the warnings of a value and of all values that it uses. A node is marked as it
  * is pushed on the stack `waiting`, so each is visited once, however often it is
  * used. */
 static void report_all(struct deduplicated_warnings *book, struct value_warnings *list)
@@ -176,7 +176,7 @@ static void report_all(struct deduplicated_warnings *book, struct value_warnings
     }
 }
 
-/* ---- Notes of a value or of the scene ------------------------------------ */
+/* ---- Warnings of a value or of the scene ------------------------------------ */
 
 static void write_down(struct deduplicated_warnings *book,
                        struct scene_warning *warning, struct value_warnings *used)
@@ -192,7 +192,7 @@ static void write_down(struct deduplicated_warnings *book,
 }
 
 /* Marks an entry with the current page. Returns false if the page has it already: a
- * loop records the same notes at each turn. */
+ * loop records the same warnings at each turn. */
 static bool is_new(const struct deduplicated_warnings *book, size_t *page)
 {
     bool fresh = *page != book->page->serial;

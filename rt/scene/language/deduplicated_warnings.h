@@ -1,11 +1,12 @@
-/* deduplicated_warnings.h - notes: features of a scene that are replaced or ignored.
+/* deduplicated_warnings.h - warnings about features of a scene that are replaced or
+ * ignored.
  *
- * A note has a cause, in words, and a place in the text. Notes belong to the value that
- * is being read. A named value keeps the notes of its text; they are reported when the
+ * A warning has a cause, in words, and a place in the text. Warnings belong to the value that
+ * is being read. A named value keeps the warnings of its text; they are reported when the
  * value becomes part of the scene. A scene that includes a library of textures and uses
  * one of them therefore has the reports of that one only.
  *
- * All notes with the same cause are one report, which has the number of places and
+ * All warnings with the same cause are one report, which has the number of places and
  * shows the first. A library file, which the scene's author did not write, counts as
  * one place.
  */
@@ -19,17 +20,17 @@
 #define MAX_REPORTS 200
 enum { MAX_WARNINGS = 100000, WARNING_BUCKETS = 4096 };
 
-/* The notes of a value, which live as long as the deduplicated warnings. */
+/* The warnings of a value, which live as long as the deduplicated_warnings. */
 struct value_warnings;
 
-/* The place of a note. */
+/* The place of a warning. */
 struct warning_place {
     const struct scene_source *source;
     size_t at; /* offset in it */
     struct position position;
 };
 
-/* The notes of a value that is being read. The page is on the stack of the function
+/* The warnings of a value that is being read. The page is on the stack of the function
  * that reads it. */
 struct warning_page {
     struct warning_page *outer; /* of the enclosing value */
@@ -37,45 +38,47 @@ struct warning_page {
     struct value_warnings *list;
 };
 
-/* A deduplicated warnings is initialised with zeros. */
+/* A struct deduplicated_warnings is initialised with zeros. */
 struct deduplicated_warnings {
     struct arena arena;
     struct scene_warning *buckets[WARNING_BUCKETS];
     size_t count;
-    struct warning_place lost; /* the first note beyond MAX_NOTES, if it has a source */
+    struct warning_place
+        lost; /* the first warning beyond MAX_WARNINGS, if it has a source */
     struct warning_page *page; /* NULL: the scene itself */
     size_t pages;
     struct warning_cause *causes, *last_cause; /* reported, in order */
     size_t cause_count;
 };
 
-/* Records a note. `calls` lists the macro calls that lead to the place, and may be
+/* Records a warning. `calls` lists the macro calls that lead to the place, and may be
  * empty. */
 void scene_warning_add(struct deduplicated_warnings *book,
                        const struct warning_place *place, const char *words,
                        const char *calls);
-/* Records a note that is reported even if its value is not used. */
+/* Records a warning that is reported even if its value is not used. */
 void scene_warning_report(struct deduplicated_warnings *book,
                           const struct warning_place *place, const char *words,
                           const char *calls);
 
-/* Begin and end a value: notes in between belong to it. value_warnings_end returns NULL if there
+/* Begin and end a value: warnings recorded in between belong to it. value_warnings_end returns NULL if there
  * are none. */
 void value_warnings_begin(struct deduplicated_warnings *book,
                           struct warning_page *page);
 struct value_warnings *value_warnings_end(struct deduplicated_warnings *book);
-/* Suspend the current value: notes in between belong to the scene. */
+/* Suspend the current value: warnings recorded until it is resumed belong to the
+ * scene. */
 struct warning_page *value_warnings_suspend(struct deduplicated_warnings *book);
 void value_warnings_resume(struct deduplicated_warnings *book,
                            struct warning_page *page);
-/* Adds the notes of a value that is used by the one that is being read. */
+/* Adds the warnings of a value that is used by the one that is being read. */
 void value_warnings_use(struct deduplicated_warnings *book,
                         struct value_warnings *list);
 
-/* Adds the reports, with this severity. */
+/* Adds the reports to `reports`, with this severity. */
 void warnings_report(const struct deduplicated_warnings *book, enum severity severity,
                      struct diagnostics *reports);
-/* Whether notes were lost for lack of memory. */
+/* Returns true if warnings were lost because memory was exhausted. */
 bool warnings_failed(const struct deduplicated_warnings *book);
 void warnings_free(struct deduplicated_warnings *book);
 

@@ -158,7 +158,8 @@ bool reader_spend(struct reader *reader, size_t bytes);
 /* Reports an error at the token, unless it has one already. Returns false. */
 bool reader_fault(struct reader *reader, const struct scene_token *at,
                   const char *format, ...) FORMAT(3);
-/* Records a note on a feature that is replaced or ignored (note.h). */
+/* Records a warning about a feature that is replaced or ignored
+ * (deduplicated_warnings.h). */
 void reader_report(struct reader *reader, const struct scene_token *at,
                    const char *format, ...) FORMAT(3);
 /* Reports a warning, even if the value that is being read is never used. */
@@ -192,7 +193,7 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
 /* Returns the value that the current token names if it is of the kind, else NULL. */
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind);
-/* Like reader_value_of, for a value that is used: its notes are added to those of the
+/* Like reader_value_of, for a value that is used: its warnings are added to those of the
  * value that is being read. */
 const struct scene_value *reader_use(struct reader *reader, enum scene_value_kind kind);
 

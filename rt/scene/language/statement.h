@@ -59,7 +59,7 @@ bool fog_read(struct reader *reader, struct fog_setting *fog);
 bool fog_take(struct reader *reader, const struct fog_setting *fog,
               const struct scene_token *at);
 
-/* The meaning of a shape's word: its PRIMITIVE_KIND, or one of these. */
+/* The meaning of a shape's word: its primitive kind, or one of these. */
 enum shape_word {
     SHAPE_UNION = PRIMITIVE_KINDS, /* to SHAPE_DIFFERENCE: in the order of enum
                                     * joining */
