@@ -14,7 +14,7 @@ struct repl {
     bool quit, terminal, interrupted;
 };
 
-/* An interruption by Ctrl-C applies to one movement, so it is
+/* An interruption by Ctrl-C applies to one execution command, so it is
  * cleared after each line. */
 static void note_interrupt(struct repl *repl)
 {

@@ -33,7 +33,7 @@ struct dap_setup {
     const char *folder;   /* start of relative paths */
     bool warm;            /* start with warm pages even if the client does not request
                            * it */
-    uint64_t clocks_most; /* limit for one motion */
+    uint64_t clocks_most; /* limit for one execution request */
 };
 
 /* Serves a whole session, until the client disconnects or its input ends. Returns false

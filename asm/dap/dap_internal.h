@@ -2,7 +2,7 @@
  *
  * A request is a function that reads its arguments and writes the body of its response.
  * If it fails it reports the error by dap_fault or by a debug_fault of the engine, and
- * returns false. Work that must follow the response, such as a motion, is left in
+ * returns false. Work that must follow the response, such as an execution request, is left in
  * `then`.
  */
 #ifndef ASM_DAP_DAP_INTERNAL_H
@@ -20,11 +20,11 @@ enum dap_state {
     DAP_GREETED = 2,  /* after initialize */
     DAP_LAUNCHED = 4, /* after launch; breakpoints are set */
     DAP_STANDING = 8, /* after configurationDone, and at each stop */
-    DAP_RUNNING = 16, /* in a motion */
+    DAP_RUNNING = 16, /* executing */
     DAP_ENDED = 32    /* the program has ended, or was terminated */
 };
 
-/* A request of the client that ends the current motion. */
+/* A request of the client that ends the current execution. */
 enum pending_request {
     PENDING_NONE,
     PENDING_PAUSE,
@@ -57,8 +57,8 @@ struct dap {
     int64_t first_line, first_column; /* first number of the client: 0 or 1 */
     enum pending_request pending;
     enum execution_end (*move)(struct debugger *debugger);
-    const char *reason;            /* reason of the event stopped, if the motion ends as
-                         * intended */
+    const char *reason; /* reason of the event `stopped`, if the execution ends as
+                         * requested */
     void (*then)(struct dap *dap); /* called after the response; NULL: nothing */
 };
 
@@ -73,7 +73,7 @@ dap_request request_breakpoints, request_function_breakpoints,
     request_instruction_breakpoints, request_data_breakpoints,
     request_data_breakpoint_info, request_exception_breakpoints,
     request_breakpoint_locations;
-/* movement.c */
+/* execution.c */
 dap_request request_continue, request_next, request_step_in, request_step_out,
     request_step_back, request_reverse_continue, request_pause, request_goto,
     request_goto_targets, request_exception_info;
@@ -164,7 +164,7 @@ void put_source_members(struct dap *dap, struct json *json, const char *file);
 size_t line_of(const struct dap *dap, int64_t line);
 void put_line(const struct dap *dap, struct json *json, const char *key, size_t line);
 
-/* ---- Motions (movement.c) ------------------------------------------------ */
+/* ---- Execution (execution.c) --------------------------------------------- */
 
 /* Starts the program, and stops before its first instruction or at the first stop. */
 void dap_begin(struct dap *dap);

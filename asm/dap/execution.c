@@ -1,4 +1,5 @@
-/* execution.c - moves the program, and reports to the client why a motion ended. */
+/* execution.c - executes the program for requests, and reports to the client why the
+ * execution ended. */
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,7 +127,7 @@ static void send_halt(struct dap *dap)
     }
 }
 
-/* ---- Motions ------------------------------------------------------------- */
+/* ---- Execution ----------------------------------------------------------- */
 
 static void arrive(struct dap *dap, enum execution_end ended)
 {

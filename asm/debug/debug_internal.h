@@ -9,10 +9,10 @@
 
 #include "asm/debug/engine.h"
 
-/* move.c */
+/* step_verbs.c */
 debug_verb verb_step, verb_next, verb_continue, verb_reverse_step,
     verb_reverse_continue, verb_until, verb_goto, verb_run;
-/* breaks.c */
+/* break_verbs.c */
 debug_verb verb_break, verb_tbreak, verb_watch, verb_delete;
 /* show.c */
 debug_verb verb_where, verb_list, verb_disassemble;

@@ -2,7 +2,7 @@
  * editors (asm/dap). Not public.
  *
  * Each error is reported once, by debug_fault. A function that has failed then returns
- * false, a motion EXECUTION_FAILED.
+ * false; a function that executes the program returns EXECUTION_FAILED.
  */
 #ifndef ASM_DEBUG_ENGINE_H
 #define ASM_DEBUG_ENGINE_H
@@ -27,7 +27,7 @@ struct text_cursor {
     const char *at;
 };
 
-/* ---- Stops (stops.c) ------------------------------------------------------ */
+/* ---- Stops (breakpoints.c) ------------------------------------------------------ */
 
 enum breakpoint_kind {
     BREAK_ADDRESS, /* an address */
@@ -50,7 +50,7 @@ struct breakpoint {
     char wanted[MAX_TEXT];    /* condition on the number of hits: "> 4", "% 3"; or "" */
     bool met;                 /* met at the current location */
     uint64_t address;
-    const char *file; /* of BREAK_LINE, and of BREAK_AT if it is known */
+    const char *file; /* of BREAK_LINE, and of BREAK_ADDRESS if it is known */
     size_t line;
     const c205_insn *insn;
     const char *region;
@@ -79,7 +79,7 @@ struct debugger {
     bool searching; /* replaying to find a stop: hits are not counted */
     size_t breakpoint_count, breakpoint_number;
     struct breakpoint *breakpoints;
-    char again[MAX_TEXT]; /* the last movement, which an empty line repeats */
+    char again[MAX_TEXT]; /* the last execution command, which an empty line repeats */
     size_t faults;
 };
 
@@ -104,7 +104,7 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
 
 void text_cursor_skip(struct text_cursor *cursor);
 bool text_cursor_end(struct text_cursor *cursor);
-/* Skips a word (letters, digits, _ . $) that is equal to `word` or, in rest_begin, is a
+/* Skips a word (letters, digits, _ . $) that is equal to `word` or, in text_cursor_begin, is a
  * prefix of it. Returns whether there was one. */
 bool text_cursor_take(struct text_cursor *cursor, const char *word);
 bool text_cursor_begin(struct text_cursor *cursor, const char *word);

@@ -40,7 +40,7 @@ static bool is_interrupted(struct debugger *debugger)
            && debugger->setup.interrupted(debugger->setup.asked);
 }
 
-/* Checks the limits of a movement that began at the clock `begun`. */
+/* Checks the limits of an execution that began at the clock `begun`. */
 static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
 {
     if (clock_of(debugger) - begun > debugger->setup.clocks_most)
@@ -48,7 +48,7 @@ static enum execution_end look_up(struct debugger *debugger, uint64_t begun)
     return is_interrupted(debugger) ? EXECUTION_INTERRUPTED : EXECUTION_COMPLETE;
 }
 
-/* The conditions that end a movement, in addition to stops. */
+/* The conditions that end an execution, in addition to stops. */
 struct aim {
     uint64_t count;  /* instructions */
     bool at_address; /* stop at `address`, after at least one instruction */

@@ -1,17 +1,18 @@
-/* execution_control.h - moves the program of a debugger forward and back, for callers that do not
- * use command lines.
+/* execution_control.h - executes the program of a debugger forward and back, for callers
+ * that do not use command lines.
  *
- * A motion reports each error once, to the debugger's sink, and returns EXECUTION_FAILED. If
- * the debugger's `interrupted` ends it, it returns EXECUTION_INTERRUPTED after at least one
- * instruction. The program is then where it was interrupted; calling the motion again
- * continues from there.
+ * Each function reports an error once, to the debugger's sink, and returns
+ * EXECUTION_FAILED. If the debugger's `interrupted` ends it, it returns
+ * EXECUTION_INTERRUPTED after at least one instruction. The program is then where it
+ * was interrupted; another call of the function continues from there.
  */
 #ifndef ASM_DEBUG_EXECUTION_CONTROL_H
 #define ASM_DEBUG_EXECUTION_CONTROL_H
 
 #include "asm/debug/debugger.h"
 
-/* How a motion ended. After MOVED_TO_STOP the caller must call breakpoints_pass. */
+/* How an execution ended. After EXECUTION_AT_STOP the caller must call
+ * breakpoints_pass. */
 enum execution_end {
     EXECUTION_COMPLETE, /* as far as requested */
     EXECUTION_AT_STOP,

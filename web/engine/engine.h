@@ -38,8 +38,8 @@
  *                 members below are in the reply that has done true
  *
  * The other requests have these effects on unfinished work. about and grade keep it.
- * view and accounts keep it, except a profile or a timeline. All others give it up. A
- * movement that is given up leaves the program where it is; a profile or a timeline
+ * view and accounts keep it, except a profile or a timeline. All others abandon it. An
+ * abandoned execution leaves the program where it is; an abandoned profile or timeline
  * leaves it where it was before.
  *
  * ---- about: lists what the engine has
@@ -177,7 +177,7 @@
  *
  * ---- say: executes a line of the debugger
  *
- *   line          "why", "break 10", "continue", ..: docs/debugging.md; movements end
+ *   line          "why", "break 10", "continue", ..: docs/debugging.md; execution ends
  *                 at the end of the slice, or at limit
  *
  *   text          the debugger's reply
@@ -191,7 +191,7 @@
 
 struct engine;
 
-/* Default limit of clocks for a movement. */
+/* Default limit of clocks for an execution. */
 #define ENGINE_LIMIT UINT64_C(1000000000)
 /* Default limit of clocks for a run of a sweep. */
 #define ENGINE_SWEEP_LIMIT UINT64_C(100000000)
@@ -200,7 +200,7 @@ struct engine;
 struct engine *engine_new(void);
 void engine_free(struct engine *engine);
 
-/* Sets an upper limit of clocks for all movements and runs, which
+/* Sets an upper limit of clocks for all executions and runs, which
  * requests cannot exceed. */
 void engine_bound(struct engine *engine, uint64_t clocks);
 

@@ -27,7 +27,7 @@ struct slice {
     uint64_t clocks;   /* 0: no limit */
     uint64_t from;     /* the clock at its start */
     uint64_t spent;    /* by work other than the program's: clocks, or points */
-    uint64_t ends_at;  /* the clock at which the whole movement ends */
+    uint64_t ends_at;  /* the clock at which the whole execution ends */
     bool to_the_limit; /* ends_at was reached */
 };
 
@@ -48,7 +48,7 @@ struct printed {
     bool cut; /* output was dropped, at or after the last mark */
 };
 
-/* ---- A movement ----------------------------------------------------------------- */
+/* ---- An execution ----------------------------------------------------------------- */
 
 struct execution {
     enum execution_end (*move)(struct engine *engine);
@@ -85,7 +85,7 @@ struct engine {
     struct object *object;
     c205_model *model;
     struct debugger *debugger;
-    uint64_t bound; /* most clocks of a movement or a run */
+    uint64_t bound; /* most clocks of an execution or a run */
     struct printed printed;
     struct text_buffer said;        /* reports of the debugger, not yet in a reply */
     struct diagnostics diagnostics; /* of the text of this request */

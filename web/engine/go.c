@@ -1,10 +1,10 @@
-/* go.c - the request go, which moves the program slice by slice,
+/* go.c - the request go, which executes the program slice by slice,
  * and the request say. */
 #include <string.h>
 
 #include "web/engine/engine_internal.h"
 
-/* ---- Movements --------------------------------------------------------------- */
+/* ---- Executions --------------------------------------------------------------- */
 
 static enum execution_end go_to_end(struct engine *engine)
 {
@@ -174,8 +174,8 @@ bool answer_go(struct engine *engine, const struct json_value *request,
 
 /* ---- say ----------------------------------------------------------------- */
 
-/* Executes one line. A movement that exceeds the slice is
- * interrupted and reports that. */
+/* Executes one line. An execution that exceeds the slice is
+ * interrupted and reports this. */
 bool answer_printf(struct engine *engine, const struct json_value *request,
                    struct json *reply, c205_error *error)
 {
