@@ -40,7 +40,7 @@ enum {
     WORDS = FRAME_CHANNELS * PIXELS
 };
 
-/* --- forms ---------------------------------------------------------------- */
+/* ---- Forms --------------------------------------------------------------- */
 
 static bool is_orthographic(const struct scene *scene)
 {
@@ -189,7 +189,7 @@ static void trace_form(struct form *form, const struct scene *scene,
     layout_free(layout);
 }
 
-/* --- comparisons ---------------------------------------------------------- */
+/* ---- Comparisons --------------------------------------------------------- */
 
 static size_t first_other(const c205_word *words, const c205_word *expected,
                           size_t count)

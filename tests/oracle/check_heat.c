@@ -38,7 +38,7 @@ static struct heat_request usual(void)
                                   .model = model };
 }
 
-/* --- scenes ------------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 /* Lines see a surface without an inside from both sides; rays leave it from one side
  * only. */
@@ -88,7 +88,7 @@ static struct random_scene draw(uint64_t *state, size_t number)
     return (struct random_scene){ .text = text };
 }
 
-/* --- what must agree ---------------------------------------------------------- */
+/* ---- Comparisons --------------------------------------------------------- */
 
 static bool differs(double a, double a_error, double b, double b_error, double least)
 {

@@ -74,7 +74,7 @@ static bool blame(struct judgement *judgement, enum fault fault, const char *mes
     return false;
 }
 
-/* --- reading -------------------------------------------------------------- */
+/* ---- Reading ------------------------------------------------------------- */
 
 static struct scene *read_text(const char *text, struct judgement *judgement)
 {
@@ -95,7 +95,7 @@ static struct scene *read_text(const char *text, struct judgement *judgement)
     return scene;
 }
 
-/* --- forms ---------------------------------------------------------------- */
+/* ---- Forms --------------------------------------------------------------- */
 
 /* The forms; each is compared with the first one.  Queue lengths are random. */
 static const struct trace_options forms[] = {
@@ -147,7 +147,7 @@ static bool same_in_all_forms(const struct scene *scene, const struct trace *exp
     return good;
 }
 
-/* --- POV-Ray -------------------------------------------------------------- */
+/* ---- POV-Ray ------------------------------------------------------------- */
 
 /* A run of POV-Ray, and its input file. */
 struct sitting {
@@ -199,7 +199,7 @@ static char *text_seen_from(const char *text, const struct camera *camera, doubl
     return words;
 }
 
-/* --- pictures ------------------------------------------------------------- */
+/* ---- Pictures ------------------------------------------------------------ */
 
 static double shown(double sample)
 {
@@ -303,7 +303,7 @@ static bool same_as_povray(const char *text, const struct scene *scene, size_t n
     return good;
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 static uint64_t seed_of(size_t number)
 {
@@ -352,7 +352,7 @@ static struct judgement judge_again(const char *text, size_t number)
     return judge(text, number, &sitting);
 }
 
-/* --- failures ------------------------------------------------------------- */
+/* ---- Failures ------------------------------------------------------------ */
 
 /* Messages of POV-Ray are not compared: their last words name a position. */
 static bool fails_alike(const struct judgement *judgement,
@@ -386,7 +386,7 @@ static void show(const char *text, size_t number)
     keep_scene(path, text);
 }
 
-/* --- the command ---------------------------------------------------------- */
+/* ---- The command --------------------------------------------------------- */
 
 /* Scenes whose runs of POV-Ray have been started, by their numbers. */
 static struct waiting {

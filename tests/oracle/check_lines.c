@@ -28,7 +28,7 @@ enum { LINES = 40, WAYS = 3 };
 
 static c205_model *model;
 
-/* --- ways ----------------------------------------------------------------- */
+/* ---- Configurations ------------------------------------------------------ */
 
 static struct ray_query_options random_way(uint64_t *state)
 {
@@ -50,7 +50,7 @@ static struct ray_hits find_in(const struct scene *scene, struct ray_query_optio
     return find_lines(scene, &way, list, LINES);
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 static struct random_scene draw(uint64_t *state, size_t number)
 {

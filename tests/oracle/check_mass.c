@@ -35,7 +35,7 @@ static struct columns_options usual(void)
                                      .seed = 1 };
 }
 
-/* --- a solid, and where it goes ------------------------------------------- */
+/* ---- A solid and its transform ------------------------------------------- */
 
 struct motion {
     double scale[3], turn[3], move[3];
@@ -90,7 +90,7 @@ static char *text_of(const struct solid *solid, const struct motion *motion)
     return text;
 }
 
-/* --- what must agree ------------------------------------------------------ */
+/* ---- Comparisons --------------------------------------------------------- */
 
 struct comparing {
     char *reason;
@@ -218,7 +218,7 @@ static bool same_forms(const char *text, uint64_t *state, char *reason)
     return good;
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 static size_t measured_count;
 

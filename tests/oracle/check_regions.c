@@ -34,7 +34,7 @@ enum { WAYS = 5 };
 
 static c205_model *model;
 
-/* --- ways to trace -------------------------------------------------------- */
+/* ---- Configurations ------------------------------------------------------ */
 
 /* Tests every ray against every region, one after the other. */
 static const struct trace_options plainest = {
@@ -96,7 +96,7 @@ static struct trace_options some_way(uint64_t *state, const struct random_scene 
     return (struct trace_options){ .mode = TRACE_VECTOR, .queue = 77 };
 }
 
-/* --- frames --------------------------------------------------------------- */
+/* ---- Frames -------------------------------------------------------------- */
 
 /* A scene and the size of its frame. */
 struct sight {
@@ -138,7 +138,7 @@ static bool same_in(const struct sight *sight, const struct trace *expected,
     return good;
 }
 
-/* --- against the plain tracer --------------------------------------------- */
+/* ---- Comparison with the plain tracer ------------------------------------ */
 
 static bool same_as_plain(const struct sight *sight, const struct trace *trace,
                           enum certainty certainty, char *reason)
@@ -170,7 +170,7 @@ static bool same_as_plain(const struct sight *sight, const struct trace *trace,
     return good;
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 /* Configurations that must give one frame, and whether the plain tracer must agree.
  * After a failure only the failing one remains. */

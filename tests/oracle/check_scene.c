@@ -39,7 +39,7 @@ static const struct comparison roughly = {
     "colour", CHANNEL_RED, 3, 1, false, .05, .002
 };
 
-/* --- what is left out ----------------------------------------------------- */
+/* ---- Exceptions ---------------------------------------------------------- */
 
 enum {
     NO_POVRAY = 1,
@@ -96,7 +96,7 @@ static unsigned exceptions_of(const char *scene)
     return 0;
 }
 
-/* --- one scene file ------------------------------------------------------- */
+/* ---- One scene file ------------------------------------------------------ */
 
 static const c205_model *model;
 static size_t passed, failed;
@@ -181,7 +181,7 @@ static bool checksum(struct file *file, struct trace_options options, uint64_t *
     return trace != NULL;
 }
 
-/* --- equal frames --------------------------------------------------------- */
+/* ---- Equal frames -------------------------------------------------------- */
 
 /* Compares the frames of two configurations, in the same size. */
 static bool same(struct file *file, struct trace_options one,
@@ -295,7 +295,7 @@ static void check_historical(struct file *file, size_t width, size_t height)
     verdict(same(file, scalar, vector), file->path, "the forms of the way of 1984");
 }
 
-/* --- other tracers -------------------------------------------------------- */
+/* ---- Other tracers ------------------------------------------------------- */
 
 static bool report(const char *who, const struct comparison *comparison,
                    const struct frame *expected, const struct frame *found,
@@ -392,7 +392,7 @@ static void check_others(struct file *file)
     frame_free(&plain);
 }
 
-/* --- the command ---------------------------------------------------------- */
+/* ---- The command --------------------------------------------------------- */
 
 static unsigned turn_of(const char *path)
 {

@@ -49,7 +49,7 @@ static uint64_t seed_of(size_t number)
     return RANDOM_SEED ^ (number + 1) * SEED;
 }
 
-/* --- forms ---------------------------------------------------------------- */
+/* ---- Forms --------------------------------------------------------------- */
 
 /* The forms; each is compared with the first one. */
 static const struct trace_options forms[] = {
@@ -86,7 +86,7 @@ static bool same_in_all_forms(const struct scene *scene, const struct trace *exp
     return good;
 }
 
-/* --- other tracers -------------------------------------------------------- */
+/* ---- Other tracers ------------------------------------------------------- */
 
 static bool same_pictures(const struct comparison *comparison, const char *who,
                           const struct frame *expected, const struct frame *ours,
@@ -156,7 +156,7 @@ static bool same_as_povray(size_t number, const struct frame *ours, const bool *
     return good;
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 static bool same_as_others(const struct scene *scene, const struct trace *trace,
                            size_t number, char *reason)

@@ -19,7 +19,7 @@ struct grid {
     struct solid *solids[MAX_SOLIDS + 1]; /* with a ground */
 };
 
-/* --- random cases ------------------------------------------------------------ */
+/* ---- Random cases -------------------------------------------------------- */
 
 static double on_grid(uint64_t *state)
 {
@@ -40,7 +40,7 @@ static double size_on_grid(uint64_t *state)
     return below(state, 2) ? 1 : .5;
 }
 
-/* --- shapes --------------------------------------------------------------- */
+/* ---- Shapes -------------------------------------------------------------- */
 
 static void random_box(uint64_t *state, char *shape)
 {
@@ -158,7 +158,7 @@ static void random_shape(uint64_t *state, char *shape)
     shapes[below(state, sizeof shapes / sizeof *shapes)](state, shape);
 }
 
-/* --- looks and motions ---------------------------------------------------- */
+/* ---- Materials and transforms -------------------------------------------- */
 
 static void random_look(uint64_t *state, char *look)
 {
@@ -204,7 +204,7 @@ static void random_motion(uint64_t *state, char *motion)
     solid_words(motion, "%.120s%.120s", turn, shift);
 }
 
-/* --- solids --------------------------------------------------------------- */
+/* ---- Solids -------------------------------------------------------------- */
 
 static struct solid *random_joining(uint64_t *state)
 {
@@ -283,7 +283,7 @@ static struct solid *random_mesh(uint64_t *state)
     return solid;
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 static void random_view(uint64_t *state, struct grid *scene)
 {
@@ -368,7 +368,7 @@ static void draw_scene(uint64_t *state, struct grid *scene)
     put_on_ground(*state, scene);
 }
 
-/* --- text ----------------------------------------------------------------- */
+/* ---- Text ---------------------------------------------------------------- */
 
 static void print_solid(const struct solid *solid, double scale, FILE *text)
 {
@@ -395,7 +395,7 @@ static char *text_of(const struct grid *scene)
     return words;
 }
 
-/* --- in another order ----------------------------------------------------- */
+/* ---- Parts in another order ---------------------------------------------- */
 
 static void shuffle(struct solid **solids, size_t count, uint64_t *state)
 {

@@ -11,7 +11,7 @@ void write_turns(struct language *draw)
             write_text(draw, "$turn;");
 }
 
-/* --- pigments ------------------------------------------------------------- */
+/* ---- Pigments ------------------------------------------------------------ */
 
 /* Entries may have equal positions, and need not cover 0 to 1. */
 void write_map(struct language *draw)
@@ -57,7 +57,7 @@ void write_clear_look(struct language *draw)
     write_text(draw, "}\n$2[$finish;|$]$normal;");
 }
 
-/* --- finishes ------------------------------------------------------------- */
+/* ---- Finishes ------------------------------------------------------------ */
 
 /* Metals are not used where light is transmitted: for a checker whose colours transmit
  * different shares, POV-Ray computes a metal differently. */
@@ -92,7 +92,7 @@ void write_ground_finish(struct language *draw)
     write_finish_of(draw, one_in(&draw->state, 3));
 }
 
-/* --- normals -------------------------------------------------------------- */
+/* ---- Normals ------------------------------------------------------------- */
 
 void write_steepness(struct language *draw)
 {
@@ -144,7 +144,7 @@ void write_steep_normal(struct language *draw)
     write_normal_of(draw, 1);
 }
 
-/* --- textures ------------------------------------------------------------- */
+/* ---- Textures ------------------------------------------------------------ */
 
 void write_texture_words(struct language *draw)
 {

@@ -11,13 +11,13 @@
 #define AFTER_TURNED "location <.021, .033, -8>\ndirection <.02, .01, ^31.2:2^>\n"
 
 const struct language_rule language_rules[] = {
-    /* --- values --- */
+    /* ---- Values ---- */
     { "arrow", NULL, "~.5:2~$2[*| * $]vnormalize(<.013, .027, .041> + $v2;)" },
     { "color", write_color, NULL },
     { "made_color", NULL,
       "$6[$[rgb |color rgb |srgb $]~.2:1~|red ~0:1~ green ~0:1~ blue ~0:1~"
       "|$[rgb |rgb |color rgb |srgb |color srgb $]@.05:1@$]" },
-    /* --- declarations --- */
+    /* ---- Declarations ---- */
     { "float", NULL, "$[#declare |#local $]$+N; = $f3;;\n$!N;" },
     { "vector", NULL, "#declare $+V; = <.1, .2, .3> + $v2;;\n$!V;" },
     { "named_color", NULL, "#declare $+Color; = $color;;\n$!Color;" },
@@ -39,12 +39,12 @@ const struct language_rule language_rules[] = {
     { "motion", NULL, "#declare $+Motion; = transform {\n$turn;$turn;}\n$!Motion;" },
     { "solid", declare_solid, NULL },
     { "declared_look", declare_look, NULL },
-    /* --- motions --- */
+    /* ---- Transforms ---- */
     { "turn", NULL,
       "$5[rotate @-90:90@|rotate ~-90:90~$[*x|*y|*z$]|scale @.6:1.2@|scale ~.7:1.1~"
       "|matrix <1, ^3-.3:.3^, 0, ^3-.3:.3^, .9, 0, 0, ^3-.3:.3^, 1, 0, ^3-.2:.2^, 0>$]\n" },
     { "turns", write_turns, NULL },
-    /* --- pigments --- */
+    /* ---- Pigments ---- */
     /* Steps of a pattern are off the planes of the objects, where rounding would decide
      * between two of its colours. */
     { "pattern_place", NULL, "scale ^4.3:.9^\n$2[$turn;|$]" PLACE_OFF },
@@ -71,7 +71,7 @@ const struct language_rule language_rules[] = {
     /* A pigment for unbounded objects.  Far away POV-Ray's gradient differs, because
      * its values are reduced modulo 1.00001 below -1. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
-    /* --- finishes --- */
+    /* ---- Finishes ---- */
     { "reflection", NULL,
       "$3[reflection { ^3.1:.5^ }\n|" SHARE("reflection", ".5") "$]" },
     { "metallic", write_metallic, NULL },
@@ -90,7 +90,7 @@ const struct language_rule language_rules[] = {
                           "$3[specular ~.2:.9~\n$2[roughness ~.02:.2~\n|$]|$]$metallic;" },
     { "finish", write_finish, NULL },
     { "ground_finish", write_ground_finish, NULL },
-    /* --- normals --- */
+    /* ---- Normals ---- */
     /* Without the functions and streams of other numbers, so that the other random
      * choices do not depend on normals. */
     { "bump", NULL,
@@ -112,13 +112,13 @@ const struct language_rule language_rules[] = {
       "$.rotate <^2-60:60^, ^2-60:60^, 0>\n$." PLACE_OFF "$6[no_bump_scale\n|$]}\n" },
     { "normal", write_normal, NULL },
     { "steep_normal", write_steep_normal, NULL },
-    /* --- textures --- */
+    /* ---- Textures ---- */
     { "texture_words", write_texture_words, NULL },
     { "look", NULL,
       "$4[$pigment;$steep_normal;|$pigment;$finish;$normal;"
       "|texture {\n$texture_words;}\n$]" },
     { "clear_look", write_clear_look, NULL },
-    /* --- shapes --- */
+    /* ---- Shapes ---- */
     /* With a negative radius POV-Ray's bounding box is inside out: it shows the ball
      * only if there are fewer than three objects. */
     { "ball", NULL, "sphere {\n@-.2:.2@$[, | $]^4.4:.9^\n" },
@@ -160,7 +160,7 @@ const struct language_rule language_rules[] = {
       "text {\nttf \"timrom.ttf\" \"$[A|H|M|L$]\" ^3.1:.5^, ^20:.2^*x\n" },
     { "sheet", NULL,
       "$12[$sign;|$[$disc;|$disc;|$triangle;|$mesh;|$net;|$bicubic;|$polygon;$]$]" },
-    /* --- modifiers --- */
+    /* ---- Modifiers ---- */
     { "place", NULL, "translate <~-2.2:2.2~, ~-1:1.6~, ~-2:2~>\n" },
     /* For a part of a solid, so that no faces coincide. */
     { "shift", NULL, SHIFT },
@@ -168,11 +168,11 @@ const struct language_rule language_rules[] = {
     { "cuts", NULL, "$8[$clip;|$]$10[hollow\n|$]" HIDDEN("10") },
     /* A texture before, between or after the transforms. */
     { "dress", NULL, "$turns;$look;$turns;" },
-    /* --- solids --- */
+    /* ---- Solids ---- */
     { "listed_solid", write_listed_solid, NULL },
     { "great_solid", write_great_solid, NULL },
     { "reference", NULL, "object {\n$=Solid;\n$2[$look;|$]$turns;" SHIFT "}\n" },
-    /* --- things --- */
+    /* ---- Objects ---- */
     { "shape_thing", NULL, "$shape;$dress;$cuts;$place;}\n" },
     { "sheet_thing", NULL, "$sheet;$dress;" HIDDEN("8") "$place;}\n" },
     /* These words have no effect here. */
@@ -215,7 +215,7 @@ const struct language_rule language_rules[] = {
       "$[$shape_thing;|$shape_thing;|$sheet_thing;|$sheet_thing;|$sheet_thing;"
       "|$solid_thing;|$solid_thing;|$solid_thing;|$group;|$bounded_thing;|$for;|$while;"
       "|$condition;|$switch;|$defined;$]" },
-    /* --- cameras, lights, the ground --- */
+    /* ---- Cameras, lights, the ground ---- */
     { "width", NULL,
       "$[right x*image_width/image_height|right 4/3*x|right -x*4/3|right x*4/3 up y"
       "|up 1.2*y right 1.6*x$]\n" },

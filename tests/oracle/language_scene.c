@@ -8,7 +8,7 @@
 
 #include <stdlib.h>
 
-/* --- declarations --------------------------------------------------------- */
+/* ---- Declarations -------------------------------------------------------- */
 
 /* Without macros: POV-Ray does not call them there. */
 void declare_array(struct language *draw)
@@ -43,7 +43,7 @@ static void write_declarations(struct language *draw)
     write_times(draw, 2 + below(&draw->state, 8), "$declaration;");
 }
 
-/* --- settings ------------------------------------------------------------- */
+/* ---- Settings ------------------------------------------------------------ */
 
 static void write_settings(struct language *draw)
 {
@@ -89,7 +89,7 @@ static void write_fog(struct language *draw)
                          "|rgbft <.6, .5, .8, .4, .1>|@.2:1@$] }\n");
 }
 
-/* --- cameras and lights --------------------------------------------------- */
+/* ---- Cameras and lights -------------------------------------------------- */
 
 /* The camera looks obliquely, so that no ray is parallel to a face. */
 static void write_looking_camera(struct language *draw)
@@ -154,7 +154,7 @@ static void write_lamp(struct language *draw)
     write_text(draw, "$5[translate <^3-2:2^, 1, .5>\n|$]}\n");
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 char *language_scene_text(uint64_t seed)
 {

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- solids --------------------------------------------------------------- */
+/* ---- Solids -------------------------------------------------------------- */
 
 /* Makes an outline that does not intersect itself, sometimes with a hole.  Its edges
  * are straight, or parabolas, where each loop has a point before its first. */
@@ -165,7 +165,7 @@ void open_quadric(struct language *draw)
     write_text(draw, quadrics[below(&draw->state, 4)], digit);
 }
 
-/* --- sheets --------------------------------------------------------------- */
+/* ---- Surfaces ------------------------------------------------------------ */
 
 /* bent: how much its normals, if any, and its plane are tilted.  POV-Ray does not show
  * a single triangle if its normals are not all on one side of it, in every intermediate

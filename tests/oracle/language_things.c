@@ -21,7 +21,7 @@ void write_clip(struct language *draw)
     write_text(draw, "}\n");
 }
 
-/* --- solids --------------------------------------------------------------- */
+/* ---- Solids -------------------------------------------------------------- */
 
 static void write_leaf(struct language *draw, enum standing standing)
 {
@@ -89,7 +89,7 @@ void declare_solid(struct language *draw)
     write_text(draw, "$!Solid;");
 }
 
-/* --- things --------------------------------------------------------------- */
+/* ---- Statements ---------------------------------------------------------- */
 
 void write_for(struct language *draw)
 {

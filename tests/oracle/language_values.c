@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- names ---------------------------------------------------------------- */
+/* ---- Names --------------------------------------------------------------- */
 
 static const char *const name_of[LANGUAGE_NAMES] = {
     [NAME_FLOAT] = "N",      [NAME_VECTOR] = "V",        [NAME_COLOR] = "Color",
@@ -30,7 +30,7 @@ static void write_name(struct language *draw, enum language_name kind, char use)
                 use == '=' ? below(&draw->state, *count) : *count);
 }
 
-/* --- expressions ---------------------------------------------------------- */
+/* ---- Expressions --------------------------------------------------------- */
 
 static void write_float(struct language *draw, int depth);
 static void write_vector(struct language *draw, int depth);
@@ -198,7 +198,7 @@ void write_number(struct language *draw, double low, double high)
                    high - low);
 }
 
-/* --- colours -------------------------------------------------------------- */
+/* ---- Colours ------------------------------------------------------------- */
 
 /* Prints an opaque colour with its keyword. */
 void write_color(struct language *draw)
@@ -220,7 +220,7 @@ void write_color(struct language *draw)
         write_text(draw, "$made_color;");
 }
 
-/* --- patterns ------------------------------------------------------------- */
+/* ---- Patterns ------------------------------------------------------------ */
 
 static void expand(struct language *draw, const char *pattern, const char *end);
 

@@ -13,7 +13,7 @@
 #define LEAST 1e-6 /* k_tmin: nearer hits are ignored */
 enum { ROUNDED_EACH = 50 };
 
-/* --- lines ---------------------------------------------------------------- */
+/* ---- Lines --------------------------------------------------------------- */
 
 void draw_camera_lines(uint64_t *state, const struct scene *scene,
                        struct scene_ray *list, size_t count)
@@ -59,7 +59,7 @@ struct ray_hits find_lines(const struct scene *scene,
     return found;
 }
 
-/* --- one form and another ------------------------------------------------- */
+/* ---- Comparison of two forms --------------------------------------------- */
 
 static bool is_same(const struct ray_hit *a, const struct ray_hit *b)
 {
@@ -108,7 +108,7 @@ bool same_distances(const struct ray_hits *expected, const struct ray_hits *foun
     return same_by(expected, found, is_as_far, reason);
 }
 
-/* --- rules ---------------------------------------------------------------- */
+/* ---- Rules --------------------------------------------------------------- */
 
 /* One line, its hits, and the distance before its origin. */
 struct along {
@@ -272,7 +272,7 @@ bool keep_line_rules(const struct scene *scene, const struct scene_ray *list,
     return true;
 }
 
-/* --- the plain tracer ----------------------------------------------------- */
+/* ---- The plain tracer ---------------------------------------------------- */
 
 static bool is_plain(const struct ray_hit *seen, const struct plain_crossing *plain,
                      bool certain)

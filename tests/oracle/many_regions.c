@@ -28,7 +28,7 @@ struct drawing {
     bool endless;                          /* some objects are unbounded */
 };
 
-/* --- groups --------------------------------------------------------------- */
+/* ---- Groups -------------------------------------------------------------- */
 
 /* The properties of a group, and the function that places its members. */
 struct group {
@@ -206,7 +206,7 @@ static void join_some(struct drawing *drawing)
     scene->solids[scene->solid_count++] = whole;
 }
 
-/* --- eyes and lamps ------------------------------------------------------- */
+/* ---- Cameras and lights -------------------------------------------------- */
 
 /* Returns the position of a random object. */
 static struct place some_place(const struct drawing *drawing)
@@ -330,7 +330,7 @@ static void random_settings(const struct drawing *drawing)
                 scene->levels, bailouts[below(drawing->state, 4)], fog);
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 static size_t leaves(const struct solid *solid)
 {

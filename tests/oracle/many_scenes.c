@@ -95,7 +95,7 @@ int check_many(int count, char **words, bool (*check)(size_t number, bool first)
     return failed > 0;
 }
 
-/* --- random scenes -------------------------------------------------------- */
+/* ---- Random scenes ------------------------------------------------------- */
 
 static const struct random_check *the_check;
 

@@ -14,7 +14,7 @@ void place_make_short(struct place *place)
     place->size = grain * round(place->size / grain);
 }
 
-/* --- shapes --------------------------------------------------------------- */
+/* ---- Shapes -------------------------------------------------------------- */
 
 typedef void random_shape(uint64_t *state, const struct place *place,
                           struct solid *solid);
@@ -240,7 +240,7 @@ struct solid *endless_at(uint64_t *state, const struct place *place)
     return solid;
 }
 
-/* --- looks ---------------------------------------------------------------- */
+/* ---- Materials ----------------------------------------------------------- */
 
 void random_look(uint64_t *state, enum mood mood, char *look)
 {
@@ -275,7 +275,7 @@ void random_look(uint64_t *state, enum mood mood, char *look)
                     finish, shadow);
 }
 
-/* --- solids --------------------------------------------------------------- */
+/* ---- Solids -------------------------------------------------------------- */
 
 enum solid_joining random_joining(uint64_t *state)
 {

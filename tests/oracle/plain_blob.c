@@ -9,7 +9,7 @@
 
 enum { NODES = HIGHEST_DEGREE + 1 };
 
-/* --- the field ---------------------------------------------------------- */
+/* ---- The field ----------------------------------------------------------- */
 
 static void own_point(const struct transform *transform, const double point[3],
                       double own[3])
@@ -74,7 +74,7 @@ static void blob_normal(const struct primitive *primitive, const double point[3]
     }
 }
 
-/* --- where it changes ---------------------------------------------------- */
+/* ---- Ends of the intervals ----------------------------------------------- */
 
 struct places {
     size_t count;
@@ -149,7 +149,7 @@ static void find_places(const struct primitive *primitive, const struct ray *ray
     qsort(places->at, places->count, sizeof *places->at, by_place);
 }
 
-/* --- between two places --------------------------------------------------- */
+/* ---- Roots in an interval ------------------------------------------------ */
 
 /* Computes the polynomial in x, -1 to 1 over the interval, with the given values at the
  * nodes. */

@@ -6,7 +6,7 @@
 
 #include <math.h>
 
-/* --- heights -------------------------------------------------------------- */
+/* ---- Heights ------------------------------------------------------------- */
 
 /* Interpolates between two ends with their slopes, by a cubic Hermite spline. */
 static double between_ends(const struct slope_stop *a, const struct slope_stop *b,
@@ -34,7 +34,7 @@ static double height(const struct bump *bump, const double point[3])
                         (value - stops[k].at) / (stops[k + 1].at - stops[k].at));
 }
 
-/* --- spaces --------------------------------------------------------------- */
+/* ---- Transforms ---------------------------------------------------------- */
 
 static void map_point(const struct transform *map, const double point[3],
                       double there[3])
@@ -70,7 +70,7 @@ static void there_from(const struct transform *map, const double normal[3],
     there[2] = triple(rows[0], rows[1], normal) / whole;
 }
 
-/* --- bumps ---------------------------------------------------------------- */
+/* ---- Bumps --------------------------------------------------------------- */
 
 /* Tilts the normal away from the pattern's gradient, by differences between the corners
  * of a tetrahedron. */

@@ -10,7 +10,7 @@
 #define SMALL_ANGLE 1e-10
 #define SHADOW_DISTANCE 1e-3
 
-/* --- surfaces ----------------------------------------------------------- */
+/* ---- Surfaces ------------------------------------------------------------ */
 
 /* Returns which of the checker's two cells contains the point, or whether the point is
  * outside the image. */
@@ -142,7 +142,7 @@ double plain_mirror(const struct plain_surface *surface, double index, double co
     return weight;
 }
 
-/* --- shadows ------------------------------------------------------------ */
+/* ---- Shadows ------------------------------------------------------------- */
 
 static bool casts_shadow(const struct scene *scene, const struct region *region)
 {
@@ -180,7 +180,7 @@ static void pass_scene(const struct plain_tracer *tracer, const struct ray *ray,
             pass_region(tracer, &scene->regions[i], ray, distance, color);
 }
 
-/* --- light -------------------------------------------------------------- */
+/* ---- Light --------------------------------------------------------------- */
 
 /* Computes the vector from a point to the light.  Parallel rays start on a plane. */
 static double way_to_light(const struct light *light, const double point[3],
@@ -262,8 +262,8 @@ static double share_of_light(const struct light *light, const double point[3],
     return share;
 }
 
-/* Returns the weight of a place on one side of an area light.  Of two places each has
- * half; longer ranges are bisected. */
+/* Returns the weight of a place on one side of an area light.  Each of two places has
+ * half of it; longer ranges are bisected. */
 static double side_share(int from, int to, int place)
 {
     if (place < from || place > to)

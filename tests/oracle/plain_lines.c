@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- bodies ------------------------------------------------------------- */
+/* ---- Bodies -------------------------------------------------------------- */
 
 /* Returns whether a lathe's path ends where it starts, or has both ends on the axis,
  * where no surface is missing. */
@@ -54,7 +54,7 @@ bool plain_is_inside(const struct scene *scene, const struct region *region,
     return inside;
 }
 
-/* --- lines -------------------------------------------------------------- */
+/* ---- Lines --------------------------------------------------------------- */
 
 struct seen_list {
     struct plain_crossing *list;

@@ -107,7 +107,7 @@ static bool cross_triangle(const struct triangle *triangle, const struct ray *ra
     return true;
 }
 
-/* --- of many ------------------------------------------------------------- */
+/* ---- Nearest and sorted crossings ---------------------------------------- */
 
 /* Orders crossings: those ahead of the origin first, then by distance. */
 static bool goes_before(double a, double b)
@@ -117,8 +117,8 @@ static bool goes_before(double a, double b)
     return fabs(a) < fabs(b);
 }
 
-/* Returns whether a crossing is known at this distance.  Of triangles that meet the
- * line in one point, as on an edge, the first counts. */
+/* Returns whether a crossing is known at this distance.  If several triangles
+ * have the same crossing with the line, as on an edge, the first counts. */
 static bool is_known(const struct crossing *crossings, size_t count, double distance)
 {
     long double within = SAME * (1 + fabsl(distance));
@@ -158,7 +158,7 @@ size_t cross_mesh(const struct primitive *primitive, const struct ray *ray,
     return count;
 }
 
-/* --- inside --------------------------------------------------------------- */
+/* ---- Inside -------------------------------------------------------------- */
 
 /* Counts the crossings of a ray from a point; -1: the ray is so near to an edge that
  * the count is uncertain. */

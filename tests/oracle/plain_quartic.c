@@ -62,7 +62,7 @@ static size_t cross_surface(const struct along *surface,
     return count;
 }
 
-/* --- tori --------------------------------------------------------------- */
+/* ---- Tori ---------------------------------------------------------------- */
 
 /* The ellipse of the tube has its centre at the distance `major` from the y axis:
  *     ((sqrt(x^2 + z^2) - major) / radial)^2 + (y / axial)^2 = 1.
@@ -134,7 +134,7 @@ size_t cross_elliptical_torus(const struct primitive *primitive, const struct ra
     return cross_any_torus(&torus, ray, crossings);
 }
 
-/* --- any quartic -------------------------------------------------------- */
+/* ---- Any quartic --------------------------------------------------------- */
 
 /* The powers of x, y and z of the terms in order: descending in x, then in y, then in
  * z. */

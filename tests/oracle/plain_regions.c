@@ -20,7 +20,7 @@ struct crossing_list {
     struct place places[]; /* from near to far */
 };
 
-/* --- transforms -------------------------------------------------------- */
+/* ---- Transforms ---------------------------------------------------------- */
 
 static void turn(const struct transform *transform, const double in[3], double out[3])
 {
@@ -46,7 +46,7 @@ static void normal_to_world(const struct transform *to_local, const double in[3]
     normalise(out);
 }
 
-/* --- crossings ---------------------------------------------------------- */
+/* ---- Crossings ----------------------------------------------------------- */
 
 struct crossing_list *crossing_list_new(const struct scene *scene)
 {
@@ -101,7 +101,7 @@ void plain_cross_region(struct crossing_list *list, const struct scene *scene,
         cross_primitive(list, &scene->primitives[region->first_primitive + i]);
 }
 
-/* --- the tree ----------------------------------------------------------- */
+/* ---- The tree ------------------------------------------------------------ */
 
 /* A point of the ray just before a crossing, or just after it. */
 struct probe {
@@ -179,7 +179,7 @@ bool plain_holds(const struct crossing_list *list, double distance)
     return is_solid(&probe);
 }
 
-/* --- what is seen ------------------------------------------------------- */
+/* ---- Visible crossings --------------------------------------------------- */
 
 /* The points just before and just after a crossing. */
 struct sides {
@@ -210,8 +210,8 @@ static bool shows(const struct sides *sides, const struct primitive *primitive)
     return is_alone(region) || shows_below(sides, region->first_node, primitive);
 }
 
-/* Of the crossings within the tolerance, returns that of the first primitive that is
- * visible there; of several of one primitive, the nearest. */
+/* Returns the crossing within the tolerance that belongs to the first primitive that is
+ * visible there. If this primitive has several, returns the nearest. */
 static const struct place *first_shown(const struct crossing_list *list,
                                        const struct sides *sides,
                                        const struct place *seen)

@@ -42,7 +42,7 @@ enclose_point plain_encloses;
     enclose_point in_##name;
 #include "rt/shapes/shapes.def"
 
-/* --- vectors ----------------------------------------------------------- */
+/* ---- Vectors ------------------------------------------------------------- */
 
 static inline double dot(const double a[3], const double b[3])
 {

@@ -51,7 +51,7 @@ static long double polar(const struct conic *conic, const struct place *a,
     return sum;
 }
 
-/* --- the conics --------------------------------------------------------- */
+/* ---- The conics ---------------------------------------------------------- */
 
 static void cross_product(const double a[3], const double b[3], double result[3])
 {
@@ -92,7 +92,7 @@ static struct conic conic_of(const struct primitive *primitive, const struct ray
     return conic;
 }
 
-/* --- the search --------------------------------------------------------- */
+/* ---- The search ---------------------------------------------------------- */
 
 static void note(struct search *search, const struct place *place)
 {
@@ -182,7 +182,7 @@ static void look_within(struct search *search, const struct place corners[3],
     }
 }
 
-/* --- back to space ------------------------------------------------------ */
+/* ---- Normals and distances ----------------------------------------------- */
 
 /* H is the sum of the rows times s, t, u; half of its derivative by one of them is that
  * row. */

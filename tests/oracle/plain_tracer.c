@@ -39,7 +39,7 @@ struct path {
 static void trace_path(const struct plain_tracer *tracer, const struct path *path,
                        struct plain_hit *hit, double color[3]);
 
-/* --- the nearest hit ---------------------------------------------------- */
+/* ---- The nearest hit ----------------------------------------------------- */
 
 static bool has_clear_part(const struct scene *scene, size_t region)
 {
@@ -107,7 +107,7 @@ static size_t find_nearest(const struct plain_tracer *tracer, const struct path 
     return found;
 }
 
-/* --- what a ray is in --------------------------------------------------- */
+/* ---- Bodies that contain a ray ------------------------------------------- */
 
 /* Initializes the interiors of a ray from the eye: none, or the one that it leaves
  * first. */
@@ -161,7 +161,7 @@ static double mirror_index(const struct interiors *in, const struct primitive *s
     return (in->count > 1 ? innermost : 1) / surface->ior;
 }
 
-/* --- rays that come of a hit -------------------------------------------- */
+/* ---- Spawned rays -------------------------------------------------------- */
 
 /* A hit, and the colour to which its rays are added. */
 struct branching {
@@ -320,7 +320,7 @@ static void trace_path(const struct plain_tracer *tracer, const struct path *pat
     see_through_fogs(tracer->scene, hit->primitive ? hit->distance : 2e10, color);
 }
 
-/* --- the frame ---------------------------------------------------------- */
+/* ---- The frame ----------------------------------------------------------- */
 
 /* Converts colours that were computed for a display with a gamma to linear light. */
 static double as_light(const struct scene *scene, double color)

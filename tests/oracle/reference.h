@@ -10,7 +10,7 @@
  * *possible*: the machine may trap or not.  All other faults are certain.  If an
  * instruction has several faults, the machine may report any of them.
  *
- * Comparison with the machine settled what the text does not define: the IBX branches
+ * The text leaves some points open, which follow the machine: the IBX branches
  * clear the high 16 bits; an unused field, and the zeros bit without a control vector,
  * are undefined.
  */

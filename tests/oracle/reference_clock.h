@@ -3,9 +3,9 @@
  * Written from docs/timing.md: for each instruction, the waits in their order and the
  * cause that each is charged to.
  *
- * Comparison with the machine settled what the text does not define.  Ranges of memory
- * are in the order A, B, Z, C (sparse: X, Y, A, B, C, Z; a linked pair: A and B of
- * the first, then the second), and neighbours count as two sources.  At the end the
+ * The text leaves the following points open; here they follow the machine.  Ranges of
+ * memory are in the order A, B, Z, C (sparse: X, Y, A, B, C, Z; a linked pair: A and B
+ * of the first, then the second), and neighbours count as two sources.  At the end the
  * clock waits for the vector unit first, then for loads, then for results, including
  * those for register 0.
  */

@@ -103,8 +103,8 @@ static bool is_machine_zero(c205_word word)
     return word >> 60 == 8;
 }
 
-/* Returns whether word replaces best.  Of equal elements the first remains, as does the
- * first indefinite one. */
+/* Returns true if word replaces best.  An equal element does not, and nothing replaces
+ * an indefinite one. */
 static bool surpasses(const struct oracle_format *format, c205_word word,
                       c205_word best, bool greatest)
 {

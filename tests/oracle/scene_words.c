@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* --- lights ----------------------------------------------------------------- */
+/* ---- Lights -------------------------------------------------------------- */
 
 static void aim(uint64_t *state, const double position[3], double size,
                 char words[SOLID_WORDS])
@@ -93,7 +93,7 @@ void beam_words(uint64_t state, const double position[3], double size,
     }
 }
 
-/* --- normals ---------------------------------------------------------------- */
+/* ---- Normals ------------------------------------------------------------- */
 
 void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS])
 {
@@ -116,7 +116,7 @@ void bump_words(uint64_t state, size_t in, char look[SOLID_WORDS])
                 bumps[below(&state, sizeof bumps / sizeof *bumps)]);
 }
 
-/* --- meshes ----------------------------------------------------------------- */
+/* ---- Meshes -------------------------------------------------------------- */
 
 /* Returns a vector; no two of them are parallel, and none is parallel to an axis. */
 static const char *inside(uint64_t *state)

@@ -90,7 +90,7 @@ static void triangle_words(uint64_t *state, const struct stand *at, char *words)
                 -at->size, y, -at->size, at->size, y, -at->size, at->size, y);
 }
 
-/* --- scenes --------------------------------------------------------------- */
+/* ---- Scenes -------------------------------------------------------------- */
 
 struct drawing {
     uint64_t state;
