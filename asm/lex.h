@@ -45,7 +45,7 @@ bool cursor_at_end(const struct cursor *cursor);
  * end of the line, so that errors of later operands are reported as well. */
 void cursor_skip(struct cursor *cursor, const struct cursor *start);
 
-/* Reports what was expected instead of the next token, and returns false. */
+/* Reports that `what` was expected instead of the next token. Returns false. */
 bool expected(struct cursor *cursor, const char *what);
 bool expect_operator(struct cursor *cursor, int code, const char *what);
 bool expect_end(struct cursor *cursor);

@@ -1,4 +1,4 @@
-/* print.h - prints what a program requests of the monitor.
+/* print.h - executes the print requests of a program to the monitor.
  *
  * The requests are EXIT R, S, request with
  *

@@ -15,8 +15,8 @@ enum suggestion {
 const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
                     size_t length);
 
-/* Reports what was expected instead of the next token, with a
- * suggestion, and returns false. */
+/* Reports that `what` was expected instead of the next token, with a
+ * suggestion. Returns false. */
 bool expected_name(struct cursor *cursor, const char *what, enum suggestion kind);
 
 /* Return the name of directive i of directive.c, expand.c and condition.c, or

@@ -19,8 +19,8 @@ char *file_read(const char *path, size_t largest, size_t *length, c205_error *er
 /* Returns the text of such an errno. */
 const char *file_reason(int code);
 
-/* Returns true if a path names an existing regular file. Otherwise the error states
- * what it is ("a folder"). */
+/* Returns true if a path names an existing regular file. Otherwise the error names
+ * the kind of file ("a folder"). */
 bool file_is_plain(const char *path, c205_error *error);
 
 /* Returns true if two paths name one file, also through links. Neither needs to

@@ -1,7 +1,8 @@
 /* json_read.h - reads JSON (RFC 8259) strictly into a tree.
  *
- * Texts in the tree are UTF-8 and end with a NUL, which no text may contain. Of several
- * members with one key the first counts. Any input gives a tree or an error.
+ * Texts in the tree are UTF-8 and end with a NUL, which no text may contain. If a key
+ * occurs more than once in an object, the first member counts. Any input gives a tree
+ * or an error.
  */
 #ifndef BASE_JSON_READ_H
 #define BASE_JSON_READ_H

@@ -1,5 +1,5 @@
-/* breakpoints.c - breakpoints and watchpoints: lists of addresses, and copies of the watched
- * words.
+/* breakpoints.c - breakpoints and watchpoints: lists of addresses, and copies of the
+ * watched words.
  */
 #include "vm/breakpoints.h"
 

@@ -61,8 +61,8 @@ double c205_to_double(c205_word word);
 c205_word c205_from_integer(int64_t value);
 /* Returns the low 48 bits, sign extended. */
 int64_t c205_to_integer(c205_word word);
-/* The parts of a descriptor of a vector: its bit address, the 48 bits at the right, and its
- * length in elements, the 16 bits at the left. */
+/* The parts of a descriptor of a vector: its bit address, the 48 bits at the right, and
+ * its length in elements, the 16 bits at the left. */
 uint64_t c205_descriptor_address(c205_word descriptor);
 size_t c205_descriptor_length(c205_word descriptor);
 
@@ -660,8 +660,8 @@ uint64_t c205_history_known(const c205_history *history);
 /* Executes one instruction like c205_step. If the program has ended, returns the same
  * stop again. */
 bool c205_history_forward(c205_history *history, c205_stop *stop);
-/* Goes to an earlier step. Of the instructions that run again, listeners are notified
- * of the last one only. False: out of memory; the machine is unchanged, or at a step
+/* Goes to an earlier step. Listeners are notified only of the last instruction
+ * that runs again. False: out of memory; the machine is unchanged, or at a step
  * before the wanted one. */
 bool c205_history_back(c205_history *history, uint64_t step, c205_error *error);
 /* Must be called after the host wrote registers or memory: later steps are discarded.

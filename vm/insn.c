@@ -176,7 +176,7 @@ enum { PLACES = sizeof places / sizeof places[0], OPCODE_SHIFT = 56 };
 enum immediate { NO_IMMEDIATE, SIGNED, UNSIGNED, IF_RELATIVE };
 
 /* The byte fields and the immediate of each format. The immediate of a branch with
- * G_RELATIVE overlaps its fields Y and B, and is signed. */
+ * C205_G_RELATIVE overlaps its fields Y and B, and is signed. */
 static const struct format_layout {
     const char *letters;
     enum immediate immediate;

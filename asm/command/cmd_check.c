@@ -41,7 +41,7 @@ static struct table *trial_table(const struct lesson_verdict *verdict)
     return table;
 }
 
-/* Joins the sentences. Of the lines below a sentence only the first is included. */
+/* Joins the sentences, each with at most the first of the lines below it. */
 void check_join(struct text_buffer *buffer, const struct lesson_report *report)
 {
     struct sink sink = text_buffer_sink(buffer);

@@ -2,8 +2,8 @@
  *
  * A request is a function that reads its arguments and writes the body of its response.
  * If it fails it reports the error by dap_fault or by a debug_fault of the engine, and
- * returns false. Work that must follow the response, such as an execution request, is left in
- * `then`.
+ * returns false. Work that must follow the response, such as an execution request, is
+ * left in `then`.
  */
 #ifndef ASM_DAP_DAP_INTERNAL_H
 #define ASM_DAP_DAP_INTERNAL_H

@@ -1,5 +1,5 @@
-/* breakpoints.c - breakpoints and watchpoints: creates and deletes them, checks whether they
- * are met. */
+/* breakpoints.c - breakpoints and watchpoints: creates and deletes them, checks whether
+ * they are met. */
 #include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>

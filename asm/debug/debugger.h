@@ -49,8 +49,8 @@ void debugger_free(struct debugger *debugger);
 
 /* Prints the current location. */
 void debugger_greet(struct debugger *debugger);
-/* Executes a line; an empty line repeats the last execution command. Returns false if the line
- * was quit. */
+/* Executes a line; an empty line repeats the last execution command. Returns
+ * false if the line was quit. */
 bool debugger_obey(struct debugger *debugger, const char *line);
 /* Returns the number of lines that failed, including failed assertions. */
 size_t debugger_faults(const struct debugger *debugger);

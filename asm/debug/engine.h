@@ -104,8 +104,8 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
 
 void text_cursor_skip(struct text_cursor *cursor);
 bool text_cursor_end(struct text_cursor *cursor);
-/* Skips a word (letters, digits, _ . $) that is equal to `word` or, in text_cursor_begin, is a
- * prefix of it. Returns whether there was one. */
+/* Skips a word (letters, digits, _ . $) that is equal to `word` or, in
+ * text_cursor_begin, is a prefix of it. Returns true if there was one. */
 bool text_cursor_take(struct text_cursor *cursor, const char *word);
 bool text_cursor_begin(struct text_cursor *cursor, const char *word);
 /* Fails if any text is left. */
@@ -206,8 +206,8 @@ bool breakpoints_wanted(struct debugger *debugger, struct breakpoint *stop,
                         const char *text);
 /* Adds a copy of the stop and assigns its number. Fails if memory is exhausted. */
 bool breakpoints_add(struct debugger *debugger, struct breakpoint *stop);
-/* breakpoints_delete deletes the stop with a number, and returns false if there is none;
- * breakpoints_forget deletes all stops of a group. */
+/* breakpoints_delete deletes the stop with a number, and returns false if there is
+ * none; breakpoints_forget deletes all stops of a group. */
 bool breakpoints_delete(struct debugger *debugger, uint64_t number);
 void breakpoints_forget(struct debugger *debugger, size_t group);
 

@@ -1,4 +1,5 @@
-/* execution_control.c - executes a program forward and back, to stops, lines, steps and clocks. */
+/* execution_control.c - executes a program forward and back, to stops, lines, steps and
+ * clocks. */
 #include <string.h>
 
 #include "asm/debug/engine.h"

@@ -1,5 +1,5 @@
-/* execution_control.h - executes the program of a debugger forward and back, for callers
- * that do not use command lines.
+/* execution_control.h - executes the program of a debugger forward and back, for
+ * callers that do not use command lines.
  *
  * Each function reports an error once, to the debugger's sink, and returns
  * EXECUTION_FAILED. If the debugger's `interrupted` ends it, it returns

@@ -10,9 +10,9 @@
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
                        c205_error *error);
 
-/* report_printf adds a sentence of at most 1,023 bytes. report_buffer adds the text of a
- * buffer without the newlines at its end, and frees the buffer. If memory is exhausted
- * the arena is marked as failed. */
+/* report_printf adds a sentence of at most 1,023 bytes. report_buffer adds the text of
+ * a buffer without the newlines at its end, and frees the buffer. If memory is
+ * exhausted the arena is marked as failed. */
 void report_printf(struct lesson_report *report, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))

@@ -1,5 +1,5 @@
-/* serialized_result.h - a growing row of 64-bit words: the result of a unit of work, as it is
- * stored in files and sent in messages. */
+/* serialized_result.h - a growing row of 64-bit words: the result of a unit of work, as
+ * it is stored in files and sent in messages. */
 #ifndef RT_FARM_WORDS_H
 #define RT_FARM_WORDS_H
 

@@ -6,7 +6,7 @@
 #include "rt/shapes/viewpoints.h"
 
 /* Collects the viewpoints: the camera, if its rays start at one point, then the
- * lights that cast shadows from one point, up to MAX_EYES. */
+ * lights that cast shadows from one point, up to MAX_VIEWPOINTS. */
 void viewpoints_find(const struct scene *scene, struct viewpoints *viewpoints);
 
 #endif

@@ -28,8 +28,9 @@ enum image_mapping {
     IMAGE_MAPPINGS
 };
 /* How the colour at a position is interpolated: the colour of the nearest pixel, or a
- * weighted mean of the four pixels whose centres are around it. BILINEAR weighs them by
- * the distances along both edges, BY_DISTANCE by the squares of their distances. */
+ * weighted mean of the four pixels whose centres are around it. IMAGE_BILINEAR weighs
+ * them by the distances along both edges, IMAGE_BY_DISTANCE by the squares of their
+ * distances. */
 enum image_sampling {
     IMAGE_NEAREST,
     IMAGE_BILINEAR,

@@ -10,7 +10,7 @@
  * w along the axis. Returns the length of the axis. */
 double axis_words(const double base[3], const double cap[3], double *words);
 bool axis_is_point(const double base[3], const double cap[3]);
-/* Normalises a normal. Returns what is wrong with it, or NULL. */
+/* Normalises a normal. Returns an error message, or NULL. */
 const char *axis_make_normal(double normal[3]);
 
 #endif

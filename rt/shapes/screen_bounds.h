@@ -1,5 +1,5 @@
-/* screen_bounds.h - screen bounds of a mesh: for each node of its hierarchy a window, as
- * seen from a viewpoint (an eye) that many rays pass through.
+/* screen_bounds.h - screen bounds of a mesh: for each node of its hierarchy a window,
+ * as seen from a viewpoint (an eye) that many rays pass through.
  *
  * The eye looks along the axis w on which its distance from the mesh is greatest. With
  * u and v, the two axes after w in cyclic order, the projection of a point p is

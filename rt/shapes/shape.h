@@ -72,8 +72,8 @@ enum { MAX_SHAPE_WORDS = 16, MAX_PATH = 2000 };
 struct shape {
     /* Ends with TAKES_END. A shape that has its own parser has none before it. */
     const struct shape_field *fields;
-    /* Converts the arguments to the form that is traced. Returns what is wrong, or
-     * NULL; the result of shape_empty if the shape is invisible. */
+    /* Converts the arguments to the form that is traced. Returns NULL, an
+     * error message, or the result of shape_empty if the shape is invisible. */
     const char *(*finish)(struct primitive *primitive);
     const char *povray; /* its name in POV-Ray; NULL: none */
 

@@ -44,7 +44,8 @@ static bool wanted(const struct crew *crew, size_t number)
     return !crew->cancelled && number < crew->failed;
 }
 
-/* Reports progress, but never all steps: the end is reported once, by thread_pool_run. */
+/* Reports progress, but never all steps: the end is reported once, by
+ * thread_pool_run. */
 static bool report_progress(void *context, size_t done, size_t all)
 {
     struct state *state = context;

@@ -13,7 +13,7 @@ struct object *form_assemble(const struct trace_options *options,
 /* Returns the file name of the program's source, as its lines record it. */
 const char *form_program(enum trace_mode mode);
 
-/* Assembles the program for all-hits queries along lines (lines.h), for a scene
+/* Assembles the program for all-hits queries along lines (ray_query.h), for a scene
  * with plain surfaces. Normals and counts of bodies are computed on request. */
 struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool normals,
                                    bool bodies, const struct scene *scene,

@@ -140,8 +140,8 @@ static inline c205_word fast_square_root(c205_word a, uint64_t *flags)
 
 /* ---- Compare ------------------------------------------------------------- */
 
-/* Returns an integer that orders words of one sign as their values. Of two negative
- * numbers, the one with the larger exponent is the smaller. */
+/* Returns an integer that orders words of one sign as their values. The larger exponent
+ * means the smaller value if both are negative. */
 static inline int64_t fast_rank(c205_word w, int64_t sign)
 {
     return (int64_t)(w ^ ((uint64_t)sign & ~WORD_COEFFICIENT_MASK));

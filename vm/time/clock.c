@@ -1,4 +1,4 @@
-/* clock.c - the time line: what each instruction waits for and costs.
+/* clock.c - the time line: the waits and the cost of each instruction.
  *
  * Rules and formulas with their sources: docs/timing.md.
  */

@@ -1,4 +1,5 @@
-/* clock.h - the clock: what each instruction costs, and which cause it is charged to.
+/* clock.h - the clock: the cost of each instruction and the cause that it is charged
+ * to.
  *
  * The clock knows no semantics. Its input is the decoded instruction (unit, registers)
  * and its effect (length, addresses). All constants come from the model. Every clock is
@@ -76,7 +77,8 @@ size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
  * clock_show_drained shows it when everything in flight is done. */
 void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until);
 void clock_show_drained(struct clock *clock);
-/* clock_go_back returns to the charged time. clock_commit charges what is shown. */
+/* clock_go_back returns to the charged time. clock_commit charges the time
+ * that is shown. */
 void clock_go_back(struct clock *clock);
 void clock_commit(struct clock *clock);
 

@@ -42,7 +42,7 @@
  * abandoned execution leaves the program where it is; an abandoned profile or timeline
  * leaves it where it was before.
  *
- * ---- about: lists what the engine has
+ * ---- about: lists the features of the engine
  *
  *   version, model (the default one)
  *   models        of machines: name, title

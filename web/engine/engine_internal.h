@@ -48,7 +48,7 @@ struct printed {
     bool cut; /* output was dropped, at or after the last mark */
 };
 
-/* ---- An execution ----------------------------------------------------------------- */
+/* ---- An execution -------------------------------------------------------- */
 
 struct execution {
     enum execution_end (*move)(struct engine *engine);

@@ -1,4 +1,4 @@
-; begin_vector.s - prepares what all queues use, before the first queue.
+; begin_vector.s - prepares the data that all queues share.
 ;
 ; It loads constants into registers, computes the camera and fills the vectors
 ; that never change. Called by link_walk.

@@ -251,7 +251,8 @@ take_lengthen:
         BIM     0, link_inner
 
         .if     INTERIORS
-; Rays that passed a clear surface of a later region hit what is at their start.
+; Rays that passed a clear surface of a later region also hit this region at
+; their start.
 take_passed:
         RTOR    region, s0
         IX      s0, 64 * R_FIRST

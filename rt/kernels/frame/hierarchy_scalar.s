@@ -2,9 +2,9 @@
 ;
 ; The walk starts with the regions outside the hierarchy and continues with
 ; those below nodes that the ray comes near. Nodes to be visited are on a stack,
-; with 0 at its bottom. Of two child nodes the nearer one along the ray is
-; visited first, because its hits limit the other. A leaf with one region is not
-; tested, because the region is.
+; with 0 at its bottom. The child node that is nearer along the ray is visited
+; first, because its hits limit the search in the other one. A leaf with one
+; region is not tested, because the region is.
 ;
 ; These macros are parts of the walks. The results do not depend on the order of
 ; the regions (regions_scalar.s, shadow_scalar.s).

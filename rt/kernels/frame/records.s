@@ -4,7 +4,7 @@
 ; their only definition. Numbers are normalised 64-bit words in world units.
 ; Colours are linear.
 
-; 1: counts the bodies along lines (lines/query.s).
+; 1: counts the bodies along lines (query/query.s).
         .ifndef BODIES
         .equ    BODIES, 0
         .endif

@@ -11,9 +11,9 @@
 ; In:  the queue's rays, their limits in nearest, shadows.
 ;
 ; Regions of the hierarchy are below its nodes (hierarchy_vector.s). The other
-; regions come first, in the order of the scene. Of hits at one distance, the
-; one on the primitive with the lowest number is the nearest, for any order of
-; the regions.
+; regions come first, in the order of the scene. If hits have equal
+; distances, the one on the primitive with the lowest number counts as the
+; nearest, for any order of the regions.
 ; Source: the paper's queue, one object against all rays in turn; the project's
 ; notes on ray tracing, 4.1.
 

@@ -20,8 +20,8 @@
 ; the power fade_power.
 ;
 ; A light with an area is a point light in these formulas.  Only shadows are
-; tested from each of its points; the light is the weighted sum of what they
-; transmit.
+; tested from each of its points; the light is the weighted sum of the light
+; that arrives from these points.
 ; Source: POV-Ray 3.7's spotlight, cylinder, parallel, fade_distance,
 ; area_light; the formulas are in its documentation and were verified by its
 ; pictures.

@@ -7,7 +7,7 @@
 ;
 ; A crossing is visible if the tree of its region changes there
 ; (solids/visible_scalar.s). Regions are independent of each other. Crossings
-; are ordered by distance. Of equal distances, the lower primitive number is
+; are ordered by distance. At equal distances the lower primitive number is
 ; first. The words of the k-th crossing of line r are at
 ;
 ;   lines_found + 64 (lines_count (SEEN_SIZE k + w) + r)    w: a field of SEEN

@@ -1,6 +1,6 @@
 ; sort_vector.s - sorts the crossings of a queue's lines by distance.
 ;
-; Of equal distances, the lower primitive number is first. Column k has the k-th
+; At equal distances the lower primitive number is first. Column k has the k-th
 ; crossing of each line, found in any order. A line with fewer crossings has
 ; misses there, farther away than those in the columns before. A step puts two
 ; columns in order for all lines at once: elements in the wrong order are

@@ -44,7 +44,7 @@
 ;   - A knot at which f is 0 is a root, double or triple, and the intervals on
 ;     both sides have no other.  So is high.  low would be, but is not above
 ;     itself: its interval has no other root.
-;   - Of successive knots at which f is 0, the first is the root of the cluster.
+;   - If f is 0 at successive knots, the first is the root of the cluster.
 ;   - A bend at which f' is 0 is a knot, by the same test.
 ;
 ; So double and triple roots are reported once, and a root at low is not
@@ -528,7 +528,8 @@ enter_alive\@:
         ADDNV   [q_c2], [q_c2], [q_s1]
         .endm
 
-; Computes the bends; a = next, b = right_slope, b^2 = knot, a c = knot_f.
+; Computes the bends, with a = q_next, b = q_right_slope, b^2 = q_knot,
+; a c = q_knot_f.
         .macro  find_bends
         MPYSV   [q_s3], q_three_halves, [q_next]
         MPYSV   [q_c3], q_three_halves, [q_right_slope]

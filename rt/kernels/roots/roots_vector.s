@@ -24,7 +24,8 @@
         .regs   r34, c4, c3, c2, c1, c0, bound
         .regs   r40, counts, roots
 
-; Vectors of the queue, then bit vectors: the order of roots_bases.
+; Vectors of the queue, then bit vectors, in the order of roots_descriptors and
+; roots_bits_at.
         .regs   r42, d4, d3, d2, d1, d0, x_low, size, far, near
         .regs   r51, low, high, found, place, t0, t1, t2
         .regs   r58, e0, e1, e2, e3, e4, top, degree, k, largest

@@ -4,7 +4,7 @@
 ;
 ; The choice depends on the ray alone and not on its queue, because the results
 ; can differ: if the viewpoint is in the plane of a triangle, rounding decides
-; whether it is hit, and a window may exclude what a box admits.
+; whether it is hit, and a window may exclude a ray that a box admits.
 ;
 ; For a ray, in the order of the viewpoint's axes, with g = sign dw:
 ;
@@ -15,7 +15,7 @@
 ;
 ; These macros are a part of mesh_vector.s.  The traversing rays have u, v, |g|
 ; in the registers of their origin, instead of origin, 1/d and 1/|d|.
-; Source: mesh_windows.h.
+; Source: rt/shapes/screen_bounds.h.
 
         .reg    mesh_u, mesh_ox
         .reg    mesh_v, mesh_oy

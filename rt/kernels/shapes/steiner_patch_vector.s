@@ -41,7 +41,6 @@
 ; In:  also tin, PATCH_CROSSINGS successive vectors, and as many for patch_s and
 ;      patch_t.
 ; Out: in these the crossings ahead, unsorted, then big; their parameters.
-;      parameters.
 ; Source: the project's notes on ray tracing, 2.3, which derive it.
 
         .ifndef LANE_VECTORS

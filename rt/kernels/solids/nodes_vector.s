@@ -22,8 +22,8 @@
 ; primitives at walk_tree.
 ;
 ; After an earlier hit, crossings slightly beyond the limits are computed too.
-; Of two regions at one distance the first primitive wins, as found_nearest
-; decides.
+; If two regions are hit at one distance, the first primitive wins, as
+; found_nearest decides.
 ;
 ; In:  region, the current rays.
 ; Out: the crossings; the active leaves and branches, up to leaves_end and

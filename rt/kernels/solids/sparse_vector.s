@@ -6,7 +6,7 @@
 ; the gathered rays.
 ;
 ; In:  the node; near_bits, s0 of them; the current rays.
-; Out: the crossings of what is below it; the active leaves and branches.
+; Out: the crossings of the leaves below it; the active leaves and branches.
 ; Source: derived here.
 
         .share  phase

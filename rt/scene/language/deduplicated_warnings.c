@@ -154,8 +154,8 @@ void warnings_report(const struct deduplicated_warnings *book, enum severity sev
                         "after " LIMIT_TEXT(MAX_REPORTS));
 }
 
-/* Reports the warnings of a value and of all values that it uses. A node is marked as it
- * is pushed on the stack `waiting`, so each is visited once, however often it is
+/* Reports the warnings of a value and of all values that it uses. A node is marked as
+ * it is pushed on the stack `waiting`, so each is visited once, however often it is
  * used. */
 static void report_all(struct deduplicated_warnings *book, struct value_warnings *list)
 {

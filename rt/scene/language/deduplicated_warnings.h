@@ -1,10 +1,10 @@
 /* deduplicated_warnings.h - warnings about features of a scene that are replaced or
  * ignored.
  *
- * A warning has a cause, in words, and a place in the text. Warnings belong to the value that
- * is being read. A named value keeps the warnings of its text; they are reported when the
- * value becomes part of the scene. A scene that includes a library of textures and uses
- * one of them therefore has the reports of that one only.
+ * A warning has a cause, in words, and a place in the text. Warnings belong to the
+ * value that is being read. A named value keeps the warnings of its text; they are
+ * reported when the value becomes part of the scene. A scene that includes a library of
+ * textures and uses one of them therefore has the reports of that one only.
  *
  * All warnings with the same cause are one report, which has the number of places and
  * shows the first. A library file, which the scene's author did not write, counts as
@@ -43,8 +43,7 @@ struct deduplicated_warnings {
     struct arena arena;
     struct scene_warning *buckets[WARNING_BUCKETS];
     size_t count;
-    struct warning_place
-        lost; /* the first warning beyond MAX_WARNINGS, if it has a source */
+    struct warning_place lost; /* first beyond MAX_WARNINGS, if it has a source */
     struct warning_page *page; /* NULL: the scene itself */
     size_t pages;
     struct warning_cause *causes, *last_cause; /* reported, in order */
@@ -61,8 +60,8 @@ void scene_warning_report(struct deduplicated_warnings *book,
                           const struct warning_place *place, const char *words,
                           const char *calls);
 
-/* Begin and end a value: warnings recorded in between belong to it. value_warnings_end returns NULL if there
- * are none. */
+/* Begin and end a value: warnings recorded in between belong to it.
+ * value_warnings_end returns NULL if there are none. */
 void value_warnings_begin(struct deduplicated_warnings *book,
                           struct warning_page *page);
 struct value_warnings *value_warnings_end(struct deduplicated_warnings *book);

@@ -201,7 +201,7 @@ static void invert_parts(struct inverting *inverting, size_t count)
 
 static bool invert_branch(struct inverting *inverting, size_t at);
 
-/* Inverts the children of an intersection or a merge, which turns into the other. Of a
+/* Inverts the children of an intersection or a merge, which turns into the other. In a
  * clipped solid only the first child is inverted; the clipping objects are copied. */
 static bool invert_children(struct inverting *inverting, size_t at)
 {

@@ -193,8 +193,8 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
 /* Returns the value that the current token names if it is of the kind, else NULL. */
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind);
-/* Like reader_value_of, for a value that is used: its warnings are added to those of the
- * value that is being read. */
+/* Like reader_value_of, for a value that is used: its warnings are added to those of
+ * the value that is being read. */
 const struct scene_value *reader_use(struct reader *reader, enum scene_value_kind kind);
 
 /* Whether the scene's version is lower than this one. */

@@ -1,7 +1,7 @@
 /* sky.c - parses sky_sphere { ... }, the background of rays without a hit. */
 #include "rt/scene/language/statement.h"
 
-/* Of several pigments the first is the lowest layer, as in POV-Ray. */
+/* If there are several pigments, the first is the lowest layer, as in POV-Ray. */
 static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment pigment = reader->default_texture.pigment;

@@ -14,7 +14,7 @@ enum {
     LETTER = 7, /* the width of most letters, a little more than many need */
     TITLE = 30, /* its centre, from the upper edge */
     LINE = 16,
-    ABOVE = 22,     /* between the small print and what is below it */
+    ABOVE = 22,     /* between the small print and the plot */
     BELOW = 58,     /* labels and title of the x axis */
     BESIDE = 52,    /* title of the y axis, without its labels */
     KEY_LEAST = 90, /* room on the right, for labels of marks as well */

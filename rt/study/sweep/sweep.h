@@ -50,7 +50,7 @@ struct sweep {
 };
 
 /* Before the first call the caller sets the subject or the scene, base and lengths,
- * and zeroes the other fields. sweep_free frees what the sweep has allocated. */
+ * and zeroes the other fields. sweep_free frees the memory of the sweep. */
 void sweep_free(struct sweep *sweep);
 
 /* Measures these points, too, base.trace.jobs frames at a time. Progress covers
