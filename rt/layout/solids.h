@@ -7,9 +7,9 @@
 #include "rt/layout/record.h"
 #include "rt/shapes/viewpoints.h"
 
-/* Writes the primitives and regions. The images must be laid out already; images
- * has their addresses by number. The eyes are points through which many rays pass,
- * or NULL. */
+/* Writes the primitives and regions. The images must be laid out already; images has
+ * their addresses by number. viewpoints: points that many rays pass through, or
+ * NULL. */
 void layout_solids(struct record_layout *layout, const struct scene *scene,
                    const struct interiors *interiors, const uint64_t *images,
                    const struct viewpoints *viewpoints, enum bounding bounding);

@@ -17,8 +17,8 @@ static const struct shape_field fields[] = {
 
 /* ---- Settling ------------------------------------------------------------ */
 
-/* Whether the triangle has an area: its height is compared with its length. The edges
- * are scaled first, because products of small edges may underflow. */
+/* Returns true if the triangle has an area: its height is compared with its length. The
+ * edges are scaled first, because products of small edges may underflow. */
 static bool has_area(const struct triangle *triangle)
 {
     double edges[2][3], normal[3], size;
@@ -169,9 +169,9 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 /* ---- Words and table ----------------------------------------------------- */
 
 /* The table, whose rows are defined in records.s: the end row, which is the end of the
- * traversal and is zero except for the words about eyes; the nodes; the triangles in
- * the order of the leaves; at the end the windows of the eyes. A row is identified by
- * its offset in words. */
+ * traversal and is zero except for the words about viewpoints; the nodes; the triangles
+ * in the order of the leaves; at the end the windows of the viewpoints. A row is
+ * identified by its offset in words. */
 enum {
     NODE_ROW = 25,
     NODE_LINKS = 6, /* from here on integers */

@@ -6,7 +6,7 @@
 
 #include "rt/scene/vector.h"
 
-/* The rows of an eye and of a node: EYE and WINDOW of records.s. */
+/* The rows of a viewpoint and of a node: EYE and WINDOW of records.s. */
 enum {
     EYE_PLACE,
     EYE_AXIS = 3,
@@ -26,26 +26,26 @@ enum {
     WINDOW_ROW
 };
 
-/* ---- Eyes ---------------------------------------------------------------- */
+/* ---- Viewpoints ---------------------------------------------------------- */
 
 /* Relative to the greatest coordinate. Windows are enlarged by MARGIN, measured at the
  * depth of their corners. That is eight times the rounding error of a ray that starts
- * within MAX_FAR, and of a triangle that it hits. An eye closer than NEAR_LEAST would
- * see little beyond this margin. */
+ * within MAX_FAR, and of a triangle that it hits. For a viewpoint closer than
+ * NEAR_LEAST this margin would be most of the window. */
 #define MARGIN 0x1p-31
 #define NEAR_LEAST 0x1p-20
 enum { MAX_FAR = 512 };
-/* The limit of the slope of points relative to the eye's axis. */
+/* The limit of the slope of points relative to the view axis. */
 enum { MAX_SLOPE = 64 };
-/* The limit of words for the windows of an eye. Larger tables would not stay in the
- * real memory of the machine, and each ray would cause page faults. */
+/* The limit of words for the windows of a viewpoint. Larger tables would not stay in
+ * the real memory of the machine, and each ray would cause page faults. */
 enum { MAX_WINDOWS = 1 << 20 };
 
 struct viewpoint {
     const double *place;
     int axis;
     double sign;
-    double size; /* greatest coordinate of the box and of the eye */
+    double size; /* greatest coordinate of the box and of the viewpoint */
     double near; /* least z of the box */
 };
 
@@ -184,7 +184,7 @@ static double area_of(const struct mesh_window *window)
     return (window->high[0] - window->low[0]) * (window->high[1] - window->low[1]);
 }
 
-/* Whether windows cost less than boxes for rays through the eye. */
+/* Returns true if windows cost less than boxes for rays through the viewpoint. */
 static bool windows_pay(const struct screen_bounds *of,
                         const struct viewpoint *viewpoint,
                         const struct mesh_window *bounds)
@@ -202,7 +202,8 @@ static bool windows_pay(const struct screen_bounds *of,
 
 /* ---- Traversal ----------------------------------------------------------- */
 
-/* Whether the second child of a node is on the eye's side of the split. */
+/* Returns true if the second child of a node is on the viewpoint's side of the
+ * split. */
 static bool upper_is_first(const struct mesh_node *nodes, size_t node,
                            const struct viewpoint *viewpoint)
 {
@@ -268,13 +269,14 @@ static void put_eye(const struct viewpoint *viewpoint, double bounds, double *ro
     row[EYE_WINDOWS] = bounds;
 }
 
-/* Working storage of one eye: its windows, and the traversal of all nodes. */
+/* Working storage of one viewpoint: its windows, and the traversal of all nodes. */
 struct view {
     struct mesh_window *bounds;
     unsigned char *orders;
 };
 
-/* Writes the windows of an eye. Fails if they do not pay; then there are none. */
+/* Writes the windows of a viewpoint. Fails, and writes none, if they would cost more
+ * than boxes. */
 static bool put_view(const struct screen_bounds *of, const struct viewpoint *viewpoint,
                      const struct view *view, double *rows)
 {

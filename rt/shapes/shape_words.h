@@ -32,14 +32,14 @@ void shape_words(const struct primitive *primitive, struct shape_words *words);
 bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
 /* Returns the size of the table in words; computes a table of that size, which the
- * caller frees. eyes: viewpoints that many rays pass through, or NULL. shape_table
+ * caller frees. viewpoints: points that many rays pass through, or NULL. shape_table
  * returns NULL without memory. */
 size_t shape_table_count(const struct primitive *primitive,
                          const struct viewpoints *viewpoints);
 double *shape_table(const struct primitive *primitive,
                     const struct viewpoints *viewpoints, size_t count);
-/* Whether all words are finite: squares and reciprocals of a shape's numbers may
- * overflow. Without memory the table is not checked. */
+/* Returns true if all words are finite: squares and reciprocals of a shape's numbers
+ * may overflow. Without memory the table is not checked. */
 bool shape_is_finite(const struct primitive *primitive);
 
 #endif
