@@ -13,8 +13,8 @@ struct accounts {
     c205_account *items; /* the list owns their names */
 };
 
-/* Add accounts to a list that was initialised with { .model = ... }. False: out of
- * memory. */
+/* Add accounts to a list that was initialised with { .model = ... }. Returns false if
+ * memory is exhausted. */
 bool accounts_add(struct accounts *accounts, const c205 *machine);
 bool accounts_add_account(struct accounts *accounts, const c205_account *account);
 /* Adds all accounts of another list. */
@@ -52,7 +52,8 @@ const struct accounts_unit *accounts_unit(double seconds);
 /* Returns the clocks of the whole run by cause, without causes that have no clocks.
  * NULL: out of memory; this holds for the next functions too. */
 struct table *accounts_of_run(const struct accounts *accounts);
-/* The same, followed by the clocks of each region. */
+/* Returns the clocks of the whole run by cause, followed by the clocks of each
+ * region. */
 struct table *accounts_by_cause(const struct accounts *accounts);
 /* Returns instructions, elements and clocks of each region. */
 struct table *accounts_by_region(const struct accounts *accounts);

@@ -38,8 +38,8 @@ enum command_kind {
  * end of the list. */
 typedef const char *command_choice(size_t number);
 
-/* Converts a text and stores the value. It may modify and keep the text. False: the
- * text is invalid. */
+/* Converts a text and stores the value. It may modify and keep the text. Returns false
+ * if the text is invalid. */
 typedef bool command_take(char *text, void *value);
 
 struct command_option {

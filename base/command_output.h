@@ -56,7 +56,7 @@ command_choice output_format_choice;
 /* clang-format on */
 
 /* Opens the output. The format and the path must be set, the rest zero. output is
- * another file that the command writes, or NULL. False: failed, after an error
+ * another file that the command writes, or NULL. Returns false after an error
  * message. */
 bool output_open(struct command_output *results, const char *command,
                  const char *output);
@@ -79,15 +79,16 @@ void output_gap(const struct command_output *results);
  * provenance. JSON always has the full provenance (provenance_json). */
 void output_model(const struct command_output *results, const c205_model *model);
 /* Prints a table and adds it to the JSON under its key. The heading is above it, except
- * in text format. False: out of memory, now or while the table was filled; the table
- * may then be NULL. */
+ * in text format. Returns false if memory was exhausted, now or while the table was
+ * filled; the table may then be NULL. */
 bool output_table(const struct command_output *results, const struct table *table,
                   const char *key, const char *heading);
-/* The same with the heading in text format too: "Heading" without a colon. */
+/* Does the work of output_table, with the heading in text format too: "Heading" without
+ * a colon. */
 bool output_part(const struct command_output *results, const struct table *table,
                  const char *key, const char *heading);
-/* The same, and frees the table. Returns CMD_DONE, or CMD_FAILED after an error message
- * if memory ran out. */
+/* Does the work of output_table, and frees the table. Returns CMD_DONE, or CMD_FAILED
+ * after an error message if memory was exhausted. */
 int output_show(const struct command_output *results, struct table *table,
                 const char *key, const char *heading);
 

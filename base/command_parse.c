@@ -207,7 +207,7 @@ static const struct command *owner_of(const struct parsing *parsing, const char 
     return NULL;
 }
 
-/* Lists the options that begin with a name. False: there are none. */
+/* Lists the options that begin with a name. Returns false if there are none. */
 static bool find_beginnings(const struct parsing *parsing, const char *name,
                             const struct sink *sink)
 {

@@ -29,7 +29,7 @@ void command_option_name(const struct command_option *option, const struct sink 
 /* Writes the valid values: "scalar, vector or kernels", "a whole number from 1 to
  * 9". */
 void command_option_wants(const struct command_option *option, const struct sink *sink);
-/* Writes the default: "2000". False: there is none. */
+/* Writes the default: "2000". Returns false if there is none. */
 bool command_option_preset(const struct command_option *option,
                            const struct sink *sink);
 

@@ -49,8 +49,8 @@ struct position {
 /* Adds a diagnostic. The arguments are copied. */
 void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
                      const struct position *position, const char *message);
-/* Appends text that is printed without a prefix. False: it exceeds MAX_SAID bytes in
- * all, or memory is out. */
+/* Appends text that is printed without a prefix. Returns false if such texts exceed
+ * MAX_SAID bytes in all, or if memory is exhausted. */
 enum { MAX_SAID = 1 << 16 };
 bool diagnostics_append(struct diagnostics *diagnostics, const char *text);
 

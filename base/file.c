@@ -109,8 +109,8 @@ bool file_is_plain(const char *path, c205_error *error)
            && error_set(error, "a broken link");
 }
 
-/* Finds the folder of a path and the file's name in it. False: there is no such
- * folder. */
+/* Finds the folder of a path and the file's name in it. Returns false if there is no
+ * such folder. */
 static bool find_place(const char *path, struct stat *folder, const char **name)
 {
     const char *slash = strrchr(path, '/');

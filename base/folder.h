@@ -12,10 +12,10 @@ struct folder {
     size_t count;
     char **names;
 };
-/* Reads a folder. False: the error has the reason without the name. The caller must
- * free the folder in both cases. */
+/* Reads a folder. Returns false with the reason, without the name, in the error. The
+ * caller must free the folder in both cases. */
 bool folder_read(struct folder *folder, const char *path, c205_error *error);
-/* Appends a copy of a name. False: out of memory. */
+/* Appends a copy of a name. Returns false if memory is exhausted. */
 bool folder_add(struct folder *folder, const char *name);
 void folder_free(struct folder *folder);
 

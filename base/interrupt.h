@@ -9,9 +9,9 @@
 /* From now on, the first Ctrl-C, SIGTERM or SIGHUP does not end the program; the second
  * one does. */
 void interrupt_catch(void);
-/* The same for a program that reads lines. At a terminal, Ctrl-C never ends the
- * program. Reads and writes continue after a signal, so that no output is lost; only
- * select and pselect return EINTR. */
+/* Does the work of interrupt_catch for a program that reads lines. At a terminal,
+ * Ctrl-C never ends the program. Reads and writes continue after a signal, so that no
+ * output is lost; only select and pselect return EINTR. */
 void interrupt_catch_lines(bool terminal);
 /* Returns true if one of these signals has arrived. */
 bool interrupt_pending(void);

@@ -45,8 +45,8 @@ const struct json_value *json_member_first(const struct json_value *object,
                                            const char *key);
 bool json_member_truth(const struct json_value *object, const char *key,
                        bool otherwise);
-/* Sets *value to a member if it exists. False, with *value unchanged: it exists and is
- * not an integer of magnitude below 2^53. */
+/* Sets *value to a member if it exists. Returns false and leaves *value unchanged if
+ * the member exists and is not an integer of magnitude below 2^53. */
 bool json_member_whole(const struct json_value *object, const char *key,
                        int64_t *value);
 

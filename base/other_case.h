@@ -8,7 +8,7 @@
 
 /* Finds the paths of all such files, sorted. Folders may differ in case too, but not
  * the first `fixed` bytes of the path, which end with a '/' if there are any. The
- * caller frees the names with folder_free. False: out of memory. */
+ * caller frees the names with folder_free. Returns false if memory is exhausted. */
 bool other_case_find(struct folder *found, const char *path, size_t fixed);
 bool other_case_is(const char *a, const char *b, size_t length);
 

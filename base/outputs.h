@@ -14,8 +14,8 @@
 #include <stdbool.h>
 #include <sys/stat.h>
 
-/* Adds a file. A file that does not exist cannot be read, and is not added. False: out
- * of memory. */
+/* Adds a file. A file that does not exist cannot be read, and is not added. Returns
+ * false if memory is exhausted. */
 bool outputs_add(const char *path);
 bool outputs_has(const char *path);
 /* Returns true if this file, which is about to be read, is in the list, and marks

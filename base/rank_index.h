@@ -14,8 +14,8 @@ struct rank_index {
     size_t *numbers;
 };
 
-/* Makes room for at most that many numbers. False: out of memory; then it may only be
- * freed. */
+/* Makes room for at most that many numbers. Returns false if memory is exhausted; then
+ * the index may only be freed. */
 bool rank_index_begin(struct rank_index *ranks, size_t most);
 void rank_index_add(struct rank_index *ranks, size_t number);
 /* Must be called after the last number was added. */

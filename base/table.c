@@ -80,7 +80,7 @@ static char *copy(const char *text)
     return own ? strcpy(own, text) : NULL;
 }
 
-/* False: out of memory. */
+/* Returns false if memory is exhausted. */
 static bool set_text(struct cell *cell, const char *text)
 {
     struct text_buffer shown = { 0 };

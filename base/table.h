@@ -43,19 +43,19 @@ void table_number(struct table *table, double value);
 /* Adds a number to a column of numbers, with a sign and its own decimals, for example
  * an error in percent. */
 void table_signed(struct table *table, double value, int decimals);
-/* The same without the sign. It uses an exponent if there would be more than 15 digits
- * before or after the point. */
+/* Adds a number to a column of numbers, with its own decimals and without a sign. It
+ * uses an exponent if there would be more than 15 digits before or after the point. */
 void table_rounded(struct table *table, double value, int decimals);
 void table_gap(struct table *table);
 
 /* Returns the number of complete rows. */
 size_t table_rows(const struct table *table);
 const char *table_key(const struct table *table, size_t column);
-/* NaN: the cell is empty or holds text. */
+/* Returns the number in a cell, or NaN if the cell is empty or holds text. */
 double table_value(const struct table *table, size_t row, size_t column);
 /* Returns the length of a printed line before wrapping; SIZE_MAX: out of memory. */
 size_t table_width(const struct table *table);
-/* False: memory ran out while it was filled. */
+/* Returns false if memory was exhausted while the table was filled. */
 bool table_is_whole(const struct table *table);
 
 /* Prints a blank line and the heading of a table: "Heading:", in CSV "# Heading", in
@@ -66,12 +66,13 @@ const char *table_remark(enum table_format format);
 
 /* Writes a table. CSV is quoted as in RFC 4180, its lines end in LF, and a text that a
  * spreadsheet would evaluate as a formula begins with an apostrophe. Markdown is
- * GitHub's. False: memory ran out, now or while the table was filled. */
+ * GitHub's. Returns false if memory was exhausted, now or while the table was
+ * filled. */
 bool table_write(const struct table *table, enum table_format format, FILE *file);
-/* The same in plain format. */
+/* Writes a table in plain format. */
 bool table_print(const struct table *table, FILE *file);
-/* Writes an array of objects, one for each row. False, and nothing is written: memory
- * ran out while it was filled. */
+/* Writes an array of objects, one for each row. Returns false and writes nothing if
+ * memory was exhausted while the table was filled. */
 bool table_json(const struct table *table, struct json *json, const char *key);
 
 #endif

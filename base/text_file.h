@@ -11,8 +11,8 @@
 /* Reads a file like file_read, converted so that its lines end with "\n" only. */
 char *text_file_read(const char *path, size_t largest, size_t *length,
                      c205_error *error);
-/* Converts a text in memory in place, followed by a NUL. False: it is not a text, and
- * the error has the reason. */
+/* Converts a text in memory in place, followed by a NUL. Returns false with the reason
+ * in the error if it is not a text. */
 bool text_clean(char *text, size_t *length, c205_error *error);
 
 /* A text that is read line by line, also from a pipe or a terminal. It must be zeroed
@@ -24,7 +24,7 @@ struct text_stream {
     bool begun, after_return;
     const char *fault; /* the reason why it is not a text or cannot be read */
 };
-/* Reads the next line. False: end of the text, or a fault. */
+/* Reads the next line. Returns false at the end of the text or after a fault. */
 bool text_stream_next(struct text_stream *stream);
 
 #endif

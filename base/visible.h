@@ -19,7 +19,7 @@ void invisible_name(const struct sink *sink, unsigned long code);
 /* Writes a name or a message. Invisible characters other than tabs, and bytes that are
  * not UTF-8, are escaped: \x1b, \u{200b}. */
 void visible_put(const struct sink *sink, const char *text, size_t length);
-/* The same for several lines, whose ends are kept. */
+/* Writes several lines in this way; their ends are kept. */
 void visible_put_lines(const struct sink *sink, const char *text, size_t length);
 /* Returns a sink that writes to a stdio stream in this way. */
 struct sink visible_stream(void *stream);

@@ -13,7 +13,7 @@ enum { WORD_WRAP_WIDTH = 100 };
  * continues on the next line from the same column. A column too far to the right for
  * that is not wrapped. */
 void word_wrap_print(const char *text, size_t column, FILE *file);
-/* The same for a sink. */
+/* Writes such a text to a sink. */
 void word_wrap_put(const char *text, size_t column, const struct sink *sink);
 
 #endif

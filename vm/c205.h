@@ -99,7 +99,7 @@ void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE]);
  */
 #define C205_HALF_ONE UINT64_C(0xEA40000000000000)
 
-/* The same for half words; 23 bits of a double or a text remain. */
+/* Convert half words in the same way; 23 bits of a double or a text remain. */
 c205_word c205_half_from_double(double value);
 double c205_half_to_double(c205_word half);
 c205_word c205_half_from_text(const char *text, const char **end);
@@ -253,8 +253,8 @@ const char *c205_plain_text(char *text, size_t *length);
 c205_model *c205_model_find(const char *name, c205_error *error);
 bool c205_model_is_file(const char *name); /* returns true for the name of a file */
 c205_model *c205_model_parse(const char *name, const char *text, c205_error *error);
-/* The same for callers that show the line. The error message lacks the place, which is
- * returned separately; line 0: no line. */
+/* c205_model_read parses a model for callers that show the line. The error message
+ * lacks the place, which is returned separately; line 0: no line. */
 typedef struct c205_place {
     unsigned line, column; /* from 1 */
 } c205_place;
@@ -499,7 +499,7 @@ bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
                      c205_error *error);
 
 /* Finds the first mapped page from an address on. Sets whether it may be written, and
- * whether a C205_WHEN_TOUCHED page has been used. False: there is none. */
+ * whether a C205_WHEN_TOUCHED page has been used. Returns false if there is none. */
 typedef struct c205_page {
     uint64_t address;
     bool writable, touched;
@@ -573,12 +573,12 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 /* For a listener: stops the run with PAUSED after the current instruction. */
 void c205_pause(c205 *machine);
 /* Stops a run with BREAKPOINT before the instruction at an address, unless the run
- * begins there. set: add or remove. False: out of memory. */
+ * begins there. set: add or remove. Returns false if memory is exhausted. */
 bool c205_break(c205 *machine, uint64_t address, bool set);
 /* Stops a run with WATCHPOINT after an instruction that changed one of these words.
  * Writes by the host between two runs do not count, except within a vector instruction
- * that a limit interrupted. set: add or remove. False: out of memory, or nothing is
- * mapped there. */
+ * that a limit interrupted. set: add or remove. Returns false if memory is exhausted or
+ * nothing is mapped there. */
 bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set);
 
 /* ---- The time of other machines (vm/time/projection.c) ---------------------
@@ -626,7 +626,7 @@ bool c205_retime(const c205_recording *recording, const c205_model *model,
  * saved one: same results, same clocks, same accounts. Listeners are not saved.
  */
 
-/* Takes the next bytes. False: it cannot, which ends the saving. */
+/* Takes the next bytes. Returns false if it cannot, which ends the saving. */
 typedef bool c205_writer(void *context, const void *bytes, size_t count);
 
 bool c205_save(const c205 *machine, c205_writer *write, void *context,
@@ -660,12 +660,12 @@ uint64_t c205_history_known(const c205_history *history);
 /* Executes one instruction like c205_step. If the program has ended, returns the same
  * stop again. */
 bool c205_history_forward(c205_history *history, c205_stop *stop);
-/* Goes to an earlier step. Listeners are notified only of the last instruction
- * that runs again. False: out of memory; the machine is unchanged, or at a step
- * before the wanted one. */
+/* Goes to an earlier step. Listeners are notified only of the last instruction that
+ * runs again. Returns false if memory is exhausted; the machine is then unchanged, or
+ * at a step before the requested one. */
 bool c205_history_back(c205_history *history, uint64_t step, c205_error *error);
 /* Must be called after the host wrote registers or memory: later steps are discarded.
- * False: out of memory; going back works as before the change. */
+ * Returns false if memory is exhausted; going back then works as before the change. */
 bool c205_history_changed(c205_history *history, c205_error *error);
 
 /* Returns a hash of entry, segments and regions that identifies a program. */

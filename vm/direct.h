@@ -56,7 +56,8 @@ static inline const c205_word *direct_read(struct c205 *machine, c205_word descr
     return direct_place(&machine->memory, LOW(descriptor), n, false);
 }
 
-/* The same for writing; the length of the descriptor is not used. */
+/* Returns n words of a descriptor for writing, whatever its length. NULL: as for
+ * direct_read. */
 static inline c205_word *direct_write(struct c205 *machine, c205_word descriptor,
                                       size_t n)
 {

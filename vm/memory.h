@@ -59,7 +59,7 @@ struct memory {
 void memory_init(struct memory *memory);
 /* Unmaps everything; counts as a change of code. */
 void memory_clear(struct memory *memory);
-/* The same, and frees the spare pages. */
+/* Unmaps everything and frees the spare pages. */
 void memory_free(struct memory *memory);
 /* Maps pages. Pages mapped before keep their words and get the new access. */
 bool memory_map(struct memory *memory, uint64_t address, size_t words,

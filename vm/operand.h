@@ -58,7 +58,8 @@ c205_trap describe_result(struct vector *result, struct control *control,
                           const struct c205 *machine, const struct decoded *decoded);
 /* Returns a vector of bits in a register, without offset. */
 struct vector describe_bits(c205_word descriptor);
-/* The same with an offset, if the slot of the offset is not 0. */
+/* Describes a vector of bits in a register, with an offset if the slot of the offset is
+ * not 0. */
 c205_trap describe_string(struct vector *string, const struct c205 *machine,
                           uint16_t slot, uint16_t offset);
 /* Describes Z if C is not a vector. */

@@ -31,19 +31,20 @@ struct operation {
 /* Describes the operands; n is the length of the result. */
 c205_trap stream_describe(struct stream *stream, struct c205 *machine,
                           const struct decoded *decoded);
-/* The same if the results are registers: n is the length of a source. */
+/* Describes the operands if the results are registers; n is the length of a source. */
 c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
 /* Sets n to the length of A, or of B if A is broadcast. */
 c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
 /* Claims everything that will be read and written, and sets the chunk. */
 c205_trap stream_claim(struct stream *stream);
-/* The same if the result is a register, or is not stored. */
+/* Claims the sources if the result is a register or is not stored, and sets the
+ * chunk. */
 c205_trap stream_claim_sources(struct stream *stream);
 /* Describes and claims. */
 c205_trap stream_open(struct stream *stream, struct c205 *machine,
                       const struct decoded *decoded);
-/* The same if all of B is read for each element of A. */
+/* Describes and claims if all of B is read for each element of A. */
 c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
                            const struct decoded *decoded);
 

@@ -1,8 +1,8 @@
 /* debug_internal.h - the verbs of the debugger, and functions that they share. Not
  * public.
  *
- * A verb receives the rest of its line as a struct rest, a cursor. Each reading
- * function advances the cursor past the text that it has read.
+ * A verb receives the rest of its line as a struct text_cursor. Each reading function
+ * advances the cursor past the text that it has read.
  */
 #ifndef ASM_DEBUG_DEBUG_INTERNAL_H
 #define ASM_DEBUG_DEBUG_INTERNAL_H

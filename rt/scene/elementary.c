@@ -269,7 +269,7 @@ static bool is_plain(double x)
     return isfinite(x) && x != 0;
 }
 
-/* Whether x is so small that the function equals x. */
+/* Returns true if x is so small that the function equals x. */
 static bool is_tiny(double x)
 {
     return fabs(x) < 0x1p-200;

@@ -125,7 +125,7 @@ static bool add_point(struct drawing *drawing, double x, double y)
     return true;
 }
 
-/* Whether another corner of the loop is at the same point as this one. */
+/* Returns true if another corner of the loop is at the same point as this one. */
 static bool is_repeated(const double (*points)[2], size_t count, size_t apart,
                         size_t which)
 {
@@ -254,7 +254,7 @@ static double cubic_slope(const double p[4], double t)
               + t * t * (p[3] - p[2]));
 }
 
-/* Whether all control points coincide. */
+/* Returns true if all control points coincide. */
 static bool is_point(const double points[2][4])
 {
     for (int k = 0; k < 2; k++)

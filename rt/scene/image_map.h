@@ -43,7 +43,8 @@ struct image_map {
     enum image_sampling sampling;
     bool once; /* not repeated; neighbours beyond an edge are the pixels of that edge */
 };
-/* Whether a point can be mapped outside the image, where the pigment is clear. */
+/* Returns true if a point can be mapped outside the image, where the pigment is
+ * clear. */
 bool image_is_bounded(const struct image_map *map);
 
 #endif

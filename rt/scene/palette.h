@@ -4,7 +4,7 @@
 
 #include "rt/scene/raster.h"
 
-/* Whether the pixels of a file are indices into a colour table. */
+/* Returns true if the pixels of a file are indices into a colour table. */
 bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length);
 /* Replaces each colour of the table by the grey of its index, so that the pixels decode
  * to their indices. Fails if the table is broken, or of a kind that is not

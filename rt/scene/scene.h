@@ -36,8 +36,8 @@ struct camera {
 /* The limit of lens_points. */
 enum { MAX_LENS_POINTS = 256 };
 
-/* Whether a light shines in all directions, or in a beam around the axis from its
- * position to point_at. */
+/* The directions in which a light shines: all of them, or a beam around the axis from
+ * its position to point_at. */
 enum light_beam { BEAM_NONE, BEAM_CONE, BEAM_CYLINDER };
 
 /* The limit of points in an area light. */
@@ -156,9 +156,10 @@ bool pigment_has_map(const struct pigment *pigment);
 /* Returns the number of cells that may transmit light differently: two for a checker
  * and for a bounded image, else one. */
 int pigment_cells(const struct pigment *pigment);
-/* Whether it has a map or an image, so that a sky of it differs by direction. */
+/* Returns true if it has a map or an image, so that a sky of it differs by
+ * direction. */
 bool pigment_makes_sky(const struct pigment *pigment);
-/* Whether at least one of its colours transmits light. */
+/* Returns true if at least one of its colours transmits light. */
 bool pigment_is_clear(const struct pigment *pigment);
 /* Returns the number of colours in the list of a checker, brick or hexagon pattern; 0
  * for all others. */
@@ -200,7 +201,7 @@ struct bumps {
     struct transform to_local;    /* from the world to the space of its pattern */
     bool unscaled; /* normals are not rescaled by that map (no_bump_scale) */
 };
-/* Whether any normal is changed. */
+/* Returns true if any normal is changed. */
 bool bumps_show(const struct bumps *bumps);
 
 /* Fog of constant density. At `distance` the share 1/e of the light passes through it

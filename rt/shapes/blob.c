@@ -175,7 +175,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 7;
 }
 
-/* Whether the transform is a translation. */
+/* Returns true if the transform is a translation. */
 static bool keeps_balls(const struct transform *transform)
 {
     for (int i = 0; i < 3; i++)

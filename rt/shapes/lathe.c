@@ -251,8 +251,8 @@ static size_t segments(const struct primitive *primitive)
 
 /* ---- Words and table ----------------------------------------------------- */
 
-/* Whether a point on a segment is inside: a ray from it, along the radius or the axis,
- * crosses an odd number of the other segments. */
+/* Returns true if a point on a segment is inside: a ray from it, along the radius or
+ * the axis, crosses an odd number of the other segments. */
 static bool is_inside(const struct closed *closed, size_t segment,
                       const double point[2], int across)
 {

@@ -81,7 +81,7 @@ static void plane_at(const double points[6][4], const double l[3][4], const doub
     }
 }
 
-/* Whether all points are in one plane. */
+/* Returns true if all points are in one plane. */
 static bool is_flat(const double points[6][4])
 {
     struct singular singular = { .rows = 6, .columns = 4 };
@@ -92,9 +92,9 @@ static bool is_flat(const double points[6][4])
     return singular_nullity(&singular, NOTHING) > 0;
 }
 
-/* Whether p is proportional to (L1 H) x (L2 H) at some point. This fails at points that
- * two parameters share; if it fails everywhere, the surface is a quadric covered
- * twice. */
+/* Returns true if p is proportional to (L1 H) x (L2 H) at some point. This fails at
+ * points that two parameters share; if it fails everywhere, the surface is a quadric
+ * covered twice. */
 static bool is_simple(const double points[6][4], const struct moving_planes *planes)
 {
     static const double places[][3] = { { .5, .3, .2 },

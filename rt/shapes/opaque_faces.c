@@ -202,8 +202,8 @@ static void add_sides(struct face_search *search)
     }
 }
 
-/* Whether a lathe is solid above a level edge: the number of edges above the middle of
- * that edge is odd. The axis closes the path. */
+/* Returns true if a lathe is solid above a level edge: the number of edges above the
+ * middle of that edge is odd. The axis closes the path. */
 static bool is_solid_above(const struct outline *path, size_t edge)
 {
     double radius = (path->points[edge][0] + path->points[edge + 1][0]) / 2;
@@ -405,7 +405,7 @@ static bool is_opaque(const struct primitive *primitive)
     return !primitive->unseen && !pigment_is_clear(&primitive->pigment);
 }
 
-/* Whether a point outside of all primitives is inside the solid at a node. */
+/* Returns true if a point outside of all primitives is inside the solid at a node. */
 static bool is_endless(const struct scene *scene, size_t node)
 {
     const struct tree_node *solid = &scene->nodes[node];
@@ -425,8 +425,8 @@ static bool is_endless(const struct scene *scene, size_t node)
     }
 }
 
-/* Whether the rays of the camera, which start within a sphere, start outside of a
- * primitive. */
+/* Returns true if the rays of the camera, which start within a sphere, start outside of
+ * a primitive. */
 static bool starts_outside(const struct camera *camera,
                            const struct primitive *primitive)
 {

@@ -32,11 +32,11 @@ void opaque_faces_add(struct face_list *list, const struct scene *scene, size_t 
 /* Compares two faces for qsort: by sort, key, left end, region. */
 int face_compare(const void *a, const void *b);
 
-/* Whether two faces, which are adjacent in that order, may have keys of equal
+/* Returns true if two faces, which are adjacent in that order, may have keys of equal
  * surfaces. */
 bool face_is_near(const struct face *a, const struct face *b);
 
-/* Whether the planes of two flat faces are equal within a reach of a point. */
+/* Returns true if the planes of two flat faces are equal within a reach of a point. */
 bool face_same_plane(const struct face *a, const struct face *b, const double at[3],
                      double reach);
 

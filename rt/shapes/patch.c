@@ -24,10 +24,10 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
     return sum;
 }
 
-/* Whether the patch has a tangent plane at p. The three rows are the last triangle of
- * de Casteljau's algorithm, which is in the tangent plane; the patch is regular if its
- * corners are not on a line. The edges are scaled to the size of the triangle, because
- * products of small edges may underflow. */
+/* Returns true if the patch has a tangent plane at p. The three rows are the last
+ * triangle of de Casteljau's algorithm, which is in the tangent plane; the patch is
+ * regular if its corners are not on a line. The edges are scaled to the size of the
+ * triangle, because products of small edges may underflow. */
 static bool is_regular(const struct primitive *patch, const double p[3])
 {
     double least = 1e-12; /* height relative to length */

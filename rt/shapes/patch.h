@@ -12,7 +12,7 @@
 
 #include "rt/shapes/primitive.h"
 
-/* Whether the patch is a surface, not a curve or a point. */
+/* Returns true if the patch is a surface, not a curve or a point. */
 bool patch_has_area(const struct primitive *patch);
 
 #endif

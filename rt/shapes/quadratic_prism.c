@@ -155,7 +155,7 @@ static double along(const struct parabola *parabola, int k, double w)
     return (parabola->bend[k] * w + 2 * parabola->lead[k]) * w;
 }
 
-/* Whether the point at w is ahead of `point` in a direction. */
+/* Returns true if the point at w is ahead of `point` in a direction. */
 static bool is_ahead(const struct parabola *parabola, double w, const double point[2],
                      const double direction[2])
 {

@@ -86,23 +86,23 @@ struct shape {
     size_t (*words)(const struct primitive *primitive, double *words);
     /* Writes further words, whose address is in the record, unless table is NULL.
      * Returns their number, or 0 without memory. The table may depend on the viewpoints
-     * that many rays pass through; eyes may be NULL. NULL: no table. */
+     * that many rays pass through; viewpoints may be NULL. NULL: no table. */
     size_t (*table)(const struct primitive *primitive,
                     const struct viewpoints *viewpoints, double *table);
     /* Sets the marks of the words of the table that are integers; all marks are clear
      * before. NULL: all are floating-point numbers. */
     void (*mark_integers)(const struct primitive *primitive,
                           const struct viewpoints *viewpoints, bool *marks);
-    /* Whether all words are finite, if there is a faster way than to compute them;
-     * NULL: none. */
+    /* Returns true if all words are finite, by a faster method than to compute them.
+     * NULL: there is no such method. */
     bool (*is_finite)(const struct primitive *primitive);
-    /* Whether the shape needs no space of its own: its words are in the world, or are
-     * converted to it. NULL: it needs one. */
+    /* Returns true if the shape needs no space of its own: its words are in the world,
+     * or are converted to it. NULL: it needs one. */
     bool (*carry)(const struct primitive *primitive, double *words);
 
     /* Returns the limit of segments; NULL: it is kernels.segments. */
     size_t (*segments)(const struct primitive *primitive);
-    /* Whether the primitive has an invisible body. NULL: none has. */
+    /* Returns true if the primitive has an invisible body. NULL: none has. */
     bool (*has_body)(const struct primitive *primitive);
     /* Returns the limit of crossings of a ray, each of which has a triangle. NULL: hits
      * have no triangle. */
@@ -112,12 +112,12 @@ struct shape {
      * then. NULL: they always are. */
     const char *symbol;
     struct shape_kernels kernels;
-    /* Whether a primitive uses the second set of routines, and that set. NULL: there is
-     * one set only. */
+    /* Returns true if a primitive uses the second set of routines, `other`. NULL: there
+     * is one set only. */
     bool (*is_other)(const struct primitive *primitive);
     struct shape_kernels other;
-    /* Whether the kernel of 1984 supports the primitive; NULL: it does if there is
-     * one. */
+    /* Returns true if the kernel of 1984 supports the primitive; NULL: it does if there
+     * is one. */
     bool (*is_historical)(const struct primitive *primitive);
     /* The words of that kernel; NULL: the same as `words`. */
     size_t (*historical_words)(const struct primitive *primitive, double *words);
@@ -135,7 +135,7 @@ extern const struct shape *const shapes[PRIMITIVE_KINDS];
 const struct shape *shape_of(const struct primitive *primitive);
 /* Returns the set of routines that the primitive uses. */
 const struct shape_kernels *shape_kernels_of(const struct primitive *primitive);
-/* Whether the primitive has no inside. */
+/* Returns true if the primitive has no inside. */
 bool shape_is_surface(const struct primitive *primitive);
 /* Marks the primitive as invisible. Returns the reason. */
 const char *shape_empty(struct primitive *primitive, const char *reason);

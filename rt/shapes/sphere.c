@@ -42,8 +42,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 5;
 }
 
-/* Whether the transform maps spheres to spheres. The words are then those of the sphere
- * in the world. */
+/* Returns true if the transform maps spheres to spheres. The words are then those of
+ * the sphere in the world. */
 static bool carry(const struct primitive *primitive, double *words)
 {
     const double(*rows)[4] = primitive->to_world.rows;

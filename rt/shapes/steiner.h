@@ -12,7 +12,7 @@
 
 enum { STEINER_SHAPE = 7, STEINER_TABLE = 27, MAX_STEINER_TABLE = 79 };
 
-/* Whether all weights are equal. */
+/* Returns true if all weights are equal. */
 bool steiner_is_polynomial(const struct primitive *primitive);
 
 /* Writes: centre 3; square of the bound; the |d x P|^2 that counts as 0 (for a rational

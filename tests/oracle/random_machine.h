@@ -15,7 +15,7 @@ void random_machine_fail(const char *what);
 
 /* Returns the machine of the program's model before its first step. */
 c205 *random_machine_load(const struct random_program *program);
-/* The same with shared pages. */
+/* Returns that machine with shared pages. */
 c205 *random_machine_load_shared(const struct random_program *program,
                                  struct random_shared *shared);
 /* Returns a hash of all these pages; the machine's program is replaced. */

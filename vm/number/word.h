@@ -23,7 +23,7 @@ typedef struct word_format {
 static const word_format whole_words = { 16, 47 }; /* 64 bits */
 static const word_format half_words = { 8, 23 };   /* 32 bits */
 
-/* The same limits for words of 64 bits, as constants. */
+/* The limits of words of 64 bits, as constants. */
 enum {
     WORD_EXPONENT_MAX = 28671,  /* 6FFF */
     WORD_EXPONENT_MIN = -28672, /* 9000 */

@@ -15,8 +15,8 @@ struct clock_accounts {
     char *names;        /* consecutive strings, each ending with '\0' */
 };
 
-/* Opens zeroed accounts for these regions and closes the previous ones. False: the host
- * is out of memory, and nothing has changed. */
+/* Opens zeroed accounts for these regions and closes the previous ones. Returns false
+ * and changes nothing if the host's memory is exhausted. */
 bool accounts_open(struct clock_accounts *accounts, const char *const *names,
                    size_t count);
 void accounts_close(struct clock_accounts *accounts);

@@ -47,7 +47,7 @@ struct translation {
 };
 
 /* Page sizes must be powers of two of words. Real memory holds real_words / page_words
- * pages, at least one. False: the host is out of memory. */
+ * pages, at least one. Returns false if the host's memory is exhausted. */
 bool pages_init(struct pages *pages, uint64_t page_words, uint64_t real_words,
                 size_t registers);
 void pages_free(struct pages *pages);
@@ -62,8 +62,8 @@ bool pages_know(const struct pages *pages, uint64_t page);
 void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,
                      struct translation *met);
 
-/* The same. Most ranges are on the page of the previous reference, so that case is
- * tested first. */
+/* Looks up every page of a range, in order. Most ranges are on the page of the previous
+ * reference, so that case is tested first. */
 static inline void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
                                struct translation *met)
 {

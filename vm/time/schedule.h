@@ -98,7 +98,7 @@ static inline bool clock_repeat(struct clock *clock, const struct code_block *bl
     return true;
 }
 
-/* Returns true if a block certainly ends before a limit. False: it may end later. */
+/* Returns true if a block certainly ends before a limit, false if it may end later. */
 static inline bool clock_ends_before(const struct clock *clock,
                                      const struct code_block *block, uint64_t limit)
 {

@@ -211,7 +211,7 @@ static bool answer_more(struct engine *engine, const struct json_value *request,
     return take_slice(engine, request, error) && goes_on(engine, reply, error);
 }
 
-/* Whether work that waits for `more` is kept when another request comes. */
+/* The work that waits for `more` and is kept when another request comes. */
 enum keeps { KEEPS_NOTHING, KEEPS_MOVEMENT, KEEPS_ALL };
 
 static const struct {

@@ -107,7 +107,7 @@ static void patch_normal(const struct patch_points *points, double u, double v,
         copy3(none, normal);
 }
 
-/* Whether all points are within this distance of the plane of three corners. */
+/* Returns true if all points are within this distance of the plane of three corners. */
 static bool is_flat(const struct patch_points *points, double flatness)
 {
     const double(*at)[4][3] = points->at;
@@ -317,7 +317,7 @@ static bool read_points(struct reader *reader, struct patch_points *points)
     return true;
 }
 
-/* Whether all points are on a line; such a patch is invisible in any place. */
+/* Returns true if all points are on a line; such a patch is invisible in any place. */
 static bool is_on_line(const struct patch_points *points)
 {
     const double *at = points->at[0][0];

@@ -275,7 +275,7 @@ static void apply_placement(struct camera *camera, const struct transform *trans
     transform_direction(transform, camera->up);
 }
 
-/* Whether all lengths are finite, and the picture has an area. */
+/* Returns true if all lengths are finite, and the picture has an area. */
 static bool is_sound(const struct camera *camera)
 {
     double volume = handedness(camera);

@@ -188,7 +188,7 @@ static bool sphere_holds(const struct primitive *sphere, const double point[3])
     return length3(from) <= fabs(sphere->shape.sphere.radius) * (1 + SLACK);
 }
 
-/* Whether the bound contains a point of the world. */
+/* Returns true if the bound contains a point of the world. */
 static bool holds(const struct primitive *bound, const double point[3])
 {
     double local[3];

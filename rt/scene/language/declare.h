@@ -24,7 +24,7 @@ const char *target_assign(struct reader *reader, const struct target *target,
 /* Reads a value of any kind. */
 bool value_read(struct reader *reader, struct scene_value *value);
 
-/* Whether the token is a word of the language, which cannot be a name. */
+/* Returns true if the token is a word of the language, which cannot be a name. */
 bool is_reserved(const struct scene_token *token);
 /* Checks that the token `name` can be declared. */
 bool name_expected(struct reader *reader, const struct scene_token *name);

@@ -4,12 +4,12 @@
 
 #include "rt/scene/language/reader.h"
 
-/* Whether the current token can begin an expression. */
+/* Returns true if the current token can begin an expression. */
 bool starts_expression(const struct reader *reader);
-/* Whether it is a colour word such as rgb or red, or the name of a colour. */
+/* Returns true if it is a colour word such as rgb or red, or the name of a colour. */
 bool starts_color(const struct reader *reader);
 bool is_color_word(const struct scene_token *token);
-/* Whether it is a constant or a function of the language. */
+/* Returns true if it is a constant or a function of the language. */
 bool is_expression_word(const struct scene_token *token);
 
 /* Reads a sum. Comparisons, logic and ?: are valid in parentheses only. */

@@ -35,7 +35,7 @@ void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
                const struct scene_token *at);
 /* Normalises a normal of a mesh. */
 void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3]);
-/* Whether the normals of the triangle make it smooth. */
+/* Returns true if the normals of the triangle make it smooth. */
 bool mesh_is_smooth(const struct triangle *triangle);
 /* Reads the closing '}', before which nothing else may be. */
 bool mesh_close(struct reader *reader, const struct block *block, bool good);

@@ -104,7 +104,7 @@ static bool read_file_exists(struct reader *reader, double *value)
 
 /* ---- Names and arrays ---------------------------------------------------- */
 
-/* Whether the token is a shape or another word that POV-Ray does not have. */
+/* Returns true if the token is a shape or another word that POV-Ray does not have. */
 static bool is_own_word(const struct scene_token *token)
 {
     if (is_token(token, "part"))

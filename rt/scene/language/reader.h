@@ -197,7 +197,7 @@ const struct scene_value *reader_value_of(const struct reader *reader,
  * the value that is being read. */
 const struct scene_value *reader_use(struct reader *reader, enum scene_value_kind kind);
 
-/* Whether the scene's version is lower than this one. */
+/* Returns true if the scene's version is lower than this one. */
 bool reader_is_before(const struct reader *reader, double version);
 
 /* Finds a file that is named in the scene; is_text: not arbitrary bytes. Returns NULL

@@ -117,9 +117,9 @@ static bool continues_value(const struct scene_token *token)
 
 static bool frame_below_leads_on(struct reader *reader);
 
-/* Whether the value continues: the token, or the first token after directives and
- * macros, is an operator or the ';'. The lookahead executes nothing, and restores the
- * cursors of the frames. */
+/* Returns true if the value continues: the token, or the first token after directives
+ * and macros, is an operator or the ';'. The lookahead executes nothing, and restores
+ * the cursors of the frames. */
 static bool leads_on(struct reader *reader, struct scene_token token)
 {
     struct lexer *lexer = &reader->lexer;

@@ -9,7 +9,8 @@
 
 #include "rt/scene/language/reader.h"
 
-/* Whether the current token may be the last one of the value of a declaration. */
+/* Returns true if the current token may be the last one of the value of a
+ * declaration. */
 bool semicolon_may_follow(const struct reader *reader);
 /* Called after that token. Inserts the ';' if a directive, a macro or the end of a text
  * follows, and neither ';' nor an operator comes after it. */

@@ -403,7 +403,7 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
     return block_items(reader, &block, &modifier_grammar, object, good);
 }
 
-/* Whether the shape is a mesh, or triangles that become one. */
+/* Returns true if the shape is a mesh, or triangles that become one. */
 static bool is_mesh(enum shape_word shape)
 {
     return shape == (enum shape_word)PRIMITIVE_MESH || shape >= SHAPE_TRIANGLE;

@@ -44,7 +44,7 @@ struct source_request {
 struct scene_source *source_include(struct scene_source **list,
                                     const struct source_request *request,
                                     c205_error *error);
-/* Whether the file was found under a name of different case. */
+/* Returns true if the file was found under a name of different case. */
 bool source_is_other(const struct scene_source *source, const char *name);
 void sources_free(struct scene_source *list);
 

@@ -142,7 +142,7 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
 extern const struct keyword unsupported_shapes[];
 
 item_reader spline_read; /* subject: a value */
-/* Whether the current token names a spline without a parameter after it. */
+/* Returns true if the current token names a spline without a parameter after it. */
 bool spline_is_alone(struct reader *reader);
 
 extern const struct grammar file_grammar;

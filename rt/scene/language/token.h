@@ -109,10 +109,10 @@ void lexer_jump(struct lexer *lexer, const struct text_place *place);
 struct open_text *lexer_top(struct lexer *lexer);
 struct scene_token lexer_next(struct lexer *lexer);
 
-/* Whether the token's text is this word. Both must begin with the same byte. */
+/* Returns true if the token's text is this word. Both must begin with the same byte. */
 bool token_is_text(const struct scene_token *token, const char *word);
-/* Whether the token is this word. It compares the first byte inline, since each word is
- * compared with many. */
+/* Returns true if the token is this word. It compares the first byte inline, since each
+ * word is compared with many. */
 static inline bool is_token(const struct scene_token *token, const char *word)
 {
     return token->kind == TOKEN_WORD && *token->text == *word

@@ -31,7 +31,8 @@ static const struct texture texture_default = {
 enum { TRACE_LEVEL_DEFAULT = 5 };
 #define LANGUAGE_VERSION 3.7
 
-/* Whether the space of the bumps has an inverse: normals are mapped to it and back. */
+/* Returns true if the space of the bumps has an inverse: normals are mapped to it and
+ * back. */
 static bool has_space(const struct bumps *bumps)
 {
     struct placement placement = { .to_local = bumps->to_local };
