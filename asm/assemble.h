@@ -119,8 +119,8 @@ struct object *assemble_bytes(const char *name, const char *text, size_t length,
                               struct diagnostics *diagnostics);
 void object_free(struct object *object);
 
-/* Returns whether a diagnostic says that the text redefines a name
- * that the options define. */
+/* Returns true if a diagnostic reports that the text redefines a name that the options
+ * define. */
 bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name);
 
 /* Returns the line whose words contain an address, or NULL if none is known. */

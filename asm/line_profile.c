@@ -9,7 +9,7 @@
 
 #include "base/accounts.h"
 
-/* The rows after those of the lines. */
+/* The rows for clocks that belong to no line. They follow the rows of the lines. */
 enum { ROW_UNKNOWN, ROW_END, ROWS_BESIDES };
 
 struct line_profile {

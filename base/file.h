@@ -13,8 +13,8 @@ enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
 
 /* Returns the bytes of a file, or of stdin, followed by a NUL; the caller frees them.
  * NULL: the error has the reason without the file name, and errno is set. Files of more
- * than largest bytes, including endless ones, are rejected (EFBIG). So is a file that
- * the command writes (ETXTBSY, see outputs.h). */
+ * than largest bytes, including endless ones, are rejected (EFBIG), and also a file
+ * that the command writes (ETXTBSY, see outputs.h). */
 char *file_read(const char *path, size_t largest, size_t *length, c205_error *error);
 /* Returns the text of such an errno. */
 const char *file_reason(int code);

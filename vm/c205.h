@@ -196,7 +196,8 @@ const char *c205_timing_name(c205_timing timing);
 bool c205_timing_is_vector(c205_timing timing);
 /* Returns the treatment of machine zeros and indefinites, as text. */
 const char *c205_operation_specials(c205_operation operation);
-/* Returns the floating-point operations that it counts as, per element. */
+/* Returns the number of floating-point operations per element that an operation counts
+ * as. */
 unsigned c205_operation_flops(c205_operation operation);
 
 /* The fields of an instruction, wherever they are in its word: F8 G8 X8 A8 Y8 B8 Z8 C8
@@ -238,7 +239,7 @@ typedef struct c205_constant {
 typedef struct c205_belief {
     unsigned figures;  /* number of figures; 0: not compared */
     double largest;    /* the largest error, percent */
-    const char *worst; /* the figure with that error */
+    const char *worst; /* name of the figure with the largest error */
 } c205_belief;
 
 /* Converts a text file to plain text in place. A text file is UTF-8. A byte order mark
@@ -297,7 +298,7 @@ const char *const *c205_model_names(void);
 typedef struct c205_segment {
     uint64_t address;       /* bit address, a multiple of 64 */
     size_t length;          /* words */
-    const c205_word *words; /* NULL: zeros, C205_WHEN_TOUCHED */
+    const c205_word *words; /* NULL: zeros, mapped as C205_WHEN_TOUCHED */
 } c205_segment;
 
 /* The code between two addresses belongs to a named region of the accounts. Several

@@ -1,8 +1,8 @@
 /* memory.h - bit-addressed, paged virtual memory.
  *
  * An address has 48 bits and names a bit. A page holds 65,536 words (2^22 bits). A word
- * is a host integer whose top bit is its bit 0. This module knows nothing of time,
- * residence or associative registers; see clock.h.
+ * is a host integer whose top bit is its bit 0. Time, residence and associative
+ * registers are not part of this module; see clock.h.
  */
 #ifndef C205_MEMORY_H
 #define C205_MEMORY_H

@@ -1,7 +1,7 @@
 /* cmd_isa.h - descriptions of an instruction, derived from its row in insn.def.
  *
- * Texts are constant and have one line. If there is nothing to say, the text is empty,
- * not NULL.
+ * Texts are constant and have one line. A missing description is an empty text, not
+ * NULL.
  */
 #ifndef ASM_CMD_ISA_H
 #define ASM_CMD_ISA_H

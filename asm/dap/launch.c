@@ -177,8 +177,8 @@ static void close_program(struct dap *dap)
     dap->path = NULL;
 }
 
-/* The event initialized asks the client for its breakpoints. They are set in a program,
- * so it is sent only after the launch. */
+/* After the event `initialized` the client sends its breakpoints. They are set in a
+ * program, so the event is sent only after the launch. */
 static void ask_configuration(struct dap *dap)
 {
     event_bare(dap, "initialized");

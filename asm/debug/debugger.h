@@ -3,7 +3,7 @@
  *
  * The debugger reads commands one line at a time, from a user, a pipe or a script, and
  * writes all its output to a sink. `help` lists the verbs; docs/debugging.md has a
- * session. A caller that knows more of the program may add verbs of its own.
+ * session. A caller may add verbs of its own.
  */
 #ifndef ASM_DEBUGGER_H
 #define ASM_DEBUGGER_H

@@ -118,8 +118,8 @@ static int compare_words(const void *a, const void *b)
     return (*one > *other) - (*one < *other);
 }
 
-/* Returns whether the result is a permutation of the expected one. For bits that says
- * little, so it is not tested. */
+/* Returns whether the result is a permutation of the expected one. A permutation of
+ * bits is no evidence of a wrong order, so bits are not tested. */
 static bool other_order(const struct test_item *item)
 {
     size_t size = item->count * sizeof(c205_word);

@@ -65,7 +65,7 @@ static struct object *assemble_at(struct program_sweep *sweep,
     return object;
 }
 
-/* Runs in slices, and asks between them whether to continue. */
+/* Runs in slices. The caller's progress function may end the run between them. */
 static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
 {
     static const uint64_t slice = 5000000; /* clocks */

@@ -20,9 +20,9 @@ const char **source_refusals(const struct scene *scene);
 
 struct heat_source;
 
-/* Returns a source. The mode is any of the three; points is the number of points
- * of an emission, or of lines. Returns NULL if the primitive cannot radiate, for
- * invalid options, or if out of memory; the error says which. The scene must
+/* Returns a source. The mode is any of the three; points is the number of points of an
+ * emission, or of lines. Returns NULL with the reason in the error if the primitive
+ * cannot radiate, for invalid options, or if memory is exhausted. The scene must
  * outlive the source. */
 struct heat_source *source_new(const struct scene *scene, size_t primitive,
                                const struct emission_options *options,

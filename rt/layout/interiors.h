@@ -24,7 +24,7 @@ struct interiors {
 /* Returns false if out of memory. */
 bool interiors_find(const struct scene *scene, struct interiors *interiors);
 void interiors_free(struct interiors *interiors);
-/* Returns the number of a primitive's body, or 0 if rays need not know it. */
+/* Returns the number of a primitive's body, or 0 if rays need not store it. */
 size_t interiors_number(const struct interiors *interiors,
                         const struct primitive *primitive);
 void interiors_layout(struct record_layout *layout, const struct interiors *interiors,

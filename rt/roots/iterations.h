@@ -1,7 +1,7 @@
 /* iterations.h - counts the steps of the root solver's refinement.
  *
- * It is a listener of the machine's events. It knows the labels of falsi_scalar.s
- * and falsi_vector.s, and reads their registers. It costs the machine no clocks.
+ * It is a listener of the machine's events. It finds the labels of falsi_scalar.s and
+ * falsi_vector.s, and reads the registers there. It costs the machine no clocks.
  */
 #ifndef RT_ITERATIONS_H
 #define RT_ITERATIONS_H

@@ -32,8 +32,8 @@ struct profile {
     struct vector_use vectors[TRACE_MODES];
 };
 /* Traces the frame in all stages. The mode and the observers of the options are
- * replaced. Returns false after a trap, if progress returned false, or if the
- * frames of two stages differ; the error says which. */
+ * replaced. Returns false with the reason in the error after a trap, if progress
+ * returned false, or if the frames of two stages differ. */
 bool profile_run(struct profile *profile, const struct scene *scene,
                  const struct trace_options *options, c205_error *error);
 void profile_free(struct profile *profile);

@@ -22,8 +22,8 @@ typedef bool stages_function(const void *found, enum trace_mode mode,
                              uint64_t clocks[MAX_STAGES_STEPS], bool *same,
                              c205_error *error);
 
-/* Runs all stages except that of the mode `there`, whose clocks are set. Returns
- * false if one fails or has a different result; the error says which. */
+/* Runs all stages except that of the mode `there`, whose clocks are set. Returns false
+ * with the reason in the error if one fails or has a different result. */
 bool stages_find(struct stages *stages, enum trace_mode there, stages_function *find,
                  const void *found, c205_error *error);
 

@@ -72,10 +72,9 @@ struct ray_query *ray_query_new(const struct scene *scene,
                                 c205_error *error);
 void ray_query_free(struct ray_query *query);
 
-/* Computes the crossings of each line. The caller frees them. Threads may call
- * this concurrently. Fails for a direction of length 0, a number that is not
- * finite, a trap, or lack of memory; the error says which, and the result is
- * empty. */
+/* Computes the crossings of each line. The caller frees them. Threads may call this
+ * concurrently. Fails for a direction of length 0, a number that is not finite, a trap,
+ * or lack of memory; the error then has the reason, and the result is empty. */
 bool ray_query_find(const struct ray_query *query, const struct scene_ray *list,
                     size_t count, struct ray_hits *found, c205_error *error);
 

@@ -103,11 +103,12 @@ bool trace_keep(struct trace *trace, c205_error *error);
 /* Removes the checkpoint file. Call this when the frame is saved elsewhere. */
 void trace_forget(struct trace *trace);
 
-/* Returns the rays of a pixel, across and down. This is more than the options say
- * if the scene's camera has a lens that needs it. */
+/* Returns the rays of a pixel, across and down. This is more than the number in the
+ * options if the camera's lens needs more. */
 size_t trace_samples(const struct trace *trace);
 
-/* Returns false after a trap, or if progress returned false; the error says which. */
+/* Returns false with the reason in the error after a trap, or if progress returned
+ * false. */
 bool trace_run(struct trace *trace, c205_error *error);
 
 /* Returns the number of bands of the frame, and of those that are done, including

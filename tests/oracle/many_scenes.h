@@ -15,9 +15,10 @@
 void give_up(const char *message);
 /* Returns the model for the traces; the caller frees it. */
 c205_model *usual_model(void);
-/* Reads a scene.  On an error it prints the text and the messages and gives up. */
+/* Reads a scene.  After an error it prints the text and the messages, and ends the
+ * program with status 2. */
 struct scene *scene_of(const char *text);
-/* Returns a finished trace; gives up if it fails. */
+/* Returns a finished trace. If it fails, the program ends with status 2. */
 struct trace *traced_in(const struct scene *scene, struct trace_options options);
 /* Compares bit for bit.  Returns false and a reason of at most MANY_REASON
  * characters. */

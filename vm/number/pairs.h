@@ -25,9 +25,9 @@ enum { PAIR_LENGTH = 512 }; /* at most */
 typedef void lanes_pair(bool *done, c205_word *c, pair_operand a, pair_operand b,
                         const c205_word *d, size_t n, uint64_t *flags);
 
-/* Returns the function for two operations. hands_a and hands_b say whether the first
- * result is the first or the second operand of the second operation. NULL: there is no
- * function for this pair. */
+/* Returns the function for two operations. hands_a, hands_b: the first result is the
+ * first, the second operand of the second operation. NULL: there is no function for
+ * this pair. */
 lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second, bool hands_a,
                           bool hands_b);
 

@@ -1,10 +1,10 @@
 /* clock.h - the clock: the cost of each instruction and the cause that it is charged
  * to.
  *
- * The clock knows no semantics. Its input is the decoded instruction (unit, registers)
- * and its effect (length, addresses). All constants come from the model. Every clock is
- * charged to one cause in one region: the time line is cut at each step, and the piece
- * between two cuts is charged.
+ * The clock is independent of the results of instructions. Its input is the decoded
+ * instruction (unit, registers) and its effect (length, addresses). All constants come
+ * from the model. Every clock is charged to one cause in one region: the time line is
+ * cut at each step, and the piece between two cuts is charged.
  *
  * Scalar unit: instructions issue in order, at most one per clock. An instruction waits
  * for its operands (a scoreboard holds the time at which each register is ready), for

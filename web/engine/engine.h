@@ -11,7 +11,7 @@
  *
  * All values are from the machine's accounts, records and memory. If a command of c205
  * has the same values in its JSON, they have the same form here. Units are clocks of
- * the machine unless the name says otherwise. Addresses are bit addresses. Lines and
+ * the machine unless the name has another unit. Addresses are bit addresses. Lines and
  * columns are counted from 1; line 0 means no line of the program's own text. The line
  * of an instruction from a macro is that of the call. Numbers of the machine are texts,
  * as by c205_to_text. A value that is too large for a number of JSON is null.

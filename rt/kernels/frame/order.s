@@ -14,7 +14,7 @@
 ; queue_order is a list of these positions, or 0 if they are consecutive.
 ;
 ; In:  scene_tiles, scene_band, half.  Out: strip_count.
-; Source: derived here. All tracers know that neighbouring rays hit the same
+; Source: derived here. It is well known that neighbouring rays hit the same
 ; objects.
 
         .data

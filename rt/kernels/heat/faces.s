@@ -8,8 +8,8 @@
 ; dropped if an equally near crossing of the same sense is on an earlier
 ; primitive.
 ;
-; If the line enters a body at the point, the normal points inward, because a
-; mesh does not know the outside of its triangles. The vectors of the point are
+; If the line enters a body at the point, the normal points inward, because
+; triangles of a mesh have no outward side. The vectors of the point are
 ; then reversed.
 ;
 ; In:  the words below.

@@ -185,7 +185,7 @@ shade_towards_hit:
         call_hit towards
         in_hit  HIT_NDOTL, 3, lit_ndotl         ; D . L, distance
         CFPGE   r0, lit_ndotl, shade_towards_next
-        load_at shade_light + 64 * 3, 4, lit_red ; also lit_gleams
+        load_at shade_light + 64 * 3, 4, lit_red ; lit_red .. lit_gleams
         CFPEQ   lit_gleams, r0, shade_towards_next
         SUBN    lit_distance, lit_least, lit_limit
         left_vector 0, lit_red

@@ -104,7 +104,7 @@ surface_turned\@:
         get_field P_ON_PATCH, t0
         ES      t1, 2
         IBXNE   t0, r0, t1, surface_sided\@
-        get_field P_PATCH_POINT + 1, t0         ; hit_t says if it enters
+        get_field P_PATCH_POINT + 1, t0         ; hit_t: it enters or leaves
         RTOR    facing, outward
         IBXEQ   t0, r0, r0, surface_sided\@
         SUBN    r0, facing, outward

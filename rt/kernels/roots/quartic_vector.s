@@ -42,8 +42,8 @@
 ; error in 47 bits:
 ;
 ;   - A knot at which f is 0 is a root, double or triple, and the intervals on
-;     both sides have no other.  So is high.  low would be, but is not above
-;     itself: its interval has no other root.
+;     both sides have no other.  The same rule applies to high.  If f is 0 at
+;     low, low itself is not a root, and its interval has no other root.
 ;   - If f is 0 at successive knots, the first is the root of the cluster.
 ;   - A bend at which f' is 0 is a knot, by the same test.
 ;

@@ -6,8 +6,8 @@
 ;   S g^2,   g = 1 - d^2/r^2         if d < r, else 0.
 ;
 ; Along a ray d^2 is a quadratic, g = c + 2 b t + a t^2, and the field is a
-; quartic on the interval where d < r: a piece.  A ball has one piece.  So has
-; an ellipsoid, which is a ball in a space of its own.  A cylinder has three: d
+; quartic on the interval where d < r: a piece.  A ball has one piece, like an
+; ellipsoid, which is a ball in a space of its own.  A cylinder has three: d
 ; is the distance from the axis between the planes of its two ends, and the
 ; distance from the nearer end outside them.  A piece begins exactly where its
 ; neighbour ends, so there is no gap.
@@ -582,8 +582,9 @@ clear_segment:
         SUBNV   [oz], sh2, [w10]
         .endm
 
-; Takes the lanes of bits0, all rays that come near.  If they might not fit, it
-; takes those among the next BLOB_LANES rays, m of them, and bits2 = the rest.
+; Selects the next lanes from the rays of bits0, which come near the blob: all
+; of them, or, if QUEUE exceeds BLOB_LANES, those among the next BLOB_LANES rays
+; of the queue.  m = the number of lanes, bits2 = the rays that remain.
         .macro  begin_lanes
         .if     QUEUE > BLOB_LANES
         ORB     [bits0], [bits0], [bits2]

@@ -107,7 +107,8 @@ side_crossed\@:
         .endif
         .endm
 
-; A parallel ray gets a t that changes nothing or makes a miss.
+; Clips the rays by a plane.  The t of a ray parallel to the plane is set so
+; that it changes nothing or makes the ray a miss.
         .macro  clip p0, p1, p2, q, surface
         dot_constant dx, dy, dz, \p0, \p1, \p2, w0, w2
         dot_constant ox, oy, oz, \p0, \p1, \p2, w1, w2

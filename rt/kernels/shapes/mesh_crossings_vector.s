@@ -24,7 +24,7 @@
 ;
 ; Each crossing is appended to its ray's list.  If several pairs of one ray
 ; cross in the same step, the last store wins and the other pairs are stored in
-; further turns.  Lists are columns: one for the first crossings of all rays,
+; further passes.  Lists are columns: one for the first crossings of all rays,
 ; one for the second, and so on.  The triangles are in as many columns again,
 ; after the reserved ones.  At the end exchanges of neighbouring columns sort
 ; the lists.

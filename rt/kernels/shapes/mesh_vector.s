@@ -479,7 +479,7 @@ meet_sides:
         BIM     sides_better
 
 ; Keeps the nearest hit of each ray.  If a ray has several, the last store wins,
-; and that pair drops out of the next turn.
+; and that pair is excluded from the next pass.
 sides_turn:
         ORNB    [side_bits], [side_bits], [side_bits]
 sides_better:

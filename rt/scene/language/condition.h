@@ -44,7 +44,7 @@ struct scene_condition *condition_push(struct reader *reader, enum condition_kin
 struct scene_condition *condition_top(struct reader *reader);
 /* Skips to the token after the condition's #end, and pops it. */
 bool condition_leave(struct reader *reader, struct scene_condition *condition);
-/* Handles the #end of a loop: starts the next turn, or ends the loop. */
+/* Handles the #end of a loop: starts the next iteration, or ends the loop. */
 bool loop_end(struct reader *reader, struct scene_condition *loop);
 bool switch_else(struct reader *reader, struct scene_condition *condition);
 

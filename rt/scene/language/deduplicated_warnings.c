@@ -192,7 +192,7 @@ static void write_down(struct deduplicated_warnings *book,
 }
 
 /* Marks an entry with the current page. Returns false if the page has it already: a
- * loop records the same warnings at each turn. */
+ * loop records the same warnings in each iteration. */
 static bool is_new(const struct deduplicated_warnings *book, size_t *page)
 {
     bool fresh = *page != book->page->serial;

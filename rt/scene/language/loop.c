@@ -30,8 +30,8 @@ static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
     return true;
 }
 
-/* Returns true if the loop may continue. A turn with an error is the last one, because
- * the error may have kept the variable from changing. */
+/* Returns true if the loop may continue. An iteration with an error is the last one,
+ * because the error may have kept the variable from changing. */
 static bool may_go_on(struct reader *reader, struct scene_condition *loop)
 {
     if (++loop->turns == MAX_TURNS)

@@ -2,7 +2,7 @@
  *
  * Every function that reads returns false after it has reported an error; its result is
  * then invalid. A caller that can recover (a block, or the file) skips to the next word
- * that it knows.
+ * that it accepts.
  */
 #ifndef RT_SCENE_READER_H
 #define RT_SCENE_READER_H
@@ -20,7 +20,7 @@ enum {
     MAX_SOLID = 10000,        /* primitives in one tree */
     MAX_FILES = 1000,         /* that are read; each is read once */
     MAX_CONDITIONS = 500,     /* nested */
-    MAX_TURNS = 2000000,      /* turns of one loop */
+    MAX_TURNS = 2000000,      /* iterations of one loop */
     MAX_SEEDS = 1000000       /* streams of random numbers: 4 MB */
 };
 
@@ -45,7 +45,7 @@ struct scene_condition {
     struct scene_token at;
     size_t frame; /* serial number of its frame */
     bool in_else;
-    struct text_place again; /* of a loop: where each turn begins */
+    struct text_place again; /* of a loop: where each iteration begins */
     size_t turns, errors;
     struct scene_token name; /* of #for */
     double end, step;

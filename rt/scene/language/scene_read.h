@@ -18,7 +18,8 @@ struct scene_options {
     void *context;
     /* Reads images other than PGM and PPM. NULL: these are errors. */
     raster_reader *read_raster;
-    uint64_t reading_most; /* limit of bytes to read, loops counted each turn; 0:
+    uint64_t
+        reading_most; /* limit of bytes to read, loops counted in each iteration; 0:
                             * MAX_READING (reader.h) */
 };
 

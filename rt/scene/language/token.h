@@ -104,7 +104,7 @@ bool lexer_call(struct lexer *lexer, const struct scene_source *source,
                 struct text_place place, size_t end, const struct scene_token *call);
 /* Closes the innermost frame. */
 void lexer_close(struct lexer *lexer);
-/* Continues at another place of the frame, where a turn of a loop begins. */
+/* Continues at another place of the frame, where an iteration of a loop begins. */
 void lexer_jump(struct lexer *lexer, const struct text_place *place);
 struct open_text *lexer_top(struct lexer *lexer);
 struct scene_token lexer_next(struct lexer *lexer);

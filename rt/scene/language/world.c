@@ -341,8 +341,8 @@ static bool take_floats(struct reader *reader)
     return !floats.failed || reader_no_memory(reader);
 }
 
-/* The parser does not know which rays are inside a body, so any clear body in a scene
- * with fog is reported. */
+/* Which rays are inside a body is not known while a scene is parsed, so any clear body
+ * in a scene with fog is reported. */
 static void report_fogged_bodies(struct reader *reader)
 {
     const struct scene *scene = reader->scene;
