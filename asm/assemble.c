@@ -10,7 +10,7 @@
 #include "asm/lex.h"
 #include "base/text_file.h"
 
-/* Returns why a text cannot be the name of a constant, or NULL if it can. */
+/* Returns the reason why a text cannot be the name of a constant, or NULL if it can. */
 static const char *name_fault(const char *name)
 {
     struct register_name named;

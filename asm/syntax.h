@@ -52,9 +52,9 @@ void syntax_write(const c205_insn *insn, bool half, const struct sink *sink);
 /* Returns the field for a letter of the syntax. */
 uint8_t *syntax_field(c205_fields *fields, char letter);
 
-/* Returns why the machine rejects the instruction for any contents of registers, and
- * the operand in *blamed. Returns NULL if it is valid. An optional control vector
- * counts as absent if it is r0. */
+/* Returns the reason why the machine rejects the instruction for any contents of
+ * registers, and the operand in *blamed. Returns NULL if it is valid. An optional
+ * control vector counts as absent if it is r0. */
 const char *syntax_refusal(const c205_insn *insn, const struct operand *operands,
                            size_t count, c205_fields *fields, size_t *blamed);
 

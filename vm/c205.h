@@ -1,8 +1,8 @@
 /* c205.h - an emulator of a CYBER 205 style vector computer.
  *
- * The machine is "205-style, reconstructed": docs/machine.md states for each part what
- * is known and what is not. Its time is cycle-accounted: every clock of a run is
- * charged to one cause, and the causes sum to the total.
+ * The machine is "205-style, reconstructed": docs/machine.md states which parts are
+ * known and which are reconstructed. Its time is cycle-accounted: every clock of a run
+ * is charged to one cause, and the causes sum to the total.
  *
  * Example:
  *

@@ -53,7 +53,7 @@ struct touch {
 enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS + 1 };
 
 /* The effect of an instruction, filled by its semantics and read by the clock and the
- * events. The semantics record what happened and not its cost. */
+ * events. The semantics record the events of the instruction, not their cost. */
 struct effect {
     size_t elements;  /* vector length: results made or operands scanned */
     size_t idle;      /* elements that took time without an operation: sparse vectors */

@@ -90,7 +90,7 @@ dap_request request_read_memory, request_write_memory, request_disassemble;
 /* ---- Arguments (arguments.c) --------------------------------------------- */
 
 /* Checks that the members of an object have the types of a request's arguments, or of a
- * type of the protocol. Reports an error and returns false if one has not. */
+ * type of the protocol. Reports an error and returns false if one has another type. */
 bool dap_check(struct dap *dap, const char *owner, const struct json_value *object);
 
 /* ---- Reports and messages (respond.c) ------------------------------------ */

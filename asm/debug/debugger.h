@@ -15,7 +15,7 @@ struct debugger;
 struct debugger_verb {
     const char *name; /* NULL after the last */
     const char *arguments, *help;
-    /* Executes the verb. rest: the text after the name on its line. Its output goes to
+    /* Executes the verb. cursor: the text after the name on its line. Its output goes to
      * debugger_out. Returns false and sets the error if it fails. */
     bool (*obey)(void *context, struct debugger *debugger, const char *cursor,
                  c205_error *error);

@@ -9,7 +9,7 @@
  * largest one so far. */
 uint64_t debugger_step(const struct debugger *debugger);
 uint64_t debugger_known(const struct debugger *debugger);
-/* Returns why the program cannot continue, or NULL if it can. */
+/* Returns the reason why the program cannot continue, or NULL if it can. */
 const c205_stop *debugger_halt(const struct debugger *debugger);
 /* Returns the last instruction with its times, or NULL if there is none. */
 const c205_event *debugger_last(const struct debugger *debugger);
@@ -24,7 +24,7 @@ const c205_constant *debugger_constant(const struct debugger *debugger,
 /* Prints the reason of a wait, or nothing if the piece is not a wait. */
 void show_wait(const struct debugger *debugger, const c205_piece *piece,
                const struct sink *sink);
-/* Prints why the program cannot continue to the debugger's sink. */
+/* Prints the reason why the program cannot continue. */
 void show_halt(struct debugger *debugger);
 
 /* Returns the last name that the program gave a register, or "". */

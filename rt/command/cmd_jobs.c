@@ -12,7 +12,7 @@
 
 /* ---- Shares -------------------------------------------------------------- */
 
-/* Reads a number of digits only. Returns what follows it, or NULL. */
+/* Reads a number of digits only. Returns the text after the digits, or NULL. */
 static const char *read_digits(const char *text, size_t *number)
 {
     char *end;

@@ -26,8 +26,8 @@ static void print_head(const struct rt205_arguments *arguments,
                       speedup_projection_model(trace->model, SPEEDUP_720));
 }
 
-/* Calls tell for the models of the first count projections. Table 1 needs only the
- * first. */
+/* Calls print_result for the models of the first count projections. Table 1 needs only
+ * the first. */
 static bool each_projection(const struct rt205_arguments *arguments, int count,
                             void (*print_result)(const c205_model *model,
                                                  void *context),

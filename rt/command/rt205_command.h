@@ -217,8 +217,8 @@ bool cmd_is_part(const char *text, struct job_set *job_set);
 
 /* Parses X,Y. */
 bool cmd_take_pixel(char *text, void *pixel);
-/* Checks that the frame has the pixel. Returns CMD_DONE, or the exit code after
- * reporting that it has not. */
+/* Checks that the frame has the pixel. Returns CMD_DONE, or the exit code after an
+ * error message. */
 int cmd_check_pixel(const struct rt205_arguments *arguments);
 
 /* Checks that the picture, if requested, can be written. Returns CMD_DONE, or the

@@ -292,7 +292,7 @@ static size_t unit_count(const struct rows_work *work)
 
 /* ---- All rows ---------------------------------------------------------------- */
 
-/* Opens the files with a key of all that packets depend on, in addition to the
+/* Opens the files. The key identifies all inputs of the packets, in addition to the
  * scene. */
 static bool keep(const struct rows_work *work, struct job_set *job_set,
                  c205_error *error)

@@ -429,7 +429,7 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     return good || error_set(error, "the result of a packet is incomplete");
 }
 
-/* Opens the files with a key of all that packets depend on, in addition to the
+/* Opens the files. The key identifies all inputs of the packets, in addition to the
  * scene. */
 static bool keep(const struct global_work *work, struct job_set *job_set,
                  c205_error *error)

@@ -31,7 +31,7 @@ struct heat_look {
     const char *path;
 };
 
-/* What was drawn. */
+/* The range of the drawn values, and the cost. */
 struct heat_drawn {
     double least, most; /* values */
     uint64_t clocks;    /* of the frame */

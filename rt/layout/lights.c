@@ -12,7 +12,7 @@ static bool fades(const struct light *light)
     return light->fade_power > 0 && light->fade_distance != 0;
 }
 
-/* True if the light's intensity varies with direction or distance. */
+/* Returns true if the light's intensity varies with direction or distance. */
 static bool dims(const struct light *light)
 {
     return light->beam != BEAM_NONE || fades(light);

@@ -1,7 +1,7 @@
 /* program.h - assembles kernels and runs them on a machine.
  *
- * The sources of the kernels are compiled into this library. A program is one
- * kernel and all that it includes.
+ * The sources of the kernels are compiled into this library. A program is one kernel
+ * with its included files.
  */
 #ifndef RT_PROGRAM_H
 #define RT_PROGRAM_H

@@ -409,7 +409,7 @@ static bool take_unit(void *context, size_t unit, struct serialized_result *word
     return !words->failed || error_set(error, "the result of a packet is incomplete");
 }
 
-/* Opens the files with a key of all that packets depend on. If a run has several
+/* Opens the files. The key identifies all inputs of the packets. If a run has several
  * rounds, the key is that of the first, since the later ones follow from it. */
 static bool keep(const struct columns_work *work, struct job_set *job_set,
                  c205_error *error)

@@ -20,7 +20,7 @@ struct mass_request {
     const char *density_file; /* a file with more of them, or NULL */
     struct mass_units units;
     double about[3]; /* the reference point of the inertia */
-    enum mass_by by; /* what forms a row */
+    enum mass_by by; /* the subject of a row */
     bool overlaps;   /* also compute overlaps */
     enum columns_points points;
     size_t rays; /* of a view, in all shifts; rounded to a power of two in each */

@@ -122,8 +122,8 @@ struct shape {
     /* The words of that kernel; NULL: the same as `words`. */
     size_t (*historical_words)(const struct primitive *primitive, double *words);
     /* Describes how points are distributed over the surface; the caller frees the
-     * emitter. Returns why this is not possible, or NULL. NULL: the surface is sampled
-     * by lines only. */
+     * emitter. Returns the reason why this is not possible, or NULL. NULL: the surface
+     * is sampled by lines only. */
     const char *(*emit)(const struct primitive *primitive, struct emitter *emitter);
 };
 

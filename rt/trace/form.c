@@ -62,8 +62,8 @@ static bool has_fogs(const struct scene *scene)
     return scene->fog_count > 0;
 }
 
-/* True if the kernels compare keys. Surfaces of different regions may coincide; a
- * region that yields then loses. A query of every crossing reports those of each
+/* Returns true if the kernels compare keys. Surfaces of different regions may coincide;
+ * a region that yields then loses. A query of every crossing reports those of each
  * region and needs no such key. */
 static bool has_keys(const struct scene *scene)
 {

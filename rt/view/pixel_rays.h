@@ -37,8 +37,8 @@ struct pixel_element {
     c205_word word;
 };
 
-/* Calls `tell` for each element, ray by ray and group by group. Returns the number
- * of the pixel's rays in the current queue. */
+/* Calls the listener for each element, ray by ray and group by group. Returns the
+ * number of the pixel's rays in the current queue. */
 typedef void pixel_listener(void *context, const struct pixel_element *element);
 size_t pixel_elements(const struct frame_pixel *pixel, const c205 *machine,
                       pixel_listener *listener, void *context);

@@ -5,7 +5,7 @@
 #include "asm/sweep/swept.h"
 #include "web/engine/engine_internal.h"
 
-/* A sweep with all that it refers to. */
+/* A sweep and the data that it refers to. */
 struct laboratory {
     struct arena arena;
     struct asm_options options;

@@ -27,7 +27,7 @@
 ;
 ; Events are examined in order until one is visible. If only the bits of the
 ; event's own leaf differ, it shows.
-; Source: the project's notes on ray tracing, 4.1. The rule for what shows is
+; Source: the project's notes on ray tracing, 4.1. The rule of visibility is
 ; derived here.
 
         .share  local
@@ -214,7 +214,7 @@ visible_decide:
         value_differs v_value, visible_hidden
         IBXEQ   v_others, r0, r0, visible_found
 
-; Finds what shows. If a value stays the same, its parts do not show.
+; Finds the parts that show. If a value stays the same, its parts do not show.
         RTOR    v_branches, v_branch
 visible_branch_part:
         load_steps

@@ -34,7 +34,7 @@
 ;   EVERY     each crossing of each primitive (visible_every_vector.s)
 ;
 ; Source: the project's notes on ray tracing, 4.1: the before/after rule, event
-; stepping. The rule for what shows is derived here.
+; stepping. The rule of visibility is derived here.
 
         .equ    STEPPING, 1
         .equ    EVERY, 2

@@ -166,7 +166,7 @@ static void choose_axes(struct polygon *polygon, const double normal[3])
     polygon->up = (seen + 2) % 3;
 }
 
-/* Returns why POV-Ray does not show the polygon, or NULL. */
+/* Returns the reason why POV-Ray does not show the polygon, or NULL. */
 static const char *find_plane(struct polygon *polygon)
 {
     double normal[3];

@@ -44,7 +44,7 @@ void symbol_hold(struct declared_name *symbol);
 bool symbol_release(struct declared_name *symbol);
 /* Returns the name, which has no terminating NUL. */
 const char *symbol_name(const struct declared_name *symbol, size_t *length);
-/* Calls `tell` for each symbol of level 0 that is no alias, in no order. */
+/* Calls `visit` for each symbol of level 0 that is no alias, in no order. */
 void symbols_walk(const struct declared_names *symbols,
                   void (*visit)(void *context, const char *name, size_t length,
                                 const struct scene_value *value),
