@@ -42,7 +42,7 @@ order_hit_store: .space QUEUE
         ADDNV   [\p], [v1], [\p]
         .endm
 
-; The same for rays that start at one point.
+; Computes the hit points and directions of rays that start at one point.
         .macro  point_of_view o, d, p, hd
         VXTOV   [at], [\d], [\hd]
         MPYSV   [v0], [\hd], [v1]

@@ -82,8 +82,8 @@ interiors_come:
         DIVSV   spawn_index, [v2], [v2]
         VTOV    [v2], [lz] ? [hits1]
 
-; Searches the body among the previous ones: v0 = the bodies not yet searched,
-; in_scale = B^k, where k is the number of divisions.
+; Searches for the body among the previous ones: v0 = the bodies not yet
+; searched, in_scale = B^k, where k is the number of divisions.
 interiors_under:
         RTOR    in_base, in_scale
 interiors_deeper:

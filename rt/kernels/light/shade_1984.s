@@ -119,7 +119,7 @@ shade_first:
         hand_over n, 1, 0, shade_n
         to_scalar
 
-; Ray by ray: computes the surface of the hit, or the background.
+; Computes for each ray the surface of its hit, or the background.
         load_at shade_operands, SHADE_OPERANDS, of_nearest
         load_at scene_background, 3, back_red
         load_at scene_sky + 64 * 4, 1, of_sky
@@ -169,7 +169,7 @@ shade_ray_next:
         SWAP    [r0], new_ox, [loop_at]
         IBXEQ   new_oy, r0, r0, shade_store
 
-; Light by light: finds the hits that face it.
+; Finds for each light the hits that face it.
 shade_towards:
         load_at shade_light_at, 1, loop_at
         ELEN    loop_at, LIGHT_SIZE

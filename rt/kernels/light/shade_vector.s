@@ -241,7 +241,7 @@ shade_view:
         point_of_view aoy, ady, py, hdy
         point_of_view aoz, adz, pz, hdz
 
-; Part by part: normals, spawned rays, pigments, ambient light.
+; Computes for each part the normals, spawned rays, pigments and ambient light.
 shade_surfaces:
         parts_begin
 shade_surface:
@@ -265,7 +265,7 @@ shade_surface:
         MPYSV   [cb], f_ambientb, [blue]
         parts_next shade_surface
 
-; Light by light.
+; Adds the light of each source.
         load_word scene_lights, light_at
         load_word scene_light_count, lights_left
         IBXEQ   lights_left, r0, r0, shade_store_colours

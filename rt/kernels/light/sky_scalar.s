@@ -14,8 +14,8 @@ sky_direction:  .space 3
 sky_colour:     .space 3
         .code
 
-; Sets the registers from first on to the colour in the direction of the three
-; registers from from on.
+; Sets the three registers from `first` on to the colour in the direction that
+; the three registers from `from` on hold.
         .macro  see_sky from, first, at
         EX      \at, sky_direction
         ELEN    \at, 3

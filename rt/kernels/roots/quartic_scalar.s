@@ -80,7 +80,7 @@ solver_save:   .space QUARTIC_REGISTERS
         ADDN    \fx, q_c1, \fx
         .endm
 
-; The same, and zero = 1 if the value is within the tolerance of the sum of the
+; fx = value at x; zero = 1 if it is within the tolerance of the sum of the
 ; magnitudes.  Two chains of operations are interleaved to hide their latencies.
         .macro  one_step x, fx, c, m
         MPYS    \fx, \x, \fx

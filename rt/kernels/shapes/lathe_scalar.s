@@ -199,7 +199,7 @@ once_below\@:
         SUBN    crossed_at, along, crossed_at
         .endm
 
-; Computes the crossings with the first rows rows; found uses each crossed_at.
+; Computes the crossings with the first `rows` rows; found uses each crossed_at.
         .macro  walk_segments rows, found
         RTOR    a_primitive, t0
         IX      t0, 64 * P_TABLE

@@ -302,7 +302,7 @@ once_chosen\@:
         SUBNV   [crossed_at], [lane_along], [crossed_at]
         .endm
 
-; Computes the crossings with the first rows rows; found uses [crossed_at] in
+; Computes the crossings with the first `rows` rows; found uses [crossed_at] in
 ; the lanes of bits.
         .macro  walk_segments rows, found
         load_field P_TABLE, segment_at
