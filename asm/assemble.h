@@ -68,7 +68,7 @@ struct asm_mention {
     size_t name;      /* index in the list of registers */
 };
 
-/* An expectation of a test program, a comment "; expect": asm/expect.h. */
+/* An expectation of a test program, from a comment "; expect" (asm/expect.h). */
 struct asm_expectation;
 
 struct object {
