@@ -14,9 +14,9 @@
  *
  *     i = r + c,   j = r + 2 c    (modulo samples),
  *
- * which is Arnold's cat map. It uses every cell once. All pixels have the same
- * points. This avoids noise, but with few points the picture looks like several
- * pictures over each other.
+ * which is Arnold's cat map. It uses every cell once. All pixels have the same points.
+ * This avoids noise, but with few points the result looks like several superimposed
+ * pictures.
  */
 #include "rt/layout/lens.h"
 

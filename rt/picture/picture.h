@@ -1,13 +1,12 @@
 /* picture.h - writes a frame to a picture file, and reads it back.
  *
- * The file's ending selects the kind: .png and .jpg have 8-bit sRGB colours; .exr
- * and .tif have linear colours and the channels Z (distance along the ray), N.X,
- * N.Y, N.Z (unit normal, world) and id (primitive number, from 1; 0 is
- * background). OpenImageIO does the writing. Its adapter, a shared object named
- * rt205_oiio.so, is loaded when a picture is first accessed or announced, so that
- * a command without a picture does not pay for it. It is searched for in the
- * folder in the environment variable RT205_LIBDIR, in the folder of the running
- * program, and in ../lib/rt205 from there, where it is installed.
+ * The file's ending selects the kind: .png and .jpg have 8-bit sRGB colours; .exr and
+ * .tif have linear colours and the channels Z (distance along the ray), N.X, N.Y, N.Z
+ * (unit normal, world) and id (primitive number, from 1; 0 is background). OpenImageIO
+ * does the writing. Its adapter, a shared object named rt205_oiio.so, is loaded when a
+ * picture is first accessed or announced, so a command without a picture does not load
+ * it. It is searched for in the folder in the environment variable RT205_LIBDIR, in the
+ * folder of the running program, and in ../lib/rt205 from there, where it is installed.
  */
 #ifndef RT_PICTURE_H
 #define RT_PICTURE_H

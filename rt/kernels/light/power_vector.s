@@ -5,7 +5,7 @@
 ;   log2(f / sqrt(1/2)) = 2/ln 2 (s + s^3/3 + s^5/5 + ... + s^17/17)
 ;   z = exponent log2 x, not below -1000
 ;   2^z = 2^floor(z) sqrt(2) e^((z - floor(z) - 1/2) ln 2), the exponential
-;   by its series up to the 13th power of |.| < 0.347.
+;   by its series up to the 13th power; |argument| < 0.347.
 ;
 ; The first omitted terms are 2e-15 and 4e-18; the truncation to 47 bits is
 ; larger.  f is formed by writing the exponent -47 over that of x, and 2^k by
