@@ -1,79 +1,98 @@
 /* test_plain_rays.c - colours of the plain tracer's mirrors, glass and shadows are
  * compared with values computed by hand, for scenes with luminous objects. A wrong
  * index, level or weight of a ray fails here. */
-#include "tests/oracle/plain_shapes.h"
-#include "tests/oracle/plain_tracer.h"
-#include "tests/unit/scene_reading.h"
+#include "tests/unit/plain_ray.h"
 
-/* Each picture is one ray through the middle of one pixel. */
 #define HEAD \
     "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 } " \
     "#default { finish { ambient 0 diffuse 0 } } "
 
-struct look {
-    double from[3], along[3];
-};
-
-static void see(const struct look *look, const char *text, double color[3])
+/* Compares the colour of a ray through a scene, a text that is formatted by printf. */
+static void check(const struct look *look, double red, double green, double blue,
+                  const char *format, ...) __attribute__((format(printf, 5, 6)));
+static void check(const struct look *look, double red, double green, double blue,
+                  const char *format, ...)
 {
-    char whole[4096];
-    SCOPED_VALUE(frame) frame;
-    snprintf(whole, sizeof whole, HEAD "%s", text);
-    SCOPED(scene) *scene = read_scene(whole);
-    scene->camera = (struct camera){ .location = { 0 } };
-    copy(scene->camera.location, look->from);
-    copy(scene->camera.direction, look->along);
-    assert_true(plain_trace(scene, 1, 1, &frame));
-    for (int i = 0; i < 3; i++)
-        color[i] = frame.channel[i][0];
-}
+    char text[4000];
+    double color[FRAME_CHANNELS];
+    va_list list;
 
-static void check(const struct look *look, const char *text, double red, double green,
-                  double blue)
-{
-    double color[3];
-    see(look, text, color);
+    va_start(list, format);
+    assert_in_range(vsnprintf(text, sizeof text, format, list), 0, sizeof text - 1);
+    va_end(list);
+    trace_ray(look, HEAD, text, color);
     if (!(fabs(color[0] - red) < CLOSE && fabs(color[1] - green) < CLOSE
           && fabs(color[2] - blue) < CLOSE))
         fail_msg("%s: %.15g %.15g %.15g", text, color[0], color[1], color[2]);
 }
 
 #define LAMP "finish { ambient 1 } "
-/* clang-format off */
-#define ZAHEAD { { 0, 0, -5 }, { 0, 0, 1 } }
-/* clang-format on */
 
-/* ---- Mirrors ------------------------------------------------------------ */
+static const struct look onto_floor = { { -4, 3, 0 }, { 4, -3, 0 } };
+static const struct look ahead = { { 0, 0, -5 }, { 0, 0, 1 } };
 
-/* From <-4, 3, 0>, a floor shows the lamp at <4, 3, 0> at the origin, tinted by the
- * mirror alone. */
-TEST(mirror_image)
+/* ---- Colours ------------------------------------------------------------ */
+
+#define DARK \
+    "background { rgb 1 } " \
+    "global_settings { adc_bailout .5 } plane { -z, 0 pigment { "
+
+TEST(colors)
 {
-    const struct look look = { { -4, 3, 0 }, { 4, -3, 0 } };
-    check(&look,
-          "plane { y, 0 pigment { rgb 1 } "
-          "finish { reflection rgb <.9, .5, .2> } } "
-          "sphere { <4, 3, 0>, 1e-6 pigment { rgb .5 } " LAMP "}",
-          .45, .25, .1);
-    check(&look,
+    const struct look onto_ball = { { -3, 4, 0 }, { 3, -3, 0 } };
+    const struct look near_axis = { { 0, 1e-4, -5 }, { 0, 0, 1 } };
+    const struct {
+        const struct look *look;
+        double red, green, blue;
+        const char *text;
+    } rows[] = {
+        /* From <-4, 3, 0>, a floor shows the lamp at <4, 3, 0> at the origin, tinted by
+         * the mirror alone. */
+        { &onto_floor, .45, .25, .1,
+          "plane { y, 0 pigment { rgb 1 } finish { reflection <.9, .5, .2> } } "
+          "sphere { <4, 3, 0>, 1e-6 pigment { rgb .5 } " LAMP "}" },
+        { &onto_floor, .1 + .25, .2 + .25, .3 + .25,
           "plane { y, 0 pigment { rgb <.1, .2, .3> } "
-          "finish { ambient 1 reflection .5 } } background { rgb .5 }",
-          .1 + .25, .2 + .25, .3 + .25);
-    check(&look,
+          "finish { ambient 1 reflection .5 } } background { rgb .5 }" },
+        { &onto_floor, 0, 0, 0,
           "plane { y, 0 finish { reflection .5 } } "
-          "sphere { <4, 3.00001, 0>, 1e-6 pigment { rgb .5 } " LAMP "}",
-          0, 0, 0);
-}
-
-/* The ray hits the ball where eye and lamp are mirror images of each other; there the
- * normal is between them. */
-TEST(mirror_ball)
-{
-    const struct look look = { { -3, 4, 0 }, { 3, -3, 0 } };
-    check(&look,
+          "sphere { <4, 3.00001, 0>, 1e-6 pigment { rgb .5 } " LAMP "}" },
+        /* The ray hits the ball where eye and lamp are mirror images of each other;
+         * there the normal is between them. */
+        { &onto_ball, .7, .7, .7,
           "sphere { 0, 1 finish { reflection 1 } } "
-          "sphere { <3, 4, 0>, 1e-6 pigment { rgb .7 } " LAMP "}",
-          .7, .7, .7);
+          "sphere { <3, 4, 0>, 1e-6 pigment { rgb .7 } " LAMP "}" },
+        /* A ball of index n focuses rays near its axis at n / (2 (n - 1)) radii from
+         * its centre. */
+        { &near_axis, .6, .6, .6,
+          "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } } "
+          "sphere { 1.5*z, 1e-6 pigment { rgb .6 } " LAMP "}" },
+        /* Transmitted light, and the remaining colour and highlights of the surface. */
+        { &ahead, .65, .5, .35,
+          "background { rgb 1 } plane { -z, 0 "
+          "pigment { rgbft <.8, .5, .2, .5, .25> } }" },
+        { &ahead, .65 + .2, .5 + .125, .35 + .05,
+          "background { rgb 1 } plane { -z, 0 "
+          "pigment { rgbft <.8, .5, .2, .5, .25> } finish { ambient 1 } }" },
+        { &ahead, .375, .375, .375,
+          "background { rgb .5 } plane { -z, 0 "
+          "pigment { rgbt <.5, .5, .5, .5> } finish { reflection .25 } }" },
+        { &ahead, .3, .3, .3, /* .5 (.5 .8 .25 + .5) */
+          "light_source { -9*z, .5 } plane { -z, 0 pigment { rgbt <.8, .8, .8, .75> } "
+          "finish { diffuse .5 specular .5 } }" },
+        { &ahead, .5, .5, .5,
+          "background { rgb 1 } plane { -z, 0 pigment { "
+          "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }" },
+        /* If the transmitted weight, or its brightness, is below the threshold, the ray
+         * is not followed. */
+        { &ahead, .9, .9, 0, DARK "rgbf <.9, .9, 0, 1> } }" },
+        { &ahead, 0, 0, 0, DARK "rgbf <.9, 0, 0, 1> } }" }, /* brightness .267 */
+        { &ahead, 0, 0, 0, DARK "rgbt <0, 0, 0, .5> } }" },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++)
+        check(rows[i].look, rows[i].red, rows[i].green, rows[i].blue, "%s",
+              rows[i].text);
 }
 
 /* Two facing mirrors form a geometric series, which ends at the maximum level or at the
@@ -81,16 +100,14 @@ TEST(mirror_ball)
 static void check_series(int level, double bailout, int terms)
 {
     static const struct look look = { { 0, 0, 1 }, { 0, 0, 1 } };
-    char text[512];
     double sum = 0;
     for (int i = 0; i < terms; i++)
         sum += .1 * pow(.5, i);
-    snprintf(text, sizeof text,
-             "global_settings { max_trace_level %d "
-             "adc_bailout %.17g } box { 0, <9, 9, 2> translate <-4, -4, 0> "
-             "pigment { rgb 1 } finish { ambient .1 reflection .5 } }",
-             level, bailout);
-    check(&look, text, sum, sum, sum);
+    check(&look, sum, sum, sum,
+          "global_settings { max_trace_level %d adc_bailout %.17g } "
+          "box { 0, <9, 9, 2> translate <-4, -4, 0> "
+          "pigment { rgb 1 } finish { ambient .1 reflection .5 } }",
+          level, bailout);
 }
 
 TEST(levels)
@@ -118,11 +135,9 @@ static double aside(double n, double depth)
 static void check_behind(const char *things, double shift, double depth)
 {
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
-    char text[2048];
-    snprintf(text, sizeof text,
-             "%s sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP "}", things,
-             -shift - 1, depth + 1);
-    check(&look, text, .8, .8, .8);
+    check(&look, .8, .8, .8,
+          "%s sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP "}", things,
+          -shift - 1, depth + 1);
 }
 
 static void check_slab(double n, double depth)
@@ -144,17 +159,6 @@ TEST(snell)
     check_slab(.8, 1);
 }
 
-/* A ball of index n focuses rays near its axis at n / (2 (n - 1)) radii from its
- * centre. */
-TEST(ball_lens)
-{
-    const struct look look = { { 0, 1e-4, -5 }, { 0, 0, 1 } };
-    check(&look,
-          "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } } "
-          "sphere { 1.5*z, 1e-6 pigment { rgb .6 } " LAMP "}",
-          .6, .6, .6);
-}
-
 /* From inside glass, below y = 0, the ray reaches a blue sky or, from 41.81 degrees on,
  * returns to the red ground. Total reflection returns all light; the surface's own
  * reflection has no effect then. */
@@ -162,11 +166,10 @@ static void check_from_below(double degrees, double red, double blue)
 {
     double angle = degrees * 3.14159265358979323846 / 180;
     const struct look look = { { 0, -1, 0 }, { sin(angle), cos(angle), 0 } };
-    check(&look,
+    check(&look, red, 0, blue,
           "background { rgb z } plane { y, 0 pigment { rgbt .25 } "
           "finish { reflection .5 } interior { ior 1.5 } } "
-          "plane { y, -9 pigment { rgb x } finish { ambient 1 } }",
-          red, 0, blue);
+          "plane { y, -9 pigment { rgb x } finish { ambient 1 } }");
 }
 
 TEST(total_reflection)
@@ -175,54 +178,6 @@ TEST(total_reflection)
     check_from_below(41.8, .5, .25);
     check_from_below(41.82, 1, 0);
     check_from_below(80, 1, 0);
-}
-
-/* Transmitted light, and the remaining colour and highlights of the surface. */
-TEST(what_passes)
-{
-    struct look look = ZAHEAD;
-    check(&look,
-          "background { rgb 1 } plane { -z, 0 "
-          "pigment { rgbft <.8, .5, .2, .5, .25> } }",
-          .65, .5, .35);
-    check(&look,
-          "background { rgb 1 } plane { -z, 0 "
-          "pigment { rgbft <.8, .5, .2, .5, .25> } finish { ambient 1 } }",
-          .65 + .2, .5 + .125, .35 + .05);
-    check(&look,
-          "background { rgb .5 } plane { -z, 0 "
-          "pigment { rgbt <.5, .5, .5, .5> } finish { reflection .25 } }",
-          .375, .375, .375);
-    check(&look,
-          "light_source { -9*z, .5 } plane { -z, 0 pigment { rgbt <.8, .8, .8, .75> } "
-          "finish { diffuse .5 specular .5 } }",
-          .3, .3, .3); /* .5 (.5 .8 .25 + .5) */
-    check(&look,
-          "background { rgb 1 } plane { -z, 0 pigment { "
-          "checker rgbt <0, 0, 0, .5> rgb 0 translate -.5 } }",
-          .5, .5, .5);
-}
-
-/* If the transmitted weight, or its brightness, is below the threshold, the ray is not
- * followed. */
-TEST(too_dark)
-{
-    struct look look = ZAHEAD;
-    const char *text = "background { rgb 1 } "
-                       "global_settings { adc_bailout .5 } plane { -z, 0 pigment { ";
-    static const struct {
-        const char *pigment;
-        double red, green;
-    } rows[] = {
-        { "rgbf <.9, .9, 0, 1> } }", .9, .9 },
-        { "rgbf <.9, 0, 0, 1> } }", 0, 0 }, /* brightness .267 */
-        { "rgbt <0, 0, 0, .5> } }", 0, 0 },
-    };
-    char whole[512];
-    for (size_t i = 0; i < COUNT(rows); i++) {
-        snprintf(whole, sizeof whole, "%s%s", text, rows[i].pigment);
-        check(&look, whole, rows[i].red, rows[i].green, 0);
-    }
 }
 
 /* ---- Glass in glass ----------------------------------------------------- */
@@ -239,12 +194,10 @@ TEST(ball_in_water)
     double b = .3;
     const struct look look = { { 0, b, -5 }, { 0, 0, 1 } };
     double turned = asin(b / 2) - asin(b / 1.33 / 2) + asin(b / 1.33) - asin(b / 1.5);
-    char text[512];
-    snprintf(text, sizeof text,
-             "sphere { 0, 2 " WATER "} sphere { 0, 1 " GLASS "} "
-             "sphere { %.17g*z, 1e-6 pigment { rgb .6 } " LAMP "}",
-             b / sin(2 * turned));
-    check(&look, text, .6, .6, .6);
+    check(&look, .6, .6, .6,
+          "sphere { 0, 2 " WATER "} sphere { 0, 1 " GLASS "} "
+          "sphere { %.17g*z, 1e-6 pigment { rgb .6 } " LAMP "}",
+          b / sin(2 * turned));
 }
 
 /* The medium that was entered last counts until it is left. Leaving the other one
@@ -283,12 +236,10 @@ static void check_from_within(double along, const char *things)
     double b = .5, radius = 2;
     const struct look look = { { 0, b, 0 }, { 0, 0, along } };
     double turned = asin(1.5 * b / radius) - asin(b / radius);
-    char text[512];
-    snprintf(text, sizeof text,
-             "sphere { 0, 2 " GLASS "} %s"
-             "sphere { %.17g*z, 1e-6 pigment { rgb .6 } " LAMP "}",
-             things, 1.5 * b / sin(turned));
-    check(&look, text, .6, .6, .6);
+    check(&look, .6, .6, .6,
+          "sphere { 0, 2 " GLASS "} %s"
+          "sphere { %.17g*z, 1e-6 pigment { rgb .6 } " LAMP "}",
+          things, 1.5 * b / sin(turned));
 }
 
 TEST(eye_within)
@@ -303,43 +254,40 @@ TEST(eye_within)
 TEST(total_keeps)
 {
     const struct look look = { { -1.5, 0, -3 }, { 1, 0, 1 } };
-    char text[512];
-    snprintf(text, sizeof text,
-             "box { -1, 1 " GLASS "} "
-             "sphere { <%.17g, 0, 2>, 1e-6 pigment { rgb .7 } " LAMP "}",
-             2 - (.5 + aside(1.5, 2)) - 1);
-    check(&look, text, .7, .7, .7);
+    check(&look, .7, .7, .7,
+          "box { -1, 1 " GLASS "} "
+          "sphere { <%.17g, 0, 2>, 1e-6 pigment { rgb .7 } " LAMP "}",
+          2 - (.5 + aside(1.5, 2)) - 1);
 }
 
 /* A ray that continues straight, because the indices on both sides are equal, keeps the
  * level of its parent. At the last level no ray is transmitted. */
 static void check_level(int level, const char *things, double seen)
 {
-    struct look look = ZAHEAD;
-    char text[1024];
-    snprintf(text, sizeof text,
-             "global_settings { max_trace_level %d } background { rgb .6 } %s", level,
-             things);
-    check(&look, text, seen, seen, seen);
+    check(&ahead, seen, seen, seen,
+          "global_settings { max_trace_level %d } background { rgb .6 } %s", level,
+          things);
 }
+
+#define PANES \
+    "#for (I, 1, 8) box { <-1, -1, I>, <1, 1, I + .5> pigment { rgbt 1 } } #end "
 
 TEST(straight_levels)
 {
-    static const char panes[] = "#for (I, 1, 8) box { <-1, -1, I>, <1, 1, "
-                                "I + .5> pigment { rgbt 1 } } #end ";
-    static const char same[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) GLASS "} ";
-    static const char other[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER "} ";
-    char mirrored[512];
-    check_level(1, panes, 0);
-    check_level(2, panes, .6);
-    snprintf(mirrored, sizeof mirrored,
-             "%s plane { -z, -20 finish { reflection .5 } } ", panes);
-    check_level(2, mirrored, 0);
-    check_level(3, mirrored, .3);
-    check_level(2, same, 0);
-    check_level(3, same, .6);
-    check_level(3, other, 0);
-    check_level(4, other, .6);
+    static const struct {
+        const char *text;
+        int level; /* at which the ray arrives */
+        double seen;
+    } rows[] = {
+        { PANES, 2, .6 },
+        { PANES "plane { -z, -20 finish { reflection .5 } } ", 3, .3 },
+        { SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) GLASS "} ", 3, .6 },
+        { SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER "} ", 4, .6 },
+    };
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        check_level(rows[i].level - 1, rows[i].text, 0);
+        check_level(rows[i].level, rows[i].text, rows[i].seen);
+    }
 }
 
 /* Returns Fresnel reflectance at normal incidence. */
@@ -363,20 +311,17 @@ static double slanted_share(double index)
 TEST(fresnel)
 {
 #define FRESNEL "finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } "
-    struct look look = ZAHEAD;
     const struct look slanted = { { 0, 0, 0 }, { 1, 0, 1 } };
     double in_air = straight_share(1.5), in_water = straight_share(1.5 / 1.33);
     double once = slanted_share(1.5);
-    check(&look, "background { rgb 1 } " SLAB(1, 2) FRESNEL "} ", in_air, in_air,
-          in_air);
-    check(&look,
+    check(&ahead, in_air, in_air, in_air,
+          "background { rgb 1 } " SLAB(1, 2) FRESNEL "} ");
+    check(&ahead, in_water, in_water, in_water,
           "global_settings { adc_bailout 1/1000 } "
-          "background { rgb 1 } plane { -z, 0 " WATER "} " SLAB(1, 2) FRESNEL "} ",
-          in_water, in_water, in_water);
-    check(&slanted,
+          "background { rgb 1 } plane { -z, 0 " WATER "} " SLAB(1, 2) FRESNEL "} ");
+    check(&slanted, once, once, once,
           "plane { -z, -4 " FRESNEL "} plane { -z, 4 " FRESNEL "} "
-          "sphere { <14, 0, -2>, .1 pigment { rgb 1 } " LAMP "} ",
-          once, once, once);
+          "sphere { <14, 0, -2>, .1 pigment { rgb 1 } " LAMP "} ");
 }
 
 /* ---- Shadows ------------------------------------------------------------ */
@@ -385,12 +330,10 @@ TEST(fresnel)
 static void check_shadow(const char *between, double red, double green)
 {
     const struct look look = { { 1, 1, 0 }, { -1, -1, 0 } };
-    char text[1024];
-    snprintf(text, sizeof text,
-             "light_source { 10*y, rgb <1, 1, 0> } "
-             "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } } %s",
-             between);
-    check(&look, text, red, green, 0);
+    check(&look, red, green, 0,
+          "light_source { 10*y, rgb <1, 1, 0> } "
+          "plane { y, 0 pigment { rgb 1 } finish { diffuse 1 } } %s",
+          between);
 }
 
 #define CLEAR "pigment { rgbf <.8, .5, .2, 1> } "

@@ -1,0 +1,19 @@
+/* plain_ray.h - traces one ray through a scene with the plain tracer. */
+#ifndef TESTS_PLAIN_RAY_H
+#define TESTS_PLAIN_RAY_H
+
+#include "tests/oracle/plain_shapes.h"
+#include "tests/oracle/plain_tracer.h"
+#include "tests/unit/scene_reading.h"
+
+/* The origin and the direction of a ray. */
+struct look {
+    double from[3], along[3];
+};
+
+/* Reads the two parts of a text as one scene, and traces the ray. Sets the channels of
+ * its frame of one pixel. */
+void trace_ray(const struct look *look, const char *head, const char *text,
+               double values[FRAME_CHANNELS]);
+
+#endif
