@@ -3,61 +3,31 @@
  * error. A model that is missing, a change that affects other constants, or an error at
  * another column fails here.
  */
-#include "tests/unit/unit.h"
-#include "vm/time/model.h"
+#include "tests/unit/named_model.h"
 
 #include <math.h>
 
-static c205_model *parsed(const char *text)
-{
-    c205_error error;
-    c205_model *model = c205_model_parse("test", text, &error);
-    if (!model)
-        fail_msg("%s", error.message);
-    return model;
-}
-
-static void assert_fails(const char *text, const char *message)
-{
-    c205_error error;
-    assert_null(c205_model_parse("test", text, &error));
-    assert_string_equal(error.message, message);
-}
+#define PRIOR "title T\nlike cyber205-2pipe-prior\n"
 
 TEST(built_in)
 {
-    static const double pipes[] = { 1, 2, 4 };
-    static const char *const expected_names[] = { "cdc6600",
-                                                  "cyber205-1pipe-32bit",
-                                                  "cyber205-1pipe-prior",
-                                                  "cyber205-1pipe",
-                                                  "cyber205-2pipe-32bit",
-                                                  "cyber205-2pipe-prior",
-                                                  "cyber205-2pipe-small",
-                                                  "cyber205-2pipe",
-                                                  "cyber205-4pipe-32bit",
-                                                  "cyber205-4pipe-prior",
-                                                  "cyber205-4pipe",
-                                                  "cyber720-prior",
-                                                  "cyber720",
-                                                  "eta10g-prior",
-                                                  "eta10g" };
-    enum { NAMES = COUNT(expected_names) };
-    const char *const *names = c205_model_names();
-    for (size_t i = 0; i < NAMES; i++)
-        assert_string_equal(names[i], expected_names[i]);
-    for (size_t i = 0; i < 3; i++) {
-        char expected[] = "cyber205-0pipe-prior";
-        c205_error error;
-        expected[9] = (char)('0' + (int)pipes[i]);
-        c205_model *model = c205_model_find(expected, &error);
-        assert_non_null(model);
-        assert_string_equal(c205_model_name(model), expected);
-        assert_true(c205_model_lookup(model, "machine.pipes")->value == pipes[i]);
+    char names[400] = "";
+    for (const char *const *name = c205_model_names(); *name; name++)
+        strcat(strcat(names, *name), " ");
+    assert_string_equal(names,
+                        "cdc6600 cyber205-1pipe-32bit cyber205-1pipe-prior "
+                        "cyber205-1pipe cyber205-2pipe-32bit cyber205-2pipe-prior "
+                        "cyber205-2pipe-small cyber205-2pipe cyber205-4pipe-32bit "
+                        "cyber205-4pipe-prior cyber205-4pipe cyber720-prior cyber720 "
+                        "eta10g-prior eta10g ");
+    for (int pipes = 1; pipes <= 4; pipes *= 2) {
+        char name[40];
+        snprintf(name, sizeof name, "cyber205-%dpipe-prior", pipes);
+        SCOPED(c205_model) *model = named_model(name);
+        assert_string_equal(c205_model_name(model), name);
+        assert_true(c205_model_lookup(model, "machine.pipes")->value == pipes);
         assert_true(c205_model_lookup(model, "startup.vadd")->value == 51);
-        c205_model_free(model);
     }
-    assert_null(names[NAMES]);
 }
 
 /* Variants: the model that each resembles, and the constant in which it differs. */
@@ -71,9 +41,7 @@ TEST(variants)
                   { "cyber205-4pipe-32bit", "cyber205-4pipe", "vector.word_rate", 2 },
                   { "cyber205-2pipe-small", "cyber205-2pipe", "page.words", 512 } };
     for (size_t i = 0; i < COUNT(cases); i++) {
-        c205_error error;
-        c205_model *model = c205_model_find(cases[i].name, &error);
-        assert_non_null(model);
+        SCOPED(c205_model) *model = named_model(cases[i].name);
         const c205_model *like = c205_model_like(model);
         assert_string_equal(c205_model_name(like), cases[i].like);
         for (size_t k = 0; k < c205_model_size(model); k++) {
@@ -83,15 +51,13 @@ TEST(variants)
             else
                 assert_true(constant->value == c205_model_constant(like, k)->value);
         }
-        c205_model_free(model);
     }
 }
 
 /* Every constant has all its columns and is found by its name. */
 TEST(constants)
 {
-    c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
+    SCOPED(c205_model) *model = named_model("cyber205-2pipe-prior");
     assert_int_equal(c205_model_size(model), CONSTANTS);
     for (size_t i = 0; i < c205_model_size(model); i++) {
         const c205_constant *constant = c205_model_constant(model, i);
@@ -102,15 +68,14 @@ TEST(constants)
     assert_null(c205_model_lookup(model, "startup"));
     assert_string_equal(c205_model_lookup(model, "clock.period")->remark,
                         "stated for the machine");
-    c205_model_free(model);
 }
 
 TEST(exact_values)
 {
-    c205_model *model = parsed("title test\nlike cyber205-4pipe-prior\n"
-                               "clock.period 12.5 ns R\n"
-                               "stream.vadd 0.000001 clk*pipe/element R\n"
-                               "stream.vbits 2. clk/bit R\n");
+    SCOPED(c205_model) *model = parsed_model("title test\nlike cyber205-4pipe-prior\n"
+                                             "clock.period 12.5 ns R\n"
+                                             "stream.vadd 0.000001 clk*pipe/element R\n"
+                                             "stream.vbits 2. clk/bit R\n");
     assert_int_equal(model_millionths(model, CONSTANT_CLOCK_PERIOD), 12500000);
     assert_int_equal(model_whole(model, CONSTANT_PIPES), 4);
     struct rate rate = model_rate(model, stream_constant(C205_TIMING_vadd));
@@ -121,22 +86,21 @@ TEST(exact_values)
     assert_int_equal(rate.per, MILLION);
     assert_int_equal(model_whole(model, latency_constant(C205_TIMING_sqrt)), 54);
     assert_int_equal(model_whole(model, startup_constant(C205_TIMING_vlink)), 84);
-    c205_model_free(model);
 }
 
 /* A model names the model that it extends, and its changes. */
 TEST(like)
 {
-    c205_model *model = parsed("# a remark\n\n  title  A slower one  # remark\n"
-                               "like cyber205-2pipe-prior\r\n"
-                               "startup.vadd 100 clk R   # twice the wait\n");
+    SCOPED(c205_model) *model = parsed_model(
+        "# a remark\n\n  title  A slower one  # remark\n"
+        "like cyber205-2pipe-prior\r\n"
+        "startup.vadd 100 clk R   # twice the wait\n");
     const c205_constant *startup = c205_model_lookup(model, "startup.vadd");
     assert_string_equal(c205_model_title(model), "A slower one");
     assert_string_equal(startup->text, "100");
     assert_int_equal(startup->source, 'R');
     assert_string_equal(startup->remark, "twice the wait");
     assert_string_equal(c205_model_lookup(model, "startup.vsum")->text, "96");
-    c205_model_free(model);
 }
 
 /* ---- Changed models ------------------------------------------------------ */
@@ -155,8 +119,8 @@ TEST(change)
                                              { "page.words", 2048 },
                                              { "stream.vadd", 1.25 } };
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    c205_model *changed = c205_model_change(model, settings, 3, &error);
+    SCOPED(c205_model) *model = named_model("cyber205-2pipe");
+    SCOPED(c205_model) *changed = c205_model_change(model, settings, 3, &error);
     assert_non_null(changed);
     assert_string_equal(c205_model_name(changed),
                         "cyber205-2pipe with machine.pipes 4, "
@@ -174,8 +138,6 @@ TEST(change)
     assert_int_equal(model_whole(changed, CONSTANT_PIPES), 4);
     assert_int_equal(model_rate(changed, stream_constant(C205_TIMING_vadd)).per,
                      4 * MILLION);
-    c205_model_free(changed);
-    c205_model_free(model);
 }
 
 /* A changed model can be changed again. Without changes the result is a copy, also for
@@ -185,25 +147,19 @@ TEST(change_again)
     static const c205_setting first = { "machine.pipes", 4 };
     static const c205_setting second = { "machine.pipes", 1 };
     static const c205_setting third = { "time.add", 10 };
-    c205_model *model = parsed("title T\nlike cyber205-2pipe-prior\n");
-    c205_model *projection = parsed("title T\nlike cyber720-prior\n");
+    SCOPED(c205_model) *model = parsed_model(PRIOR);
+    SCOPED(c205_model) *projection = parsed_model("title T\nlike cyber720-prior\n");
     c205_error error;
-    c205_model *four = c205_model_change(model, &first, 1, &error);
-    c205_model *one = c205_model_change(four, &second, 1, &error);
-    c205_model *same = c205_model_change(one, NULL, 0, &error);
-    c205_model *other = c205_model_change(projection, &third, 1, &error);
+    SCOPED(c205_model) *four = c205_model_change(model, &first, 1, &error);
+    SCOPED(c205_model) *one = c205_model_change(four, &second, 1, &error);
+    SCOPED(c205_model) *same = c205_model_change(one, NULL, 0, &error);
+    SCOPED(c205_model) *other = c205_model_change(projection, &third, 1, &error);
     assert_int_equal(model_whole(four, CONSTANT_PIPES), 4);
     assert_string_equal(c205_model_name(same), "test with machine.pipes 4 "
                                                "with machine.pipes 1");
     assert_constant(same, "machine.pipes", "1", 'R');
     assert_true(c205_model_is_projection(other));
     assert_constant(other, "time.add", "10", 'R');
-    c205_model_free(other);
-    c205_model_free(same);
-    c205_model_free(one);
-    c205_model_free(four);
-    c205_model_free(projection);
-    c205_model_free(model);
 }
 
 TEST(errors_in_changes)
@@ -227,41 +183,106 @@ TEST(errors_in_changes)
         { { "vector.word_rate", 3 },
           "vector.word_rate must not be more than vector.half_rate" }
     };
-    c205_model *model = parsed("title T\nlike cyber205-2pipe-prior\n");
+    SCOPED(c205_model) *model = parsed_model(PRIOR);
     for (size_t i = 0; i < COUNT(cases); i++) {
         c205_error error = { "" };
         assert_null(c205_model_change(model, &cases[i].setting, 1, &error));
         assert_string_equal(error.message, cases[i].message);
     }
-    c205_model_free(model);
 }
 
 /* ---- Errors in models ---------------------------------------------------- */
 
+/* Fails unless the text has this error. The column is that of the wrong word; column 0
+ * matches any column. */
+static void assert_fails(const char *text, unsigned line, unsigned column,
+                         const char *message)
+{
+    char whole[300];
+    c205_error error;
+    c205_place place;
+    assert_null(c205_model_read("test", text, &place, &error));
+    if (strcmp(error.message, message) != 0 || place.line != line
+        || (column > 0 && place.column != column))
+        fail_msg("%s%u:%u: %s, not %u:%u: %s", text, place.line, place.column,
+                 error.message, line, column, message);
+    snprintf(whole, sizeof whole, "test:%u: %s", line, message);
+    assert_null(c205_model_parse("test", text, &error));
+    assert_string_equal(error.message, whole);
+}
+
+#define NO_TITLE "expected 'title TEXT' at the beginning of the model"
+#define LATE_LIKE "'like' must be before the constants"
+#define NO_NUMBER(word) "'" word "' is not a number with at most six decimals"
+#define FIGURES "3 figures, at most 5 % off: x\n"
+
 TEST(errors)
 {
-    assert_fails("", "test:1: expected 'title TEXT' at the beginning of the model");
-    assert_fails("machine.pipes 2 pipes P",
-                 "test:1: expected 'title TEXT' at the beginning of the model");
-    assert_fails("title T\ntitle T", "test:2: 'title' is given more than once");
-    assert_fails("title T\nlike cyber205-2pipe-prior\n"
-                 "like cyber205-2pipe-prior",
-                 "test:3: 'like' is given more than once");
-    assert_fails("title T\nlike cray1", "test:2: unknown machine model 'cray1'");
-    assert_fails("title T\nprojection\nlike cyber205-2pipe-prior",
-                 "test:3: cyber205-2pipe-prior is not a projection");
-    assert_fails("title T\nlike ./cyber205.model",
-                 "test:2: expected the name of a built-in model after 'like'");
-    assert_fails("title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior",
-                 "test:3: 'like' must be before the constants");
-    assert_fails("title T\nstream.vlink 1 clk*pipe/element P\nlike cyber720",
-                 "test:3: 'like' must be before the constants");
-    assert_fails("title T\nmachine.pipes 2 pipes P",
-                 "test:2: the constant clock.period is missing");
-    assert_fails("title T\nlike cyber205-2pipe\n"
-                 "vector.word_rate 4 results R",
-                 "test:3: vector.word_rate must not be more than "
-                 "vector.half_rate");
+    static const struct {
+        const char *text;
+        unsigned line, column;
+        const char *message;
+    } rows[] = {
+        { "", 1, 0, NO_TITLE },
+        { "machine.pipes 2 pipes P", 1, 0, NO_TITLE },
+        { "title T\ntitle T", 2, 0, "'title' is given more than once" },
+        { PRIOR "like cyber205-2pipe-prior", 3, 0, "'like' is given more than once" },
+        { "title T\nlike cray1", 2, 0, "unknown machine model 'cray1'" },
+        { "title t\nlike no\n", 2, 6, "unknown machine model 'no'" },
+        { "title T\nprojection\nlike cyber205-2pipe-prior", 3, 0,
+          "cyber205-2pipe-prior is not a projection" },
+        { "title T\nlike ./cyber205.model", 2, 0,
+          "expected the name of a built-in model after 'like'" },
+        { "title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior", 3, 0,
+          LATE_LIKE },
+        { "title T\nstream.vlink 1 clk*pipe/element P\nlike cyber720", 3, 0,
+          LATE_LIKE },
+        { "title T\nmachine.pipes 2 pipes P", 2, 0,
+          "the constant clock.period is missing" },
+        { "title T\nlike cyber205-2pipe\nvector.word_rate 4 results R", 3, 0,
+          "vector.word_rate must not be more than vector.half_rate" },
+        { "title T\ncompared " FIGURES "compared " FIGURES, 3, 0,
+          "'compared' is given more than once" },
+        { PRIOR "warp 9 clk R\n", 3, 0, "unknown constant 'warp'" },
+        { "title t\n  speed 3 clk R\n", 2, 3, "unknown constant 'speed'" },
+        { PRIOR "machine.pipes 2 pipes P\nmachine.pipes 2 pipes P\n", 4, 0,
+          "machine.pipes is already defined in line 3" },
+        { PRIOR "machine.pipes two pipes P\n", 3, 0, NO_NUMBER("two") },
+        { PRIOR "machine.pipes\n", 3, 0, NO_NUMBER("") },
+        { PRIOR "machine.pipes -1 pipes P\n", 3, 0, NO_NUMBER("-1") },
+        { PRIOR "stream.vadd 0.0000001 clk/element R\n", 3, 0, NO_NUMBER("0.0000001") },
+        { PRIOR "machine.pipes 99999999999 pipes R\n", 3, 0, NO_NUMBER("99999999999") },
+        { "title t\nclock.period x ns P\n", 2, 14, NO_NUMBER("x") },
+        { PRIOR "machine.pipes 0 pipes P\n", 3, 0,
+          "machine.pipes must be between 1 and 64" },
+        { PRIOR "machine.pipes 1.5 pipes P\n", 3, 0,
+          "machine.pipes must be a whole number, not 1.5" },
+        { PRIOR "page.words 1024 words R\n", 3, 0,
+          "page.words must be 512, 2048, 8192 or 65536, not 1024" },
+        { PRIOR "page.words 512.5 words R\n", 3, 0,
+          "page.words must be a whole number, not 512.5" },
+        { PRIOR "memory.real_words 300000000 words R\n", 3, 0,
+          "memory.real_words must be between 1 and 268435456" },
+        { PRIOR "machine.pipes 2 clk P\n", 3, 0,
+          "the unit of machine.pipes must be pipes, not 'clk'" },
+        { PRIOR "stream.vadd 1 clk R\n", 3, 0,
+          "the unit of stream.vadd must be "
+          "clk*pipe/element, clk/element or clk/bit, not 'clk'" },
+        { "title t\nclock.period 20  clk P\n", 2, 18,
+          "the unit of clock.period must be ns, not 'clk'" },
+        { PRIOR "machine.pipes 2 pipes\n", 3, 0,
+          "the source of machine.pipes must be P, S, D, R or F, not ''" },
+        { PRIOR "machine.pipes 2 pipes X # no such source\n", 3, 0,
+          "the source of machine.pipes must be P, S, D, R or F, not 'X'" },
+        { "title t\nclock.period 20 ns Q\n", 2, 20,
+          "the source of clock.period must be P, S, D, R or F, not 'Q'" },
+        { PRIOR "machine.pipes 2 pipes P more words\n", 3, 0,
+          "expected the end of the line, found 'more words'" },
+        { "title t\nclock.period 20 ns P 7 # r\n", 2, 22,
+          "expected the end of the line, found '7'" },
+    };
+    for (size_t i = 0; i < COUNT(rows); i++)
+        assert_fails(rows[i].text, rows[i].line, rows[i].column, rows[i].message);
 }
 
 TEST(errors_in_beliefs)
@@ -279,118 +300,45 @@ TEST(errors_in_beliefs)
         char text[200];
         snprintf(text, sizeof text, "title T\nfitted %s\nlike cyber205-2pipe\n",
                  beliefs[i]);
-        assert_fails(text, "test:2: expected 'N figures, at most E % off: NAME' "
-                           "after 'fitted'");
+        assert_fails(text, 2, 0,
+                     "expected 'N figures, at most E % off: NAME' after 'fitted'");
     }
-    assert_fails("title T\ncompared 3 figures, at most 5 % off: x\n"
-                 "compared 3 figures, at most 5 % off: x\n",
-                 "test:3: 'compared' is given more than once");
 }
 
-TEST(errors_in_constants)
+/* Returns the model of a file of a text, remarks and a second text. */
+static c205_model *model_of_file(const char *path, const char *text, int remarks,
+                                 const char *end)
 {
-    static const struct {
-        const char *line, *message;
-    } cases[] = {
-        { "warp 9 clk R", "unknown constant 'warp'" },
-        { "machine.pipes 2 pipes P\nmachine.pipes 2 pipes P",
-          "machine.pipes is already defined in line 3" },
-        { "machine.pipes two pipes P",
-          "'two' is not a number with at most six decimals" },
-        { "machine.pipes", "'' is not a number with at most six decimals" },
-        { "machine.pipes -1 pipes P",
-          "'-1' is not a number with at most six decimals" },
-        { "stream.vadd 0.0000001 clk/element R",
-          "'0.0000001' is not a number with at most six decimals" },
-        { "machine.pipes 99999999999 pipes R",
-          "'99999999999' is not a number with at most six decimals" },
-        { "machine.pipes 0 pipes P", "machine.pipes must be between 1 and 64" },
-        { "machine.pipes 1.5 pipes P",
-          "machine.pipes must be a whole number, not 1.5" },
-        { "page.words 1024 words R",
-          "page.words must be 512, 2048, 8192 or 65536, not 1024" },
-        { "page.words 512.5 words R", "page.words must be a whole number, not 512.5" },
-        { "memory.real_words 300000000 words R",
-          "memory.real_words must be between 1 and 268435456" },
-        { "machine.pipes 2 clk P",
-          "the unit of machine.pipes must be pipes, not 'clk'" },
-        { "stream.vadd 1 clk R",
-          "the unit of stream.vadd must be "
-          "clk*pipe/element, clk/element or clk/bit, not 'clk'" },
-        { "machine.pipes 2 pipes",
-          "the source of machine.pipes must be P, S, D, R or F, not ''" },
-        { "machine.pipes 2 pipes X # no such source",
-          "the source of machine.pipes must be P, S, D, R or F, not 'X'" },
-        { "machine.pipes 2 pipes P more words",
-          "expected the end of the line, found 'more words'" }
-    };
-    for (size_t i = 0; i < COUNT(cases); i++) {
-        char text[200], message[200];
-        unsigned line = strchr(cases[i].line, '\n') ? 4 : 3;
-        snprintf(text, sizeof text, "title T\nlike cyber205-2pipe-prior\n%s\n",
-                 cases[i].line);
-        snprintf(message, sizeof message, "test:%u: %s", line, cases[i].message);
-        assert_fails(text, message);
-    }
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    for (int i = 0; i < remarks; i++)
+        fputs("# a remark that takes some room\n", file);
+    fputs(end, file);
+    fclose(file);
+    c205_model *model = named_model(path);
+    remove(path);
+    return model;
 }
 
 TEST(files)
 {
     static const char path[] = "test_model.tmp.model";
     c205_error error;
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs("title From a file\nlike cyber205-1pipe-prior\n", file);
-    fclose(file);
-    c205_model *model = c205_model_find(path, &error);
-    remove(path);
-    assert_non_null(model);
-    assert_string_equal(c205_model_name(model), path);
-    assert_string_equal(c205_model_title(model), "From a file");
-    c205_model_free(model);
-    file = fopen(path, "w");
-    assert_non_null(file);
-    fputs("title Long\nlike cyber205-1pipe-prior\n", file);
-    for (int i = 0; i < 5000; i++)
-        fputs("# a remark that takes some room\n", file);
-    fputs("latency.load 99 clk R\n", file);
-    fclose(file);
-    model = c205_model_find(path, &error);
-    remove(path);
-    assert_non_null(model);
-    assert_string_equal(c205_model_lookup(model, "latency.load")->text, "99");
-    c205_model_free(model);
+    SCOPED(c205_model) *small = model_of_file(path,
+                                              "title From a file\n"
+                                              "like cyber205-1pipe-prior\n",
+                                              0, "");
+    SCOPED(c205_model) *large = model_of_file(path,
+                                              "title Long\nlike cyber205-1pipe-prior\n",
+                                              5000, "latency.load 99 clk R\n");
+    assert_string_equal(c205_model_name(small), path);
+    assert_string_equal(c205_model_title(small), "From a file");
+    assert_string_equal(c205_model_lookup(large, "latency.load")->text, "99");
     assert_null(c205_model_find("no/such/file", &error));
     assert_string_equal(error.message, "cannot read the machine model no/such/file: "
                                        "No such file or directory");
     assert_null(c205_model_find("/", &error));
     assert_null(c205_model_find("", &error));
     assert_string_equal(error.message, "unknown machine model ''");
-}
-
-static void assert_place(const char *text, unsigned line, unsigned column,
-                         const char *message)
-{
-    c205_error error;
-    c205_place place;
-    assert_null(c205_model_read("test", text, &place, &error));
-    assert_string_equal(error.message, message);
-    assert_int_equal(place.line, line);
-    assert_int_equal(place.column, column);
-}
-
-/* The column is that of the wrong word. */
-TEST(places)
-{
-    assert_place("title t\n  speed 3 clk R\n", 2, 3, "unknown constant 'speed'");
-    assert_place("title t\nclock.period x ns P\n", 2, 14,
-                 "'x' is not a number with at most six decimals");
-    assert_place("title t\nclock.period 20  clk P\n", 2, 18,
-                 "the unit of clock.period must be ns, not 'clk'");
-    assert_place("title t\nclock.period 20 ns Q\n", 2, 20,
-                 "the source of clock.period must be P, S, D, R or F, "
-                 "not 'Q'");
-    assert_place("title t\nclock.period 20 ns P 7 # r\n", 2, 22,
-                 "expected the end of the line, found '7'");
-    assert_place("title t\nlike no\n", 2, 6, "unknown machine model 'no'");
 }

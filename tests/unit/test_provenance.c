@@ -4,7 +4,7 @@
  * or a constant that is counted with another source, fails here.
  */
 #include "base/provenance.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/named_model.h"
 
 #define MOVED "latency.add 8 clk F\nlatency.load 20 clk F\n"
 
@@ -13,15 +13,6 @@ static const char compared_model[] =
     "fitted 3 figures, at most -12.5 % off: the worst\n"
     "compared 1 figures, at most 7 % off: another\n"
     "like cyber205-2pipe-prior\n" MOVED;
-
-static c205_model *parsed(const char *text)
-{
-    c205_error error;
-    c205_model *model = c205_model_parse("test", text, &error);
-    if (!model)
-        fail_msg("%s", error.message);
-    return model;
-}
 
 /* Returns the printed text, which the caller frees. */
 static char *printed(const c205_model *model, bool whole, const char *before)
@@ -94,10 +85,12 @@ TEST(models)
     };
 
     for (size_t i = 0; i < COUNT(cases); i++) {
-        c205_model *model = parsed(cases[i].model);
+        SCOPED(c205_model) *model = parsed_model(cases[i].model);
         c205_belief belief = c205_model_fitted(c205_model_like(model));
-        char *text = printed(model, true, "# "), *line = printed(model, false, "# ");
-        char *json = as_json(model), expected[1000];
+        FREED char *text = printed(model, true, "# ");
+        FREED char *line = printed(model, false, "# ");
+        FREED char *json = as_json(model);
+        char expected[1000];
         int first = (int)strcspn(text, "\n") - 1;
 
         snprintf(expected, sizeof expected, cases[i].begins, belief.figures,
@@ -113,10 +106,6 @@ TEST(models)
         assert_string_equal(line, expected);
         assert_int_equal(provenance_is_fitted(model),
                          strstr(json, "\"fitted\": true") != NULL);
-        free(text);
-        free(line);
-        free(json);
-        c205_model_free(model);
     }
 }
 
@@ -140,8 +129,9 @@ TEST(sources)
                     { 'D', "derived" },
                     { 'R', "reconstructed" },
                     { 'F', "fitted" } };
-    c205_model *model = parsed(compared_model);
-    char *text = printed(model, true, ""), *json = as_json(model);
+    SCOPED(c205_model) *model = parsed_model(compared_model);
+    FREED char *text = printed(model, true, "");
+    FREED char *json = as_json(model);
     char expected[100];
     size_t sum = 0;
     for (size_t i = 0; i < COUNT(sources); i++) {
@@ -158,49 +148,39 @@ TEST(sources)
     holds(text, expected);
     assert_int_equal(count_from(model, 'F'), 2);
     assert_true(provenance_is_fitted(model));
-    free(text);
-    free(json);
-    c205_model_free(model);
 }
 
 /* A projection with constants of one source, which is not the first. */
 TEST(one_source)
 {
-    c205_model *model = parsed("title T\nlike cyber720-prior\n"
-                               "clock.period 50 ns R\nmachine.overlap 0 truth R\n"
-                               "units.single 1 units R\nunits.add 1 units R\n"
-                               "units.multiply 1 units R\nunits.divide 1 units R\n"
-                               "units.logical 1 units R\n");
-    char *text = printed(model, true, "");
+    SCOPED(c205_model) *model = parsed_model(
+        "title T\nlike cyber720-prior\n"
+        "clock.period 50 ns R\nmachine.overlap 0 truth R\n"
+        "units.single 1 units R\nunits.add 1 units R\n"
+        "units.multiply 1 units R\nunits.divide 1 units R\n"
+        "units.logical 1 units R\n");
+    FREED char *text = printed(model, true, "");
     assert_int_equal(count_from(model, 'R'), c205_model_size(model));
     holds(text, " constants: ");
     assert_null(strstr(strstr(text, " constants: "), ","));
-    free(text);
-    c205_model_free(model);
-}
-
-static void assert_line(const char *text, const char *expected)
-{
-    char line[PROVENANCE_LINE];
-    c205_model *model = parsed(text);
-
-    provenance_line(model, line);
-    assert_string_equal(line, expected);
-    c205_model_free(model);
 }
 
 /* The text for a single line. */
 TEST(line)
 {
-    assert_line("title T\nfitted 3 figures, at most -7.5 % off: a b\n"
-                "compared 1 figures, at most 2 % off: c\n"
-                "like cyber205-2pipe-prior\n",
-                "fitted to 3 published figures, the largest error -7.5 % "
-                "(a b)");
-    assert_line("title T\ncompared 1 figures, at most 2 % off: c\n"
-                "like cyber205-2pipe-prior\n",
-                "compared with 1 published figure, the largest error "
-                "+2.0 % (c)");
-    assert_line("title T\nlike cyber205-2pipe\n",
-                "not compared with published figures");
+    static const char *const rows[][2] = {
+        { "title T\nfitted 3 figures, at most -7.5 % off: a b\n"
+          "compared 1 figures, at most 2 % off: c\nlike cyber205-2pipe-prior\n",
+          "fitted to 3 published figures, the largest error -7.5 % (a b)" },
+        { "title T\ncompared 1 figures, at most 2 % off: c\n"
+          "like cyber205-2pipe-prior\n",
+          "compared with 1 published figure, the largest error +2.0 % (c)" },
+        { "title T\nlike cyber205-2pipe\n", "not compared with published figures" },
+    };
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED(c205_model) *model = parsed_model(rows[i][0]);
+        char line[PROVENANCE_LINE];
+        provenance_line(model, line);
+        assert_string_equal(line, rows[i][1]);
+    }
 }

@@ -1,0 +1,18 @@
+/* named_model.c - finds and parses machine models. */
+#include "named_model.h"
+
+c205_model *named_model(const char *name)
+{
+    c205_error error = { "" };
+    c205_model *model = c205_model_find(name, &error);
+    REQUIRE(model);
+    return model;
+}
+
+c205_model *parsed_model(const char *text)
+{
+    c205_error error = { "" };
+    c205_model *model = c205_model_parse("test", text, &error);
+    REQUIRE(model);
+    return model;
+}
