@@ -1,22 +1,14 @@
 /* test_recording.c - recorded runs that are replayed on other models are compared with
  * runs on these models, and projections with clocks computed by hand. A clock of
  * another cause or region fails here. */
-#include "asm_helper.h"
+#include "named_model.h"
+#include "saved_machine.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/accounts.h"
 
 enum { REGIONS = 8 };
-
-static c205_model *find(const char *name)
-{
-    c205_error error;
-    c205_model *model = c205_model_find(name, &error);
-    REQUIRE(model);
-    return model;
-}
 
 struct run {
     c205_model *model;
@@ -34,36 +26,44 @@ static void assert_runs(c205 *machine)
         fail_msg("%s", error.message);
 }
 
-static void begin(struct run *run, c205_model *model, const char *path)
+/* Loads a program into a machine, which is recorded. */
+static struct run loaded(c205_model *model, const char *path)
 {
     static const char *const folders[] = { "rt/kernels", NULL };
     struct asm_options options = { .search = folders };
     SCOPED_VALUE(diagnostics) errors = { 0 };
     c205_error error;
-    run->model = model;
-    run->object = assemble_file(path, &options, &errors);
-    if (!run->object)
+    struct run run = { .model = model,
+                       .object = assemble_file(path, &options, &errors),
+                       .machine = c205_new(model, &error),
+                       .recording = c205_recording_new(&error) };
+    if (!run.object)
         fail_msg("%s: %s", path, errors.items[0].message);
-    run->machine = c205_new(model, &error);
-    run->recording = c205_recording_new(&error);
-    assert_non_null(run->machine);
-    assert_non_null(run->recording);
-    assert_true(c205_load(run->machine, &run->object->program, &error));
+    assert_non_null(run.machine);
+    assert_non_null(run.recording);
+    assert_true(c205_load(run.machine, &run.object->program, &error));
+    assert_true(c205_listen(run.machine, c205_record, run.recording));
+    return run;
 }
 
-static void finish(struct run *run)
+static struct run run_of(c205_model *model, const char *path)
+{
+    struct run run = loaded(model, path);
+    assert_runs(run.machine);
+    return run;
+}
+
+static struct run prior_run(const char *path)
+{
+    return run_of(named_model("cyber205-2pipe-prior"), path);
+}
+
+static void run_free(struct run *run)
 {
     c205_recording_free(run->recording);
     c205_free(run->machine);
     object_free(run->object);
     c205_model_free(run->model);
-}
-
-static void record(struct run *run, const char *path)
-{
-    begin(run, find("cyber205-2pipe-prior"), path);
-    assert_true(c205_listen(run->machine, c205_record, run->recording));
-    assert_runs(run->machine);
 }
 
 /* Replayed with a model and settings, the recording must give the clocks of the run. */
@@ -84,14 +84,10 @@ static void assert_retimes(const struct run *recorded, const struct run *ran,
 static void compare(const char *path, const char *other, const c205_setting *settings,
                     size_t count)
 {
-    struct run recorded, ran;
-    record(&recorded, path);
-    begin(&ran, find(other), path);
-    assert_runs(ran.machine);
+    SCOPED_VALUE(run) recorded = prior_run(path);
+    SCOPED_VALUE(run) ran = run_of(named_model(other), path);
     assert_retimes(&recorded, &ran, settings ? recorded.model : ran.model, settings,
                    count);
-    finish(&recorded);
-    finish(&ran);
 }
 
 TEST(same_clocks)
@@ -118,18 +114,14 @@ TEST(settings)
  * that has them. Its clocks must differ from those of the recorded run. */
 static void compare_pages(const char *path, const c205_setting *settings, size_t count)
 {
-    struct run recorded, ran;
+    SCOPED_VALUE(run) recorded = prior_run(path);
     c205_error error;
-    record(&recorded, path);
     c205_model *changed = c205_model_change(recorded.model, settings, count, &error);
     assert_non_null(changed);
-    begin(&ran, changed, path);
-    assert_runs(ran.machine);
+    SCOPED_VALUE(run) ran = run_of(changed, path);
     assert_true(c205_clock(ran.machine) > c205_clock(recorded.machine));
     assert_retimes(&recorded, &ran, recorded.model, settings, count);
     assert_retimes(&recorded, &ran, changed, NULL, 0);
-    finish(&ran);
-    finish(&recorded);
 }
 
 TEST(pages)
@@ -164,8 +156,7 @@ TEST(ticks)
 {
     static const c205_setting settings[] = { { "latency.load", 15.5 },
                                              { "latency.load", 16 } };
-    struct run run;
-    record(&run, "rt/study/fit/programs/linpack.s");
+    SCOPED_VALUE(run) run = prior_run("rt/study/fit/programs/linpack.s");
     double whole = retimed(&run, NULL, 1), fine = retimed(&run, NULL, 1000);
     double between = retimed(&run, &settings[0], 1000);
     double low = retimed(&run, &settings[1], 1000);
@@ -173,29 +164,25 @@ TEST(ticks)
     assert_true(fabs(whole - fine) < .003 * whole);
     assert_true(fabs(2 * between - fine - low) < 1);
     assert_true(fine < between && between < low);
-    finish(&run);
 }
 
 TEST(gather_in_ticks)
 {
-    struct run run;
-    record(&run, "rt/study/fit/programs/gather.s");
+    SCOPED_VALUE(run) run = prior_run("rt/study/fit/programs/gather.s");
     assert_true(retimed(&run, NULL, 1) == retimed(&run, NULL, 100));
-    finish(&run);
 }
 
 TEST(errors)
 {
     static const c205_setting unknown = { "latency.none", 1 };
     static const c205_setting too_small = { "latency.load", -1 };
-    struct run run;
     c205_error error;
     double clocks[REGIONS];
-    SCOPED(c205_model) *projection = find("cyber720");
-    begin(&run, find("cyber205-2pipe-prior"), "asm/examples/dot.s");
+    SCOPED(c205_model) *projection = named_model("cyber720");
+    SCOPED_VALUE(run) run = loaded(named_model("cyber205-2pipe-prior"),
+                                   "asm/examples/dot.s");
     SCOPED(c205_projection) *charged = c205_projection_new(projection, &error);
     assert_non_null(charged);
-    assert_true(c205_listen(run.machine, c205_record, run.recording));
     assert_true(c205_listen(run.machine, c205_project, charged));
     assert_runs(run.machine);
     assert_false(c205_projection_holds(charged, &error));
@@ -213,7 +200,6 @@ TEST(errors)
     assert_string_equal(error.message,
                         "cyber720 is a projection and cannot run programs");
     assert_null(c205_projection_new(run.model, &error));
-    finish(&run);
 }
 
 /* ---- Projections --------------------------------------------------------- */
@@ -236,17 +222,13 @@ static const char chain[] =
 
 static double projected(const char *model_text)
 {
-    SCOPED_VALUE(diagnostics) errors = { 0 };
-    SCOPED(object) *object = assemble_text("chain", chain, NULL, &errors);
-    SCOPED(c205_model) *model = find("cyber205-2pipe-prior");
     c205_error error;
-    SCOPED(c205_model) *projection_model = c205_model_parse("test", model_text, &error);
-    if (!object || !projection_model)
-        fail_msg("%s", object ? error.message : errors.items[0].message);
-    SCOPED(c205) *machine = c205_new(model, &error);
+    SCOPED(object) *object = good(chain);
+    SCOPED(c205_model) *model = named_model("cyber205-2pipe-prior");
+    SCOPED(c205_model) *projection_model = parsed_model(model_text);
+    SCOPED(c205) *machine = machine_with(&object->program, model);
     SCOPED(c205_projection) *projection = c205_projection_new(projection_model, &error);
     assert_non_null(projection);
-    assert_true(c205_load(machine, &object->program, &error));
     assert_true(c205_listen(machine, c205_project, projection));
     assert_runs(machine);
     assert_true(c205_projection_holds(projection, &error));
@@ -276,19 +258,17 @@ TEST_CALL(scoreboard,
 
 TEST(projection_models)
 {
-    c205_error error;
-    assert_null(c205_model_parse("t",
-                                 "title t\nprojection\n"
-                                 "startup.vadd 3 clk R\n",
-                                 &error));
-    assert_string_equal(error.message, "t:3: unknown constant 'startup.vadd'");
-    assert_null(c205_model_parse("t", "title t\nprojection here\n", &error));
-    assert_string_equal(error.message,
-                        "t:2: expected the end of the line, found 'here'");
-    assert_null(c205_model_parse("t",
-                                 "title t\nlike cyber205-2pipe-prior\n"
-                                 "projection\n",
-                                 &error));
-    assert_string_equal(error.message,
-                        "t:3: 'projection' must be before the constants");
+    static const char *const rows[][2] = {
+        { "title t\nprojection\nstartup.vadd 3 clk R\n",
+          "t:3: unknown constant 'startup.vadd'" },
+        { "title t\nprojection here\n",
+          "t:2: expected the end of the line, found 'here'" },
+        { "title t\nlike cyber205-2pipe-prior\nprojection\n",
+          "t:3: 'projection' must be before the constants" },
+    };
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        c205_error error;
+        assert_null(c205_model_parse("t", rows[i][0], &error));
+        assert_string_equal(error.message, rows[i][1]);
+    }
 }

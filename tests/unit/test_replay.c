@@ -2,10 +2,10 @@
  * on the model of the run, on another one and on projections are compared with runs on
  * these models, and the time of each operation with its constant. A replay with other
  * clocks fails here. */
-#include "asm_helper.h"
+#include "named_model.h"
+#include "saved_machine.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "base/accounts.h"
 
@@ -13,112 +13,70 @@ enum { REGIONS = 16, PROJECTIONS = 2 };
 
 static const char *const projections[PROJECTIONS] = { "cyber720-prior", "cdc6600" };
 
-static c205_model *find(const char *name)
-{
-    c205_error error;
-    c205_model *model = c205_model_find(name, &error);
-    if (!model)
-        fail_msg("%s", error.message);
-    return model;
-}
+SCOPED_BY_FREE(c205_recording);
 
-/* Returns a machine with the program loaded; the caller frees it. */
-static c205 *loaded(const struct object *object, const c205_model *model)
-{
-    c205_error error;
-    c205 *machine = c205_new(model, &error);
-    assert_non_null(machine);
-    assert_true(c205_load(machine, &object->program, &error));
-    assert_true(c205_account_count(machine) <= REGIONS);
-    return machine;
-}
-
-static void assert_same_clocks(const char *name, const c205 *machine,
-                               const c205_recording *recording, const c205_model *model)
+/* Compares the clocks of the recording with those of a machine or a projection.
+ * Projections have no clocks for vector instructions; regions with them are skipped. */
+static void assert_same_clocks(const char *name, const c205_recording *recording,
+                               const c205_model *model, const c205 *machine,
+                               const c205_projection *projection)
 {
     double clocks[REGIONS];
+    size_t count = machine ? c205_account_count(machine) : REGIONS;
     c205_error error;
+    assert_true(count <= REGIONS);
     assert_true(c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
-    for (size_t i = 0; i < c205_account_count(machine); i++) {
-        double expected = (double)accounts_clocks(c205_account_at(machine, i));
-        if (clocks[i] != expected)
-            fail_msg("%s on %s: %g clocks in region %zu, played again %g", name,
-                     c205_model_name(model), expected, i, clocks[i]);
-    }
-}
-
-/* Vector instructions have no clocks on such a machine; regions with them are
- * skipped. */
-static void assert_same_projected(const char *name, const c205_projection *projection,
-                                  const c205_recording *recording,
-                                  const c205_model *model)
-{
-    double clocks[REGIONS];
-    c205_error error;
-    assert_true(c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
-    for (size_t i = 0; i < REGIONS; i++) {
-        double expected = (double)c205_projected_clocks(projection, i);
-        if (!isnan(clocks[i]) && clocks[i] != expected)
-            fail_msg("%s on %s: %g clocks in region %zu, played again %g", name,
-                     c205_model_name(model), expected, i, clocks[i]);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t expected = machine ? accounts_clocks(c205_account_at(machine, i))
+                                    : c205_projected_clocks(projection, i);
+        if (!(projection && isnan(clocks[i])) && clocks[i] != (double)expected)
+            fail_msg("%s on %s: %llu clocks in region %zu, played again %g", name,
+                     c205_model_name(model), (unsigned long long)expected, i,
+                     clocks[i]);
     }
 }
 
 /* ---- One program ------------------------------------------------------- */
 
-static void check_on_other(const char *name, const struct object *object,
-                           const c205_recording *recording)
+static void assert_runs(const char *name, c205 *machine)
 {
-    c205_model *other = find("cyber205-4pipe-prior");
-    c205 *machine = loaded(object, other);
-    assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
-    assert_same_clocks(name, machine, recording, other);
-    c205_free(machine);
-    c205_model_free(other);
+    if (c205_run(machine, C205_NO_LIMIT).trap != C205_TRAP_NONE)
+        fail_msg("%s does not run", name);
 }
 
-static void check(const char *name, const struct object *object)
+static void check(const char *name, struct object *program)
 {
-    c205_model *model = find("cyber205-2pipe-prior");
+    SCOPED(object) *object = program;
+    SCOPED(c205_model) *model = named_model("cyber205-2pipe-prior");
+    SCOPED(c205_model) *other = named_model("cyber205-4pipe-prior");
+    SCOPED(c205) *machine = machine_with(&object->program, model);
+    SCOPED(c205) *other_machine = machine_with(&object->program, other);
     c205_model *models[PROJECTIONS];
     c205_projection *projection[PROJECTIONS];
     c205_error error;
-    c205_recording *recording = c205_recording_new(&error);
-    c205 *machine = loaded(object, model);
+    SCOPED(c205_recording) *recording = c205_recording_new(&error);
     assert_true(c205_listen(machine, c205_record, recording));
     for (size_t i = 0; i < PROJECTIONS; i++) {
-        models[i] = find(projections[i]);
+        models[i] = named_model(projections[i]);
         projection[i] = c205_projection_new(models[i], &error);
         assert_true(c205_listen(machine, c205_project, projection[i]));
     }
-    if (c205_run(machine, C205_NO_LIMIT).trap != C205_TRAP_NONE)
-        fail_msg("%s does not run", name);
-    assert_same_clocks(name, machine, recording, model);
-    check_on_other(name, object, recording);
+    assert_runs(name, machine);
+    assert_runs(name, other_machine);
+    assert_same_clocks(name, recording, model, machine, NULL);
+    assert_same_clocks(name, recording, other, other_machine, NULL);
     for (size_t i = 0; i < PROJECTIONS; i++) {
-        assert_same_projected(name, projection[i], recording, models[i]);
+        assert_same_clocks(name, recording, models[i], NULL, projection[i]);
         c205_projection_free(projection[i]);
         c205_model_free(models[i]);
     }
-    c205_recording_free(recording);
-    c205_free(machine);
-    c205_model_free(model);
-}
-
-static void check_text(const char *name, const char *text)
-{
-    struct object *object = good(text);
-    check(name, object);
-    object_free(object);
 }
 
 /* ---- Programs ---------------------------------------------------------- */
 
 static void check_program(const char *path)
 {
-    struct object *object = good_file(path);
-    check(path, object);
-    object_free(object);
+    check(path, good_file(path));
 }
 
 TEST(programs)
@@ -130,7 +88,7 @@ TEST(programs)
 /* Each operand is in a separate page that is not mapped yet. */
 TEST(all_touches)
 {
-    check_text("touches", "        .data\n"
+    check("touches", good("        .data\n"
                           "a:      .space 65536\n"
                           "b:      .space 65536\n"
                           "c:      .space 65536\n"
@@ -146,13 +104,13 @@ TEST(all_touches)
                           "        ELEN r13, 2\n"
                           "        ADDNV [r10], [r11], [r12]\n"
                           "        SWAP [r10], r20, [r13]\n"
-                          "        EXIT\n");
+                          "        EXIT\n"));
 }
 
 /* Code that is overwritten while it runs: additions become divisions. */
 TEST(changed_code)
 {
-    check_text("changed", "        EX   r10, here\n"
+    check("changed", good("        EX   r10, here\n"
                           "        EX   r11, other\n"
                           "        ES   r13, 1\n"
                           "        ES   r14, 2\n"
@@ -167,7 +125,7 @@ TEST(changed_code)
                           "        EXIT\n"
                           "        .align 64\n"
                           "other:  DIVS r1, r2, r3\n"
-                          "        DIVS r3, r2, r3\n");
+                          "        DIVS r3, r2, r3\n"));
 }
 
 /* ---- Operations of a projection ------------------------------------------ */
@@ -205,20 +163,14 @@ static const char powers[] = "title t\nlike cyber720-prior\n"
  * charged. */
 TEST(operations)
 {
-    struct object *object = good(operations);
+    SCOPED(object) *object = good(operations);
+    SCOPED(c205_model) *model = named_model("cyber205-2pipe-prior");
+    SCOPED(c205_model) *times = parsed_model(powers);
+    SCOPED(c205) *machine = machine_with(&object->program, model);
     c205_error error;
-    c205_model *model = find("cyber205-2pipe-prior");
-    c205_model *times = c205_model_parse("powers", powers, &error);
-    assert_non_null(times);
-    c205 *machine = loaded(object, model);
-    c205_projection *projection = c205_projection_new(times, &error);
+    SCOPED(c205_projection) *projection = c205_projection_new(times, &error);
     assert_true(c205_listen(machine, c205_project, projection));
-    assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
+    assert_runs("operations", machine);
     assert_int_equal(c205_projected_clocks(projection, 0),
                      6 + 30 + 300 + 3000 + 10000 + 600000);
-    c205_projection_free(projection);
-    c205_free(machine);
-    c205_model_free(times);
-    c205_model_free(model);
-    object_free(object);
 }
