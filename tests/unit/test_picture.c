@@ -2,9 +2,8 @@
  * with the frame, within the precision of their samples. A wrong transfer curve, a lost
  * note or an old file that a failure destroys fails here. */
 #include "rt/picture/picture.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/temporary_folder.h"
 
-#include <dirent.h>
 #include <math.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -14,47 +13,11 @@
 
 enum { WIDTH = 37, HEIGHT = 23, PIXELS = WIDTH * HEIGHT };
 
-static char folder[] = "/tmp/test_picture.XXXXXX";
-
 static const struct picture_note notes[] = {
     { "c205:scene", "gear.pov" },
     { "c205:clocks", "123456" },
     { NULL, NULL },
 };
-
-FIXTURE(make_folder)
-{
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-/* Removes the files of the folder. Returns their number. */
-static size_t empty_folder(void)
-{
-    size_t count = 0;
-    DIR *entries = opendir(folder);
-    for (struct dirent *entry; entries && (entry = readdir(entries));) {
-        char path[512];
-        if (entry->d_name[0] == '.')
-            continue;
-        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        count += remove(path) == 0;
-    }
-    closedir(entries);
-    return count;
-}
-
-FIXTURE(remove_folder)
-{
-    empty_folder();
-    return rmdir(folder);
-}
-
-static const char *in_folder(const char *name)
-{
-    static char path[512];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    return path;
-}
 
 /* Returns a frame with smooth colours, some above 1, and channels of many
  * magnitudes. */
@@ -183,35 +146,31 @@ TEST(bytes_without_gamma)
     frame_free(&frame);
 }
 
-struct warning_place {
-    const char *file, *name, *text;
-};
-
 static const char described[] = "c205:scene: gear.pov\nc205:clocks: 123456\n";
-
-static const struct warning_place note_places[] = {
-    { "n.png", "c205:clocks", "123456" },
-    { "n.png", "ImageDescription", described },
-    { "n.png", "oiio:ColorSpace", "sRGB" },
-    { "n.jpg", "ImageDescription", described },
-    { "n.jpg", "oiio:ColorSpace", "sRGB" },
-    { "n.exr", "c205:scene", "gear.pov" },
-    { "n.exr", "ImageDescription", described },
-    { "n.tif", "ImageDescription", described },
-    { "n.tif", "c205:nothing", "" },
-};
 
 TEST(notes)
 {
+    static const struct {
+        const char *file, *name, *text;
+    } rows[] = {
+        { "n.png", "c205:clocks", "123456" },
+        { "n.png", "ImageDescription", described },
+        { "n.png", "oiio:ColorSpace", "sRGB" },
+        { "n.jpg", "ImageDescription", described },
+        { "n.jpg", "oiio:ColorSpace", "sRGB" },
+        { "n.exr", "c205:scene", "gear.pov" },
+        { "n.exr", "ImageDescription", described },
+        { "n.tif", "ImageDescription", described },
+        { "n.tif", "c205:nothing", "" },
+    };
     SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error = { "" };
-    for (size_t i = 0; i < COUNT(note_places); i++) {
-        const struct warning_place *place = &note_places[i];
-        const char *path = in_folder(place->file);
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        const char *path = in_folder(rows[i].file);
         char text[256];
         REQUIRE(picture_write(path, &frame, notes, false, &error)
-                && picture_read_note(path, place->name, text, sizeof text, &error));
-        assert_string_equal(text, place->text);
+                && picture_read_note(path, rows[i].name, text, sizeof text, &error));
+        assert_string_equal(text, rows[i].text);
     }
 }
 
@@ -275,31 +234,28 @@ TEST(same_bytes_later)
     }
 }
 
-struct bad_path {
-    const char *name, *message;
-};
-
-static const struct bad_path bad_paths[] = {
-    { "a.gif", "the name of a picture must end in" },
-    { "png", "the name of a picture must end in" },
-    { "x.png/a", "the name of a picture must end in" },
-    { "none/a.png", "No such file" },
-    { "plain/a.png", "Not a directory" },
-    { "folder.png", "not a regular file" },
-};
-
 TEST(bad_paths)
 {
+    static const struct {
+        const char *name, *message;
+    } rows[] = {
+        { "a.gif", "the name of a picture must end in" },
+        { "png", "the name of a picture must end in" },
+        { "x.png/a", "the name of a picture must end in" },
+        { "none/a.png", "No such file" },
+        { "plain/a.png", "Not a directory" },
+        { "folder.png", "not a regular file" },
+    };
     SCOPED_VALUE(frame) frame = sample_frame();
-    fclose(fopen(in_folder("plain"), "w"));
+    write_file("plain", "");
     assert_int_equal(mkdir(in_folder("folder.png"), 0700), 0);
-    for (size_t i = 0; i < COUNT(bad_paths); i++) {
-        const char *path = in_folder(bad_paths[i].name);
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        const char *path = in_folder(rows[i].name);
         struct picture_error error = { "" };
         assert_false(picture_check_path(path, &error));
-        assert_non_null(strstr(error.message, bad_paths[i].message));
+        assert_non_null(strstr(error.message, rows[i].message));
         assert_false(picture_write(path, &frame, notes, false, &error));
-        assert_non_null(strstr(error.message, bad_paths[i].message));
+        assert_non_null(strstr(error.message, rows[i].message));
     }
     assert_int_equal(rmdir(in_folder("folder.png")), 0);
     empty_folder();
@@ -311,10 +267,10 @@ TEST(unwritable_folder)
     struct picture_error error;
     if (geteuid() == 0)
         skip();
-    assert_int_equal(chmod(folder, 0500), 0);
+    assert_int_equal(chmod(temporary_folder, 0500), 0);
     assert_false(picture_check_path(in_folder("a.png"), &error));
     assert_non_null(strstr(error.message, "Permission denied"));
-    assert_int_equal(chmod(folder, 0700), 0);
+    assert_int_equal(chmod(temporary_folder, 0700), 0);
 }
 
 static void limit_file_size(rlim_t bytes)
@@ -333,20 +289,17 @@ TEST(failure_keeps_the_old_file)
     empty_folder();
     signal(SIGXFSZ, SIG_IGN);
     for (size_t i = 0; i < 4; i++) {
-        const char *path = in_folder(names[i]);
         struct picture_error error = { "" };
-        char bytes[16];
-        FILE *old = fopen(path, "w");
-        fputs("old", old);
-        fclose(old);
+        write_file(names[i], "old");
+        const char *path = in_folder(names[i]);
         limit_file_size(200);
         bool written = picture_write(path, &frame, NULL, false, &error);
         limit_file_size(RLIM_INFINITY);
         if (written)
             fail_msg("%s is said to be written", names[i]);
         assert_non_null(strstr(error.message, names[i]));
-        assert_int_equal(contents(path, bytes, sizeof bytes), 3);
-        assert_memory_equal(bytes, "old", 3);
+        FREED char *old = text_of_file(names[i]);
+        assert_string_equal(old, "old");
         assert_int_equal(empty_folder(), 1);
     }
 }
@@ -401,9 +354,7 @@ TEST(unreadable)
 {
     struct frame frame;
     struct picture_error error = { "" };
-    FILE *file = fopen(in_folder("bad.exr"), "w");
-    fputs("not a picture", file);
-    fclose(file);
+    write_file("bad.exr", "not a picture");
     assert_false(picture_read(in_folder("bad.exr"), &frame, &error));
     assert_non_null(strstr(error.message, "bad.exr"));
     assert_false(picture_read(in_folder("none.png"), &frame, &error));

@@ -9,9 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/file.h"
 #include "rt/study/plot/axis.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/temporary_folder.h"
 
 enum { QUEUE, STREAM, STARTUP, REMARK, COLUMNS };
 
@@ -50,15 +49,11 @@ static const struct plot lines = {
     .level_count = 2,
 };
 
-/* ---- A folder for a test ---------------------------------------------- */
+/* ---- A table for a test ----------------------------------------------- */
 
-static struct {
-    char name[64]; /* contains blanks and quotes */
-    char above[32];
-    struct table *table;
-} folder; /* of the current test */
+static struct table *table; /* of the current test */
 
-static void add_row(struct table *table, uint64_t queue, double stream, double startup)
+static void add_row(uint64_t queue, double stream, double startup)
 {
     table_count(table, queue);
     table_number(table, stream);
@@ -68,28 +63,24 @@ static void add_row(struct table *table, uint64_t queue, double stream, double s
 
 FIXTURE(set_up)
 {
-    strcpy(folder.above, "/tmp/test_plot.XXXXXX");
-    if (!mkdtemp(folder.above))
-        return -1;
-    snprintf(folder.name, sizeof folder.name, "%s/it's a \"test\"", folder.above);
-    folder.table = table_new(columns, COLUMNS);
-    add_row(folder.table, 1, 10, 100.0 / 3);
-    add_row(folder.table, 2, 10, 0.1);
-    add_row(folder.table, 4, NAN, 8);
-    add_row(folder.table, 8, INFINITY, 4);
-    return mkdir(folder.name, 0777);
+    table = table_new(columns, COLUMNS);
+    add_row(1, 10, 100.0 / 3);
+    add_row(2, 10, 0.1);
+    add_row(4, NAN, 8);
+    add_row(8, INFINITY, 4);
+    return make_folder(test_state);
 }
 
-static void path_of(const char *name, char path[256])
+/* A test removes the files that it made. */
+FIXTURE(tear_down)
 {
-    snprintf(path, 256, "%s/%s", folder.name, name);
+    table_free(table);
+    return remove_folder(test_state);
 }
 
 static void remove_file(const char *name)
 {
-    char path[256];
-    path_of(name, path);
-    assert_int_equal(unlink(path), 0);
+    assert_int_equal(unlink(in_folder(name)), 0);
 }
 
 static void remove_plot(void)
@@ -99,31 +90,9 @@ static void remove_plot(void)
     remove_file("a b'c.gp");
 }
 
-/* A test removes the files it made; rmdir fails if a temporary file is left. */
-FIXTURE(tear_down)
-{
-    int result = rmdir(folder.name) || rmdir(folder.above);
-    table_free(folder.table);
-    return result;
-}
-
-static char *text_of(const char *name)
-{
-    char path[256];
-    size_t length;
-    c205_error error = { "" };
-    path_of(name, path);
-    char *text = file_read(path, FILE_LARGEST, &length, &error);
-    if (!text)
-        fail_msg("%s: %s", path, error.message);
-    return text;
-}
-
 static bool write_plot(const struct plot *plot, const char *name, c205_error *error)
 {
-    char path[256];
-    path_of(name, path);
-    return plot_write(plot, folder.table, path, error);
+    return plot_write(plot, table, in_folder(name), error);
 }
 
 static void draw(const struct plot *plot)
@@ -145,7 +114,7 @@ static void expect_error(const struct plot *plot, const char *name, const char *
 TEST_WITH(data_is_reported, set_up, tear_down)
 {
     draw(&lines);
-    FREED char *text = text_of("a b'c.dat");
+    FREED char *text = text_of_file("a b'c.dat");
     assert_string_equal(text, "# Clocks per ray\n"
                               "# model cyber205-2pipe\n"
                               "# a_b & <c>, it's \"so\" \\\n"
@@ -175,19 +144,17 @@ static void expect_picture(const char *text)
 /* A user runs gnuplot NAME.gp in the folder. */
 TEST_WITH(script_draws_again, set_up, tear_down)
 {
-    char command[256];
     const enum plot_form forms[] = { PLOT_LINES, PLOT_AREAS };
     for (size_t i = 0; i < 2; i++) {
         struct plot plot = lines;
         plot.form = forms[i];
         draw(&plot);
-        FREED char *first = text_of("a b'c.svg");
+        FREED char *first = text_of_file("a b'c.svg");
         expect_picture(first);
         remove_file("a b'c.svg");
-        snprintf(command, sizeof command, "cd %s/it*test* && gnuplot \"a b'c.gp\"",
-                 folder.above);
-        assert_int_equal(system(command), 0);
-        FREED char *second = text_of("a b'c.svg");
+        setenv("FOLDER", temporary_folder, 1);
+        assert_int_equal(system("cd \"$FOLDER\" && gnuplot \"a b'c.gp\""), 0);
+        FREED char *second = text_of_file("a b'c.svg");
         assert_string_equal(first, second);
         remove_plot();
     }
@@ -214,15 +181,12 @@ TEST_WITH(names_are_names, set_up, tear_down)
 TEST_WITH(bad_paths, set_up, tear_down)
 {
     c205_error error = { "" };
-    char path[256];
     expect_error(&lines, "plot.pdf", "must end in .svg or .png");
     expect_error(&lines, ".svg", "must end in .svg");
     expect_error(&lines, "two\nlines.svg", "one line");
     expect_error(&lines, "none/plot.svg", "No such file");
-    path_of("none/plot.svg", path);
-    assert_false(plot_check_path(path, &error));
-    path_of("plot.svg", path);
-    assert_true(plot_check_path(path, &error));
+    assert_false(plot_check_path(in_folder("none/plot.svg"), &error));
+    assert_true(plot_check_path(in_folder("plot.svg"), &error));
     assert_true(plot_check_path("plot.svg", &error));
 }
 
@@ -230,12 +194,10 @@ TEST_WITH(bad_paths, set_up, tear_down)
 TEST_WITH(name_is_taken, set_up, tear_down)
 {
     static const char *const names[] = { "plot.dat", "plot.gp", "plot.svg" };
-    char path[256];
     for (size_t i = 0; i < 3; i++) {
-        path_of(names[i], path);
-        assert_int_equal(mkdir(path, 0777), 0);
+        assert_int_equal(mkdir(in_folder(names[i]), 0777), 0);
         expect_error(&lines, "plot.svg", "Is a directory");
-        assert_int_equal(rmdir(path), 0);
+        assert_int_equal(rmdir(in_folder(names[i])), 0);
     }
 }
 
@@ -252,7 +214,7 @@ TEST_WITH(bad_values, set_up, tear_down)
     plot.curve_count = 1;
     expect_error(&plot, "x.svg", "nothing to draw");
     plot = lines;
-    add_row(folder.table, 16, 1, -2);
+    add_row(16, 1, -2);
     plot.form = PLOT_AREAS;
     expect_error(&plot, "x.svg", "startup: an area of -2");
     plot.form = PLOT_LINES;
@@ -262,50 +224,33 @@ TEST_WITH(bad_values, set_up, tear_down)
 
 /* ---- Gnuplot ---------------------------------------------------------- */
 
-static void expect_kept(void)
-{
-    FREED char *picture = text_of("a b'c.svg");
-    assert_string_equal(picture, "old");
-    remove_plot();
-}
-
-static void write_file(const char *name, const char *text)
-{
-    char path[256];
-    path_of(name, path);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
-    assert_int_equal(chmod(path, 0777), 0);
-}
-
-/* The path contains the folder's gnuplot only, or none; an old picture exists and must
- * not change. */
-static void expect_failure(const char *part)
+/* The path contains the folder alone; an old picture exists and must not change. The
+ * script is the folder's gnuplot; without one there is none. */
+static void expect_failure(const char *script, const char *part)
 {
     FREED char *path = strdup(getenv("PATH"));
+    if (script) {
+        write_file("gnuplot", script);
+        assert_int_equal(chmod(in_folder("gnuplot"), 0777), 0);
+    }
     write_file("a b'c.svg", "old");
-    setenv("PATH", folder.name, 1);
+    setenv("PATH", temporary_folder, 1);
     expect_error(&lines, "a b'c.svg", part);
     setenv("PATH", path, 1);
-    expect_kept();
-}
-
-TEST_WITH(gnuplot_is_missing, set_up, tear_down)
-{
-    expect_failure("gnuplot-nox");
+    FREED char *picture = text_of_file("a b'c.svg");
+    assert_string_equal(picture, "old");
+    remove_plot();
+    if (script)
+        remove_file("gnuplot");
 }
 
 TEST_WITH(gnuplot_fails, set_up, tear_down)
 {
-    write_file("gnuplot", "#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n");
-    expect_failure("gnuplot: line 7: wrong");
-    write_file("gnuplot", "#!/bin/sh\nexit 0\n");
-    expect_failure("no picture");
-    write_file("gnuplot", "#!/bin/sh\necho half; kill -9 $$\n");
-    expect_failure("no picture");
-    remove_file("gnuplot");
+    expect_failure(NULL, "gnuplot-nox");
+    expect_failure("#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n",
+                   "gnuplot: line 7: wrong");
+    expect_failure("#!/bin/sh\nexit 0\n", "no picture");
+    expect_failure("#!/bin/sh\necho half; kill -9 $$\n", "no picture");
 }
 
 /* ---- Marks and axes --------------------------------------------------- */
@@ -329,7 +274,7 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
     plot.marks = many;
     plot.mark_count = 3;
     draw(&plot);
-    FREED char *script = text_of("a b'c.gp");
+    FREED char *script = text_of_file("a b'c.gp");
     assert_true(height_of(script, "'far") == height_of(script, "'near"));
     assert_true(height_of(script, "'at one") > height_of(script, "'near"));
     remove_plot();
@@ -370,13 +315,13 @@ TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;
     draw(&plot);
-    char *script = text_of("a b'c.gp");
+    char *script = text_of_file("a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:35]"));
     assert_null(strstr(script, "cut off"));
     free(script);
     plot.y_most = 5;
     draw(&plot);
-    script = text_of("a b'c.gp");
+    script = text_of_file("a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:12]"));
     assert_non_null(strstr(script, "cut off at 12; the highest value is 33.3333"));
     free(script);

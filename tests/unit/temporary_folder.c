@@ -1,0 +1,56 @@
+/* temporary_folder.c - makes, fills and removes a folder in /tmp. */
+#include "temporary_folder.h"
+
+#include "base/file.h"
+
+#include <dirent.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+char temporary_folder[64];
+
+int make_folder(STATE)
+{
+    strcpy(temporary_folder, "/tmp/it's a \"test\" XXXXXX");
+    return mkdtemp(temporary_folder) ? 0 : -1;
+}
+
+int remove_folder(STATE)
+{
+    return rmdir(temporary_folder);
+}
+
+const char *in_folder(const char *name)
+{
+    static char path[512];
+    snprintf(path, sizeof path, "%s/%s", temporary_folder, name);
+    return path;
+}
+
+size_t empty_folder(void)
+{
+    size_t count = 0;
+    DIR *entries = opendir(temporary_folder);
+    for (struct dirent *entry; entries && (entry = readdir(entries));)
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
+            count += remove(in_folder(entry->d_name)) == 0;
+    closedir(entries);
+    return count;
+}
+
+void write_file(const char *name, const char *text)
+{
+    FILE *file = fopen(in_folder(name), "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+char *text_of_file(const char *name)
+{
+    size_t length;
+    c205_error error = { "" };
+    char *text = file_read(in_folder(name), FILE_LARGEST, &length, &error);
+    REQUIRE(text);
+    return text;
+}

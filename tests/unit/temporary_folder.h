@@ -1,0 +1,22 @@
+/* temporary_folder.h - a folder for the files of a test. Its name has blanks and
+ * quotes. */
+#ifndef TESTS_TEMPORARY_FOLDER_H
+#define TESTS_TEMPORARY_FOLDER_H
+
+#include "tests/unit/unit.h"
+
+extern char temporary_folder[64];
+
+/* Fixtures. The last one fails if the folder still has files. */
+int make_folder(void **state);
+int remove_folder(void **state);
+
+/* Returns the path of a file of the folder, until the next call. */
+const char *in_folder(const char *name);
+/* Removes the files of the folder. Returns their number. */
+size_t empty_folder(void);
+/* Write and read a file of the folder; the caller frees the text. */
+void write_file(const char *name, const char *text);
+char *text_of_file(const char *name);
+
+#endif
