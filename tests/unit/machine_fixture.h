@@ -24,6 +24,7 @@ uint64_t add(struct small_machine *fixture, const char *mnemonic, c205_fields fi
 void begin(struct small_machine *fixture);
 struct small_machine make_small_machine(void);
 void free_small_machine(struct small_machine *fixture);
+#define small_machine_free free_small_machine /* for SCOPED_VALUE */
 
 /* Loads the code, and data_words words of zeros at DATA. */
 void load(struct small_machine *fixture, size_t data_words);

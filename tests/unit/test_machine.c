@@ -15,10 +15,27 @@ static void expect_end(c205_stop stop)
     assert_string_equal(c205_trap_name(stop.trap), "none");
 }
 
+static c205_stop expect_stop(struct small_machine *fixture, c205_trap trap,
+                             uint64_t address)
+{
+    c205_stop stop = run(fixture);
+    assert_int_equal(stop.trap, trap);
+    assert_int_equal(stop.address, address);
+    return stop;
+}
+
+static void expect_message(const struct small_machine *fixture, c205_stop stop,
+                           const char *message)
+{
+    c205_error error;
+    c205_describe_stop(fixture->machine, &stop, &error);
+    assert_string_equal(error.message, message);
+}
+
 /* SWAP saves registers before it loads others. Register 0 keeps its value. */
 TEST(swap)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     add(&fixture, "SWAP", F(.r = 1, .s = 10, .t = 2));
     add(&fixture, "SWAP", F(.r = 1, .s = 0, .t = 0));
     add(&fixture, "EXIT", F(.r = 0));
@@ -31,16 +48,13 @@ TEST(swap)
     set(&fixture, 2,
         descriptor(DATA + 2 * 64, 4)); /* overlaps: saved before the load */
     expect_end(run(&fixture));
-    assert_int_equal(get(&fixture, 10), 200);
-    assert_int_equal(get(&fixture, 11), 201);
-    assert_int_equal(get(&fixture, 12), 100);
-    assert_int_equal(get(&fixture, 13), 103);
-    assert_int_equal(word_at(&fixture, DATA + 5 * 64), 103);
     /* the second SWAP loads registers 0, 1, 2; register 0 keeps its value */
-    assert_int_equal(get(&fixture, 0), 0);
-    assert_int_equal(get(&fixture, 1), 201);
-    assert_int_equal(get(&fixture, 2), 100);
-    free_small_machine(&fixture);
+    static const unsigned expected[][2] = { { 10, 200 }, { 11, 201 }, { 12, 100 },
+                                            { 13, 103 }, { 0, 0 },    { 1, 201 },
+                                            { 2, 100 } };
+    for (size_t i = 0; i < COUNT(expected); i++)
+        assert_int_equal(get(&fixture, expected[i][0]), expected[i][1]);
+    assert_int_equal(word_at(&fixture, DATA + 5 * 64), 103);
 }
 
 /* ---- Traps -------------------------------------------------------------- */
@@ -92,23 +106,18 @@ TEST(undefined)
                   { "XORB", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
                   { "SUMV", { .a = 1, .c = 255 } },
                   { "IBXEQ", { .g = 1, .a = 1 } } };
-    struct small_machine fixture = make_small_machine();
-    for (size_t i = 0; i < COUNT(wrong); i++) {
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
+    for (size_t i = 0; i < COUNT(wrong); i++)
         expect_trap(&fixture, "undefined-instruction", 0, wrong[i].mnemonic,
                     wrong[i].fields);
-    }
     begin(&fixture);
     add_half(&fixture, 0xFF000000);
     load(&fixture, 1);
-    c205_stop stop = run(&fixture);
-    assert_int_equal(stop.trap, C205_TRAP_UNDEFINED_INSTRUCTION);
+    c205_stop stop = expect_stop(&fixture, C205_TRAP_UNDEFINED_INSTRUCTION, 0);
     assert_null(stop.insn);
-    c205_error text;
-    c205_describe_stop(fixture.machine, &stop, &text);
-    assert_string_equal(text.message,
-                        "trap undefined-instruction at 400000: FF000000: no "
-                        "instruction has this code");
-    free_small_machine(&fixture);
+    expect_message(&fixture, stop,
+                   "trap undefined-instruction at 400000: FF000000: no "
+                   "instruction has this code");
 }
 
 /* ADDNV with G = 05 adds magnitudes, as programs of the period used it. The operands
@@ -117,7 +126,7 @@ TEST(sign_bits)
 {
     static const double sums[][2] = { { -5, -1 }, { 1, 5 }, { -1, -5 }, { 5, 1 },
                                       { -1, -1 }, { 5, 5 }, { -5, -5 }, { 1, 1 } };
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     for (uint32_t g = 0; g < 8; g++) {
         begin(&fixture);
         add_half(&fixture, 0x82000001 | (c205_word)g << 16);
@@ -136,23 +145,21 @@ TEST(sign_bits)
             assert_int_equal(word_at(&fixture, DATA + (4 + i) * 64),
                              c205_from_double(sums[g][i]));
     }
-    free_small_machine(&fixture);
 }
 
 TEST(fields_that_are_not_there)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     add(&fixture, "VTOV", F(.a = 1, .c = 1));
     fixture.code[0] |= 1 << 16; /* field B */
     load(&fixture, 1);
     assert_int_equal(run(&fixture).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
-    free_small_machine(&fixture);
 }
 
 TEST(operand_traps)
 {
     uint64_t odd = DATA + 1, out = 0x800000;
-    struct small_machine l = make_small_machine();
+    SCOPED_VALUE(small_machine) l = make_small_machine();
     const char *bad = "bad-descriptor", *misaligned = "misaligned-operand";
     const char *unmapped = "unmapped-address";
     expect_trap(&l, unmapped, out, "LOD", F(.r = 3, .t = 5));
@@ -173,64 +180,49 @@ TEST(operand_traps)
     expect_trap(&l, "bad-request", 0, "EXIT", F(.immediate = 8));
     expect_trap(&l, unmapped, out, "EXIT", F(.r = 3, .immediate = 6));
     expect_trap(&l, "bad-link", 0, "LINKV", F(.f = 0));
-    free_small_machine(&l);
 }
 
 /* Address 0 is reported like every other address. */
-TEST(address_0_is_reported)
+TEST(messages)
 {
-    struct small_machine fixture = make_small_machine();
-    c205_error text;
-    add(&fixture, "LOD", F(.r = 0, .t = 5));
-    load(&fixture, 1);
-    c205_stop stop = run(&fixture);
-    c205_describe_stop(fixture.machine, &stop, &text);
-    assert_string_equal(text.message,
-                        "trap unmapped-address at 400000: LOD: address 0: "
-                        "no memory is mapped there");
-    free_small_machine(&fixture);
-}
-
-TEST(protected)
-{
-    struct small_machine fixture = make_small_machine();
+    static const c205_fields at_0 = { .r = 0, .t = 5 }, at_data = { .r = 1, .t = 1 };
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     c205_error error;
-    add(&fixture, "STO", F(.r = 1, .t = 1));
+    add(&fixture, "LOD", at_0);
+    load(&fixture, 1);
+    expect_message(&fixture, run(&fixture),
+                   "trap unmapped-address at 400000: LOD: address 0: "
+                   "no memory is mapped there");
+    begin(&fixture);
+    add(&fixture, "STO", at_data);
     load(&fixture, 1);
     set(&fixture, 1, DATA);
     assert_true(c205_map(fixture.machine, DATA, 1, C205_READ_ONLY, &error));
     c205_stop stop = run(&fixture);
     assert_string_equal(c205_trap_name(stop.trap), "protected-address");
-    c205_describe_stop(fixture.machine, &stop, &error);
-    assert_string_equal(error.message,
-                        "trap protected-address at 400000: STO: address 10000000: "
-                        "this memory may only be read");
+    expect_message(&fixture, stop,
+                   "trap protected-address at 400000: STO: address 10000000: "
+                   "this memory may only be read");
     assert_int_equal(word_at(&fixture, DATA), 0);
-    free_small_machine(&fixture);
 }
 
 TEST(fetch)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     load(&fixture, 1);
     c205_set_pc(fixture.machine, CODE + 16);
     assert_int_equal(run(&fixture).trap, C205_TRAP_MISALIGNED_OPERAND);
     c205_set_pc(fixture.machine, 0x800000);
-    c205_stop stop = run(&fixture);
-    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
-    assert_int_equal(stop.address, 0x800000);
+    expect_stop(&fixture, C205_TRAP_UNMAPPED_ADDRESS, 0x800000);
     /* the second half is after the last page */
     put_at(&fixture, 0x800000 - 64, 0xBE000000);
     c205_set_pc(fixture.machine, 0x800000 - 32);
-    stop = run(&fixture);
-    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
-    assert_int_equal(stop.address, 0x800000);
-    free_small_machine(&fixture);
+    expect_stop(&fixture, C205_TRAP_UNMAPPED_ADDRESS, 0x800000);
 }
 
 TEST(clock_limit)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     add(&fixture, "BIM", F(.r = 0, .immediate = (int64_t)CODE));
     load(&fixture, 1);
     c205_stop stop = c205_run(fixture.machine, 1000);
@@ -238,14 +230,13 @@ TEST(clock_limit)
     assert_in_range(c205_clock(fixture.machine), 1000, 1100);
     c205_reset_clock(fixture.machine);
     assert_int_equal(c205_clock(fixture.machine), 0);
-    free_small_machine(&fixture);
 }
 
 /* Space for the longest possible result is checked first. If it is missing but not
  * needed, no later instruction may report a fault. */
 TEST(compress_leaves_no_fault)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     uint64_t end = DATA + C205_PAGE_WORDS * UINT64_C(64);
     add(&fixture, "CPSV", F(.a = 1, .z = 2, .c = 3));
     add(&fixture, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
@@ -253,17 +244,22 @@ TEST(compress_leaves_no_fault)
     set(&fixture, 1, descriptor(DATA, 2));
     set(&fixture, 2, descriptor(DATA, 2)); /* zeros: no element is selected */
     set(&fixture, 3, end - 64);
-    c205_stop stop = run(&fixture);
-    assert_int_equal(stop.trap, C205_TRAP_BAD_DESCRIPTOR);
-    assert_int_equal(stop.address, 0);
-    free_small_machine(&fixture);
+    expect_stop(&fixture, C205_TRAP_BAD_DESCRIPTOR, 0);
 }
 
 /* ---- Regions, events ---------------------------------------------------- */
 
+static void expect_no_load(const struct small_machine *fixture,
+                           const c205_program *program, const char *message)
+{
+    c205_error error;
+    assert_false(c205_load(fixture->machine, program, &error));
+    assert_string_equal(error.message, message);
+}
+
 TEST(regions)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     c205_region regions[] = { { "late", CODE + 64, CODE + 96 },
                               { "early", CODE, CODE + 32 },
                               { "late", CODE + 128, CODE + 160 } };
@@ -281,17 +277,13 @@ TEST(regions)
     assert_int_equal(late->instructions, 2);
     assert_int_equal(late->entries, 2);
     regions[1].end = CODE + 65;
-    assert_false(c205_load(fixture.machine, &program, &error));
-    assert_string_equal(error.message, "the region late overlaps another, at 400040");
+    expect_no_load(&fixture, &program, "the region late overlaps another, at 400040");
     regions[1].end = CODE - 32;
-    assert_false(c205_load(fixture.machine, &program, &error));
-    assert_string_equal(error.message,
-                        "the region early ends before it begins, at 400000");
+    expect_no_load(&fixture, &program,
+                   "the region early ends before it begins, at 400000");
     program.region_count = 0;
     segment.address = CODE + 32;
-    assert_false(c205_load(fixture.machine, &program, &error));
-    assert_string_equal(error.message, "a segment at 400020 does not begin on a word");
-    free_small_machine(&fixture);
+    expect_no_load(&fixture, &program, "a segment at 400020 does not begin on a word");
 }
 
 struct heard {
@@ -317,7 +309,7 @@ static void listen(void *context, const c205 *machine, const c205_event *event)
 
 TEST(events)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     struct heard heard = { { 0 }, 0, 0, 0, false };
     add(&fixture, "ES", F(.r = 1, .immediate = 7));
     add(&fixture, "EXIT", F(.r = 1, .immediate = 2));
@@ -339,12 +331,11 @@ TEST(events)
     for (unsigned i = 1; i < C205_LISTENERS; i++)
         assert_true(c205_listen(fixture.machine, listen, &heard));
     assert_false(c205_listen(fixture.machine, listen, &heard));
-    free_small_machine(&fixture);
 }
 
 TEST(step)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     c205_stop stop;
     add(&fixture, "ES", F(.r = 1, .immediate = 7));
     add(&fixture, "EXIT", F(.r = 1));
@@ -353,17 +344,15 @@ TEST(step)
     assert_int_equal(c205_pc(fixture.machine), CODE + 32);
     assert_false(c205_step(fixture.machine, &stop));
     assert_int_equal(stop.status, 7);
-    free_small_machine(&fixture);
 }
 
 TEST(host_copies)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     c205_word words[2] = { 1, 2 };
     load(&fixture, 2);
     assert_true(c205_write(fixture.machine, DATA, words, 2));
     assert_false(c205_write(fixture.machine, DATA + 32, words, 2));
     assert_false(c205_read(fixture.machine, 0x800000 - 64, words, 2));
     assert_int_equal(words[0], 1);
-    free_small_machine(&fixture);
 }

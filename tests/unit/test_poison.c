@@ -316,14 +316,13 @@ static void try_row(struct small_machine *fixture, const c205_insn *row,
 
 TEST(rows)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     uint64_t random = 1205;
     for (size_t i = 0; i < c205_insn_count; i++)
         if (c205_unit_is_vector(c205_insns[i].unit)
             && c205_insns[i].format != C205_FORMAT_NONE)
             for (size_t k = 0; k < cases; k++)
                 try_row(&fixture, &c205_insns[i], &random);
-    free_small_machine(&fixture);
 }
 
 /* ---- Linked pairs ------------------------------------------------------ */
@@ -409,11 +408,10 @@ static void try_pair(struct small_machine *fixture, uint64_t *random)
 
 TEST(pairs)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     uint64_t random = 2205;
     for (size_t k = 0; k < 4 * cases; k++)
         try_pair(&fixture, &random);
-    free_small_machine(&fixture);
 }
 
 ARGUMENTS(argc, argv)
