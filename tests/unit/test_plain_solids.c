@@ -82,15 +82,6 @@ static double volume(const struct solid *solid, double size)
     return sum * 4 * size * size / steps / steps;
 }
 
-/* The error of the grid is at most two in a thousand. */
-static void check_volume(const char *text, double size, double expected)
-{
-    SCOPED_VALUE(solid) solid = solid_of(text);
-    double found = volume(&solid, size);
-    if (!(fabs(found - expected) <= .002 * expected))
-        fail_msg("%s: volume %.6g, expected %.6g", text, found, expected);
-}
-
 static double lens(double r, double s, double d)
 {
     double depth = r + s - d;
@@ -98,78 +89,69 @@ static double lens(double r, double s, double d)
            / (12 * d);
 }
 
-TEST(round_solids)
-{
-    check_volume("intersection { cylinder { -2*x, 2*x, 1 } "
-                 "cylinder { -2*y, 2*y, 1 } }",
-                 1.8, 16. / 3);
-    check_volume("intersection { cylinder { -2*x, 2*x, 1 } "
-                 "cylinder { -2*y, 2*y, 1 } cylinder { -2*z, 2*z, 1 } }",
-                 1.3, 8 * (2 - sqrt(2)));
-    check_volume("intersection { sphere { 0, 1 } sphere { .9*x, .8 } }", 1.2,
-                 lens(1, .8, .9));
-    check_volume("merge { sphere { 0, 1 } sphere { .9*x, .8 } }", 1.8,
-                 4 * PI / 3 * (1 + .512) - lens(1, .8, .9));
-    check_volume("difference { sphere { 0, 1 } sphere { .9*x, .8 } }", 1.2,
-                 4 * PI / 3 - lens(1, .8, .9));
-    check_volume("intersection { sphere { 0, 1 } "
-                 "cylinder { <.5, -2, 0>, <.5, 2, 0>, .5 } }",
-                 1.2, 2 * PI / 3 - 8. / 9);
-    check_volume("intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } }", 1.5,
-                 2. / 3);
-    check_volume("intersection { sphere { 0, 1 } plane { -y, -.5 } }", 1.2,
-                 PI * .25 * 2.5 / 3);
-}
+#define TWO_BALLS "{ sphere { 0, 1 } sphere { .9*x, .8 } "
 
-/* A ring of height 1 has the same volume for every ball. */
-TEST(napkin_rings)
+/* The error of the grid is at most two in a thousand. */
+TEST(volumes)
 {
-    check_volume("difference { sphere { 0, 1 } "
-                 "cylinder { -2*y, 2*y, sqrt(.75) } }",
-                 1.1, PI / 6);
-    check_volume("difference { sphere { 0, 2 } "
-                 "cylinder { -3*y, 3*y, sqrt(3.75) open } }",
-                 2.1, PI / 6);
-}
-
-TEST(other_solids)
-{
-    check_volume("difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
-                 "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
-                 "translate -1.5 }",
-                 2.8, 20);
-    check_volume("intersection { box { -1, 1 } sphere { 0, 1 inverse } }", 1.8,
-                 8 - 4 * PI / 3);
-    check_volume("difference { torus { 1, .25 } plane { <1, 2, 3>, 0 } }", 1.4,
-                 PI * PI / 16);
-    check_volume("intersection { elliptical_torus { 1, .2, .4 } "
-                 "plane { x, 0 } plane { z, 0 } }",
-                 1.5, PI * PI * .08 / 2);
-    check_volume("intersection { cone { -y, 1, y, .5 } plane { z, 0 } }", 1.6,
-                 PI * 1.75 / 3);
-    check_volume("difference { quadric { <1, 4, 1>, 0, 0, -1 } "
-                 "plane { <1, 1, 0>, 0 } }",
-                 1.2, PI / 3);
-    check_volume("intersection { plane { x, 0 } quartic { <1,0,0,0,0,0,0,0,0,"
-                 "0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1,0,0,0,-1> } }",
-                 1.8, 4 * pow(tgamma(1.25), 3) / tgamma(1.75));
-    check_volume("intersection { box { -1, 1 } quadric { <-1, -1, 0>, 0, 0, .25 } }",
-                 1.8, 8 - PI / 2);
-}
-
-/* De Morgan's rule: a point in neither part is outside of both. */
-TEST(nested_solids)
-{
-    double both = lens(1, .8, .9);
-    check_volume("difference { box { -3, 3 } "
-                 "union { sphere { 0, 1 } sphere { .9*x, .8 } } }",
-                 5.2, 216 - 4 * PI / 3 * 1.512 + both);
-    check_volume("intersection { box { -3, 3 } "
-                 "intersection { sphere { 0, 1 } sphere { .9*x, .8 } inverse } }",
-                 5.2, 216 - both);
-    check_volume("difference { sphere { 0, 1 } difference { sphere { .9*x, .8 "
-                 "} box { -4, 4 scale <1, 1, .001> } } }",
-                 1.2, 4 * PI / 3 - both + .008 * PI * .36);
+    const double both = lens(1, .8, .9);
+    const struct {
+        const char *text;
+        double size, volume;
+    } rows[] = {
+        { "intersection { cylinder { -2*x, 2*x, 1 } cylinder { -2*y, 2*y, 1 } }", 1.8,
+          16. / 3 },
+        { "intersection { cylinder { -2*x, 2*x, 1 } cylinder { -2*y, 2*y, 1 } "
+          "cylinder { -2*z, 2*z, 1 } }",
+          1.3, 8 * (2 - sqrt(2)) },
+        { "intersection " TWO_BALLS "}", 1.2, both },
+        { "merge " TWO_BALLS "}", 1.8, 4 * PI / 3 * (1 + .512) - both },
+        { "difference " TWO_BALLS "}", 1.2, 4 * PI / 3 - both },
+        { "intersection { sphere { 0, 1 } cylinder { <.5, -2, 0>, <.5, 2, 0>, .5 } }",
+          1.2, 2 * PI / 3 - 8. / 9 },
+        { "intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } }", 1.5,
+          2. / 3 },
+        { "intersection { sphere { 0, 1 } plane { -y, -.5 } }", 1.2,
+          PI * .25 * 2.5 / 3 },
+        /* A ring of height 1 has the same volume for every ball. */
+        { "difference { sphere { 0, 1 } cylinder { -2*y, 2*y, sqrt(.75) } }", 1.1,
+          PI / 6 },
+        { "difference { sphere { 0, 2 } cylinder { -3*y, 3*y, sqrt(3.75) open } }", 2.1,
+          PI / 6 },
+        { "difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
+          "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
+          "translate -1.5 }",
+          2.8, 20 },
+        { "intersection { box { -1, 1 } sphere { 0, 1 inverse } }", 1.8,
+          8 - 4 * PI / 3 },
+        { "difference { torus { 1, .25 } plane { <1, 2, 3>, 0 } }", 1.4, PI * PI / 16 },
+        { "intersection { elliptical_torus { 1, .2, .4 } plane { x, 0 } "
+          "plane { z, 0 } }",
+          1.5, PI * PI * .08 / 2 },
+        { "intersection { cone { -y, 1, y, .5 } plane { z, 0 } }", 1.6, PI * 1.75 / 3 },
+        { "difference { quadric { <1, 4, 1>, 0, 0, -1 } plane { <1, 1, 0>, 0 } }", 1.2,
+          PI / 3 },
+        { "intersection { plane { x, 0 } quartic { <1,0,0,0,0,0,0,0,0,"
+          "0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1,0,0,0,-1> } }",
+          1.8, 4 * pow(tgamma(1.25), 3) / tgamma(1.75) },
+        { "intersection { box { -1, 1 } quadric { <-1, -1, 0>, 0, 0, .25 } }", 1.8,
+          8 - PI / 2 },
+        /* De Morgan's rule: a point in neither part is outside of both. */
+        { "difference { box { -3, 3 } union " TWO_BALLS "} }", 5.2,
+          216 - 4 * PI / 3 * 1.512 + both },
+        { "intersection { box { -3, 3 } intersection " TWO_BALLS "inverse } }", 5.2,
+          216 - both },
+        { "difference { sphere { 0, 1 } difference { sphere { .9*x, .8 } "
+          "box { -4, 4 scale <1, 1, .001> } } }",
+          1.2, 4 * PI / 3 - both + .008 * PI * .36 },
+    };
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED_VALUE(solid) solid = solid_of(rows[i].text);
+        double found = volume(&solid, rows[i].size);
+        if (!(fabs(found - rows[i].volume) <= .002 * rows[i].volume))
+            fail_msg("%s: volume %.6g, expected %.6g", rows[i].text, found,
+                     rows[i].volume);
+    }
 }
 
 /* ---- Surfaces that coincide ---------------------------------------------- */
