@@ -5,6 +5,7 @@
  * is restored, fails here.
  */
 #include "tests/unit/clock_driver.h"
+#include "tests/unit/saved_machine.h"
 
 #include "tests/random.h"
 #include "vm/time/pages.h"
@@ -168,22 +169,6 @@ TEST(plain_list)
 }
 
 /* ---- Serialization ------------------------------------------------------- */
-
-enum { TAPE_BYTES = 1 << 16 };
-
-struct bytes {
-    size_t count;
-    unsigned char byte[TAPE_BYTES];
-};
-
-static bool append(void *context, const void *more, size_t count)
-{
-    struct bytes *bytes = context;
-    assert_true(bytes->count + count <= TAPE_BYTES);
-    memcpy(bytes->byte + bytes->count, more, count);
-    bytes->count += count;
-    return true;
-}
 
 static void write_clock(struct clock *clock, struct bytes *bytes)
 {

@@ -3,10 +3,7 @@
  * A region without a part, or a missing row, fails here. */
 #include "tests/unit/traced_frame.h"
 
-#include "base/file.h"
 #include "rt/study/profile.h"
-
-#include <unistd.h>
 
 #define SCENE \
     AHEAD "light_source { <5, 9, -7>, 1 }" \
@@ -50,20 +47,17 @@ TEST(stages)
 /* Returns a table as JSON; the caller frees it. */
 static char *table_text_of(enum profile_table kind)
 {
-    char path[] = "/tmp/test_profile.XXXXXX";
-    int file = mkstemp(path);
+    char *text;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
     SCOPED(table) *table = profile_table(kind, &profile);
     c205_error error = { "" };
-    size_t length;
-    assert_true(file >= 0 && close(file) == 0);
+    struct json *json = json_open_stream(file, NULL, &error);
     assert_non_null(table);
-    struct json *json = json_open(path, &error);
     assert_non_null(json);
     table_json(table, json, "rows");
     assert_true(json_close(json, &error));
-    char *text = file_read(path, FILE_LARGEST, &length, &error);
-    assert_non_null(text);
-    remove(path);
+    fclose(file);
     return text;
 }
 
