@@ -15,29 +15,28 @@
 
 #define STUDENT 2.1314 /* for 15 degrees of freedom */
 
-static struct columns_options usual(void)
+static struct columns_options usual(size_t rays_log)
 {
     return (struct columns_options){ .mode = TRACE_VECTOR,
                                      .queue = 2000,
                                      .points = POINTS_LATTICE,
-                                     .rays_log = 8,
+                                     .rays_log = rays_log,
                                      .repeats = 16,
                                      .seed = 1,
                                      .jobs = 2 };
 }
 
-static void measure_well(const char *text, struct columns_options options,
-                         struct measured *measured)
+static struct measured measured_of(const char *text, struct columns_options options)
 {
-    if (!measure_scene(text, options, measured))
-        fail_msg("%s: %s", text, measured->error.message);
+    struct measured measured;
+    if (!measure_scene(text, options, &measured))
+        fail_msg("%s: %s", text, measured.error.message);
+    return measured;
 }
 
 static uint64_t checksum_of(const char *text, struct columns_options options)
 {
-    struct measured measured;
-    measure_well(text, options, &measured);
-    return measured.checksum;
+    return measured_of(text, options).checksum;
 }
 
 /* ---- Solids that have formulas ------------------------------------------- */
@@ -82,12 +81,9 @@ static void check_row(const struct csv_table *table, size_t row, size_t rays_log
     static const char *const moments[] = { "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz" };
     static const char *const places[] = { "cx", "cy", "cz" };
     const char *id = table->cell[row][0];
-    struct columns_options options = usual();
-    struct measured measured;
+    struct measured measured = measured_of(table->cell[row][2], usual(rays_log));
     const struct mass_figures *found = &measured.part[0];
     double volume = named(table, row, "volume"), most = 0;
-    options.rays_log = rays_log;
-    measure_well(table->cell[row][2], options, &measured);
     check_figure(id, found, FIGURE_VOLUME, volume, volume, share);
     check_figure(id, found, FIGURE_AREA, named(table, row, "area"),
                  named(table, row, "area"), share);
@@ -124,9 +120,8 @@ static const char crowd[] = "union { sphere { 0, 1 } box { -.6, <1.5, .6, .7> } 
 TEST(same_bits)
 {
     for (int points = 0; points < POINTS_KINDS; points++) {
-        struct columns_options options = usual();
+        struct columns_options options = usual(points == POINTS_GRID ? 7 : 6);
         options.points = (enum columns_points)points;
-        options.rays_log = points == POINTS_GRID ? 7 : 6;
         options.repeats = 4;
         uint64_t expected = checksum_of(crowd, options);
         options.jobs = 3;
@@ -144,9 +139,7 @@ TEST(same_bits)
 /* More rays than a packet holds, and more crossings than lanes. */
 TEST(same_packets)
 {
-    struct columns_options options = usual();
-    struct measured ball;
-    options.rays_log = 13;
+    struct columns_options options = usual(13);
     options.repeats = 2;
     uint64_t expected = checksum_of(crowd, options);
     options.queue = 4096;
@@ -156,7 +149,7 @@ TEST(same_packets)
     options.jobs = 2;
     assert_true(checksum_of(crowd, options) == expected);
     options.mode = TRACE_VECTOR;
-    measure_well("sphere { 0, 1 }", options, &ball);
+    struct measured ball = measured_of("sphere { 0, 1 }", options);
     assert_true(fabs(ball.part[0].value[FIGURE_VOLUME] - 4 * acos(-1) / 3) < 1e-3);
 }
 
@@ -177,12 +170,10 @@ static struct tried try_seeds(enum columns_points points, size_t seeds)
     static const double volume = 1.2 * 1.2 * 1.2 * 20 / 27;
     struct tried tried = { 0 };
     for (size_t seed = 1; seed <= seeds; seed++) {
-        struct columns_options options = usual();
-        struct measured measured;
+        struct columns_options options = usual(6);
         options.points = points;
-        options.rays_log = 6;
         options.seed = seed;
-        measure_well(tilted, options, &measured);
+        struct measured measured = measured_of(tilted, options);
         double off = measured.part[0].value[FIGURE_VOLUME] - volume;
         tried.sum += off;
         tried.square += off * off;
@@ -216,11 +207,9 @@ TEST(points)
 /* Two balls of radius 1, one unit apart, share a lens. */
 TEST(overlap)
 {
-    struct columns_options options = usual();
     double lens = 5 * acos(-1) / 12;
-    struct measured two;
-    options.rays_log = 11;
-    measure_well("sphere { -.5*x, 1 }\nsphere { .5*x, 1 }", options, &two);
+    struct measured two = measured_of("sphere { -.5*x, 1 }\nsphere { .5*x, 1 }",
+                                      usual(11));
     assert_int_equal(two.parts, 2);
     assert_true(fabs(two.overlap - lens) < 4 * two.overlap_error / STUDENT);
     assert_true(two.overlap_error < 1e-3);
@@ -233,11 +222,8 @@ TEST(overlap)
  * theorem. */
 TEST(about)
 {
-    struct columns_options options = usual();
-    struct measured box;
+    struct measured box = measured_of("box { <99,199,299>, <101,201,301> }", usual(11));
     const double *value = box.part[0].value;
-    options.rays_log = 11;
-    measure_well("box { <99,199,299>, <101,201,301> }", options, &box);
     assert_true(fabs(value[FIGURE_VOLUME] - 8) < 1e-3);
     assert_true(fabs(value[FIGURE_AREA] - 24) < 3e-3);
     assert_true(fabs(value[FIGURE_CENTROID + 2] - 300) < 1e-3);
@@ -249,11 +235,11 @@ TEST(about)
 /* The parallel axis theorem also holds if the centroid is not the centre of the box. */
 TEST(parallel_axes)
 {
-    struct measured bored;
+    struct measured bored =
+        measured_of("difference { box { <-1,-.5,-.25>, <1,.5,.25> }\n"
+                    "cylinder { <.4,0,-1>, <.4,0,1>, .3 } translate <3,2,1> }",
+                    usual(8));
     const double *value = bored.part[0].value;
-    measure_well("difference { box { <-1,-.5,-.25>, <1,.5,.25> }\n"
-                 "cylinder { <.4,0,-1>, <.4,0,1>, .3 } translate <3,2,1> }",
-                 usual(), &bored);
     double volume = value[FIGURE_VOLUME];
     double x = value[FIGURE_CENTROID];
     double y = value[FIGURE_CENTROID + 1];
@@ -270,11 +256,9 @@ TEST(parallel_axes)
 /* The principal axes of a rotated box, in order of increasing moments. */
 TEST(axes)
 {
-    struct columns_options options = usual();
-    struct measured box;
+    struct measured box = measured_of("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }",
+                                      usual(11));
     const struct mass_figures *figures = &box.part[0];
-    options.rays_log = 11;
-    measure_well("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }", options, &box);
     for (size_t i = 0; i < 3; i++) {
         static const double moments[] = { 5. / 48, 17. / 48, 5. / 12 };
         assert_true(fabs(figures->value[FIGURE_PRINCIPAL + i] - moments[i]) < 1e-3);
@@ -289,21 +273,21 @@ TEST(axes)
 static void refuses(const char *text, const char *why)
 {
     struct measured measured;
-    assert_false(measure_scene(text, usual(), &measured));
+    assert_false(measure_scene(text, usual(8), &measured));
     assert_string_equal(measured.error.message, why);
 }
 
 TEST(refused)
 {
-    struct measured empty;
     refuses("sphere { 0, 1 }\ndisc { <0,0,3>, z, 2 }",
             "the disc of line 2 is an open surface: it has no volume");
     refuses("sphere { 0, 1 }\nplane { y, 0 }",
             "the solid of line 2 has unknown bounds: its volume cannot be computed");
     refuses("", "the scene has no bodies");
-    measure_well("intersection { sphere { 0, 1 } sphere { 3*x, 1 }\n"
-                 "sphere { 0, 9 } }\nbox { 2, 3 }",
-                 usual(), &empty);
+    struct measured empty =
+        measured_of("intersection { sphere { 0, 1 } sphere { 3*x, 1 }\n"
+                    "sphere { 0, 9 } }\nbox { 2, 3 }",
+                    usual(8));
     assert_true(empty.part[0].value[FIGURE_VOLUME] == 0);
     assert_true(isnan(empty.part[0].value[FIGURE_CENTROID]));
 }
@@ -311,14 +295,13 @@ TEST(refused)
 TEST(too_many_parts)
 {
     const struct overlaps many = { .count = MAX_COLUMNS_PAIRS + 1 };
-    struct columns_options options = usual();
+    struct columns_options options = usual(0);
     SCOPED(scene) *scene = scene_of("sphere { 0, 1 }");
     const size_t part_of[] = { 0 };
     struct columns_sums sums;
     c205_error error;
     options.model = usual_model();
     options.part_of = part_of;
-    options.rays_log = 0;
     options.repeats = 1;
     options.part_count = MAX_COLUMNS_PARTS + 1;
     assert_false(columns_sum(scene, &options, &sums, &error));
