@@ -190,15 +190,6 @@ static size_t depth_of(const struct scene *scene, size_t node)
     return 1 + most;
 }
 
-/* Reads a merge of `count` spheres, each a text in the number I. */
-static struct scene *row_of(size_t count, const char *sphere)
-{
-    char text[400];
-    snprintf(text, sizeof text, "merge { #for (I, 1, %zu) sphere { %s } #end }", count,
-             sphere);
-    return read_scene(text);
-}
-
 /* Spheres in a row, at one point, or at growing distances. */
 TEST(depth)
 {
@@ -214,7 +205,9 @@ TEST(depth)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        SCOPED(scene) *scene = row_of(rows[i].count, rows[i].sphere);
+        SCOPED(scene)
+            *scene = read_format("merge { #for (I, 1, %zu) sphere { %s } #end }",
+                                 rows[i].count, rows[i].sphere);
         struct nested_scene nested;
         assert_true(nesting_make(scene, &nested));
         assert_in_range(depth_of(&nested.scene, 0), rows[i].least, rows[i].most);

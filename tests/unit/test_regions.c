@@ -5,12 +5,10 @@
 
 #include "rt/layout/trees.h"
 #include "rt/shapes/bound.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/tree_value.h"
 
 enum { PLACES = 400 }; /* maximum number of values of a tree */
-
-static uint64_t random_state = RANDOM_SEED;
 
 /* ---- Primitives --------------------------------------------------------- */
 
@@ -294,21 +292,18 @@ static char *add_solid(char *end, size_t most)
 {
     static const char *const words[] = { "union", "merge", "intersection",
                                          "difference" };
-    size_t children = 2 + xorshift(&random_state) % 4;
-    if (most > 16 && xorshift(&random_state) % 2 == 0)
-        children = 8 + xorshift(&random_state) % 9;
-    if (most < children || xorshift(&random_state) % 4 == 0) {
-        end += sprintf(end, "sphere { <%d, %d, %d>, %d",
-                       (int)(xorshift(&random_state) % 20),
-                       (int)(xorshift(&random_state) % 20),
-                       (int)(xorshift(&random_state) % 3),
-                       1 + (int)(xorshift(&random_state) % 4));
+    size_t children = 2 + below(4);
+    if (most > 16 && below(2) == 0)
+        children = 8 + below(9);
+    if (most < children || below(4) == 0) {
+        int radius = 1 + (int)below(4), z = (int)below(3), y = (int)below(20);
+        end += sprintf(end, "sphere { <%d, %d, %d>, %d", (int)below(20), y, z, radius);
     } else {
-        end += sprintf(end, "%s { ", words[xorshift(&random_state) % 4]);
+        end += sprintf(end, "%s { ", words[below(4)]);
         for (size_t i = 0; i < children; i++)
             end = add_solid(end, most / children);
     }
-    return end + sprintf(end, "%s } ", xorshift(&random_state) % 4 ? "" : " inverse");
+    return end + sprintf(end, "%s } ", below(4) ? "" : " inverse ");
 }
 
 /* Evaluates a region's tree as the machine does, for given values of the primitives.
@@ -322,15 +317,8 @@ struct evaluation {
     size_t branch_count;
 };
 
-static uint64_t node_word(const struct evaluation *evaluation, uint64_t node,
-                          const char *name)
+static size_t value_place(const struct stage *stage, uint64_t address)
 {
-    return field_of(evaluation->stage, node, "N_SIZE", 0, name);
-}
-
-static size_t value_place(const struct evaluation *evaluation, uint64_t address)
-{
-    const struct stage *stage = evaluation->stage;
     uint64_t bits = address - primitive(stage, 0, "P_VALUE");
     assert_true(bits < 64 * symbol(stage, "VALUE_SIZE") * PLACES);
     return (size_t)(bits / (64 * symbol(stage, "VALUE_SIZE")));
@@ -338,23 +326,22 @@ static size_t value_place(const struct evaluation *evaluation, uint64_t address)
 
 static void print_value(struct evaluation *evaluation, uint64_t address, bool value)
 {
-    size_t place = value_place(evaluation, address);
+    size_t place = value_place(evaluation->stage, address);
     evaluation->value[place] = value;
     evaluation->known[place] = true;
 }
 
 static bool ask_value(const struct evaluation *evaluation, uint64_t address)
 {
-    size_t place = value_place(evaluation, address);
+    size_t place = value_place(evaluation->stage, address);
     assert_true(evaluation->known[place]);
     return evaluation->value[place];
 }
 
 static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
 {
-    const struct stage *stage = evaluation->stage;
-    uint64_t size = 64 * symbol(stage, "P_SIZE");
-    return evaluation->inside[(leaf - primitive_at(stage, 0)) / size];
+    uint64_t bits = leaf - primitive_at(evaluation->stage, 0);
+    return evaluation->inside[bits / (64 * symbol(evaluation->stage, "P_SIZE"))];
 }
 
 /* Returns whether the point is inside a primitive below the node, or the node has no
@@ -362,11 +349,11 @@ static bool is_inside(const struct evaluation *evaluation, uint64_t leaf)
 static bool may_be_inside(const struct evaluation *evaluation, uint64_t node)
 {
     const struct stage *stage = evaluation->stage;
-    uint64_t next = node_word(evaluation, node, "N_NEXT");
+    uint64_t next = field_of(stage, node, "N_SIZE", 0, "N_NEXT");
     uint64_t radius = node + 64 * (symbol(stage, "N_BOUND") + 3);
     bool may_be = stage_word(stage, radius) == scene_word(stage, "k_big");
     for (; node != next; node += 64 * symbol(stage, "N_SIZE")) {
-        uint64_t leaf = node_word(evaluation, node, "N_PRIMITIVE");
+        uint64_t leaf = field_of(stage, node, "N_SIZE", 0, "N_PRIMITIVE");
         may_be = may_be || (leaf && is_inside(evaluation, leaf));
     }
     return may_be;
@@ -379,8 +366,8 @@ static void visit_nodes(struct evaluation *evaluation, size_t i)
     const struct stage *stage = evaluation->stage;
     uint64_t node = region(stage, i, "R_NODES");
     while (node != region(stage, i, "R_NODES_END")) {
-        uint64_t leaf = node_word(evaluation, node, "N_PRIMITIVE");
-        uint64_t value = node_word(evaluation, node, "N_VALUE");
+        uint64_t leaf = field_of(stage, node, "N_SIZE", 0, "N_PRIMITIVE");
+        uint64_t value = field_of(stage, node, "N_SIZE", 0, "N_VALUE");
         bool near = may_be_inside(evaluation, node);
         evaluation->visited++;
         if (near && !leaf)
@@ -388,22 +375,22 @@ static void visit_nodes(struct evaluation *evaluation, size_t i)
         else
             print_value(evaluation, value, near && is_inside(evaluation, leaf));
         node = near ? node + 64 * symbol(stage, "N_SIZE")
-                    : node_word(evaluation, node, "N_NEXT");
+                    : field_of(stage, node, "N_SIZE", 0, "N_NEXT");
     }
 }
 
 static void take_steps(struct evaluation *evaluation, uint64_t node)
 {
     const struct stage *stage = evaluation->stage;
-    uint64_t step = node_word(evaluation, node, "N_STEPS");
-    int64_t count = c205_to_integer(node_word(evaluation, node, "N_STEP_COUNT"));
-    for (size_t k = 0; k < (size_t)count; k++) {
-        bool left = ask_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_LEFT"));
+    uint64_t step = field_of(stage, node, "N_SIZE", 0, "N_STEPS");
+    int64_t count = c205_to_integer(field_of(stage, node, "N_SIZE", 0, "N_STEP_COUNT"));
+    for (; count > 0; count--, step += 64 * symbol(stage, "T_SIZE")) {
+        bool left = ask_value(evaluation, field_of(stage, step, "T_SIZE", 0, "T_LEFT"));
         bool right = ask_value(evaluation,
-                               field_of(stage, step, "T_SIZE", k, "T_RIGHT"));
+                               field_of(stage, step, "T_SIZE", 0, "T_RIGHT"));
         int64_t operation = c205_to_integer(
-            field_of(stage, step, "T_SIZE", k, "T_OPERATION"));
-        print_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_RESULT"),
+            field_of(stage, step, "T_SIZE", 0, "T_OPERATION"));
+        print_value(evaluation, field_of(stage, step, "T_SIZE", 0, "T_RESULT"),
                     operation == STEP_AND  ? left && right
                     : operation == STEP_OR ? left || right
                                            : left && !right);
@@ -440,9 +427,9 @@ static void check_region(const struct stage *stage, size_t i, const char *text)
     bool complement = tree_value(stage->scene, tree->first_node, inside) != nothing;
 
     for (int try = 0; try < TRIES; try++) {
-        uint64_t few = 1 + xorshift(&random_state) % 8;
+        uint64_t few = 1 + below(8);
         for (size_t k = tree->first_primitive; k < last; k++)
-            inside[k] = xorshift(&random_state) % few == 0;
+            inside[k] = below(few) == 0;
         bool value = tree_value(stage->scene, tree->first_node, inside);
         if (machine_value(stage, i, inside, &visited) != (value != complement))
             fail_msg("region %zu of %s", i, text);
@@ -465,21 +452,20 @@ TEST(steps)
     }
 }
 
+#define BALLS "#for (I, 0, 149) sphere { I*x, .6 } #end "
+
 /* In a tree of many parts, a point inside one part visits few nodes. */
 TEST(many_parts)
 {
-    static const char *const ways[] = { "merge", "difference { box { -1, 1 }",
-                                        "intersection { box { -1, 1 } merge" };
-    enum { PARTS = 150 };
+    static const char *const texts[] = {
+        "merge { " BALLS "}",
+        "difference { box { -1, 1 } " BALLS "}",
+        "intersection { box { -1, 1 } merge { " BALLS "} }",
+    };
 
-    for (size_t way = 0; way < COUNT(ways); way++) {
-        char text[8000], *end = text + sprintf(text, "%s", ways[way]);
+    for (size_t way = 0; way < COUNT(texts); way++) {
         size_t visited;
-        end += sprintf(end, way == 1 ? " " : " { ");
-        for (int i = 0; i < PARTS; i++)
-            end += sprintf(end, "sphere { %d*x, .6 } ", i);
-        sprintf(end, way == 2 ? "} }" : "}");
-        SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_HIERARCHY);
+        SCOPED_VALUE(stage) stage = stage_of(texts[way], BOUNDING_HIERARCHY);
         for (size_t i = 0; i < stage.scene->primitive_count; i++) {
             bool inside[PLACES] = { false };
             inside[0] = inside[i] = true;
