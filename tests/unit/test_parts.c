@@ -122,7 +122,8 @@ TEST(densities)
     struct named_values densities = { .kind = &density_kind, .others = NAN };
     SCOPED_VALUE(named_parts) parts;
     c205_error error;
-    double found[5];
+    static const double expected[] = { 2, 8.96, 7.8, 3, 3 };
+    double found[COUNT(expected)];
     assert_true(named_parts_find(scene, &parts));
     assert_true(named_add(&densities, "Steel=7.8", &error));
     assert_true(named_add(&densities, "Plate=2", &error));
@@ -134,11 +135,8 @@ TEST(densities)
                         "materials); use --density NAME=VALUE, or --density default=1");
     assert_true(named_add(&densities, "default=3", &error));
     assert_true(densities_find(&densities, &parts, found, &error));
-    assert_close(found[0], 2, 0);
-    assert_close(found[1], 8.96, 0);
-    assert_close(found[2], 7.8, 0);
-    assert_close(found[3], 3, 0);
-    assert_close(found[4], 3, 0);
+    for (size_t i = 0; i < COUNT(expected); i++)
+        assert_close(found[i], expected[i], 0);
     assert_true(named_add(&densities, "Brass=8", &error));
     assert_false(named_check(&densities, &parts, NULL, &error));
     assert_string_equal(error.message,

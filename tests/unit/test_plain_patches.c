@@ -3,35 +3,31 @@
  * representations of the same surface. A lost root fails here. */
 #include "tests/unit/plain_surface.h"
 
-/* x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z */
-static struct surface roman_quartic(void)
+/* Exponents of x, y and z, and the coefficient; the last one is 0. */
+typedef const int quartic_terms[8][4];
+
+static struct surface quartic_of(quartic_terms terms)
 {
     struct surface surface = one(PRIMITIVE_QUARTIC);
-    set_coefficient(&surface, 2, 2, 0, 1);
-    set_coefficient(&surface, 0, 2, 2, 1);
-    set_coefficient(&surface, 2, 0, 2, 1);
-    set_coefficient(&surface, 1, 1, 1, -1);
+    for (; (*terms)[3] != 0; terms++)
+        set_coefficient(&surface, (*terms)[0], (*terms)[1], (*terms)[2], (*terms)[3]);
     return surface;
 }
 
+/* x^2 y^2 + y^2 z^2 + z^2 x^2 = x y z */
+static quartic_terms roman_terms = {
+    { 2, 2, 0, 1 }, { 0, 2, 2, 1 }, { 2, 0, 2, 1 }, { 1, 1, 1, -1 }
+};
+
 /* 4 x^2 (x^2 + y^2 + z^2 + z) + y^2 (y^2 + z^2 - 1) = 0 */
-static struct surface cross_cap_quartic(void)
-{
-    struct surface surface = one(PRIMITIVE_QUARTIC);
-    set_coefficient(&surface, 4, 0, 0, 4);
-    set_coefficient(&surface, 2, 2, 0, 4);
-    set_coefficient(&surface, 2, 0, 2, 4);
-    set_coefficient(&surface, 2, 0, 1, 4);
-    set_coefficient(&surface, 0, 4, 0, 1);
-    set_coefficient(&surface, 0, 2, 2, 1);
-    set_coefficient(&surface, 0, 2, 0, -1);
-    return surface;
-}
+static quartic_terms cross_cap_terms = { { 4, 0, 0, 4 }, { 2, 2, 0, 4 }, { 2, 0, 2, 4 },
+                                         { 2, 0, 1, 4 }, { 0, 4, 0, 1 }, { 0, 2, 2, 1 },
+                                         { 0, 2, 0, -1 } };
 
 /* From the triple point: t = lmn / (l^2 m^2 + m^2 n^2 + n^2 l^2). */
 TEST(roman_from_the_triple_point)
 {
-    struct surface roman = roman_quartic();
+    struct surface roman = quartic_of(roman_terms);
     uint64_t random = RANDOM_SEED;
     for (int i = 0; i < 2000; i++) {
         struct ray ray = { { 0 }, { 0 } };
@@ -50,7 +46,7 @@ TEST(roman_from_the_triple_point)
 
 TEST(roman_volume)
 {
-    struct surface roman = roman_quartic();
+    struct surface roman = quartic_of(roman_terms);
     assert_near(volume(&roman, .6), 1. / 6, 1e-3);
 }
 
@@ -137,7 +133,7 @@ static struct surface whole(const four_forms forms)
 
 TEST(two_ways)
 {
-    struct surface roman = roman_quartic(), cap = cross_cap_quartic();
+    struct surface roman = quartic_of(roman_terms), cap = quartic_of(cross_cap_terms);
     struct surface roman_patches = whole(roman_forms);
     struct surface cap_patches = whole(cross_cap_forms);
     struct surface ball_patches = whole(sphere_forms);
