@@ -131,7 +131,7 @@ static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
     found->checksum = columns_checksum(&found->sums);
 }
 
-static void forget(struct found *found)
+static void found_free(struct found *found)
 {
     columns_sums_free(&found->sums);
     overlaps_free(&found->overlaps);
@@ -167,15 +167,13 @@ TEST(boxes)
     uint64_t random = RANDOM_SEED + 11;
     for (int i = 0; i < SCENES; i++) {
         struct crowd crowd;
-        struct found vector, scalar;
+        SCOPED_VALUE(found) vector, scalar;
         draw(&crowd, &random);
         find(&crowd, TRACE_VECTOR, 2000, &vector);
         check(&crowd, &vector);
         find(&crowd, TRACE_SCALAR, 0, &scalar);
         if (vector.checksum != scalar.checksum)
             fail_msg("%sthe forms differ", crowd.text);
-        forget(&vector);
-        forget(&scalar);
         free(crowd.text);
     }
 }
@@ -191,12 +189,11 @@ TEST(touching)
                    { 1, { 5, 0, 0 }, { 6, 9, 9 } },
                    { 2, { 8, 8, 8 }, { 9, 9, 9 } } },
     };
-    struct found found;
+    SCOPED_VALUE(found) found;
     write_text(&crowd);
     find(&crowd, TRACE_VECTOR, 77, &found);
     check(&crowd, &found);
     for (size_t i = 0; i < found.overlaps.count; i++)
         assert_int_not_equal(found.overlaps.pairs[i].parts[1], 2);
-    forget(&found);
     free(crowd.text);
 }

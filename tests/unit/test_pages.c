@@ -13,6 +13,8 @@
 
 enum { WORD = 64, MISS = 30, FAULT = 1000 };
 
+SCOPED_BY_FREE(clock);
+
 static struct clock *pages_of(unsigned words, unsigned real_words, unsigned registers)
 {
     char text[200];
@@ -43,7 +45,7 @@ TEST(depths)
                { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
                { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1 leaves: least recent */
                { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 } };
-    struct clock *clock = pages_of(65536, 4 * 65536, 2);
+    SCOPED(clock) *clock = pages_of(65536, 4 * 65536, 2);
     for (size_t i = 0; i < COUNT(cases); i++) {
         at_address(clock, "LOD", cases[i].page * PAGE_BITS + 640);
         assert_met(clock, cases[i].misses, cases[i].faults);
@@ -51,7 +53,6 @@ TEST(depths)
     clock_forget_pages(clock);
     at_address(clock, "STO", 4 * PAGE_BITS);
     assert_met(clock, 1, 1);
-    clock_free(clock);
 }
 
 /* ---- The list ------------------------------------------------------------ */
@@ -199,8 +200,8 @@ TEST(saved)
 {
     static struct bytes bytes, again;
     c205_error error;
-    struct clock *clock = pages_of(512, 20000, 7);
-    struct clock *other = pages_of(512, 20000, 7);
+    SCOPED(clock) *clock = pages_of(512, 20000, 7);
+    SCOPED(clock) *other = pages_of(512, 20000, 7);
     for (int uses = 0; uses < 200; uses += 9) {
         use_pages(clock, uses, 5);
         use_pages(other, 30, 6);
@@ -213,8 +214,6 @@ TEST(saved)
         use_pages(other, 300, 7);
         assert_int_equal(clock_now(other), clock_now(clock));
     }
-    clock_free(clock);
-    clock_free(other);
 }
 
 static void assert_refused(struct clock *clock, const struct bytes *bytes)
@@ -229,7 +228,7 @@ static void assert_refused(struct clock *clock, const struct bytes *bytes)
 TEST(damaged)
 {
     static struct bytes bytes;
-    struct clock *clock = pages_of(512, 20000, 7);
+    SCOPED(clock) *clock = pages_of(512, 20000, 7);
     c205_error error;
     use_pages(clock, 100, 5);
     write_clock(clock, &bytes);
@@ -246,5 +245,4 @@ TEST(damaged)
     assert_refused(clock, &bytes);
     memcpy(last, kept, sizeof kept);
     assert_true(read_clock(clock, &bytes, &error));
-    clock_free(clock);
 }

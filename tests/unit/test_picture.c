@@ -82,9 +82,10 @@ static void compare(const struct round_trip *trip, const struct frame *frame,
 
 TEST(round_trips)
 {
-    struct frame frame = sample_frame(), back;
+    SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error = { "" };
     for (size_t i = 0; i < COUNT(round_trips); i++) {
+        SCOPED_VALUE(frame) back;
         const struct round_trip *trip = &round_trips[i];
         const char *path = in_folder(trip->name);
         REQUIRE(picture_write(path, &frame, notes, trip->half, &error)
@@ -93,9 +94,7 @@ TEST(round_trips)
         assert_int_equal(back.height, HEIGHT);
         for (size_t channel = 0; channel < FRAME_CHANNELS; channel++)
             compare(trip, &frame, &back, channel);
-        frame_free(&back);
     }
-    frame_free(&frame);
     assert_int_equal(empty_folder(), COUNT(round_trips));
 }
 
@@ -115,7 +114,7 @@ TEST(half_is_smaller)
  * thousandth, on the linear part of the curve, is 3. */
 TEST(bytes_are_srgb)
 {
-    struct frame frame, back;
+    SCOPED_VALUE(frame) frame, back;
     struct picture_error error;
     assert_true(frame_allocate(&frame, 5, 1));
     const double in[5] = { .5, 7, -3, NAN, .001 };
@@ -128,13 +127,11 @@ TEST(bytes_are_srgb)
     assert_true(picture_read(in_folder("g.png"), &back, &error));
     for (size_t i = 0; i < 5; i++)
         assert_true(fabs(back.channel[CHANNEL_GREEN][i] - out[i]) < 1e-6);
-    frame_free(&back);
-    frame_free(&frame);
 }
 
 TEST(bytes_without_gamma)
 {
-    struct frame frame, back;
+    SCOPED_VALUE(frame) frame, back;
     struct picture_error error;
     assert_true(frame_allocate(&frame, 1, 1));
     frame.gamma_off = true;
@@ -142,8 +139,6 @@ TEST(bytes_without_gamma)
     assert_true(picture_write(in_folder("o.png"), &frame, NULL, false, &error));
     assert_true(picture_read(in_folder("o.png"), &back, &error));
     assert_true(fabs(picture_srgb(back.channel[CHANNEL_RED][0]) - .2) < 1e-6);
-    frame_free(&back);
-    frame_free(&frame);
 }
 
 static const char described[] = "c205:scene: gear.pov\nc205:clocks: 123456\n";
@@ -309,7 +304,7 @@ TEST(layer)
 {
     static const char *const paths[] = { "l.exr", "l.tif", "l.png" };
     for (size_t i = 0; i < 3; i++) {
-        struct frame frame = sample_frame(), back;
+        SCOPED_VALUE(frame) frame = sample_frame(), back;
         struct picture_error error = { "" };
         double value[WIDTH * HEIGHT];
         for (size_t k = 0; k < WIDTH * HEIGHT; k++)
@@ -326,8 +321,6 @@ TEST(layer)
         assert_true(picture_read_layer(path, "factor", &back, &error));
         assert_true(i == 1 || back.value[1] == 0); /* TIFF has no names */
         free(back.value);
-        frame_free(&back);
-        frame_free(&frame);
         assert_int_equal(remove(path), 0);
     }
 }

@@ -3,38 +3,27 @@
  * report; programs that save it, or name it by number, have none. A write that is
  * missed, or a report about a register that was restored, fails here.
  */
-#include "tests/unit/asm_helper.h"
 
 #include "tests/oracle/register_owners.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/saved_machine.h"
 
 /* Runs a program to its end and compares the reports, "file:line" of each. */
 static void check(const char *text, size_t count, const char *expected)
 {
-    struct diagnostics errors = { 0 };
-    struct object *program = assemble_text("test", text, NULL, &errors);
-    struct register_owners *owners;
-    struct text_buffer printed = { NULL, 0, 0, false };
+    SCOPED(object) *program = good(text);
+    SCOPED(register_owners) *owners = register_owners_new(program);
+    SCOPED_VALUE(text_buffer) printed = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&printed);
-    c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
+    SCOPED(c205) *machine = machine_with(&program->program, prior_model);
 
-    diagnostics_print(&errors, stderr);
-    diagnostics_free(&errors);
-    assert_non_null(program);
-    owners = register_owners_new(program);
     assert_non_null(owners);
-    assert_true(machine && c205_load(machine, &program->program, &error)
-                && c205_listen(machine, register_owners_listen, owners));
+    assert_true(c205_listen(machine, register_owners_listen, owners));
     assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
     register_owners_print(owners, &sink);
     if (register_owners_found(owners) != count
         || (count > 0 && !strstr(printed.text, expected)))
         fail_msg("%s%s", text, printed.text ? printed.text : "");
-    text_buffer_free(&printed);
-    register_owners_free(owners);
-    c205_free(machine);
-    object_free(program);
 }
 
 /* a and b are r5, u and p r20, v and q r21. */
@@ -105,9 +94,10 @@ TEST(lost)
         char text[1000], expected[200];
 
         snprintf(text, sizeof text, NAMES "%s EXIT\n", lost->text);
-        snprintf(expected, sizeof expected, "test:%u: %s, but it is %s since test:%u\n",
-                 FIRST + lost->read, lost->as ? lost->as : "r5 is read as 'a'",
-                 lost->is ? lost->is : "'b'", FIRST + lost->written);
+        snprintf(expected, sizeof expected,
+                 "test.s:%u: %s, but it is %s since test.s:%u\n", FIRST + lost->read,
+                 lost->as ? lost->as : "r5 is read as 'a'", lost->is ? lost->is : "'b'",
+                 FIRST + lost->written);
         check(text, 1, expected);
     }
 }
