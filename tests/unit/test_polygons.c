@@ -5,6 +5,7 @@
  *     test_polygons [POLYGONS [SEED]]
  */
 #include "rt/shapes/primitive.h"
+#include "tests/oracle/plain_shapes.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 
@@ -180,9 +181,8 @@ static struct flat_outline random_outline(void)
 static void put_in_space(const struct flat_outline *outline, const double p[2],
                          double point[3])
 {
-    for (int i = 0; i < 3; i++)
-        point[i] = outline->origin[i] + p[0] * outline->axes[0][i]
-                   + p[1] * outline->axes[1][i];
+    add_scaled(point, outline->origin, p[0], outline->axes[0]);
+    add_scaled(point, point, p[1], outline->axes[1]);
 }
 
 static void write_outline(const struct flat_outline *outline, char *text)
@@ -198,72 +198,39 @@ static void write_outline(const struct flat_outline *outline, char *text)
 
 /* ---- Comparison ---------------------------------------------------------- */
 
-struct flat_triangle {
-    double corners[3][2];
-};
-
-static struct flat_triangle put_in_plane(const struct flat_outline *outline,
-                                         const struct triangle *triangle)
+/* Returns a triangle as an outline in the same plane. */
+static struct flat_outline put_in_plane(const struct flat_outline *outline,
+                                        const struct triangle *triangle)
 {
-    struct flat_triangle flat;
+    struct flat_outline flat = { .count = 0 };
     assert_false(triangle->smooth);
     for (int k = 0; k < 3; k++) {
-        double away[3], back[3];
-        for (int i = 0; i < 3; i++)
-            away[i] = triangle->corners[k][i] - outline->origin[i];
+        double away[3], p[2], back[3];
+        add_scaled(away, triangle->corners[k], -1, outline->origin);
         for (int axis = 0; axis < 2; axis++)
-            flat.corners[k][axis] = outline->axes[axis][0] * away[0]
-                                    + outline->axes[axis][1] * away[1]
-                                    + outline->axes[axis][2] * away[2];
-        put_in_space(outline, flat.corners[k], back);
+            p[axis] = dot(outline->axes[axis], away);
+        add_point(&flat, p[0], p[1]);
+        put_in_space(outline, p, back);
         for (int i = 0; i < 3; i++)
             assert_close(triangle->corners[k][i], back[i], 1e-9);
     }
+    close_part(&flat, 0);
     return flat;
 }
 
-static bool covers(const struct flat_triangle *flat, const double p[2])
-{
-    const double(*corners)[2] = flat->corners;
-    int left = 0;
-    for (int k = 0; k < 3; k++)
-        left += side(corners[k], corners[(k + 1) % 3], p) > 0;
-    return left == 0 || left == 3;
-}
-
-static double area_of(const struct flat_triangle *flat)
-{
-    return fabs(side(flat->corners[0], flat->corners[1], flat->corners[2])) / 2;
-}
-
-static size_t times_covered(const struct flat_triangle *flat, size_t count,
-                            const double p[2])
-{
-    size_t times = 0;
-    for (size_t i = 0; i < count; i++)
-        times += covers(&flat[i], p);
-    return times;
-}
-
-static bool is_near_triangle(const struct flat_triangle *flat, size_t count,
-                             const double p[2])
-{
-    for (size_t i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++)
-            if (distance(flat[i].corners[k], flat[i].corners[(k + 1) % 3], p) < 1e-9)
-                return true;
-    return false;
-}
-
 static void check_samples(const struct flat_outline *outline,
-                          const struct flat_triangle *flat, size_t count,
+                          const struct flat_outline *flat, size_t count,
                           const char *text)
 {
     for (int i = 0; i < SAMPLES; i++) {
         double p[2] = { between(-3.2, 3.2), between(-3.2, 3.2) };
-        size_t times = times_covered(flat, count, p);
-        if (!is_near_edge(outline, p, 1e-9) && !is_near_triangle(flat, count, p)
-            && times != is_inside(outline, p))
+        bool near = is_near_edge(outline, p, 1e-9);
+        size_t times = 0;
+        for (size_t k = 0; k < count; k++) {
+            near = near || is_near_edge(&flat[k], p, 1e-9);
+            times += is_inside(&flat[k], p);
+        }
+        if (!near && times != is_inside(outline, p))
             fail_msg("%zu triangles at %g, %g of\n%s", times, p[0], p[1], text);
     }
 }
@@ -271,7 +238,7 @@ static void check_samples(const struct flat_outline *outline,
 static void check_outline(const struct flat_outline *outline)
 {
     static char text[MAX_POINTS * 100];
-    FREED struct flat_triangle *flat;
+    FREED struct flat_outline *flat;
     double area = 0;
     write_outline(outline, text);
     SCOPED(scene) *scene = read_scene(text);
@@ -280,9 +247,9 @@ static void check_outline(const struct flat_outline *outline)
     assert_non_null(flat);
     for (size_t i = 0; i < triangles->count; i++) {
         flat[i] = put_in_plane(outline, &triangles->list[i]);
-        area += area_of(&flat[i]);
+        area += fabs(side(flat[i].points[0], flat[i].points[1], flat[i].points[2])) / 2;
         for (int k = 0; k < 3; k++)
-            assert_true(is_near_edge(outline, flat[i].corners[k], 1e-9));
+            assert_true(is_near_edge(outline, flat[i].points[k], 1e-9));
     }
     check_samples(outline, flat, triangles->count, text);
     if (!(fabs(area - area_by_lines(outline)) < .01))
