@@ -239,14 +239,8 @@ static void add_vector(const char *name, const double vector[3])
 static void add_lights(void)
 {
     static const char *const sorts[] = {
-        "",
-        "",
-        "",
-        "",
-        "parallel point_at <.1, .2, .3>",
-        "area_light <1, 0, 0>, <0, 1, 0>, 2, 2",
-        "spotlight point_at <.13, .27, .41> radius 20 falloff 40",
-        "shadowless"
+        "parallel point_at <.1, .2, .3>", "area_light <1, 0, 0>, <0, 1, 0>, 2, 2",
+        "spotlight point_at <.13, .27, .41> radius 20 falloff 40", "shadowless"
     };
     double place[3];
     random_place(place);
@@ -254,8 +248,9 @@ static void add_lights(void)
         if (below(3))
             random_place(place);
         add_vector("light_source {", place);
+        size_t sort = below(2 * COUNT(sorts));
         add_text(text, sizeof text, ", rgb %.3f %s }\n", between(.1, .6),
-                 sorts[below(COUNT(sorts))]);
+                 sort < COUNT(sorts) ? "" : sorts[sort - COUNT(sorts)]);
     }
 }
 
@@ -386,7 +381,7 @@ TEST(places)
         { "", "area_light x, y, 2, 2", 1 },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         struct viewpoints viewpoints;
         sprintf(text,
                 "#version 3.7; global_settings { assumed_gamma 1 }\n"

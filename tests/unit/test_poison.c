@@ -244,27 +244,17 @@ static void check_words(const char *name, const char *what, const c205_word *a,
                      (unsigned long long)(bits[i] ^ flip));
 }
 
-static void check_survivors(const char *name, const struct image *before,
-                            const struct image *after, const struct bits_of *written)
+/* Compares the bits of two images that are written, or those that are not. */
+static void check_contents(const char *name, const struct image *a,
+                           const struct image *b, const struct bits_of *written,
+                           bool outside)
 {
-    check_words(name, "changed word", before->memory, after->memory, written->memory,
-                UINT64_MAX, MEMORY_WORDS);
-    check_words(name, "changed register", before->reg, after->reg, written->reg,
-                UINT64_MAX, C205_REGISTERS);
-}
+    c205_word flip = outside ? UINT64_MAX : 0;
 
-static void check_results(const char *name, const struct image *one,
-                          const struct image *other, const struct bits_of *written,
-                          bool with_clock)
-{
-    check_words(name, "unlike word", one->memory, other->memory, written->memory, 0,
-                MEMORY_WORDS);
-    check_words(name, "unlike register", one->reg, other->reg, written->reg, 0,
-                C205_REGISTERS);
-    if (one->flags != other->flags || (with_clock && one->clock != other->clock))
-        fail_msg("%s: flags %llX and %llX, clocks %llu and %llu", name,
-                 (unsigned long long)one->flags, (unsigned long long)other->flags,
-                 (unsigned long long)one->clock, (unsigned long long)other->clock);
+    check_words(name, outside ? "changed word" : "unlike word", a->memory, b->memory,
+                written->memory, flip, MEMORY_WORDS);
+    check_words(name, outside ? "changed register" : "unlike register", a->reg, b->reg,
+                written->reg, flip, C205_REGISTERS);
 }
 
 static void run_twice(struct small_machine *fixture, struct vector_case *one,
@@ -288,10 +278,15 @@ static void check_images(struct vector_case *one, const struct image *before,
                          const struct image *after)
 {
     const char *name = one->row->mnemonic;
+    const struct image *a = &after[0], *b = &after[1];
 
     for (int i = 0; i < TWICE; i++)
-        check_survivors(name, &before[i], &after[i], &one->written);
-    check_results(name, &after[0], &after[1], &one->written, time_is_known(one));
+        check_contents(name, &before[i], &after[i], &one->written, true);
+    check_contents(name, a, b, &one->written, false);
+    if (a->flags != b->flags || (time_is_known(one) && a->clock != b->clock))
+        fail_msg("%s: flags %llX and %llX, clocks %llu and %llu", name,
+                 (unsigned long long)a->flags, (unsigned long long)b->flags,
+                 (unsigned long long)a->clock, (unsigned long long)b->clock);
 }
 
 /* ---- The tests --------------------------------------------------------- */
