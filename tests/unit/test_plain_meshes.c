@@ -16,29 +16,6 @@ static struct surface mesh_of(const struct triangle *triangles, size_t count)
 
 /* ---- One triangle -------------------------------------------------------- */
 
-TEST(known)
-{
-    static const struct triangle flat = { .corners = {
-                                              { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 } } };
-    const struct expectation rows[] = {
-        { { 1, 1, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } },
-        { { 1, 2.9, 5 }, { 0, 0, -2 }, 2.5, { 0, 0, 1 } },
-        { { 1, 3.1, 5 }, { 0, 0, -2 }, 0, { 0 } },
-        { { -.1, 1, 5 }, { 0, 0, -2 }, 0, { 0 } },
-        { { 1, -.1, 5 }, { 0, 0, -2 }, 0, { 0 } },
-        { { 1, 1, 5 }, { 0, 0, 1 }, 0, { 0 } },        /* behind the origin */
-        { { -1, 1, 0 }, { 1, 0, 0 }, 0, { 0 } },       /* in its plane */
-        { { -1, 1, 1e-9 }, { 1, 0, 0 }, 0, { 0 } },    /* just outside its plane */
-        { { 0, 0, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } }, /* its corners */
-        { { 4, 0, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } },
-        { { 0, 4, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } },
-        { { 2, 2, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } }, /* its edges */
-        { { 0, 1, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } },
-    };
-    struct surface surface = mesh_of(&flat, 1);
-    ASSERT_HITS(&surface, rows);
-}
-
 /* Normals of any length tilt outward by 45 degrees at two corners. */
 TEST(known_smooth)
 {

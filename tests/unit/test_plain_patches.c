@@ -206,23 +206,3 @@ TEST(round_trips)
             assert_round_trip(&random, &patch);
     }
 }
-
-/* A triangle whose other control points are the middles of its edges. */
-TEST(flat_patch)
-{
-    static const double points[STEINER_POINTS][3] = { { 4, 0, 0 }, { 0, 4, 0 },
-                                                      { 0, 0, 0 }, { 2, 2, 0 },
-                                                      { 0, 2, 0 }, { 2, 0, 0 } };
-    const struct expectation rows[] = {
-        { { 1, 1, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } },
-        { { 1, 2.9, 5 }, { 0, 0, -2 }, 2.5, { 0, 0, 1 } },
-        { { 1, 3.1, 5 }, { 0, 0, -2 }, 0, { 0 } },
-        { { -.1, 1, 5 }, { 0, 0, -2 }, 0, { 0 } },
-        { { 0, 0, 5 }, { .2, .2, -1 }, 5, { 0, 0, 1 } },
-    };
-    struct surface surface = one(PRIMITIVE_STEINER_PATCH);
-    memcpy(surface.parts[0].shape.steiner_patch.points, points, sizeof points);
-    for (int k = 0; k < STEINER_POINTS; k++)
-        surface.parts[0].shape.steiner_patch.weights[k] = 1;
-    ASSERT_HITS(&surface, rows);
-}

@@ -1,6 +1,6 @@
-/* test_plain_shapes.c - lines that cross cones, quadrics and tori: the plain tracer's
- * crossings are compared with rays computed by hand and volumes in closed form. A lost
- * or doubled root fails here. */
+/* test_plain_shapes.c - lines that cross cones, quadrics, tori, patches and triangles:
+ * the plain tracer's crossings are compared with rays computed by hand and volumes in
+ * closed form. A lost or doubled root fails here. */
 #include "tests/oracle/plain_roots.h"
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/scene_reading.h"
@@ -28,6 +28,11 @@ static struct surface surface_of(const char *text)
 #define RING "torus { 2, .5 }"
 #define LEMON "torus { .5, 1 }"
 #define FLAT_RING "elliptical_torus { 2, .5, .25 }"
+
+/* A triangle, as a mesh and as a patch whose other control points are the middles of its
+ * edges. */
+#define TRIANGLE "mesh { triangle { 4*x, 4*y, 0 } }"
+#define PATCH "steiner_patch { 4*x, 4*y, 0, <2, 2, 0>, 2*y, 2*x }"
 
 TEST(known)
 {
@@ -79,11 +84,31 @@ TEST(known)
         { FLAT_RING, { { 2, 9, 0 }, { 0, -1, 0 }, 8.75, { 0, 1, 0 } } },
         { FLAT_RING, { { 2.4, 9, 0 }, { 0, -1, 0 }, 8.85, { x / l, y / l, 0 } } },
         { FLAT_RING, { { 9, .251, 0 }, { -1, 0, 0 }, 0, { 0 } } },
+        { PATCH, { { 1, 1, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } } },
+        { PATCH, { { 1, 2.9, 5 }, { 0, 0, -2 }, 2.5, { 0, 0, 1 } } },
+        { PATCH, { { 1, 3.1, 5 }, { 0, 0, -2 }, 0, { 0 } } },
+        { PATCH, { { -.1, 1, 5 }, { 0, 0, -2 }, 0, { 0 } } },
+        { PATCH, { { 0, 0, 5 }, { .2, .2, -1 }, 5, { 0, 0, 1 } } },
+        { TRIANGLE, { { 1, 1, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } } },
+        { TRIANGLE, { { 1, 2.9, 5 }, { 0, 0, -2 }, 2.5, { 0, 0, 1 } } },
+        { TRIANGLE, { { 1, 3.1, 5 }, { 0, 0, -2 }, 0, { 0 } } },
+        { TRIANGLE, { { -.1, 1, 5 }, { 0, 0, -2 }, 0, { 0 } } },
+        { TRIANGLE, { { 1, -.1, 5 }, { 0, 0, -2 }, 0, { 0 } } },
+        { TRIANGLE, { { 1, 1, 5 }, { 0, 0, 1 }, 0, { 0 } } },  /* behind the origin */
+        { TRIANGLE, { { -1, 1, 0 }, { 1, 0, 0 }, 0, { 0 } } }, /* in its plane */
+        /* just outside its plane */
+        { TRIANGLE, { { -1, 1, 1e-9 }, { 1, 0, 0 }, 0, { 0 } } },
+        { TRIANGLE, { { 0, 0, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } }, /* its corners */
+        { TRIANGLE, { { 4, 0, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } },
+        { TRIANGLE, { { 0, 4, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } },
+        { TRIANGLE, { { 2, 2, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } }, /* its edges */
+        { TRIANGLE, { { 0, 1, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         const struct expectation *line = &rows[i].line;
-        struct surface surface = surface_of(rows[i].text);
+        SCOPED(scene) *scene = read_scene(rows[i].text);
+        struct surface surface = { .count = 1, .parts = { scene->primitives[0] } };
         struct ray ray;
         copy(ray.origin, line->origin);
         copy(ray.direction, line->direction);
