@@ -5,7 +5,7 @@
  */
 #include "base/other_case.h"
 #include "tests/unit/draw.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/temporary_folder.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,36 +17,25 @@ static void any_case(char *name)
             *name = (char)(*name - 'a' + 'A');
 }
 
-static void make_file(const char *path)
-{
-    FILE *file = fopen(path, "w");
-
-    assert_non_null(file);
-    fclose(file);
-}
-
 /* Two folders differ in case. All their files that match a spelling are found. */
-TEST(other_case)
+TEST_WITH(other_case, make_folder, remove_folder)
 {
     static const char *const files[] = { "maps/part.inc", "maps/Part.inc",
                                          "Maps/part.inc", "Maps/only.INC" };
-    char place[] = "/tmp/test_text_file.XXXXXX", path[100];
     struct folder found;
 
-    assert_non_null(mkdtemp(place));
-    assert_int_equal(chdir(place), 0);
+    assert_int_equal(chdir(temporary_folder), 0);
     mkdir("maps", 0777);
     mkdir("Maps", 0777);
     for (size_t i = 0; i < 4; i++)
-        make_file(files[i]);
+        write_file(files[i], "");
     for (size_t i = 0; i < 200; i++) {
         bool once = i % 2;
         char name[] = "./maps/part.inc", other[] = "./maps/only.inc";
         char *wanted = once ? other : name;
 
         any_case(wanted);
-        snprintf(path, sizeof path, "%s/%s", place, wanted);
-        assert_true(other_case_find(&found, path, strlen(place) + 1));
+        assert_true(other_case_find(&found, in_folder(wanted), strlen(in_folder(""))));
         assert_int_equal(found.count, once ? 1 : 3);
         assert_non_null(
             strstr(found.names[0], once ? "/./Maps/only.INC" : "/./Maps/part.inc"));
@@ -63,5 +52,4 @@ TEST(other_case)
     remove("maps");
     remove("Maps");
     assert_int_equal(chdir("/"), 0);
-    remove(place);
 }

@@ -2,6 +2,7 @@
  * with the frame, within the precision of their samples. A wrong transfer curve, a lost
  * note or an old file that a failure destroys fails here. */
 #include "rt/picture/picture.h"
+#include "base/file.h"
 #include "tests/unit/temporary_folder.h"
 
 #include <math.h>
@@ -197,20 +198,12 @@ TEST(date)
     unsetenv("SOURCE_DATE_EPOCH");
 }
 
-static size_t contents(const char *path, char *bytes, size_t size)
-{
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    size_t length = fread(bytes, 1, size, file);
-    fclose(file);
-    return length;
-}
-
 TEST(same_bytes_later)
 {
     static const char *const names[] = { "t.png", "t.jpg", "t.exr", "t.tif" };
-    static char bytes[4][2][1 << 17];
+    char *bytes[4][2];
     size_t length[4][2];
+    c205_error message;
     const struct timespec over_a_second = { 1, 100000000 };
     SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error;
@@ -218,7 +211,9 @@ TEST(same_bytes_later)
         for (size_t i = 0; i < 4; i++) {
             const char *path = in_folder(names[i]);
             assert_true(picture_write(path, &frame, notes, true, &error));
-            length[i][round] = contents(path, bytes[i][round], sizeof bytes[i][round]);
+            bytes[i][round] = file_read(path, FILE_LARGEST, &length[i][round],
+                                        &message);
+            assert_non_null(bytes[i][round]);
         }
         if (round == 0)
             nanosleep(&over_a_second, NULL);
@@ -226,6 +221,8 @@ TEST(same_bytes_later)
     for (size_t i = 0; i < 4; i++) {
         assert_int_equal(length[i][0], length[i][1]);
         assert_memory_equal(bytes[i][0], bytes[i][1], length[i][0]);
+        free(bytes[i][0]);
+        free(bytes[i][1]);
     }
 }
 
