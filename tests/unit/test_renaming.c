@@ -8,15 +8,12 @@
  * and the same clocks. Register 0 keeps its name, and registers that an instruction
  * uses together (C and C+1) stay together.
  */
-#include "tests/unit/machine_fixture.h"
 #include "tests/oracle/operand_letters.h"
-
-#include "tests/oracle/random_program.h"
+#include "tests/unit/saved_machine.h"
 
 enum {
     DEFAULT_PROGRAMS = 2000,
     STEPS = 200,
-    TWO = 2,
     PAIR = 2,       /* instructions after a prefix */
     IN_HALVES = 128 /* registers that have half registers */
 };
@@ -158,9 +155,6 @@ static struct random_program rename_program(const struct renaming *renaming,
 
 /* ---- Runs of both machines --------------------------------------------- */
 
-static c205_model *models[8];
-static c205 *machines[TWO][8];
-
 /* Words of the program contain names. A program that reads or changes them behaves
  * differently after renaming. */
 static bool holds_code_address(const c205 *machine, unsigned number,
@@ -253,18 +247,15 @@ static bool step_both(c205 *machine, c205 *other, const struct renaming *renamin
 static void try_program(const struct random_program *program)
 {
     struct renaming renaming = { .tied = { false } };
-    struct random_program renamed;
-    c205 *machine = machines[0][program->model];
-    c205 *other = machines[1][program->model];
-    c205_error error;
 
     tie_pairs(&renaming, program);
     do
         draw_names(&renaming);
     while (!keeps_sums(&renaming, program));
-    renamed = rename_program(&renaming, program);
-    assert_true(random_load(machine, program, &error));
-    assert_true(random_load(other, &renamed, &error));
+    struct random_program renamed = rename_program(&renaming, program);
+    SCOPED(c205_model) *model = model_of(program);
+    SCOPED(c205) *machine = machine_of(program, model);
+    SCOPED(c205) *other = machine_of(&renamed, model);
     for (int step = 0; step < STEPS && !next_uses_code(machine, program); step++)
         if (!step_both(machine, other, &renaming))
             break;
@@ -283,32 +274,7 @@ TEST(renaming)
     }
 }
 
-FIXTURE(make_machines)
-{
-    c205_error error;
-    assert_true(random_model_count <= COUNT(models));
-    for (size_t i = 0; i < random_model_count; i++) {
-        models[i] = c205_model_parse("random", random_models[i], &error);
-        assert_non_null(models[i]);
-        for (int k = 0; k < TWO; k++)
-            machines[k][i] = c205_new(models[i], &error);
-    }
-    return 0;
-}
-
-FIXTURE(free_machines)
-{
-    for (size_t i = 0; i < random_model_count; i++) {
-        for (int k = 0; k < TWO; k++)
-            c205_free(machines[k][i]);
-        c205_model_free(models[i]);
-    }
-    return 0;
-}
-
 ARGUMENTS(argc, argv)
 {
     program_count = argument(argc, argv, 1, share_of(program_count));
 }
-
-GROUP(make_machines, free_machines);
