@@ -166,6 +166,8 @@ static struct passage along(const char *text, double x, double y)
 /* The scale of a scene of two close planes is the camera's distance. */
 #define EYE "camera { location -z } "
 
+#define CUBE "box { -1, 1 } "
+
 TEST(coincident_faces)
 {
     static const struct {
@@ -174,22 +176,17 @@ TEST(coincident_faces)
         int events;
         double length;
     } rows[] = {
-        { "difference { box { -1, 1 } box { -1, 1 } }", .3, .2, 0, 0 },
-        { "intersection { box { -1, 1 } box { -1, 1 } }", .3, .2, 2, 2 },
-        { "merge { box { -1, 1 } box { -1, 1 } }", .3, .2, 2, 2 },
-        { "merge { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 2, 4 },
-        { "intersection { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 0,
-          0 },
-        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }", .3, .2, 0,
-          0 },
-        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }", .6, .2, 2,
-          2 },
-        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 0> } }", .3, .2, 2,
-          1 },
-        { "difference { box { -1, 1 } box { -1.00000003, .99999998 } }", .3, .2, 0,
+        { "difference { " CUBE CUBE "}", .3, .2, 0, 0 },
+        { "intersection { " CUBE CUBE "}", .3, .2, 2, 2 },
+        { "merge { " CUBE CUBE "}", .3, .2, 2, 2 },
+        { "merge { " CUBE "box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 2, 4 },
+        { "intersection { " CUBE "box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 0, 0 },
+        { "difference { " CUBE "box { <-.5, -.5, -1>, <.5, .5, 1> } }", .3, .2, 0, 0 },
+        { "difference { " CUBE "box { <-.5, -.5, -1>, <.5, .5, 1> } }", .6, .2, 2, 2 },
+        { "difference { " CUBE "box { <-.5, -.5, -1>, <.5, .5, 0> } }", .3, .2, 2, 1 },
+        { "difference { " CUBE "box { -1.00000003, .99999998 } }", .3, .2, 0,
           0 }, /* closer than delta */
-        { "merge { box { -1, 1 } box { <-1, -1, 1.00000002>, <1, 1, 3> } }", .3, .2, 2,
-          4 },
+        { "merge { " CUBE "box { <-1, -1, 1.00000002>, <1, 1, 3> } }", .3, .2, 2, 4 },
         { EYE "intersection { plane { z, 5e-8 } plane { -z, 0 } }", 0, 0, 0, 0 },
         { EYE "intersection { plane { z, 1e-6 } plane { -z, 0 } }", 0, 0, 2, 1e-6 },
         { "difference { sphere { 0, 1 } sphere { 0, 1 } }", .3, .2, 0, 0 },

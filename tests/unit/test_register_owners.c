@@ -33,60 +33,58 @@ static void check(const char *text, size_t count, const char *expected)
     " .data\ndata: .word 1, 2\nkept: .space 2\nbits: .space 1\n .code\n"
 #define FIRST 13 /* the line after NAMES */
 
+#define A_OF_B "r5 is read as 'a', but it is 'b'"
+#define U_OF_P "r20 is read as 'u', but it is 'p'"
+#define V_OF_Q "r21 is read as 'v', but it is 'q'"
+
 struct lost {
     const char *text;       /* follows NAMES */
     unsigned read, written; /* lines, from 0 */
-    const char *as, *is;    /* the name read, the owner; NULL: r5 as a, and b */
+    const char *names;      /* the register, its name and owner; NULL: A_OF_B */
 };
 
 TEST(lost)
 {
     static const struct lost cases[] = {
         /* As a source, a modified register, an index, an address, a link. */
-        { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, 1, NULL, NULL },
-        { " ES b, 1\n IS a, 2\n", 1, 0, NULL, NULL },
-        { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2, 0, NULL, NULL },
-        { " EX b, data\n LOD [a], r9\n", 1, 0, NULL, NULL },
-        { " EX b, data\n STO [a], r9\n", 1, 0, NULL, NULL },
-        { " EX b, data\n STO [b], b\n EX r9, data\n STO [r9], a\n", 3, 0, NULL, NULL },
-        { " EX b, on\n BIM 0, a\non:\n", 1, 0, NULL, NULL },
-        { " EX b, on\n IBXEQ r0, r0, r0, [a], r9\non:\n", 1, 0, NULL, NULL },
-        { " EX r9, on\n ES b, 0\n IBXEQ r0, r0, r0, [r9, a], r9\non:\n", 2, 1, NULL,
-          NULL },
+        { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, 1, NULL },
+        { " ES b, 1\n IS a, 2\n", 1, 0, NULL },
+        { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2, 0, NULL },
+        { " EX b, data\n LOD [a], r9\n", 1, 0, NULL },
+        { " EX b, data\n STO [a], r9\n", 1, 0, NULL },
+        { " EX b, data\n STO [b], b\n EX r9, data\n STO [r9], a\n", 3, 0, NULL },
+        { " EX b, on\n BIM 0, a\non:\n", 1, 0, NULL },
+        { " EX b, on\n IBXEQ r0, r0, r0, [a], r9\non:\n", 1, 0, NULL },
+        { " EX r9, on\n ES b, 0\n IBXEQ r0, r0, r0, [r9, a], r9\non:\n", 2, 1, NULL },
         /* In vector instructions. */
-        { " EX b, data\n ELEN b, 2\n VTOV [a], [a]\n", 2, 1, NULL, NULL },
-        { " ES b, 2\n EX r9, data\n ELEN r9, 2\n ADDNV a, [r9], [r9]\n", 3, 0, NULL,
-          NULL },
-        { " ES b, 0\n EX r9, data\n ELEN r9, 2\n VTOV [r9, a], [r9]\n", 3, 0, NULL,
-          NULL },
+        { " EX b, data\n ELEN b, 2\n VTOV [a], [a]\n", 2, 1, NULL },
+        { " ES b, 2\n EX r9, data\n ELEN r9, 2\n ADDNV a, [r9], [r9]\n", 3, 0, NULL },
+        { " ES b, 0\n EX r9, data\n ELEN r9, 2\n VTOV [r9, a], [r9]\n", 3, 0, NULL },
         { " EX b, bits\n ELEN b, 2\n EX r9, data\n ELEN r9, 2\n"
           " VTOV [r9], [r9] ? [a]\n",
-          4, 1, NULL, NULL },
-        { " EX z, data\n ELEN z, 1\n ES b, 1\n VTOV [z], [z, a]\n", 3, 2, NULL, NULL },
+          4, 1, NULL },
+        { " EX z, data\n ELEN z, 1\n ES b, 1\n VTOV [z], [z, a]\n", 3, 2, NULL },
         /* Written by other instructions. */
-        { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2, 1, NULL, NULL },
-        { " EX r9, data\n ELEN r9, 2\n PRODV [r9], b\n ADDX a, r8, r8\n", 3, 2, NULL,
+        { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2, 1, NULL },
+        { " EX r9, data\n ELEN r9, 2\n PRODV [r9], b\n ADDX a, r8, r8\n", 3, 2, NULL },
+        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX u, r8, r8\n", 3, 2, U_OF_P },
+        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX v, r8, r8\n", 3, 2, V_OF_Q },
+        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], b, p\n ADDX a, r8, r8\n", 3, 2,
           NULL },
-        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX u, r8, r8\n", 3, 2,
-          "r20 is read as 'u'", "'p'" },
-        { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX v, r8, r8\n", 3, 2,
-          "r21 is read as 'v'", "'q'" },
-        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], b, p\n ADDX a, r8, r8\n", 3, 2, NULL,
-          NULL },
-        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], p, b\n ADDX a, r8, r8\n", 3, 2, NULL,
+        { " EX r9, data\n ELEN r9, 2\n MAXV [r9], p, b\n ADDX a, r8, r8\n", 3, 2,
           NULL },
         { " EX r9, data\n ELEN r9, 2\n SWAP [r9], p, [r0]\n"
           " ADDX v, r8, r8\n",
-          3, 2, "r21 is read as 'v'", "'q'" },
+          3, 2, V_OF_Q },
         /* Saved, but owned by another name when it is read. */
         { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
           " ES q, 8\n ADDX v, r8, r8\n SWAP [r9], r20, [r0]\n",
-          5, 4, "r21 is read as 'v'", "'q'" },
+          5, 4, V_OF_Q },
         /* The restored words are not the saved ones. */
         { " ES v, 7\n EX r9, kept\n ELEN r9, 2\n SWAP [r0], u, [r9]\n"
           " IX r9, 64\n STO [r9], r9\n IX r9, -64\n SWAP [r9], p, [r0]\n"
           " ADDX v, r8, r8\n",
-          8, 7, "r21 is read as 'v'", "'q'" },
+          8, 7, V_OF_Q },
     };
 
     for (size_t i = 0; i < COUNT(cases); i++) {
@@ -94,9 +92,8 @@ TEST(lost)
         char text[1000], expected[200];
 
         snprintf(text, sizeof text, NAMES "%s EXIT\n", lost->text);
-        snprintf(expected, sizeof expected,
-                 "test.s:%u: %s, but it is %s since test.s:%u\n", FIRST + lost->read,
-                 lost->as ? lost->as : "r5 is read as 'a'", lost->is ? lost->is : "'b'",
+        snprintf(expected, sizeof expected, "test.s:%u: %s since test.s:%u\n",
+                 FIRST + lost->read, lost->names ? lost->names : A_OF_B,
                  FIRST + lost->written);
         check(text, 1, expected);
     }
