@@ -41,18 +41,6 @@ static uint64_t checksum_of(const char *text, struct columns_options options)
 
 /* ---- Solids that have formulas ------------------------------------------- */
 
-static struct csv_table *read_reference(void)
-{
-    struct csv_table *table = calloc(1, sizeof *table);
-    c205_error error;
-    size_t length;
-    FREED char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length, &error);
-    assert_non_null(table);
-    assert_non_null(text);
-    csv_table(text, table);
-    return table;
-}
-
 static double named(const struct csv_table *table, size_t row, const char *name)
 {
     for (size_t i = 0; i < table->cells[0]; i++)
@@ -102,7 +90,13 @@ TEST(formulas)
     const char *asked = getenv("MASS_RAYS");
     double rays = asked ? strtod(asked, NULL) : 1 << 15;
     size_t rays_log = (size_t)lround(log2(rays / 16));
-    FREED struct csv_table *table = read_reference();
+    FREED struct csv_table *table = calloc(1, sizeof *table);
+    c205_error error;
+    size_t length;
+    FREED char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length, &error);
+    assert_non_null(table);
+    assert_non_null(text);
+    csv_table(text, table);
     assert_true(table->rows > 5);
     for (size_t row = 1; row < table->rows; row++)
         check_row(table, row, rays_log, rays >= 1 << 18 ? 1e-4 : 1e-3);

@@ -127,13 +127,6 @@ TEST(worlds)
 
 /* ---- Every triangle ------------------------------------------------------ */
 
-static void pixel_ray(size_t pixel, double ray[3])
-{
-    ray[0] = (double)(pixel % WIDTH) - (WIDTH - 1) / 2;
-    ray[1] = (HEIGHT - 1) / 2 - (double)(pixel / WIDTH);
-    ray[2] = 48;
-}
-
 /* Adds a triangle around the point of a ray at a multiple of its length. */
 static void add_small(const double ray[3], double factor)
 {
@@ -155,8 +148,9 @@ static void write_pixels(double depths[PIXELS])
 {
     net_soup(&net, 0, false, &traced.random);
     for (size_t i = 0; i < PIXELS; i++) {
-        double ray[3], factor = (double)among(64, 1024) / 256;
-        pixel_ray(i, ray);
+        double factor = (double)among(64, 1024) / 256;
+        const double ray[3] = { (double)(i % WIDTH) - (WIDTH - 1) / 2,
+                                (HEIGHT - 1) / 2 - (double)(i / WIDTH), 48 };
         add_small(ray, factor);
         depths[i] = factor * sqrt(dot(ray, ray));
     }
@@ -244,14 +238,6 @@ static void write_mesh(bool mesh2)
 }
 
 /* The order of the triangles does not change the nearest hits. */
-static void check_depths(const struct words *a, const struct words *b)
-{
-    for (size_t k = 0; k < PIXELS; k++) {
-        double depth = c205_to_double(a->channel[CHANNEL_DEPTH][k]);
-        assert_near(c205_to_double(b->channel[CHANNEL_DEPTH][k]), depth, 1e-10);
-    }
-}
-
 TEST(other_words)
 {
     for (size_t i = 0; i < scene_count; i++) {
@@ -265,7 +251,9 @@ TEST(other_words)
         net_shuffle(&net, &traced.random);
         write_mesh(false);
         FREED struct words *others = same_frame(text);
-        check_depths(words, others);
+        for (size_t k = 0; k < PIXELS; k++)
+            assert_near(c205_to_double(others->channel[CHANNEL_DEPTH][k]),
+                        c205_to_double(words->channel[CHANNEL_DEPTH][k]), 1e-10);
     }
 }
 

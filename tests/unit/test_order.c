@@ -17,14 +17,6 @@ static const char things[] = HEAD
     "  pigment { checker rgb 1 rgb <0, .3, 1> scale .3 } }\n"
     "plane { y, -1 pigment { checker rgb 1, rgb .2 } }\n";
 
-static struct trace_options options_by_chance(size_t width, size_t height)
-{
-    return (struct trace_options)
-        ON_PRIOR(.mode = TRACE_VECTOR, .width = width, .height = height,
-                 .queue = xorshift(&traced.random) % 2 ? among(1, 60) : among(1, 3000),
-                 .band = among(1, width * height + 10), .jobs = among(1, 3));
-}
-
 static void check_same(const struct scene *scene, const struct trace_options *options,
                        uint64_t expected)
 {
@@ -47,9 +39,13 @@ TEST(same_frame)
         SCOPED(trace) *trace = run_trace(scene, &scalar);
         uint64_t expected = trace_checksum(trace);
         for (int k = 0; k < 3; k++) {
-            struct trace_options options = options_by_chance(width, height);
-            options.order = k == 0 ? ORDER_ROWS : ORDER_TILES;
-            options.mode = k == 2 ? TRACE_KERNELS : TRACE_VECTOR;
+            struct trace_options options = ON_PRIOR(
+                    .mode = k == 2 ? TRACE_KERNELS : TRACE_VECTOR,
+                    .order = k == 0 ? ORDER_ROWS : ORDER_TILES, .width = width,
+                    .height = height,
+                    .queue = xorshift(&traced.random) % 2 ? among(1, 60)
+                                                          : among(1, 3000),
+                    .band = among(1, width * height + 10), .jobs = among(1, 3));
             check_same(scene, &options, expected);
         }
     }

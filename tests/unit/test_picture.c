@@ -41,11 +41,6 @@ static struct frame sample_frame(void)
     return frame;
 }
 
-static double clipped(double value)
-{
-    return fmin(1, fmax(0, value));
-}
-
 struct round_trip {
     const char *name;
     bool half, clip;
@@ -71,7 +66,7 @@ static void compare(const struct round_trip *trip, const struct frame *frame,
     bool color = channel <= CHANNEL_BLUE;
     for (size_t i = 0; i < PIXELS; i++) {
         double raw = frame->channel[channel][i];
-        double value = color && trip->clip ? clipped(raw) : raw;
+        double value = color && trip->clip ? fmin(1, fmax(0, raw)) : raw;
         double kept = channel < trip->channels ? value : 0;
         double allowed = (color ? trip->relative : 0x1p-24) * fabs(kept)
                          + (color ? trip->absolute : 0);

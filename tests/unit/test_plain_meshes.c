@@ -68,11 +68,6 @@ static void mixed(const double corners[3][3], const double shares[3], double poi
         add_scaled(point, point, shares[k], corners[k]);
 }
 
-static void assert_along(const double a[3], const double b[3], double within)
-{
-    assert_near(fabs(dot(a, b)) / sqrt(dot(a, a) * dot(b, b)), 1, within);
-}
-
 /* The normal of a flat triangle must be perpendicular to two edges. */
 static void assert_normal(const struct triangle *triangle, const double shares[3],
                           const double found[3])
@@ -80,7 +75,8 @@ static void assert_normal(const struct triangle *triangle, const double shares[3
     double way[3];
     if (triangle->smooth) {
         mixed(triangle->normals, shares, way);
-        assert_along(found, way, 1e-9);
+        assert_near(fabs(dot(found, way)) / sqrt(dot(found, found) * dot(way, way)), 1,
+                    1e-9);
         return;
     }
     for (int k = 1; k < 3; k++) {

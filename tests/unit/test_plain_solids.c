@@ -156,14 +156,6 @@ TEST(volumes)
 
 /* ---- Surfaces that coincide ---------------------------------------------- */
 
-static struct passage along(const char *text, double x, double y)
-{
-    SCOPED_VALUE(solid) solid = solid_of(text);
-    const struct ray ray = { { x, y, -5 }, { 0, 0, 1 } };
-    return pass(&solid, &ray);
-}
-
-/* The scale of a scene of two close planes is the camera's distance. */
 #define EYE "camera { location -z } "
 
 #define CUBE "box { -1, 1 } "
@@ -195,7 +187,9 @@ TEST(coincident_faces)
         { "merge { sphere { -.5*z, .5 } sphere { .5*z, .5 } }", 0, 0, 2, 2 },
     };
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct passage is = along(rows[i].text, rows[i].x, rows[i].y);
+        SCOPED_VALUE(solid) solid = solid_of(rows[i].text);
+        const struct ray ray = { { rows[i].x, rows[i].y, -5 }, { 0, 0, 1 } };
+        struct passage is = pass(&solid, &ray);
         if (is.events != rows[i].events
             || !(fabs(is.length - rows[i].length) <= PLAIN_DELTA))
             fail_msg("%s: %d events, inside for %.9g", rows[i].text, is.events,
@@ -226,19 +220,6 @@ TEST(joined_boxes)
 
 /* ---- Surfaces without inside --------------------------------------------- */
 
-static int seen_along(const char *text, double x, size_t reports)
-{
-    SCOPED_VALUE(solid) solid = solid_with(text, reports);
-    const struct ray ray = { { x, 0, -5 }, { 0, 0, 1 } };
-    struct plain_hit hit;
-    double last = -1e6;
-    int count = 0;
-    plain_cross_region(solid.crossings, solid.scene, solid.scene->regions, &ray);
-    for (; plain_next_hit(solid.crossings, last, 1e6, &hit); count++)
-        last = hit.distance;
-    return count;
-}
-
 /* A patch in z = 0, and an open cylinder from -1 to 1 about z. */
 #define PATCH \
     "steiner_patch { <-2, -2, 0>, <2, -2, 0>, <0, 3, 0>, " \
@@ -265,7 +246,16 @@ TEST(open_surfaces)
         { "difference { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
         { "intersection { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
     };
-    for (size_t i = 0; i < COUNT(rows); i++)
-        if (seen_along(rows[i].text, rows[i].x, rows[i].reports) != rows[i].count)
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED_VALUE(solid) solid = solid_with(rows[i].text, rows[i].reports);
+        const struct ray ray = { { rows[i].x, 0, -5 }, { 0, 0, 1 } };
+        struct plain_hit hit;
+        double last = -1e6;
+        int count = 0;
+        plain_cross_region(solid.crossings, solid.scene, solid.scene->regions, &ray);
+        for (; plain_next_hit(solid.crossings, last, 1e6, &hit); count++)
+            last = hit.distance;
+        if (count != rows[i].count)
             fail_msg("%s: not %d crossings", rows[i].text, rows[i].count);
+    }
 }

@@ -100,12 +100,6 @@ static void mark_source(struct vector_case *one, enum role role)
                 mark_element(&one->defined, &one->vector[role], i);
 }
 
-static void mark_control(struct vector_case *one)
-{
-    if (has_control(one))
-        mark(&one->defined, one->vector[ROLE_Z].address, one->n);
-}
-
 static void mark_table(struct vector_case *one, struct bits_of *bits)
 {
     unsigned width = one->vector[table_of(one->row)].width;
@@ -122,7 +116,8 @@ static bool scatters(const c205_insn *row)
 
 static void mark_sources(struct vector_case *one)
 {
-    mark_control(one);
+    if (has_control(one))
+        mark(&one->defined, one->vector[ROLE_Z].address, one->n);
     if (one->row->format == C205_FORMAT_SPARSE) {
         mark_sparse(one);
         return;
@@ -199,23 +194,6 @@ static void poison_words(c205_word *words, const c205_word *good,
         words[i] = (good[i] & defined[i]) | (poison(random) & ~defined[i]);
 }
 
-static void fill(struct image *before, const struct vector_case *one, uint64_t *random)
-{
-    poison_words(before->memory, one->memory, one->defined.memory, MEMORY_WORDS,
-                 random);
-    poison_words(before->reg, one->reg, one->defined.reg, C205_REGISTERS, random);
-    before->reg[0] = 0;
-}
-
-static void take(struct small_machine *fixture, struct image *image)
-{
-    assert_true(c205_read(fixture->machine, DATA, image->memory, MEMORY_WORDS));
-    for (unsigned i = 0; i < C205_REGISTERS; i++)
-        image->reg[i] = get(fixture, i);
-    image->flags = c205_data_flags(fixture->machine);
-    image->clock = c205_clock(fixture->machine);
-}
-
 static void run_image(struct small_machine *fixture, const char *name,
                       const struct image *before, struct image *after)
 {
@@ -228,7 +206,11 @@ static void run_image(struct small_machine *fixture, const char *name,
     stop = run(fixture);
     if (stop.trap != C205_TRAP_NONE)
         fail_msg("%s: trap %s", name, c205_trap_name(stop.trap));
-    take(fixture, after);
+    assert_true(c205_read(fixture->machine, DATA, after->memory, MEMORY_WORDS));
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        after->reg[i] = get(fixture, i);
+    after->flags = c205_data_flags(fixture->machine);
+    after->clock = c205_clock(fixture->machine);
 }
 
 /* ---- Comparing --------------------------------------------------------- */
@@ -261,7 +243,10 @@ static void run_twice(struct small_machine *fixture, struct vector_case *one,
                       uint64_t *random, struct image *before, struct image *after)
 {
     for (int i = 0; i < TWICE; i++) {
-        fill(&before[i], one, random);
+        poison_words(before[i].memory, one->memory, one->defined.memory, MEMORY_WORDS,
+                     random);
+        poison_words(before[i].reg, one->reg, one->defined.reg, C205_REGISTERS, random);
+        before[i].reg[0] = 0;
         run_image(fixture, one->row->mnemonic, &before[i], &after[i]);
     }
 }

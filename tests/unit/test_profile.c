@@ -13,14 +13,6 @@
 static struct scene *scene;
 static struct profile profile;
 
-static void run(void)
-{
-    struct trace_options options = ON_PRIOR(.width = WIDTH, .height = HEIGHT,
-                                            .queue = 200, .band = 5 * WIDTH, .jobs = 2);
-    c205_error error = { "" };
-    REQUIRE(profile_run(&profile, scene, &options, &error));
-}
-
 static double clocks_of_frame(int i)
 {
     return (double)trace_accounts(profile.traces[i])->clocks;
@@ -180,7 +172,10 @@ FIXTURE(trace_stages)
     if (set_up_frames(test_state) != 0)
         return 1;
     scene = read_text(SCENE);
-    run();
+    struct trace_options options = ON_PRIOR(.width = WIDTH, .height = HEIGHT,
+                                            .queue = 200, .band = 5 * WIDTH, .jobs = 2);
+    c205_error error = { "" };
+    REQUIRE(profile_run(&profile, scene, &options, &error));
     return 0;
 }
 

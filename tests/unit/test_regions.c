@@ -408,19 +408,13 @@ static bool machine_value(const struct stage *stage, size_t i, const bool *insid
     return ask_value(&evaluation, region(stage, i, "R_RESULT"));
 }
 
-/* Returns the region of a record; records are in the hierarchy's order. */
-static const struct region *region_of(const struct stage *stage, size_t i)
-{
-    const struct region *tree = stage->scene->regions;
-    while (primitive_at(stage, tree->first_primitive) != region(stage, i, "R_FIRST"))
-        tree++;
-    return tree;
-}
-
+/* Records of regions are in the order of the hierarchy. */
 static void check_region(const struct stage *stage, size_t i, const char *text)
 {
     enum { TRIES = 50 };
-    const struct region *tree = region_of(stage, i);
+    const struct region *tree = stage->scene->regions;
+    while (primitive_at(stage, tree->first_primitive) != region(stage, i, "R_FIRST"))
+        tree++;
     size_t last = tree->first_primitive + tree->primitive_count, visited;
     bool inside[PLACES] = { false };
     bool nothing = machine_value(stage, i, inside, &visited);
