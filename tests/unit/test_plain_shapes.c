@@ -52,12 +52,6 @@ TEST(known)
         { FRUSTUM, { { 0, .5, 0 }, { -1, 2, 0 }, 1.375, { c, -s, 0 } } },
         { FRUSTUM, { { .5, 9, 0 }, { 0, -1, 0 }, 5, { 0, 1, 0 } } },
         { FRUSTUM, { { 2.5, -3, 0 }, { 0, 1, 0 }, 3, { 0, -1, 0 } } },
-        { OPEN_FRUSTUM, { { 9, 2, 0 }, { -2, 0, 0 }, 3.5, { c, s, 0 } } },
-        { OPEN_FRUSTUM, { { 0, 2, 0 }, { 0, 0, 1 }, 2, { 0, -s, -c } } },
-        { OPEN_FRUSTUM, { { 0, 7, 2 }, { 0, -1, 0 }, 5, { 0, s, c } } },
-        { OPEN_FRUSTUM, { { 9, 5, 0 }, { -1, 0, 0 }, 0, { 0 } } },
-        { OPEN_FRUSTUM, { { 9, -1, 0 }, { -1, 0, 0 }, 0, { 0 } } },
-        { OPEN_FRUSTUM, { { 0, .5, 0 }, { -1, 2, 0 }, 1.375, { c, -s, 0 } } },
         { OPEN_FRUSTUM, { { .5, 9, 0 }, { 0, -1, 0 }, 0, { 0 } } },
         { OPEN_FRUSTUM, { { 2.5, -3, 0 }, { 0, 1, 0 }, 4, { -c, -s, 0 } } },
         { POINTED, { { .5, 9, 0 }, { 0, -1, 0 }, 8.5, { -h, h, 0 } } },
@@ -105,9 +99,12 @@ TEST(known)
         { TRIANGLE, { { 0, 1, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } } },
     };
 
-    for (size_t i = 0; i < COUNT(rows); i++) {
-        const struct expectation *line = &rows[i].line;
-        SCOPED(scene) *scene = read_scene(rows[i].text);
+    enum { SIDES = 6 }; /* the first rows hold for the open frustum, too */
+
+    for (size_t i = 0; i < COUNT(rows) + SIDES; i++) {
+        const char *text = i < COUNT(rows) ? rows[i].text : OPEN_FRUSTUM;
+        const struct expectation *line = &rows[i % COUNT(rows)].line;
+        SCOPED(scene) *scene = read_scene(text);
         struct surface surface = { .count = 1, .parts = { scene->primitives[0] } };
         struct ray ray;
         copy(ray.origin, line->origin);
@@ -119,7 +116,7 @@ TEST(known)
         for (int k = 0; k < 3 && line->distance != 0; k++)
             good = good && fabs(found.normal[k] - line->normal[k]) <= CLOSE;
         if (!good)
-            fail_msg("row %zu, %s: a hit at %.17g", i, rows[i].text, found.distance);
+            fail_msg("row %zu, %s: a hit at %.17g", i, text, found.distance);
     }
 }
 

@@ -149,24 +149,19 @@ static void random_plane(struct flat_outline *outline)
         outline->origin[i] = between(-2, 2);
 }
 
-/* Selects one of the three planes of two axes. */
-static void straight_plane(struct flat_outline *outline)
-{
-    int first = (int)xorshift_between(&random_state, 0, 2);
-    outline->axes[0][first] = 1;
-    outline->axes[1][(first + 1) % 3] = -1;
-    outline->origin[(first + 2) % 3] = 1;
-}
-
 static struct flat_outline random_outline(void)
 {
     struct flat_outline outline = { .count = 0 };
     int parts = (int)xorshift_between(&random_state, 1, 3);
     bool grid = xorshift(&random_state) & 1;
-    if (xorshift(&random_state) & 1)
+    if (xorshift(&random_state) & 1) {
         random_plane(&outline);
-    else
-        straight_plane(&outline);
+    } else { /* one of the three planes of two axes */
+        int first = (int)xorshift_between(&random_state, 0, 2);
+        outline.axes[0][first] = 1;
+        outline.axes[1][(first + 1) % 3] = -1;
+        outline.origin[(first + 2) % 3] = 1;
+    }
     for (int i = 0; i < parts; i++) {
         size_t count = (size_t)xorshift_between(&random_state, 3, 11);
         size_t step = (size_t)xorshift_between(&random_state, 1, 3);

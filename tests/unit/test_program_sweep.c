@@ -418,13 +418,6 @@ static void check_spread(const uint64_t *values, size_t count,
     }
 }
 
-static size_t usual_points(const struct swept_range *range)
-{
-    double octaves = log2((double)range->to / (double)range->from);
-
-    return octaves > 3 ? 25 : 1 + (size_t)ceil(8 * octaves);
-}
-
 /* Either the requested ratio separates all values, or both ends are included. */
 TEST(values)
 {
@@ -439,8 +432,9 @@ TEST(values)
 
         range.to = range.from + 1 + below(UINT64_C(1) << below(46));
         check_spread(values, swept_values(&range, points, values), &range, points);
+        double octaves = log2((double)range.to / (double)range.from);
         check_spread(values, swept_values(&range, 0, values), &range,
-                     usual_points(&range));
+                     octaves > 3 ? 25 : 1 + (size_t)ceil(8 * octaves));
         range.step = 1 + below(range.to - range.from);
         size_t count = swept_values(&range, 0, values);
         assert_int_equal(count == 0,

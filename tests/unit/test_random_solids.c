@@ -45,16 +45,6 @@ static void write_scene(char *text, size_t size)
 
 /* ---- Comparisons -------------------------------------------------------- */
 
-static void check_no_bounds(const struct scene *scene, const char *text,
-                            const struct words *expected)
-{
-    traced.no_bounds = true;
-    FREED struct words *found = same_frame_of(scene, text);
-    traced.no_bounds = false;
-    if (memcmp(found, expected, sizeof *found) != 0)
-        fail_msg("another frame without bounds of\n%s", text);
-}
-
 /* Of coincident surfaces, rounding decides which one is visible, but not its depth. */
 static void check_depths(const struct scene *scene, const char *text,
                          const struct words *words)
@@ -81,7 +71,11 @@ static void check_scene(const char *text)
     if (solids.gridded && !along)
         check_depths(scene, text, words);
     check_paper_stage(text, words);
-    check_no_bounds(scene, text, words);
+    traced.no_bounds = true;
+    FREED struct words *others = same_frame_of(scene, text);
+    traced.no_bounds = false;
+    if (memcmp(others, words, sizeof *words) != 0)
+        fail_msg("another frame without bounds of\n%s", text);
 }
 
 static void check_scenes(bool gridded, bool clear)

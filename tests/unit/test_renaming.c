@@ -118,11 +118,6 @@ static bool keeps_sums(const struct renaming *renaming,
     return true;
 }
 
-static uint8_t rename_half(const struct renaming *renaming, uint8_t half)
-{
-    return (uint8_t)(2 * renaming->new_name[half / 2] + half % 2);
-}
-
 /* A half register moves with its register. */
 static c205_word rename_insn(const struct renaming *renaming, const c205_insn *row,
                              c205_word word)
@@ -134,9 +129,12 @@ static c205_word rename_insn(const struct renaming *renaming, const c205_insn *r
     for (size_t i = 0; i < COUNT(names); i++)
         *names[i] = renaming->new_name[*names[i]];
     for (int role = 0; role < ROLES; role++)
-        if (is_half_register(row, old.g, (enum role)role))
-            *field_of_role(&fields, row, (enum role)role) =
-                rename_half(renaming, *field_of_role(&old, row, (enum role)role));
+        if (is_half_register(row, old.g, (enum role)role)) {
+            uint8_t half = *field_of_role(&old, row, (enum role)role);
+            *field_of_role(&fields, row,
+                           (enum role)role) = (uint8_t)(2 * renaming->new_name[half / 2]
+                                                        + half % 2);
+        }
     return c205_encode(row, &fields);
 }
 
