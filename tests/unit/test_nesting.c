@@ -206,8 +206,8 @@ TEST(depth)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene)
-            *scene = read_format("merge { #for (I, 1, %zu) sphere { %s } #end }",
-                                 rows[i].count, rows[i].sphere);
+        *scene = read_format("merge { #for (I, 1, %zu) sphere { %s } #end }",
+                             rows[i].count, rows[i].sphere);
         struct nested_scene nested;
         assert_true(nesting_make(scene, &nested));
         assert_in_range(depth_of(&nested.scene, 0), rows[i].least, rows[i].most);

@@ -94,7 +94,7 @@ static double lens(double r, double s, double d)
 /* The error of the grid is at most two in a thousand. */
 TEST(volumes)
 {
-    const double both = lens(1, .8, .9);
+    double both = lens(1, .8, .9);
     const struct {
         const char *text;
         double size, volume;

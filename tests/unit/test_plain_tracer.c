@@ -25,7 +25,7 @@
 /* The number of the object, the distance and the normal; all are 0 without a hit. */
 TEST(hits)
 {
-    const double length = sqrt(1.25);
+    double length = sqrt(1.25);
     const struct {
         const char *text;
         struct look look;
@@ -106,7 +106,7 @@ static double red(const struct look *look, const char *text)
 TEST(shading)
 {
     static const struct look onto_floor = { { -3, 4, 0 }, { 3, -4, 0 } };
-    const double lit = .5 * .8 * .8;
+    double lit = .5 * .8 * .8;
     const struct {
         const char *place, *light, *finish, *others;
         double expected;
