@@ -61,50 +61,34 @@ static double number_of(const char *row, const char *key)
     return strtod(strchr(at, ':') + 1, NULL);
 }
 
-/* Clocks by stage. */
-struct clocks {
-    double of[TRACE_MODES];
-};
-
-static void add_row(const char *row, struct clocks *sum)
-{
-    static const char *const keys[TRACE_MODES] = { "\"scalar_clocks\"",
-                                                   "\"kernels_clocks\"",
-                                                   "\"vector_clocks\"" };
-    for (int i = 0; i < TRACE_MODES; i++)
-        sum->of[i] += number_of(row, keys[i]);
-}
-
-static void assert_same_clocks(const struct clocks *a, const struct clocks *b)
-{
-    for (int i = 0; i < TRACE_MODES; i++)
-        assert_true(a->of[i] == b->of[i]);
-}
-
 /* The sum of all parts is the frame; the sum of all kernels is their part. */
 TEST(sums)
 {
+    enum { FRAME, PARTS, KERNELS, INTERSECT, SUMS };
+    static const char *const keys[TRACE_MODES] = { "\"scalar_clocks\"",
+                                                   "\"kernels_clocks\"",
+                                                   "\"vector_clocks\"" };
     static const char row[] = "\"part\": \"";
-    struct clocks parts = { { 0 } }, kernels = parts, intersect = parts;
-    struct clocks frame = parts, expected;
+    double sums[SUMS][TRACE_MODES] = { { 0 } };
     FREED char *text = table_text_of(PROFILE_CLOCKS);
     size_t rows = 0;
     for (const char *at = text; (at = strstr(at, row)) != NULL; rows++) {
         bool is_part = strncmp(strstr(at, "\"kernel\": "), "\"kernel\": \"\"", 12) == 0;
         at += strlen(row);
-        if (strncmp(at, "the frame", 9) == 0)
-            add_row(at, &frame);
-        else
-            add_row(at, is_part ? &parts : &kernels);
-        if (is_part && strncmp(at, "intersect", 9) == 0)
-            add_row(at, &intersect);
+        bool is_frame = strncmp(at, "the frame", 9) == 0;
+        for (int i = 0; i < TRACE_MODES; i++) {
+            double clocks = number_of(at, keys[i]);
+            sums[is_frame ? FRAME : is_part ? PARTS : KERNELS][i] += clocks;
+            if (is_part && strncmp(at, "intersect", 9) == 0)
+                sums[INTERSECT][i] += clocks;
+        }
     }
     assert_true(rows > PROFILE_PARTS + 1);
-    for (int i = 0; i < TRACE_MODES; i++)
-        expected.of[i] = clocks_of_frame(i);
-    assert_same_clocks(&frame, &expected);
-    assert_same_clocks(&parts, &frame);
-    assert_same_clocks(&kernels, &intersect);
+    for (int i = 0; i < TRACE_MODES; i++) {
+        assert_true(sums[FRAME][i] == clocks_of_frame(i));
+        assert_true(sums[PARTS][i] == sums[FRAME][i]);
+        assert_true(sums[KERNELS][i] == sums[INTERSECT][i]);
+    }
 }
 
 /* Columns of clocks in the table of groups; shares are next to them. */
