@@ -46,12 +46,6 @@ static struct look look_at(const double *eye, const double point[3])
     return (struct look){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z, z };
 }
 
-static bool is_within(const struct look *look, const double *window)
-{
-    return window[0] <= look->u && look->u <= window[1] && window[2] <= look->v
-           && look->v <= window[3] && window[WINDOW_NEAR] < look->z;
-}
-
 /* Returns whether the traversal reaches the triangle. Adds the tested windows to
  * *asked. */
 static bool comes_to(const double *table, const double *eye, const struct look *look,
@@ -61,7 +55,9 @@ static bool comes_to(const double *table, const double *eye, const struct look *
     bool found = false;
     for (double at = 9; at != 0;) {
         const double *window = rows + (size_t)at;
-        bool within = is_within(look, window);
+        bool within = window[0] <= look->u && look->u <= window[1]
+                      && window[2] <= look->v && look->v <= window[3]
+                      && window[WINDOW_NEAR] < look->z;
         at = window[WINDOW_LINKS + !within];
         ++*asked;
         if (at < MET)

@@ -43,15 +43,6 @@ TEST_CALL(random_scenes, check_random_scenes(add_mesh, 2 * scene_count))
 
 /* ---- Shadows and mirrors ------------------------------------------------- */
 
-static void add_motion(char *to, size_t size)
-{
-    add_text(to, size, "scale <%.3f, %.3f, %.3f> rotate <%.2f, %.2f, %.2f> ",
-             between(.5, 1.4), between(.5, 1.4), between(.5, 1.4), between(-90, 90),
-             between(-90, 90), between(-90, 90));
-    add_text(to, size, "translate ");
-    add_point(to, size, .8);
-}
-
 /* Adds a sphere or a mesh; only spheres may be transparent. */
 static void add_thing(char *to, size_t size)
 {
@@ -67,7 +58,11 @@ static void add_thing(char *to, size_t size)
     solids.clear = clear;
     if (clear && below(2))
         add_text(to, size, "finish { reflection %.2f } ", between(.1, .6));
-    add_motion(to, size);
+    add_text(to, size, "scale <%.3f, %.3f, %.3f> rotate <%.2f, %.2f, %.2f> ",
+             between(.5, 1.4), between(.5, 1.4), between(.5, 1.4), between(-90, 90),
+             between(-90, 90), between(-90, 90));
+    add_text(to, size, "translate ");
+    add_point(to, size, .8);
     add_text(to, size, "}\n");
 }
 

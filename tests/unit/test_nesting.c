@@ -113,14 +113,6 @@ static void check_within(const struct nested_scene *nested, size_t node,
             check_within(nested, child, whole);
 }
 
-static void check_bounds(const struct nested_scene *nested)
-{
-    for (size_t i = 0; i < nested->scene.node_count; i++)
-        if (nested->scene.nodes[i].operation == TREE_OR
-            && !bound_is_none(&nested->bounds[i]))
-            check_within(nested, i, &nested->bounds[i]);
-}
-
 /* Each leaf occurs once. */
 static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
@@ -168,7 +160,10 @@ TEST(random_trees)
         assert_int_equal(nested.scene.nodes[0].next, nested.scene.node_count);
         check_leaves(&forest.scene, &nested.scene);
         check_values(&forest.scene, &nested.scene);
-        check_bounds(&nested);
+        for (size_t k = 0; k < nested.scene.node_count; k++)
+            if (nested.scene.nodes[k].operation == TREE_OR
+                && !bound_is_none(&nested.bounds[k]))
+                check_within(&nested, k, &nested.bounds[k]);
         assert_true(nested.scene.node_count <= 3 * forest.scene.node_count);
         nested_more += nested.scene.node_count > forest.scene.node_count;
         nesting_free(&nested);

@@ -95,10 +95,12 @@ static bool write_plot(const struct plot *plot, const char *name, c205_error *er
     return plot_write(plot, table, in_folder(name), error);
 }
 
-static void draw(const struct plot *plot)
+/* Draws a plot. Returns the text of one of its files, which the caller frees. */
+static char *drawn(const struct plot *plot, const char *name)
 {
     c205_error error = { "" };
     REQUIRE(write_plot(plot, "a b'c.svg", &error));
+    return text_of_file(name);
 }
 
 static void expect_error(const struct plot *plot, const char *name, const char *part)
@@ -113,8 +115,7 @@ static void expect_error(const struct plot *plot, const char *name, const char *
 
 TEST_WITH(data_is_reported, set_up, tear_down)
 {
-    draw(&lines);
-    FREED char *text = text_of_file("a b'c.dat");
+    FREED char *text = drawn(&lines, "a b'c.dat");
     assert_string_equal(text, "# Clocks per ray\n"
                               "# model cyber205-2pipe\n"
                               "# a_b & <c>, it's \"so\" \\\n"
@@ -148,8 +149,7 @@ TEST_WITH(script_draws_again, set_up, tear_down)
     for (size_t i = 0; i < 2; i++) {
         struct plot plot = lines;
         plot.form = forms[i];
-        draw(&plot);
-        FREED char *first = text_of_file("a b'c.svg");
+        FREED char *first = drawn(&plot, "a b'c.svg");
         expect_picture(first);
         remove_file("a b'c.svg");
         setenv("FOLDER", temporary_folder, 1);
@@ -273,8 +273,7 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
     struct plot plot = lines;
     plot.marks = many;
     plot.mark_count = 3;
-    draw(&plot);
-    FREED char *script = text_of_file("a b'c.gp");
+    FREED char *script = drawn(&plot, "a b'c.gp");
     assert_true(height_of(script, "'far") == height_of(script, "'near"));
     assert_true(height_of(script, "'at one") > height_of(script, "'near"));
     remove_plot();
@@ -314,17 +313,13 @@ TEST(axes_are_labelled)
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;
-    draw(&plot);
-    char *script = text_of_file("a b'c.gp");
-    assert_non_null(strstr(script, "set yrange [0:35]"));
-    assert_null(strstr(script, "cut off"));
-    free(script);
+    FREED char *whole = drawn(&plot, "a b'c.gp");
+    assert_non_null(strstr(whole, "set yrange [0:35]"));
+    assert_null(strstr(whole, "cut off"));
     plot.y_most = 5;
-    draw(&plot);
-    script = text_of_file("a b'c.gp");
-    assert_non_null(strstr(script, "set yrange [0:12]"));
-    assert_non_null(strstr(script, "cut off at 12; the highest value is 33.3333"));
-    free(script);
+    FREED char *cut = drawn(&plot, "a b'c.gp");
+    assert_non_null(strstr(cut, "set yrange [0:12]"));
+    assert_non_null(strstr(cut, "cut off at 12; the highest value is 33.3333"));
     remove_plot();
 }
 

@@ -63,21 +63,6 @@ static void check_depths(const struct scene *scene, const char *text,
     }
 }
 
-static void check_scene(const char *text)
-{
-    SCOPED(scene) *scene = read_text(text);
-    FREED struct words *words = solids.gridded ? same_frame_of(scene, text)
-                                               : plain_frame(text);
-    if (solids.gridded && !along)
-        check_depths(scene, text, words);
-    check_paper_stage(text, words);
-    traced.no_bounds = true;
-    FREED struct words *others = same_frame_of(scene, text);
-    traced.no_bounds = false;
-    if (memcmp(others, words, sizeof *words) != 0)
-        fail_msg("another frame without bounds of\n%s", text);
-}
-
 static void check_scenes(bool gridded, bool clear)
 {
     static char text[1 << 18];
@@ -86,7 +71,17 @@ static void check_scenes(bool gridded, bool clear)
     solids.patches = solids.meshes = true;
     for (size_t i = 0; i < scene_count; i++) {
         write_scene(text, sizeof text);
-        check_scene(text);
+        SCOPED(scene) *scene = read_text(text);
+        FREED struct words *words = solids.gridded ? same_frame_of(scene, text)
+                                                   : plain_frame(text);
+        if (solids.gridded && !along)
+            check_depths(scene, text, words);
+        check_paper_stage(text, words);
+        traced.no_bounds = true;
+        FREED struct words *others = same_frame_of(scene, text);
+        traced.no_bounds = false;
+        if (memcmp(others, words, sizeof *words) != 0)
+            fail_msg("another frame without bounds of\n%s", text);
     }
 }
 
