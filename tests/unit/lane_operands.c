@@ -5,6 +5,13 @@
 
 #define SIZE(table) (sizeof(table) / sizeof *(table))
 
+/* Defines a supply of one expression, for the table of supplies. */
+#define SUPPLY(name, expression) \
+    static c205_word name(word_format f, uint64_t *seed) \
+    { \
+        return expression; \
+    }
+
 c205_word lane_special_at(word_format f, size_t i)
 {
     int32_t top = format_exponent_max(f);
@@ -22,50 +29,27 @@ c205_word lane_special_at(word_format f, size_t i)
                        coefficients[i % LANE_COEFFICIENTS]);
 }
 
-static c205_word special(word_format f, uint64_t *seed)
-{
-    return lane_special_at(f, xorshift(seed) % LANE_SPECIALS);
-}
+SUPPLY(special, lane_special_at(f, xorshift(seed) % LANE_SPECIALS))
 
 c205_word lane_near(word_format f, uint64_t *seed)
 {
     return xorshift_normalised_of(f, seed, -f.digits - 2, -f.digits + 2);
 }
 
-static c205_word around(word_format f, uint64_t *seed)
-{
-    return xorshift_normalised_of(f, seed, -2 * f.digits - 6, 10);
-}
-
-static c205_word near_top(word_format f, uint64_t *seed)
-{
-    int32_t top = format_exponent_max(f);
-
-    return xorshift_normalised_of(f, seed, top - 3, top);
-}
-
-static c205_word near_bottom(word_format f, uint64_t *seed)
-{
-    int32_t bottom = format_exponent_min(f);
-
-    return xorshift_normalised_of(f, seed, bottom, bottom + f.digits + 3);
-}
-
-static c205_word anywhere(word_format f, uint64_t *seed)
-{
-    return xorshift_normalised_of(f, seed, format_exponent_min(f),
-                                  format_exponent_max(f));
-}
+SUPPLY(around, xorshift_normalised_of(f, seed, -2 * f.digits - 6, 10))
+SUPPLY(near_top, xorshift_normalised_of(f, seed, format_exponent_max(f) - 3,
+                                        format_exponent_max(f)))
+SUPPLY(near_bottom, xorshift_normalised_of(f, seed, format_exponent_min(f),
+                                           format_exponent_min(f) + f.digits + 3))
+SUPPLY(anywhere,
+       xorshift_normalised_of(f, seed, format_exponent_min(f), format_exponent_max(f)))
 
 c205_word lane_or_machine_zero(word_format f, uint64_t *seed)
 {
     return xorshift(seed) % 4 == 0 ? C205_MACHINE_ZERO : around(f, seed);
 }
 
-static c205_word unnormalised(word_format f, uint64_t *seed)
-{
-    return xorshift_unnormalised_of(f, seed, -2 * f.digits - 6, 10);
-}
+SUPPLY(unnormalised, xorshift_unnormalised_of(f, seed, -2 * f.digits - 6, 10))
 
 c205_word lane_any_bits(word_format f, uint64_t *seed)
 {
@@ -95,10 +79,7 @@ static c205_word zero(word_format f, uint64_t *seed)
     return (C205_MACHINE_ZERO | digits) & format_mask(f);
 }
 
-static c205_word mostly_zero(word_format f, uint64_t *seed)
-{
-    return xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed);
-}
+SUPPLY(mostly_zero, xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed))
 
 /* Exponents at both ends of a range that has `less` bits fewer than the format. */
 static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
@@ -111,15 +92,8 @@ static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
 
 /* Words just inside the common range (vm/number/common_range.h), rarely just
  * outside. */
-static c205_word about_usual(word_format f, uint64_t *seed)
-{
-    return at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2);
-}
-
-static c205_word beyond_usual(word_format f, uint64_t *seed)
-{
-    return at_the_ends(f, seed, 1);
-}
+SUPPLY(about_usual, at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2))
+SUPPLY(beyond_usual, at_the_ends(f, seed, 1))
 
 /* Exponents of a range that has `less` bits fewer than the format. Some coefficients
  * are the largest or smallest; some words are machine zeros. */
@@ -139,15 +113,8 @@ static c205_word within(word_format f, uint64_t *seed, int less)
 
 /* Words that convert to doubles exactly (vm/number/round_down.h). The variants:
  * exponents close together, rarely other words, and exponents just out of range. */
-static c205_word moderate(word_format f, uint64_t *seed)
-{
-    return within(f, seed, 7);
-}
-
-static c205_word moderate_near(word_format f, uint64_t *seed)
-{
-    return within(f, seed, 13);
-}
+SUPPLY(moderate, within(f, seed, 7))
+SUPPLY(moderate_near, within(f, seed, 13))
 
 static c205_word mostly_moderate(word_format f, uint64_t *seed)
 {
@@ -157,10 +124,7 @@ static c205_word mostly_moderate(word_format f, uint64_t *seed)
     return which < SIZE(others) ? others[which](f, seed) : moderate(f, seed);
 }
 
-static c205_word beyond_moderate(word_format f, uint64_t *seed)
-{
-    return within(f, seed, 6);
-}
+SUPPLY(beyond_moderate, within(f, seed, 6))
 
 /* Integers of few or many digits, as indices have, with machine zeros among them. The
  * variant adds other words rarely. */
@@ -189,15 +153,8 @@ static c205_word absolute(word_format f, c205_word word)
                                    : half_absolute(word, &flags);
 }
 
-static c205_word positive(word_format f, uint64_t *seed)
-{
-    return absolute(f, anywhere(f, seed));
-}
-
-static c205_word moderate_positive(word_format f, uint64_t *seed)
-{
-    return absolute(f, moderate(f, seed));
-}
+SUPPLY(positive, absolute(f, anywhere(f, seed)))
+SUPPLY(moderate_positive, absolute(f, moderate(f, seed)))
 
 /* Squares and their predecessors, between which a truncated root changes. */
 c205_word lane_about_a_square(word_format f, uint64_t *seed)

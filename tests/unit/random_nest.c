@@ -37,35 +37,20 @@ static uint64_t new_seed(struct making *making)
     return xorshift(&making->state) | 1;
 }
 
-static void put_list(struct making *making, const char *format, va_list arguments)
+static void put(struct making *making, const char *format, ...)
 {
     struct sink sink = text_buffer_sink(&making->text);
     char text[200];
-    if (making->silent > 0)
-        return;
-    vsnprintf(text, sizeof text, format, arguments);
-    sink_put(&sink, text);
-}
-
-static void put(struct making *making, const char *format, ...)
-{
     va_list arguments;
-
     va_start(arguments, format);
-    put_list(making, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    if (making->silent == 0)
+        sink_put(&sink, text);
 }
 
 /* Writes a directive. The expanded form omits it. */
-static void direct(struct making *making, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    if (making->written)
-        put_list(making, format, arguments);
-    va_end(arguments);
-}
+#define direct(making, ...) ((making)->written ? put(making, __VA_ARGS__) : (void)0)
 
 /* Writes the number of a directive; the expanded form computes it without text. */
 static double direct_number(struct making *making, size_t depth)
