@@ -1,6 +1,11 @@
 /* saved_machine.c - saves a machine as bytes, restores it and compares machines. */
 #include "saved_machine.h"
 
+void bytes_free(struct bytes *bytes)
+{
+    free(bytes->byte);
+}
+
 bool append(void *context, const void *more, size_t count)
 {
     struct bytes *bytes = context;
@@ -20,8 +25,7 @@ struct bytes save(const c205 *machine)
 {
     struct bytes bytes = { 0, 0, NULL, 0 };
     c205_error error = { "" };
-    if (!c205_save(machine, append, &bytes, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(c205_save(machine, append, &bytes, &error));
     return bytes;
 }
 
@@ -29,34 +33,30 @@ c205 *restore(const struct bytes *bytes, const c205_model *model)
 {
     c205_error error = { "" };
     c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
-    if (!machine)
-        fail_msg("%s", error.message);
+    REQUIRE(machine);
     return machine;
 }
 
 static void assert_saved_as(const c205 *machine, const struct bytes *expected)
 {
-    struct bytes bytes = save(machine);
+    SCOPED_VALUE(bytes) bytes = save(machine);
     assert_int_equal(bytes.count, expected->count);
     assert_memory_equal(bytes.byte, expected->byte, bytes.count);
-    free(bytes.byte);
 }
 
 void assert_same(const c205 *a, const c205 *b)
 {
-    struct bytes bytes = save(a);
+    SCOPED_VALUE(bytes) bytes = save(a);
     assert_saved_as(b, &bytes);
-    free(bytes.byte);
 }
 
 c205 *replace(c205 *machine)
 {
-    struct bytes bytes = save(machine);
+    SCOPED_VALUE(bytes) bytes = save(machine);
     c205 *other = restore(&bytes, c205_machine_model(machine));
     assert_saved_as(other, &bytes);
     assert_int_equal(c205_clock(machine), c205_clock(other));
     assert_int_equal(c205_loaded_program(machine), c205_loaded_program(other));
-    free(bytes.byte);
     c205_free(machine);
     return other;
 }
@@ -73,17 +73,14 @@ c205 *machine_with(const c205_program *program, const c205_model *model)
 {
     c205_error error = { "" };
     c205 *machine = c205_new(model, &error);
-    if (!machine || !c205_load(machine, program, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(machine && c205_load(machine, program, &error));
     return machine;
 }
 
 c205 *machine_from(const char *path, const c205_model *model)
 {
-    struct object *object = good_file(path);
-    c205 *machine = machine_with(&object->program, model);
-    object_free(object);
-    return machine;
+    SCOPED(object) *object = good_file(path);
+    return machine_with(&object->program, model);
 }
 
 c205_model *model_of(const struct random_program *program)

@@ -11,6 +11,7 @@ struct bytes {
     size_t reserved;
 };
 
+void bytes_free(struct bytes *bytes);
 bool append(void *context, const void *more, size_t count);
 struct bytes save(const c205 *machine);
 c205 *restore(const struct bytes *bytes, const c205_model *model);

@@ -7,8 +7,8 @@
 #include "tests/unit/saved_machine.h"
 
 #include "rt/trace/trace.h"
-#include "rt/scene/language/scene_read.h"
 #include "tests/random.h"
+#include "tests/unit/scene_reading.h"
 #include "vm/hash.h"
 #include "vm/machine.h"
 
@@ -28,24 +28,21 @@ static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
 /* Runs a saved state to its end, in one run and in slices of `clocks`. */
 static void compare_runs(const struct bytes *begin, uint64_t clocks)
 {
-    c205 *whole = restore(begin, prior_model), *broken = restore(begin, prior_model);
+    SCOPED(c205) *whole = restore(begin, prior_model);
+    SCOPED(c205) *broken = restore(begin, prior_model);
     c205_stop one = c205_run(whole, C205_NO_LIMIT);
     c205_stop other = run_in_pieces(&broken, clocks);
     assert_same_stop(&one, &other);
     assert_same(whole, broken);
-    c205_free(whole);
-    c205_free(broken);
 }
 
 /* ---- Programs ------------------------------------------------------------ */
 
 static void compare_program(const char *path, uint64_t clocks)
 {
-    c205 *machine = machine_from(path, prior_model);
-    struct bytes begin = save(machine);
+    SCOPED(c205) *machine = machine_from(path, prior_model);
+    SCOPED_VALUE(bytes) begin = save(machine);
     compare_runs(&begin, clocks);
-    free(begin.byte);
-    c205_free(machine);
 }
 
 TEST(programs)
@@ -67,39 +64,28 @@ static void compare_frame(const struct scene *scene, enum trace_mode mode)
         .mode = mode, .width = 8, .height = 6, .queue = 30, .model = prior_model
     };
     c205_error error = { "" };
-    struct trace *trace = trace_new(scene, &options, &error);
-    c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
-    if (!machine)
-        fail_msg("%s", error.message);
-    struct bytes begin = save(machine);
+    SCOPED(trace) *trace = trace_new(scene, &options, &error);
+    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+    REQUIRE(machine);
+    SCOPED_VALUE(bytes) begin = save(machine);
     compare_runs(&begin, 20011);
-    free(begin.byte);
-    c205_free(machine);
-    trace_free(trace);
 }
 
 TEST(kernels)
 {
-    struct scene_options options = { .strict = false };
-    struct diagnostics reports = { 0 };
-    struct scene *scene =
-        scene_read_text("test",
-                        "#version 3.7; camera { location <0, 1, -4> look_at 0 }"
-                        "light_source { <5, 9, -7>, 1 }"
-                        "plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }"
-                        "sphere { 0, 1 pigment { rgb <1, .5, .2> } }",
-                        &options, &reports);
-    assert_non_null(scene);
+    SCOPED(scene) *scene = read_scene(
+        "camera { location <0, 1, -4> look_at 0 }"
+        "light_source { <5, 9, -7>, 1 }"
+        "plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }"
+        "sphere { 0, 1 pigment { rgb <1, .5, .2> } }");
     compare_frame(scene, TRACE_SCALAR);
     compare_frame(scene, TRACE_VECTOR);
-    scene_free(scene);
-    diagnostics_free(&reports);
 }
 
 TEST(access)
 {
     uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
-    c205 *machine = machine_from("asm/examples/dot.s", prior_model);
+    SCOPED(c205) *machine = machine_from("asm/examples/dot.s", prior_model);
     c205_word word = 205;
     c205_error error;
     uint64_t fault;
@@ -111,7 +97,6 @@ TEST(access)
     assert_int_equal(word, 205);
     assert_int_equal(memory_check(&machine->memory, address, 64, true, &fault),
                      C205_TRAP_PROTECTED_ADDRESS);
-    c205_free(machine);
 }
 
 /* A page that was never accessed is saved as a page of zeros; saving does not allocate
@@ -122,30 +107,28 @@ TEST(untouched)
     struct bytes saved[2];
     for (size_t i = 0; i < 2; i++) {
         c205_error error;
-        c205 *machine = c205_new(prior_model, &error);
+        SCOPED(c205) *machine = c205_new(prior_model, &error);
         assert_non_null(machine);
         assert_true(c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &error));
         saved[i] = save(machine);
         assert_int_equal(memory_is_untouched(
                              memory_peek(&machine->memory, UINT64_C(1) << 22)),
                          i);
-        c205_free(machine);
     }
     assert_int_equal(saved[0].count, saved[1].count);
     assert_memory_equal(saved[0].byte, saved[1].byte, saved[0].count);
-    free(saved[0].byte);
-    free(saved[1].byte);
+    bytes_free(&saved[0]);
+    bytes_free(&saved[1]);
 }
 
 /* A machine without a program can be saved. */
 TEST(empty_machine)
 {
     c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
+    SCOPED(c205) *machine = c205_new(prior_model, &error);
     assert_non_null(machine);
     machine = replace(machine);
     assert_int_equal(c205_loaded_program(machine), 0);
-    c205_free(machine);
 }
 
 TEST(program_hash)
@@ -192,17 +175,15 @@ static void seal(struct bytes *bytes)
     put_word(bytes, last, hash);
 }
 
-static struct bytes in_the_middle(uint64_t clock)
+static struct bytes in_the_middle(void)
 {
-    c205 *machine = machine_from("asm/examples/lookup.s", prior_model);
-    assert_int_equal(c205_run(machine, clock).trap, C205_TRAP_CLOCK_LIMIT);
-    struct bytes bytes = save(machine);
-    c205_free(machine);
-    return bytes;
+    SCOPED(c205) *machine = machine_from("asm/examples/lookup.s", prior_model);
+    assert_int_equal(c205_run(machine, 1300).trap, C205_TRAP_CLOCK_LIMIT);
+    return save(machine);
 }
 
-static void assert_refused(const void *bytes, size_t count, const c205_model *other,
-                           const char *why)
+static void assert_rejected(const void *bytes, size_t count, const c205_model *other,
+                            const char *why)
 {
     c205_error error = { "" };
     assert_null(c205_restore(bytes, count, other, &error));
@@ -214,30 +195,27 @@ static void assert_refused(const void *bytes, size_t count, const c205_model *ot
  * detected. */
 TEST(truncated)
 {
-    struct bytes bytes = in_the_middle(1300);
+    SCOPED_VALUE(bytes) bytes = in_the_middle();
     for (size_t count = 0; count < bytes.count; count++) {
-        unsigned char *part = malloc(count ? count : 1);
+        FREED unsigned char *part = malloc(count ? count : 1);
         assert_non_null(part);
         memcpy(part, bytes.byte, count);
-        assert_refused(part, count, prior_model,
-                       count < WORD_BYTES ? "not a saved machine" : "damaged");
-        free(part);
+        assert_rejected(part, count, prior_model,
+                        count < WORD_BYTES ? "not a saved machine" : "damaged");
     }
-    free(bytes.byte);
 }
 
 TEST(flipped)
 {
-    struct bytes bytes = in_the_middle(1300);
+    SCOPED_VALUE(bytes) bytes = in_the_middle();
     for (size_t i = 0; i < bytes.count; i++) {
         unsigned char bit = (unsigned char)(1 << xorshift(&random_state) % 8);
         bytes.byte[i] ^= bit;
-        assert_refused(bytes.byte, bytes.count, prior_model, "");
+        assert_rejected(bytes.byte, bytes.count, prior_model, "");
         bytes.byte[i] ^= bit;
     }
     append(&bytes, "beyond..", WORD_BYTES);
-    assert_refused(bytes.byte, bytes.count, prior_model, "damaged");
-    free(bytes.byte);
+    assert_rejected(bytes.byte, bytes.count, prior_model, "damaged");
 }
 
 /* With a correct hash, any word may have any value: the result is an error or a machine
@@ -248,7 +226,8 @@ static void try_word(struct bytes *bytes, size_t i, uint64_t word)
     c205_error error = { "" };
     put_word(bytes, i, word);
     seal(bytes);
-    c205 *machine = c205_restore(bytes->byte, bytes->count, prior_model, &error);
+    SCOPED(c205) *machine = c205_restore(bytes->byte, bytes->count, prior_model,
+                                         &error);
     put_word(bytes, i, before);
     if (!machine) {
         assert_true(error.message[0]);
@@ -256,12 +235,11 @@ static void try_word(struct bytes *bytes, size_t i, uint64_t word)
     }
     machine = replace(machine);
     c205_run(machine, c205_clock(machine) + 4000);
-    c205_free(machine);
 }
 
 TEST(forged)
 {
-    struct bytes bytes = in_the_middle(1300);
+    SCOPED_VALUE(bytes) bytes = in_the_middle();
     bytes.byte = realloc(bytes.byte, bytes.count); /* an allocation of exact size */
     assert_non_null(bytes.byte);
     size_t words = bytes.count / WORD_BYTES;
@@ -273,54 +251,47 @@ TEST(forged)
         try_word(&bytes, i, get_word(&bytes, i) + 1);
         try_word(&bytes, i, random >> random % 64);
     }
-    free(bytes.byte);
 }
 
 TEST(foreign)
 {
     static const char text[] = "c205-object 1\nentry 400000\nend\n";
-    struct bytes bytes = in_the_middle(1300);
+    SCOPED_VALUE(bytes) bytes = in_the_middle();
     c205_error error;
-    c205_model *other = c205_model_find("cyber205-4pipe-prior", &error);
+    SCOPED(c205_model) *other = c205_model_find("cyber205-4pipe-prior", &error);
     assert_non_null(other);
-    assert_refused(bytes.byte, bytes.count, other, "cyber205-2pipe-prior");
-    assert_refused(text, sizeof text, prior_model, "not a saved machine");
+    assert_rejected(bytes.byte, bytes.count, other, "cyber205-2pipe-prior");
+    assert_rejected(text, sizeof text, prior_model, "not a saved machine");
     put_word(&bytes, 1, get_word(&bytes, 1) + 1);
     seal(&bytes);
-    assert_refused(bytes.byte, bytes.count, prior_model, "another version");
-    free(bytes.byte);
-    c205_model_free(other);
+    assert_rejected(bytes.byte, bytes.count, prior_model, "another version");
 }
 
 /* A model with other names and sources but the same constants is accepted. */
 TEST(same_constants)
 {
     c205_error error = { "" };
-    c205_model *same = c205_model_parse("renamed",
-                                        "title As before\nlike cyber205-2pipe-prior\n"
-                                        "latency.load 15.0 clk P\n",
-                                        &error);
-    struct bytes bytes = in_the_middle(1300);
+    SCOPED(c205_model)
+    *same = c205_model_parse("renamed",
+                             "title As before\nlike cyber205-2pipe-prior\n"
+                             "latency.load 15.0 clk P\n",
+                             &error);
+    SCOPED_VALUE(bytes) bytes = in_the_middle();
     assert_non_null(same);
-    c205 *machine = c205_restore(bytes.byte, bytes.count, same, &error);
+    SCOPED(c205) *machine = c205_restore(bytes.byte, bytes.count, same, &error);
     assert_non_null(machine);
-    c205_free(machine);
-    c205_model_free(same);
-    free(bytes.byte);
 }
 
 TEST(no_room)
 {
-    c205 *machine = machine_from("asm/examples/dot.s", prior_model);
+    SCOPED(c205) *machine = machine_from("asm/examples/dot.s", prior_model);
     c205_error error;
     for (size_t room = 1; room < 4000; room += 97) {
-        struct bytes bytes = { 0, room, NULL, 0 };
+        SCOPED_VALUE(bytes) bytes = { 0, room, NULL, 0 };
         error.message[0] = '\0';
         assert_false(c205_save(machine, append, &bytes, &error));
         assert_true(error.message[0]);
-        free(bytes.byte);
     }
-    c205_free(machine);
 }
 
 GROUP(set_up_model, tear_down_model);
