@@ -38,6 +38,24 @@ void assert_vector(const double a[3], double x, double y, double z)
     assert_close(a[2], z, CLOSE);
 }
 
+void assert_numbers(const double *found, const double *expected, size_t count,
+                    double within)
+{
+    for (size_t i = 0; i < count; i++)
+        assert_close(found[i], expected[i], within);
+}
+
+char *repeated(const char *head, const char *part, size_t count)
+{
+    size_t start = strlen(head), length = strlen(part);
+    char *text = malloc(start + count * length + 1);
+    assert_non_null(text);
+    memcpy(text, head, start + 1);
+    for (size_t i = 0; i < count; i++)
+        memcpy(text + start + i * length, part, length + 1);
+    return text;
+}
+
 struct scene *read_versioned(const char *name, const char *text,
                              const struct scene_options *how,
                              struct diagnostics *reports)
@@ -53,11 +71,22 @@ struct scene *read_versioned(const char *name, const char *text,
     return scene;
 }
 
+struct scene *read_reported(const char *text, const struct scene_options *how,
+                            struct diagnostics *reports)
+{
+    struct scene *scene = read_versioned("test.pov", text, how, reports);
+    if (!scene) {
+        diagnostics_print(reports, stderr);
+        fail_msg("is not read: %.200s", text);
+    }
+    return scene;
+}
+
 struct scene *read_with(const char *text, size_t expected)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
-    if (!scene || reports.count != expected) {
+    struct scene *scene = read_reported(text, &reading_options, &reports);
+    if (reports.count != expected) {
         diagnostics_print(&reports, stderr);
         fail_msg("%zu reports, expected %zu: %s", reports.count, expected, text);
     }
@@ -101,14 +130,22 @@ void assert_errors(const struct line_error *errors, size_t count)
                      errors[i].message);
 }
 
+void assert_place_errors(const struct place_error *errors, size_t count,
+                         const struct scene_options *how)
+{
+    for (size_t i = 0; i < count; i++)
+        assert_error(errors[i].text, how, errors[i].line, errors[i].column,
+                     errors[i].message);
+}
+
 void assert_refused(const char *text, size_t most, const char *message)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
-    bool said = false;
-    for (size_t i = 0; i < reports.count; i++)
-        said = said || strstr(reports.items[i].message, message);
-    if (scene || !said || reports.count > most) {
+    const struct diagnostic *first = reports.items;
+    if (scene || reports.count > most
+        || (!strstr(first->message, message)
+            && !strstr(first[reports.count - 1].message, message))) {
         diagnostics_print(&reports, stderr);
         fail_msg("%zu reports, not '%s', of: %.80s", reports.count, message, text);
     }

@@ -19,6 +19,11 @@ void write_bytes(const char *path, const char *bytes, size_t count);
 
 void assert_close(double a, double b, double within);
 void assert_vector(const double a[3], double x, double y, double z);
+void assert_numbers(const double *found, const double *expected, size_t count,
+                    double within);
+
+/* Returns `head` with `count` copies of `part` after it. The caller frees the text. */
+char *repeated(const char *head, const char *part, size_t count);
 
 /* Calls scene_read_text on a text after prefixing #version 3.7. Columns of line 1 in
  * reports are corrected to those of the text. */
@@ -26,6 +31,9 @@ struct scene *read_versioned(const char *name, const char *text,
                              const struct scene_options *how,
                              struct diagnostics *reports);
 
+/* Calls read_versioned on a text that must be accepted, with any reports. */
+struct scene *read_reported(const char *text, const struct scene_options *how,
+                            struct diagnostics *reports);
 /* Reads a scene that must have no error and exactly `expected` reports. */
 struct scene *read_with(const char *text, size_t expected);
 struct scene *read_scene(const char *text);
@@ -51,8 +59,17 @@ struct line_error {
 };
 void assert_errors(const struct line_error *errors, size_t count);
 
-/* Fails unless the text is rejected with at most `most` reports, one of which contains
- * `message`. */
+/* A text of any lines and its only error. */
+struct place_error {
+    const char *text;
+    size_t line, column;
+    const char *message; /* part of the error's text */
+};
+void assert_place_errors(const struct place_error *errors, size_t count,
+                         const struct scene_options *how);
+
+/* Fails unless the text is rejected with at most `most` reports, and the first or the
+ * last one contains `message`. */
 void assert_refused(const char *text, size_t most, const char *message);
 
 #endif

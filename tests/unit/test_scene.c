@@ -26,6 +26,7 @@ TEST(defaults)
     assert_vector(scene->ambient_light, 1, 1, 1);
     assert_true(scene->assumed_gamma == 0);
     assert_int_equal(scene->max_trace_level, 5);
+    assert_close(scene->adc_bailout, 1. / 255, 0);
     assert_vector(sphere->finish.ambient, .1, .1, .1);
     assert_close(sphere->finish.diffuse, .6, CLOSE);
     assert_close(sphere->finish.phong, 0, CLOSE);
@@ -484,10 +485,11 @@ TEST(settings)
 {
     SCOPED(scene) *scene = read_scene(
         "global_settings { assumed_gamma 1 ambient_light rgb <.5, 1, 2>"
-        " max_trace_level 7 }");
+        " max_trace_level 7 adc_bailout 1/100 }");
     assert_close(scene->assumed_gamma, 1, 0);
     assert_vector(scene->ambient_light, .5, 1, 2);
     assert_int_equal(scene->max_trace_level, 7);
+    assert_close(scene->adc_bailout, .01, CLOSE);
 }
 
 /* The smallest and the largest level, and the values outside. */

@@ -52,6 +52,7 @@ static void check_regions(const char *text, size_t reports, const char *expected
 #define B "box { 0, 1 }"
 #define C "plane { y, 0 }"
 #define D "torus { 1, .2 }"
+#define E "triangle { 0, x, y }"
 
 TEST(trees)
 {
@@ -129,6 +130,11 @@ TEST(trees)
           "|(0,1) ++", 0 },
         { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }", "0 1 ++", 0 },
         { "union { " A B " bounded_by { clipped_by } }", "0 1 ++", 0 },
+        /* As in POV-Ray, surfaces are not inverted, also within an inverted solid. */
+        { "difference { " B " mesh { " E " } }", "&(0,1) ++", 1 },
+        { "difference { " B " mesh { " E " inside_vector z } }", "&(0,!(1)) +-", 0 },
+        { "union { " B E A " inverse }", "&(!(0),1,!(2)) -+-", 0 },
+        { "object { union { " B E " inverse } inverse }", "|(0,1) ++", 0 },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
@@ -167,64 +173,54 @@ TEST(transforms)
     assert_true(p[0].no_shadow && p[1].no_shadow);
 }
 
-/* no_shadow applies to a solid as a unit, and to each part of a union separately. */
-TEST(no_shadow)
-{
-    static const struct {
-        const char *text;
-        bool no_shadow[2];
-    } rows[] = {
-        { "union { sphere { 0, 1 no_shadow } " B " }", { true, false } },
-        { "union { " A B " no_shadow }", { true, true } },
-        { "merge { sphere { 0, 1 no_shadow } " B " }", { false, false } },
-        { "merge { sphere { 0, 1 no_shadow } " B " no_shadow }", { true, true } },
-        { "intersection { sphere { 0, 1 no_shadow }"
-          " sphere { x, 1 no_shadow } }",
-          { false, false } },
-        { "difference { union { sphere { 0, 1 no_shadow } " B " } " C " }",
-          { false, false } },
-        { "union { difference { " A C " no_shadow } " B " }", { true, true } },
-        { "union { merge { " A B " } " C " no_shadow }", { true, true } },
-    };
-
-    for (size_t i = 0; i < COUNT(rows); i++) {
-        SCOPED(scene) *scene = read_scene(rows[i].text);
-        for (int k = 0; k < 2; k++)
-            assert_int_equal(scene->primitives[k].no_shadow, rows[i].no_shadow[k]);
-    }
-}
-
-/* An object hides all parts that have no word of their own. On a part of a solid the
- * words have no effect. */
+/* no_shadow applies to a solid as a unit, and to each part of a union separately. An
+ * object hides all parts that have no word of their own. On a part of a solid the words
+ * have no effect. The letters s, i and r of each primitive are no_shadow, no_image and
+ * no_reflection; `-` is none. */
 TEST(hidden)
 {
-    static const struct {
-        const char *text;
-        unsigned hidden_from[2];
-    } rows[] = {
-        { "union { " A B " no_image }", { 1, 1 } },
-        { "union { sphere { 0, 1 no_reflection } " B " no_image }", { 3, 1 } },
-        { "union { sphere { 0, 1 no_image } " B " no_image off }", { 1, 0 } },
+    static const char *const rows[][2] = {
+        { "union { sphere { 0, 1 no_shadow } " B " }", "s -" },
+        { "union { " A B " no_shadow }", "s s" },
+        { "merge { sphere { 0, 1 no_shadow } " B " }", "- -" },
+        { "merge { sphere { 0, 1 no_shadow } " B " no_shadow }", "s s" },
+        { "intersection { sphere { 0, 1 no_shadow }"
+          " sphere { x, 1 no_shadow } }",
+          "- -" },
+        { "difference { union { sphere { 0, 1 no_shadow } " B " } " C " }", "- - -" },
+        { "union { difference { " A C " no_shadow } " B " }", "s s -" },
+        { "union { merge { " A B " } " C " no_shadow }", "s s s" },
+        { "union { " A B " no_image }", "i i" },
+        { "union { sphere { 0, 1 no_reflection } " B " no_image }", "ir i" },
+        { "union { sphere { 0, 1 no_image } " B " no_image off }", "i -" },
         { "#declare U = union { " A B " no_image no_reflection }"
           " object { U no_image off }",
-          { 2, 2 } },
+          "r r" },
         { "#declare U = union { sphere { 0, 1 no_image } " B " }"
           " union { object { U no_image 0 } " C " no_reflection -1 }",
-          { 1, 0 } },
-        { "object { merge { " A B " no_image } no_reflection .5 }", { 3, 3 } },
-        { "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }", { 0, 0 } },
+          "i - -" },
+        { "object { merge { " A B " no_image } no_reflection .5 }", "ir ir" },
+        { "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }", "- -" },
         { "intersection { sphere { 0, 1 no_image no_reflection } " B " no_image }",
-          { 1, 1 } },
-        { "sphere { 0, 1 clipped_by { " C " } no_image }", { 1, 3 } },
+          "i i" },
+        { "sphere { 0, 1 clipped_by { " C " } no_image }", "i sir" },
         { "light_source { 0, 1 looks_like {"
           " union { sphere { 0, 1 no_image } " B " no_reflection } } }",
-          { 0, 0 } },
+          "s s" },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        SCOPED(scene) *scene = read_scene(rows[i].text);
-        for (int k = 0; k < 2; k++)
-            assert_int_equal(scene->primitives[k].hidden_from, rows[i].hidden_from[k]);
+        SCOPED(scene) *scene = read_scene(rows[i][0]);
+        char found[40] = "", *to = found;
+        for (size_t k = 0; k < scene->primitive_count; k++) {
+            const struct primitive *p = &scene->primitives[k];
+            bool none = !p->no_shadow && !p->hidden_from;
+            to += sprintf(to, "%s%s%s%s%s", k > 0 ? " " : "", none ? "-" : "",
+                          p->no_shadow ? "s" : "", p->hidden_from & 1 ? "i" : "",
+                          p->hidden_from & 2 ? "r" : "");
+        }
+        if (strcmp(found, rows[i][1]) != 0)
+            fail_msg("%s: %s, expected %s", rows[i][0], found, rows[i][1]);
     }
 }
 
@@ -448,41 +444,16 @@ TEST(reflections)
     }
 }
 
-TEST(settings)
-{
-    SCOPED(scene) *plain = read_scene(A);
-    SCOPED(scene) *scene = read_scene("global_settings { adc_bailout 1/100 "
-                                      "max_trace_level 12 } " A);
-    assert_close(plain->adc_bailout, 1. / 255, 0);
-    assert_int_equal(plain->max_trace_level, 5);
-    assert_close(scene->adc_bailout, .01, CLOSE);
-    assert_int_equal(scene->max_trace_level, 12);
-}
-
 /* ---- Depth -------------------------------------------------------------- */
 
-/* Fails unless the first error of a text contains `message`. */
-static void check_error(const char *text, const char *message)
-{
-    SCOPED_VALUE(diagnostics) reports = { 0 };
-    assert_null(scene_read_text("test.pov", text, &reading_options, &reports));
-    assert_true(reports.errors > 0);
-    assert_non_null(strstr(reports.items->message, message));
-}
+enum { DEEP = 10000 };
 
 TEST(deep_text)
 {
-    enum { DEEP = 10000 };
-    static const char level[] = "difference { " A " ";
-    FREED char *text = malloc(DEEP * sizeof level + DEEP * 2);
-    char *end = text;
-
-    for (int i = 0; i < DEEP; i++)
-        end += sprintf(end, "%s", level);
-    end += sprintf(end, "%s", B);
-    for (int i = 0; i < DEEP; i++)
-        end += sprintf(end, " }");
-    check_error(text, "levels of nesting");
+    FREED char *open = repeated("", "difference { " A " ", DEEP);
+    FREED char *middle = repeated(open, B, 1);
+    FREED char *text = repeated(middle, " }", DEEP);
+    assert_refused(text, 3, "levels of nesting");
 }
 
 /* The limit for a union is that of a scene; a single solid has a lower one. */
@@ -494,24 +465,21 @@ TEST(large_solids)
     scene_free(read_scene(text));
     char *end = text + strlen(text);
     strcpy(end, "object { U inverse }");
-    check_error(text, "more than 10000 primitives in one solid");
+    assert_refused(text, 1, "more than 10000 primitives in one solid");
     strcpy(end, "merge { object { U } " A " }");
-    check_error(text, "more than 10000 primitives in one solid");
+    assert_refused(text, 1, "more than 10000 primitives in one solid");
 }
 
 /* Many levels of named solids: copies are counted. */
 TEST(deep_names)
 {
-    enum { DEEP = 10000, LONGEST = 80 };
-    FREED char *text = malloc(DEEP * LONGEST);
-    char *end = text + sprintf(text, "#declare H = " A " ");
+    FREED char *solids = repeated("#declare H = " A " ",
+                                  "#declare H = difference { object { H } " A " } ",
+                                  DEEP);
+    FREED char *inverses = repeated("#declare H = " A " ",
+                                    "#declare H = object { H inverse } ", DEEP + 1);
+    FREED char *text = repeated(inverses, "object { H }", 1);
 
-    for (int i = 0; i < DEEP; i++)
-        end += sprintf(end, "#declare H = difference { object { H } " A " } ");
-    check_error(text, "including copies");
-    end = text + sprintf(text, "#declare H = " A " ");
-    for (int i = 0; i <= DEEP; i++)
-        end += sprintf(end, "#declare H = object { H inverse } ");
-    sprintf(end, "object { H }");
+    assert_refused(solids, 201, "including copies");
     check_regions(text, 0, "!(0) -");
 }

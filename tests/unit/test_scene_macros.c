@@ -89,11 +89,7 @@ TEST(lines)
 
 TEST(errors)
 {
-    static const struct {
-        const char *text;
-        size_t line, column;
-        const char *message;
-    } rows[] = {
+    static const struct place_error rows[] = {
         { "#macro S(R)\n sphere { 0, Q }\n#end\nS(1) S(2)", 2, 14,
           "'Q', which is not declared, in 'S' called at test.pov:4:1" },
         { "#macro A(N)\nsphere { 0, N }\n#end\n#macro B(N)\nA(N)\n#end\nB(x)", 2, 13,
@@ -119,9 +115,7 @@ TEST(errors)
         { "#macro R(A) R(R(A)) #end\nR(1)", 1, 15, "200" },
     };
 
-    for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &reading_options, rows[i].line, rows[i].column,
-                     rows[i].message);
+    assert_place_errors(rows, COUNT(rows), &reading_options);
 }
 
 /* ---- Bounds ------------------------------------------------------------- */

@@ -215,11 +215,7 @@ TEST(moved_texture)
 
 TEST(messages)
 {
-    static const struct {
-        const char *text;
-        size_t line, column;
-        const char *message;
-    } rows[] = {
+    static const struct place_error rows[] = {
         { LOOKS "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
                 "texture { A } } }",
           4, 27,
@@ -238,9 +234,7 @@ TEST(messages)
           "<1, 0, 0> is used instead" },
     };
 
-    for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &strict_options, rows[i].line, rows[i].column,
-                     rows[i].message);
+    assert_place_errors(rows, COUNT(rows), &strict_options);
 }
 
 /* Transparent pigments of a mesh are recorded as such. */
@@ -257,35 +251,6 @@ TEST(clear)
 }
 
 /* ---- In solids ----------------------------------------------------------- */
-
-static void assert_nodes(const char *text, size_t reports,
-                         const enum tree_operation *operations, size_t count)
-{
-    SCOPED(scene) *scene = read_with(text, reports);
-    assert_int_equal(scene->node_count, count);
-    for (size_t i = 0; i < count; i++)
-        assert_int_equal(scene->nodes[i].operation, operations[i]);
-}
-
-#define ASSERT_NODES(text, reports, ...) \
-    assert_nodes(text, reports, (enum tree_operation[]){ __VA_ARGS__ }, \
-                 sizeof((enum tree_operation[]){ __VA_ARGS__ }) \
-                     / sizeof(enum tree_operation))
-
-/* As in POV-Ray, surfaces are not inverted, also within an inverted solid. */
-TEST(inverted)
-{
-    ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } } }", 1,
-                 TREE_AND, TREE_LEAF, TREE_LEAF);
-    ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } "
-                 "inside_vector z } }",
-                 0, TREE_AND, TREE_LEAF, TREE_NOT, TREE_LEAF);
-    ASSERT_NODES("union { box { 0, 1 } triangle { 0, x, y } sphere { 0, 1 } inverse }",
-                 0, TREE_AND, TREE_NOT, TREE_LEAF, TREE_LEAF, TREE_NOT, TREE_LEAF);
-    ASSERT_NODES("object { union { box { 0, 1 } triangle { 0, x, y } inverse "
-                 "} inverse }",
-                 0, TREE_OR, TREE_LEAF, TREE_LEAF);
-}
 
 TEST(clipped)
 {

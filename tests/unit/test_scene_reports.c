@@ -9,11 +9,7 @@
 /* Each text has exactly this error. */
 TEST(errors)
 {
-    static const struct {
-        const char *text;
-        size_t line, column;
-        const char *message; /* part of the message */
-    } rows[] = {
+    static const struct place_error rows[] = {
         { "ovus { }", 1, 1, "'ovus' is not supported" },
         { "union { sphere { 0, 1 }\n ovus { 0, 1, y, 0 } }", 2, 2, "'ovus'" },
         { "difference { sphere { 0 1 } sor { } }", 1, 29, "'sor'" },
@@ -101,19 +97,13 @@ TEST(errors)
         { "sphere { 0, 1 scale 1e200 scale 1e200 }", 1, 1, "out of range" },
     };
 
-    for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &reading_options, rows[i].line, rows[i].column,
-                     rows[i].message);
+    assert_place_errors(rows, COUNT(rows), &reading_options);
 }
 
 /* Each text has exactly this report, which is an error in strict mode. */
 TEST(reports)
 {
-    static const struct {
-        const char *text;
-        size_t column;
-        const char *message;
-    } rows[] = {
+    static const struct line_error rows[] = {
         { "sphere { 0, 1 normal { bumps .5 scale { } } }", 24, "'bumps'" },
         { "sphere { 0, 1e200 } sphere { 0, 1 }", 1,
           "sphere is too large or too small to be traced: the shape is ignored" },
@@ -191,33 +181,6 @@ TEST(reports)
     }
 }
 
-TEST(first_colors)
-{
-    static const char *const texts[] = {
-        "bozo color_map { [0 rgb <1, 2, 3>] [1 rgb 0] }",
-        "granite colour_map { [0, .5 color C color rgb 0] [.5, 1 x x] }",
-        "square color rgb <1, 2, 3>, color rgb 0",
-        "triangular C, C*2, C*3",
-        "wood pigment_map { [0 C] [1 checker C, rgb 0] }",
-        "image_map { hdr \"a.hdr\" } color C",
-    };
-
-    for (size_t i = 0; i < COUNT(texts); i++) {
-        SCOPED_VALUE(diagnostics) reports = { 0 };
-        char text[300];
-        snprintf(text, sizeof text,
-                 "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
-                 texts[i]);
-        SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options,
-                                              &reports);
-        if (!scene)
-            diagnostics_print(&reports, stderr);
-        assert_non_null(scene);
-        assert_vector(scene->primitives->pigment.color[0], 1, 2, 3);
-        assert_true(reports.count > 0);
-    }
-}
-
 /* One reading finds all errors and continues after each. */
 TEST(all_errors)
 {
@@ -255,10 +218,7 @@ static void write_file(const char *folder, const char *name, const char *text)
 {
     char path[200];
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
+    write_bytes(path, text, strlen(text));
 }
 
 static void delete_files(const char *folder, const char *const *names)
@@ -315,17 +275,6 @@ TEST(includes)
     diagnostics_free(&reports);
 }
 
-static char *repeated(const char *head, const char *part, size_t count)
-{
-    size_t start = strlen(head), length = strlen(part);
-    char *text = malloc(start + count * length + 1);
-    assert_non_null(text);
-    memcpy(text, head, start + 1);
-    for (size_t i = 0; i < count; i++)
-        memcpy(text + start + i * length, part, length + 1);
-    return text;
-}
-
 /* The stack, the memory and the list of reports are limited. */
 TEST(bounds)
 {
@@ -354,9 +303,8 @@ TEST(many_places)
     FREED char *text = repeated("", "sphere { 0, 1 finish { crand 2 } }\n",
                                 COUNT_OF_SPHERES);
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    SCOPED(scene) *scene = read_reported(text, &reading_options, &reports);
 
-    assert_non_null(scene);
     assert_int_equal(scene->primitive_count, COUNT_OF_SPHERES);
     assert_int_equal(reports.errors, 0);
     assert_int_equal(reports.count, 1);
@@ -368,11 +316,10 @@ TEST(many_reports)
 {
     enum { MAX_TOLD = 200 };
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    SCOPED(scene) *scene = read_versioned(
-        "test.pov", "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
-        &reading_options, &reports);
+    SCOPED(scene) *scene =
+        read_reported("#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
+                      &reading_options, &reports);
 
-    assert_non_null(scene);
     assert_int_equal(reports.errors, 0);
     assert_int_equal(reports.count, MAX_TOLD + 1);
     assert_string_equal(reports.items[MAX_TOLD - 1].message, "no 200");
@@ -385,9 +332,8 @@ TEST(lost_notes)
     enum { NOTES = 100001 };
     FREED char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    SCOPED(scene) *scene = read_reported(text, &reading_options, &reports);
 
-    assert_non_null(scene);
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[0].message, "(100000 places"));
     assert_int_equal(reports.items[1].line, NOTES);
