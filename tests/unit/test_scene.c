@@ -130,9 +130,8 @@ TEST(rotations)
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("#declare V = <1, 2 3>; sphere { %s 1 }",
                                            rows[i].text);
-        for (int k = 0; k < 3; k++)
-            assert_close(scene->primitives->shape.sphere.center[k], rows[i].value[k],
-                         PRINTED);
+        assert_numbers(scene->primitives->shape.sphere.center, rows[i].value, 3,
+                       PRINTED);
     }
 }
 
@@ -162,39 +161,41 @@ TEST(colors)
         SCOPED(scene) *scene = read_format(
             "#include \"colors.inc\"\n#declare W = rgb 1; background { %s }",
             rows[i].text);
-        for (int k = 0; k < 3; k++)
-            assert_close(scene->background[k], rows[i].rgb[k], PRINTED);
+        assert_numbers(scene->background, rows[i].rgb, 3, PRINTED);
     }
 }
 
 TEST(camera)
 {
-    struct scene *scene = read_scene("camera { look_at 0 angle 90 right x*4/3"
-                                     " location <0, 0, -5> }");
-    assert_vector(scene->camera.location, 0, 0, -5);
-    assert_vector(scene->camera.direction, 0, 0, 2. / 3);
-    assert_vector(scene->camera.right, 4. / 3, 0, 0);
-    scene_free(scene);
+    static const struct {
+        const char *text;
+        double vectors[4 * 3]; /* location, direction, right and up */
+    } rows[] = {
+        { "camera { look_at 0 angle 90 right x*4/3 location <0, 0, -5> }",
+          { 0, 0, -5, 0, 0, 2. / 3, 4. / 3, 0, 0, 0, 1, 0 } },
+        /* The camera is right-handed, with x up. */
+        { "camera { right -2*x sky x up 3*y direction 2*z location 4*z look_at 0 }",
+          { 0, 0, 4, 0, 0, -2, 0, -2, 0, 3, 0, 0 } },
+        { "#declare C = camera { perspective location -z }"
+          "camera { C rotate 90*y translate 5*y scale 2 }",
+          { -2, 10, 0, 2, 0, 0, 0, 0, -2.66, 0, 2, 0 } },
+    };
+    static const char *const reported[] = {
+        "camera { look_at y }", /* along the sky */
+        "camera { } camera { location x }",
+        "camera { aperture 1 blur_samples 257 focal_point y }",
+        "camera { aperture 1 blur_samples 4 }",
+    };
 
-    /* The camera is right-handed, with x up. */
-    scene = read_scene("camera { right -2*x sky x up 3*y direction 2*z"
-                       " location 4*z look_at 0 }");
-    assert_vector(scene->camera.direction, 0, 0, -2);
-    assert_vector(scene->camera.right, 0, -2, 0);
-    assert_vector(scene->camera.up, 3, 0, 0);
-    scene_free(scene);
-
-    scene = read_scene("#declare C = camera { perspective location -z }"
-                       "camera { C rotate 90*y translate 5*y scale 2 }");
-    assert_vector(scene->camera.location, -2, 10, 0);
-    assert_vector(scene->camera.direction, 2, 0, 0);
-    assert_vector(scene->camera.up, 0, 2, 0);
-    scene_free(scene);
-
-    scene_free(read_with("camera { look_at y }", 1)); /* along the sky */
-    scene_free(read_with("camera { } camera { location x }", 1));
-    scene_free(read_with("camera { aperture 1 blur_samples 257 focal_point y }", 1));
-    scene_free(read_with("camera { aperture 1 blur_samples 4 }", 1));
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED(scene) *scene = read_scene(rows[i].text);
+        const double *vectors[] = { scene->camera.location, scene->camera.direction,
+                                    scene->camera.right, scene->camera.up };
+        for (size_t k = 0; k < COUNT(vectors); k++)
+            assert_numbers(vectors[k], rows[i].vectors + 3 * k, 3, CLOSE);
+    }
+    for (size_t i = 0; i < COUNT(reported); i++)
+        scene_free(read_with(reported[i], 1));
 }
 
 TEST(fogs)
@@ -275,15 +276,6 @@ TEST(primitives)
     assert_string_equal(primitive_kind_name(p[2].kind), "cylinder");
 }
 
-static void assert_inverse(const struct primitive *primitive)
-{
-    const double point[3] = { .3, -2, 5 };
-    double world[3], back[3];
-    map(&primitive->to_world, point, world);
-    map(&primitive->to_local, world, back);
-    assert_vector(back, point[0], point[1], point[2]);
-}
-
 TEST(transforms)
 {
     static const struct {
@@ -307,14 +299,15 @@ TEST(transforms)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         const double point[3] = { 1, 2, 3 };
-        double image[3];
+        double image[3], back[3];
         SCOPED(scene) *scene = read_format(
             "#declare T = transform { translate <1, 0, -1> scale <1, 2, 1> }"
             "sphere { 0, 1 %s }",
             rows[i].text);
         map(&scene->primitives->to_world, point, image);
-        assert_vector(image, rows[i].image[0], rows[i].image[1], rows[i].image[2]);
-        assert_inverse(scene->primitives);
+        map(&scene->primitives->to_local, image, back);
+        assert_numbers(image, rows[i].image, 3, CLOSE);
+        assert_numbers(back, point, 3, CLOSE);
         assert_true(scene->primitives->transformed);
     }
 }
@@ -406,34 +399,27 @@ TEST(beams)
         "light_source { 2*y, 1 parallel }\n"
         "light_source { 2*y, 1 fade_distance 3 }\n"
         "light_source { 2*y, 1 cylinder tightness 4 spotlight }\n");
-    const struct light *lights = scene->lights;
-    assert_int_equal(scene->light_count, 7);
-    assert_int_equal(lights[0].beam, BEAM_CONE);
-    assert_vector(lights[0].position, -8, 0, 1);
-    assert_vector(lights[0].point_at, 0, 2, 1);
-    assert_close(lights[0].radius, 10, 0);
-    assert_close(lights[0].falloff, 20, 0);
-    assert_close(lights[0].tightness, 3, 0);
-    assert_false(lights[0].parallel);
-    assert_int_equal(lights[1].beam, BEAM_CYLINDER);
-    assert_true(lights[1].parallel);
-    assert_vector(lights[1].point_at, 0, 0, 1);
-    assert_close(lights[1].radius, .75, 0);
-    assert_close(lights[1].falloff, 1, 0);
-    assert_close(lights[1].fade_distance, 3, 0);
-    assert_close(lights[1].fade_power, 2, 0);
-    assert_int_equal(lights[2].beam, BEAM_CONE);
-    assert_false(lights[2].shadowless);
-    assert_close(lights[2].radius, 30, 0);
-    assert_close(lights[2].falloff, 50, 0);
-    assert_int_equal(lights[3].beam, BEAM_NONE);
-    assert_true(lights[3].shadowless && lights[3].parallel);
-    assert_int_equal(lights[4].beam, BEAM_NONE);
-    assert_true(lights[4].parallel);
-    assert_close(lights[5].fade_power, 0, 0);
-    assert_int_equal(lights[6].beam, BEAM_CONE);
-    assert_true(lights[6].parallel);
-    assert_close(lights[6].tightness, 0, 0);
+    /* Position, point_at, kind, radius, falloff, tightness, the distance and power of
+     * fading, whether parallel and whether shadowless. */
+    static const double expected[][14] = {
+        { -8, 0, 1, 0, 2, 1, BEAM_CONE, 10, 20, 3, 0, 0, false, false },
+        { 0, 2, 0, 0, 0, 1, BEAM_CYLINDER, .75, 1, 0, 3, 2, true, false },
+        { 0, 2, 0, 0, 0, 1, BEAM_CONE, 30, 50, 0, 0, 0, false, false },
+        { 0, 2, 0, 0, 0, 1, BEAM_NONE, 2, 1, 0, 0, 0, true, true },
+        { 0, 2, 0, 0, 0, 1, BEAM_NONE, 0, 0, 0, 0, 0, true, false },
+        { 0, 2, 0, 0, 0, 1, BEAM_NONE, 0, 0, 0, 3, 0, false, false },
+        { 0, 2, 0, 0, 0, 1, BEAM_CONE, 30, 45, 0, 0, 0, true, false },
+    };
+    assert_int_equal(scene->light_count, COUNT(expected));
+    for (size_t i = 0; i < COUNT(expected); i++) {
+        const struct light *l = &scene->lights[i];
+        const double rest[] = { l->beam,      l->radius,        l->falloff,
+                                l->tightness, l->fade_distance, l->fade_power,
+                                l->parallel,  l->shadowless };
+        assert_numbers(l->position, expected[i], 3, CLOSE);
+        assert_numbers(l->point_at, expected[i] + 3, 3, CLOSE);
+        assert_numbers(rest, expected[i] + 6, COUNT(rest), 0);
+    }
 }
 
 TEST(areas)
@@ -486,6 +472,8 @@ TEST(settings)
     SCOPED(scene) *scene = read_scene(
         "global_settings { assumed_gamma 1 ambient_light rgb <.5, 1, 2>"
         " max_trace_level 7 adc_bailout 1/100 }");
+    SCOPED(scene) *curved = read_with("global_settings { assumed_gamma srgb }", 1);
+    assert_close(curved->assumed_gamma, 2.2, 0);
     assert_close(scene->assumed_gamma, 1, 0);
     assert_vector(scene->ambient_light, .5, 1, 2);
     assert_int_equal(scene->max_trace_level, 7);
@@ -503,12 +491,6 @@ TEST(trace_levels)
     }
     assert_refused("global_settings { max_trace_level 0 }", 1, "between 1 and 256");
     assert_refused("global_settings { max_trace_level 257 }", 1, "between 1 and 256");
-}
-
-TEST(gamma_of_srgb)
-{
-    SCOPED(scene) *scene = read_with("global_settings { assumed_gamma srgb }", 1);
-    assert_close(scene->assumed_gamma, 2.2, 0);
 }
 
 /* As in POV-Ray 3.7, the version at the end of the text counts. */
@@ -558,23 +540,15 @@ TEST(our_scenes)
     }
 }
 
-/* Returns the text of a file, which the caller frees. */
-static char *file_text(const char *path)
-{
-    c205_error error;
-    size_t length;
-    char *text = file_read(path, FILE_LARGEST, &length, &error);
-    assert_non_null(text);
-    return text;
-}
-
 /* Reads every example of a page as a scene. Returns their number. */
 static size_t read_examples(const char *page)
 {
     static const char open[] = "\n```pov\n", close[] = "\n```\n";
-    char *text = file_text(page), *end = text;
-    char *start = strstr(text, open);
-    size_t count = 0;
+    c205_error error = { "" };
+    size_t length, count = 0;
+    FREED char *text = file_read(page, FILE_LARGEST, &length, &error);
+    REQUIRE(text);
+    char *end = text, *start = strstr(text, open);
     for (; start; start = strstr(end, open), count++) {
         start += strlen(open);
         end = strstr(start, close);
@@ -582,7 +556,6 @@ static size_t read_examples(const char *page)
         *end++ = '\0';
         scene_free(read_scene(start));
     }
-    free(text);
     return count;
 }
 

@@ -3,6 +3,8 @@
  * value, or an error at another place, fails here. */
 #include "tests/unit/scene_reading.h"
 
+#include "base/file.h"
+
 static const char *said(const struct diagnostics *reports)
 {
     for (size_t i = 0; i < reports->count; i++)
@@ -13,42 +15,27 @@ static const char *said(const struct diagnostics *reports)
 
 /* ---- Lists -------------------------------------------------------------- */
 
-static char *file_text(const char *path)
-{
-    FILE *file = fopen(path, "r");
-    char *text = calloc(1, 1 << 16);
-    assert_non_null(file);
-    assert_non_null(text);
-    text[fread(text, 1, (1 << 16) - 1, file)] = '\0';
-    fclose(file);
-    return text;
-}
-
-static void check_list(const char *name)
-{
-    SCOPED_VALUE(diagnostics) reports = { 0 };
-    char path[100];
-    snprintf(path, sizeof path, "tests/language/%s.pov", name);
-    SCOPED(scene) *scene = scene_read(path, &reading_options, &reports);
-    snprintf(path, sizeof path, "tests/language/%s.txt", name);
-    FREED char *expected = file_text(path);
-    if (!scene || reports.count != 1) {
-        diagnostics_print(&reports, stderr);
-        fail_msg("%s.pov has something else to say", name);
-    }
-    assert_string_equal(said(&reports), expected);
-}
-
 /* NAME.txt is the output of #debug in POV-Ray for NAME.pov. */
 TEST(lists)
 {
-    check_list("values");
-    check_list("strings");
-    check_list("flow");
-    check_list("macros");
-    check_list("arrays");
-    check_list("functions");
-    check_list("splines");
+    static const char *const names[] = { "values", "strings",   "flow",   "macros",
+                                         "arrays", "functions", "splines" };
+    for (size_t i = 0; i < COUNT(names); i++) {
+        SCOPED_VALUE(diagnostics) reports = { 0 };
+        c205_error error = { "" };
+        size_t length;
+        char path[100];
+        snprintf(path, sizeof path, "tests/language/%s.pov", names[i]);
+        SCOPED(scene) *scene = scene_read(path, &reading_options, &reports);
+        snprintf(path, sizeof path, "tests/language/%s.txt", names[i]);
+        FREED char *expected = file_read(path, FILE_LARGEST, &length, &error);
+        REQUIRE(expected);
+        if (!scene || reports.count != 1) {
+            diagnostics_print(&reports, stderr);
+            fail_msg("%s.pov has other reports", names[i]);
+        }
+        assert_string_equal(said(&reports), expected);
+    }
 }
 
 /* ---- Errors ------------------------------------------------------------- */
@@ -185,8 +172,7 @@ TEST(debug)
         "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
         "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    SCOPED(scene) *scene = read_versioned("test.pov", text, &strict_options, &reports);
-    assert_non_null(scene);
+    SCOPED(scene) *scene = read_reported(text, &strict_options, &reports);
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.errors, 0);
     assert_string_equal(said(&reports), "one, 2.0\nthree\n");
@@ -200,8 +186,7 @@ TEST(warnings)
                                "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
                                "#end";
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
-    assert_non_null(scene);
+    SCOPED(scene) *scene = read_reported(text, &reading_options, &reports);
     assert_int_equal(reports.count, 3);
     assert_string_equal(reports.items[2].message, "other 1");
 }
@@ -209,10 +194,8 @@ TEST(warnings)
 TEST(too_much_said)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    SCOPED(scene) *scene =
-        read_versioned("test.pov", "#for (I, 1, 9999) #debug \"0123456789\" #end",
-                       &reading_options, &reports);
-    assert_non_null(scene);
+    SCOPED(scene) *scene = read_reported("#for (I, 1, 9999) #debug \"0123456789\" #end",
+                                         &reading_options, &reports);
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[1].message, "bytes of messages"));
 }

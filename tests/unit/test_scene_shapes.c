@@ -73,9 +73,8 @@ TEST(polynomials)
         "  33, 34, -2*sqrt(4)> sturm }\n");
     const struct primitive *p = scene->primitives;
     assert_int_equal(p[0].kind, PRIMITIVE_QUADRIC);
-    for (int i = 0; i < 9; i++)
-        assert_close(p[0].shape.quadric.coefficients[i], i + 1, 0);
-    assert_close(p[0].shape.quadric.coefficients[9], -1, 0);
+    assert_numbers(p[0].shape.quadric.coefficients,
+                   (double[]){ 1, 2, 3, 4, 5, 6, 7, 8, 9, -1 }, QUADRIC_TERMS, 0);
     assert_int_equal(p[1].kind, PRIMITIVE_QUARTIC);
     for (int i = 0; i < 34; i++)
         assert_close(p[1].shape.quartic.coefficients[i], i + 1, 0);
@@ -123,9 +122,7 @@ TEST(prisms)
     assert_close(p[0].shape.prism.high, 2, 0);
     assert_false(p[0].shape.prism.open);
     assert_int_equal(path->count, COUNT(expected));
-    for (size_t i = 0; i < path->count; i++)
-        for (int k = 0; k < 2; k++)
-            assert_close(path->points[i][k], expected[i][k], 0);
+    assert_numbers(path->points[0], expected[0], 2 * path->count, 0);
     assert_true(p[1].shape.prism.open && p[1].transformed);
     assert_int_equal(p[1].shape.prism.path.count, 4);
     assert_int_equal(p[2].shape.prism.path.count, 4);
@@ -153,9 +150,7 @@ TEST(quadratic_prisms)
     assert_close(p[0].shape.quadratic_prism.low, -1, 0);
     assert_false(p[0].shape.quadratic_prism.open);
     assert_int_equal(path->count, COUNT(expected));
-    for (size_t i = 0; i < path->count; i++)
-        for (int k = 0; k < 2; k++)
-            assert_close(path->points[i][k], expected[i][k], 0);
+    assert_numbers(path->points[0], expected[0], 2 * path->count, 0);
     assert_int_equal(p[1].kind, PRIMITIVE_QUADRATIC_PRISM);
     assert_true(p[1].shape.quadratic_prism.open);
 }
@@ -173,9 +168,7 @@ TEST(lathes)
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(p[0].kind, PRIMITIVE_LATHE);
     assert_int_equal(path->count, COUNT(expected));
-    for (size_t i = 0; i < path->count; i++)
-        for (int k = 0; k < 2; k++)
-            assert_close(path->points[i][k], expected[i][k], 0);
+    assert_numbers(path->points[0], expected[0], 2 * path->count, 0);
     assert_true(p[1].transformed);
     assert_int_equal(p[1].shape.lathe.path.count, 2);
 }
@@ -284,9 +277,6 @@ TEST(conditions)
 
 TEST(many_conditions)
 {
-    static const char open[] = "#ifndef (A) ";
-    char text[600 * sizeof open] = "";
-    for (size_t i = 0; i < 550; i++)
-        strcat(text, open);
+    FREED char *text = repeated("", "#ifndef (A) ", 550);
     assert_refused(text, 201, "more than 500");
 }
