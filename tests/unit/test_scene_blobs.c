@@ -27,7 +27,7 @@ static void assert_part(const struct blob_part *part, bool cylinder, double radi
 
 TEST(components)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "blob { threshold .7 sphere { <1, 2, 3>, -2, strength 4 }"
         " cylinder { x 2*y .5 strength -1 } component .5, 3, z"
         " sphere { 0 1, 0 } threshold .6 sphere { 0, 1, 1 } sturm 1 hierarchy off }");
@@ -41,10 +41,8 @@ TEST(components)
     assert_part(&parts[2], false, 3, .5);
     assert_vector(parts[2].base, 0, 0, 1);
     assert_part(&parts[3], false, 1, 1);
-    scene_free(scene);
-    scene = read_scene("blob { sphere { 0, 1, 2 } }");
-    assert_close(scene->primitives->shape.blob.threshold, 1, 0);
-    scene_free(scene);
+    SCOPED(scene) *other = read_scene("blob { sphere { 0, 1, 2 } }");
+    assert_close(other->primitives->shape.blob.threshold, 1, 0);
 }
 
 /* A component moves within the blob, then with it. */
@@ -74,15 +72,13 @@ TEST(looks)
         " cylinder { 0, x, 1, 1 texture { pigment { rgb y } } scale 2 }%s }";
     static const char *const own[] = { " pigment { rgb <.25, .5, .75> }", "" };
     static const char *const by[] = { "the texture of the blob", "the first one" };
+    static const double colors[][3] = { { .25, .5, .75 }, { 1, 0, 0 } };
     for (int i = 0; i < 2; i++) {
         char blob[400];
         snprintf(blob, sizeof blob, text, own[i]);
         SCOPED(scene) *scene = read_with(blob, 1);
         parts_of(scene, 2);
-        if (i == 0)
-            assert_vector(scene->primitives->pigment.color[0], .25, .5, .75);
-        else
-            assert_vector(scene->primitives->pigment.color[0], 1, 0, 0);
+        assert_numbers(scene->primitives->pigment.color[0], colors[i], 3, CLOSE);
         assert_error(blob, &strict_options, 1, 25, by[i]);
     }
 }

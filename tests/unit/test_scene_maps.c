@@ -105,9 +105,8 @@ TEST(patterns)
 /* Compares the colours of a list, which may have waves. */
 static void check_list(const char *words, const char *expected)
 {
-    char text[512], found[512] = "", *to = found;
-    snprintf(text, sizeof text, "sphere { 0, 1 pigment { %s } }", words);
-    SCOPED(scene) *scene = read_scene(text);
+    char found[512] = "", *to = found;
+    SCOPED(scene) *scene = read_format("sphere { 0, 1 pigment { %s } }", words);
     const struct pigment *pigment = &scene->primitives[0].pigment;
     for (size_t i = 0; i < pigment_list_count(pigment); i++) {
         struct color_stop listed = pigment_listed(pigment, i);
@@ -250,39 +249,35 @@ TEST(clear)
 
 TEST(skies)
 {
-    struct scene *scene = read_scene(
+    static const char *const turned[] = {
+        "sky_sphere { pigment { gradient y scale 2 } rotate x*90 scale 3 }",
+        "#declare S = sky_sphere { pigment { gradient y } }"
+        " sky_sphere { S scale 2 rotate x*90 scale 3 }",
+    };
+    static const char *const several[] = {
+        "#declare S = sky_sphere { pigment { gradient y } }"
+        " sky_sphere { S pigment { gradient x } }",
+        "sky_sphere { pigment { gradient y } pigment { gradient x }"
+        " pigment { gradient z } }",
+    };
+
+    SCOPED(scene) *plain = read_scene(
         "background { rgb z } sky_sphere { pigment { rgb <1, .5, 0> } }");
-    double up[3] = { 0, 1, 0 };
-    assert_int_not_equal(scene->sky.kind, PIGMENT_GRADIENT);
-    assert_vector(scene->background, 1, .5, 0);
-    scene_free(scene);
-    scene = read_scene("sky_sphere { pigment { gradient y scale 2 } rotate x*90"
-                       " scale 3 }");
-    assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
-    transform_point(&scene->sky.to_local, up);
-    assert_vector(up, 0, 0, -1.0 / 6);
-    scene_free(scene);
-    scene = read_scene("#declare S = sky_sphere { pigment { gradient y } }"
-                       " sky_sphere { S scale 2 rotate x*90 scale 3 }");
-    up[0] = up[2] = 0;
-    up[1] = 1;
-    assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
-    transform_point(&scene->sky.to_local, up);
-    assert_vector(up, 0, 0, -1.0 / 6);
-    scene_free(scene);
-    scene = read_with("#declare S = sky_sphere { pigment { gradient y } }"
-                      " sky_sphere { S pigment { gradient x } }",
-                      1);
-    assert_vector(scene->sky.axis, 0, 1, 0);
-    scene_free(scene);
-    scene = read_scene("sky_sphere { }");
-    assert_vector(scene->background, 0, 0, 0);
-    scene_free(scene);
-    scene = read_with("sky_sphere { pigment { gradient y }"
-                      " pigment { gradient x } pigment { gradient z } }",
-                      1);
-    assert_vector(scene->sky.axis, 0, 1, 0);
-    scene_free(scene);
+    SCOPED(scene) *none = read_scene("sky_sphere { }");
+    assert_int_not_equal(plain->sky.kind, PIGMENT_GRADIENT);
+    assert_vector(plain->background, 1, .5, 0);
+    assert_vector(none->background, 0, 0, 0);
+    for (size_t i = 0; i < COUNT(turned); i++) {
+        SCOPED(scene) *scene = read_scene(turned[i]);
+        double up[3] = { 0, 1, 0 };
+        transform_point(&scene->sky.to_local, up);
+        assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
+        assert_vector(up, 0, 0, -1.0 / 6);
+    }
+    for (size_t i = 0; i < COUNT(several); i++) {
+        SCOPED(scene) *scene = read_with(several[i], 1);
+        assert_vector(scene->sky.axis, 0, 1, 0);
+    }
     scene_free(read_with("#declare S = sky_sphere { pigment { bozo } }"
                          " sky_sphere { S scale 2 }",
                          1));

@@ -115,7 +115,7 @@ TEST(mesh2)
  * normal, or with an area of 0, is omitted. */
 TEST(nothing)
 {
-    struct scene *scene =
+    SCOPED(scene) *scene =
         read_with("mesh { smooth_triangle { 0, 1e-11*z, x, y, y, <1e-200, 0, 0> } }\n"
                   "mesh2 { vertex_vectors { 3 0 x y } normal_vectors { 3 0 y z }"
                   " face_indices { 1 <0, 1, 2> } }\n"
@@ -127,13 +127,12 @@ TEST(nothing)
     assert_vector(list->normals[2], 1, 0, 0);
     assert_vector(triangles_of_part(scene, 1)->list->normals[0], 1, 0, 0);
     assert_vector(triangles_of_part(scene, 2)->list->normals[0], 0, 0, 1);
-    scene_free(scene);
-    scene = read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
-                      "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
-                      "triangle { 1, 1, 1 translate x inverse }\n",
-                      1);
-    assert_int_equal(scene->primitive_count, 1);
-    scene_free(scene);
+    SCOPED(scene)
+        *other = read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
+                           "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
+                           "triangle { 1, 1, 1 translate x inverse }\n",
+                           1);
+    assert_int_equal(other->primitive_count, 1);
 }
 
 /* ---- Materials ----------------------------------------------------------- */
@@ -358,8 +357,7 @@ TEST(copies_count)
         "#declare M = mesh { #for (I, 1, 40000) triangle { 0, x, y } #end }\n"
         "#for (I, 1, %s) object { M } #end";
     char text[sizeof many + 8];
-    (void)snprintf(text, sizeof text, many, "99");
-    scene_free(read_scene(text));
+    scene_free(read_format(many, "99"));
     (void)snprintf(text, sizeof text, many, "100");
     assert_error(text, &reading_options, 2, 27,
                  "more than 4000000 triangles, including copies");

@@ -103,9 +103,7 @@ TEST(motions)
         SCOPED(scene) *scene = read_scene(texts[i]);
         double point[3] = { 3, 2, 4 };
         transform_point(&scene->primitives[0].bumps.to_local, point);
-        assert_close(point[0], 1, 1e-15);
-        assert_close(point[1], 1, 1e-15);
-        assert_close(point[2], 2, 1e-15);
+        assert_numbers(point, (double[]){ 1, 1, 2 }, 3, 1e-15);
         assert_int_equal(list_of(scene)->bump.pattern.pattern.function, PATTERN_ONION);
     }
 }
@@ -165,27 +163,27 @@ TEST(normal_maps)
     check_entries("onion normal_map { [0 onion] } brick", 0, NULL);
     check_entries("hexagon normal { onion }, normal { radial } normal { boxed }", 3,
                   (double[]){ 0, 1, 2 });
-    struct scene
-        *scene = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }", 1);
-    assert_true(list_of(scene)->average);
-    assert_close(list_of(scene)->entries[0].bump.amount, 2, 0);
-    assert_close(list_of(scene)->entries[0].bump.pattern.to_local.rows[1][1], .5, 0);
-    assert_int_equal(list_of(scene)->entries[1].bump.pattern.kind, PIGMENT_COLOR);
-    scene_free(scene);
-    scene = read_scene("#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] }"
-                       "#declare M = normal_map { [0 onion] [1 radial] }"
-                       "sphere { 0, 1 normal { planar slope_map { S } } }"
-                       "sphere { 0, 1 normal { planar normal_map { M } } }");
+    SCOPED(scene)
+        *average = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }", 1);
+    const struct bump_list *list = list_of(average);
+    assert_true(list->average);
+    assert_close(list->entries[0].bump.amount, 2, 0);
+    assert_close(list->entries[0].bump.pattern.to_local.rows[1][1], .5, 0);
+    assert_int_equal(list->entries[1].bump.pattern.kind, PIGMENT_COLOR);
+    SCOPED(scene) *scene = read_scene(
+        "#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] }"
+        "#declare M = normal_map { [0 onion] [1 radial] }"
+        "sphere { 0, 1 normal { planar slope_map { S } } }"
+        "sphere { 0, 1 normal { planar normal_map { M } } }");
     assert_int_equal(scene->primitives[0].bumps.list->bump.stop_count, 2);
     assert_int_equal(scene->primitives[1].bumps.list->count, 2);
     assert_false(scene->primitives[1].bumps.list->average);
-    scene_free(scene);
 }
 
 /* A map of several normals in an entry gives its first one, at the entry's place. */
 TEST(nested)
 {
-    struct scene
+    SCOPED(scene)
         *scene = scene_with("onion normal_map { [0 radial] [1 planar scale 2"
                             " normal_map { [0 boxed translate x] [1 leopard] }] }",
                             1);
@@ -193,18 +191,16 @@ TEST(nested)
     assert_int_equal(bump->pattern.pattern.function, PATTERN_BOXED);
     assert_close(bump->pattern.to_local.rows[0][0], .5, 0);
     assert_close(bump->pattern.to_local.rows[0][3], -1, 0);
-    scene_free(scene);
 }
 
 TEST(quilted)
 {
-    struct scene
+    SCOPED(scene)
         *scene = scene_with("onion slope_map { [0 <0, 1>] } quilted control1 .3", 0);
     const struct bump *bump = &list_of(scene)->bump;
     assert_close(bump->controls[0], 1, 0);
     assert_close(bump->controls[1], .3, 0);
     assert_int_equal(bump->stop_count, 0);
-    scene_free(scene);
 }
 
 static const struct line_error errors[] = {
