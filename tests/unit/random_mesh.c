@@ -29,6 +29,7 @@ static void clear(struct net *net)
 {
     net->point_count = net->face_count = 0;
     net->smooth = false;
+    net->directions = NULL;
 }
 
 /* ---- Bodies -------------------------------------------------------------- */
@@ -297,9 +298,15 @@ static void add_vector(char *text, size_t size, const double vector[3],
              behind);
 }
 
-void net_mesh_text(const struct net *net, char *text, size_t size)
+static const size_t (*normals_of(const struct net *net))[3]
 {
-    add_text(text, size, "mesh { ");
+    return net->directions ? net->directions : net->faces;
+}
+
+void net_triangles_text(const struct net *net, const char *object, char *text,
+                        size_t size)
+{
+    add_text(text, size, "%s { ", object);
     for (size_t i = 0; i < net->face_count; i++) {
         add_text(text, size, net->smooth ? "smooth_triangle {" : "triangle {");
         for (int k = 0; k < 3; k++) {
@@ -307,10 +314,15 @@ void net_mesh_text(const struct net *net, char *text, size_t size)
             const char *behind = k < 2 ? ", " : "}\n";
             add_vector(text, size, net->points[at], net->smooth ? ", " : behind);
             if (net->smooth)
-                add_vector(text, size, net->normals[at], behind);
+                add_vector(text, size, net->normals[normals_of(net)[i][k]], behind);
         }
     }
     assert_true(strlen(text) < size - 1);
+}
+
+void net_mesh_text(const struct net *net, char *text, size_t size)
+{
+    net_triangles_text(net, "mesh", text, size);
 }
 
 static void add_vectors(char *text, size_t size, const char *word,
@@ -324,17 +336,25 @@ static void add_vectors(char *text, size_t size, const char *word,
     add_text(text, size, "}\n");
 }
 
+static void add_indices(char *text, size_t size, const char *word,
+                        const size_t (*indices)[3], size_t count)
+{
+    add_text(text, size, "%s { %zu", word, count);
+    for (size_t i = 0; i < count; i++)
+        add_text(text, size, ", <%zu,%zu,%zu>", indices[i][0], indices[i][1],
+                 indices[i][2]);
+    add_text(text, size, "}\n");
+}
+
 void net_mesh2_text(const struct net *net, char *text, size_t size)
 {
     add_text(text, size, "mesh2 { ");
     add_vectors(text, size, "vertex_vectors", net->points, net->point_count);
     if (net->smooth)
         add_vectors(text, size, "normal_vectors", net->normals, net->point_count);
-    add_text(text, size, "face_indices { %zu", net->face_count);
-    for (size_t i = 0; i < net->face_count; i++)
-        add_text(text, size, ", <%zu,%zu,%zu>", net->faces[i][0], net->faces[i][1],
-                 net->faces[i][2]);
-    add_text(text, size, "}\n");
+    add_indices(text, size, "face_indices", net->faces, net->face_count);
+    if (net->smooth && net->directions)
+        add_indices(text, size, "normal_indices", net->directions, net->face_count);
     assert_true(strlen(text) < size - 1);
 }
 

@@ -17,6 +17,7 @@ struct net {
     double normals[NET_POINTS][3]; /* for smooth meshes */
     size_t faces[NET_FACES][3];
     bool smooth;
+    const size_t (*directions)[3]; /* normals of each face; NULL: those of its points */
 };
 
 /* Returns the index of a point; a new point is added. */
@@ -55,7 +56,10 @@ void net_shuffle(struct net *net, uint64_t *random);
  * random. */
 void net_smooth(struct net *net, double lean, uint64_t *random);
 
-/* Write the mesh as text up to the modifiers: "mesh { .." or "mesh2 { ..". */
+/* Write the mesh as text up to the modifiers: "mesh { .." or "mesh2 { ..". The first
+ * function writes the triangles in any object, such as a union. */
+void net_triangles_text(const struct net *net, const char *object, char *text,
+                        size_t size);
 void net_mesh_text(const struct net *net, char *text, size_t size);
 void net_mesh2_text(const struct net *net, char *text, size_t size);
 /* Writes the mesh in either form, at random. */

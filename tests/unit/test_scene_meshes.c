@@ -3,6 +3,7 @@
  * other. A wrong index, normal or texture fails here. */
 #include "rt/shapes/primitive.h"
 #include "tests/random.h"
+#include "tests/unit/random_mesh.h"
 #include "tests/unit/scene_reading.h"
 
 #define HALF 0.70710678118654752440
@@ -128,10 +129,10 @@ TEST(nothing)
     assert_vector(triangles_of_part(scene, 1)->list->normals[0], 1, 0, 0);
     assert_vector(triangles_of_part(scene, 2)->list->normals[0], 0, 0, 1);
     SCOPED(scene)
-        *other = read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
-                           "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
-                           "triangle { 1, 1, 1 translate x inverse }\n",
-                           1);
+    *other = read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
+                       "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
+                       "triangle { 1, 1, 1 translate x inverse }\n",
+                       1);
     assert_int_equal(other->primitive_count, 1);
 }
 
@@ -380,87 +381,31 @@ TEST(recovery)
 
 /* ---- Three notations of a mesh ------------------------------------------- */
 
-enum { MAX_POINTS = 12, MAX_FACES = 20, MESHES = 300, MAX_TEXT = 40000 };
-
-struct random_mesh {
-    int points, faces;
-    double vertices[MAX_POINTS][3], normals[MAX_POINTS][3];
-    int indices[MAX_FACES][3], directions[MAX_FACES][3];
-    bool smooth;
-};
+enum { MAX_POINTS = 12, MAX_FACES = 20, MESHES = 300 };
 
 /* Draws a mesh with points on a small grid, so that some triangles have no area. All
  * normals differ. */
-static struct random_mesh random_mesh(uint64_t *random)
+static void draw_mesh(struct net *net, size_t directions[MAX_FACES][3],
+                      uint64_t *random)
 {
-    struct random_mesh mesh;
-    mesh.points = (int)xorshift_between(random, 3, MAX_POINTS);
-    mesh.faces = (int)xorshift_between(random, 1, MAX_FACES);
-    mesh.smooth = xorshift_between(random, 0, 1);
-    for (int i = 0; i < mesh.points; i++)
+    net->point_count = (size_t)xorshift_between(random, 3, MAX_POINTS);
+    net->face_count = (size_t)xorshift_between(random, 1, MAX_FACES);
+    net->smooth = xorshift_between(random, 0, 1);
+    net->directions = (const size_t(*)[3])directions;
+    for (size_t i = 0; i < net->point_count; i++)
         for (int k = 0; k < 3; k++) {
-            mesh.vertices[i][k] = (double)xorshift_between(random, -2, 2);
-            mesh.normals[i][k] = k ? (double)xorshift_between(random, -9, 9) : i + 1;
+            net->points[i][k] = (double)xorshift_between(random, -2, 2);
+            net->normals[i][k] = k ? (double)xorshift_between(random, -9, 9)
+                                   : (double)(i + 1);
         }
-    for (int i = 0; i < mesh.faces; i++)
+    for (size_t i = 0; i < net->face_count; i++)
         for (int k = 0; k < 3; k++) {
-            int *index = &mesh.directions[i][k];
-            mesh.indices[i][k] = (int)xorshift_between(random, 0, mesh.points - 1);
-            *index = (int)xorshift_between(random, 0, mesh.points - 1);
-            if (k > 0 && *index == mesh.directions[i][0])
-                *index = (*index + 1) % mesh.points;
+            size_t *index = &directions[i][k];
+            net->faces[i][k] = xorshift(random) % net->point_count;
+            *index = xorshift(random) % net->point_count;
+            if (k > 0 && *index == directions[i][0])
+                *index = (*index + 1) % net->point_count;
         }
-    return mesh;
-}
-
-static void add_vector(char **to, const double v[3])
-{
-    *to += sprintf(*to, "<%g, %g, %g>, ", v[0], v[1], v[2]);
-}
-
-static void add_triangles(char **to, const struct random_mesh *mesh, const char *word)
-{
-    *to += sprintf(*to, "%s { ", word);
-    for (int i = 0; i < mesh->faces; i++) {
-        *to += sprintf(*to, mesh->smooth ? "smooth_triangle { " : "triangle { ");
-        for (int k = 0; k < 3; k++) {
-            add_vector(to, mesh->vertices[mesh->indices[i][k]]);
-            if (mesh->smooth)
-                add_vector(to, mesh->normals[mesh->directions[i][k]]);
-        }
-        *to += sprintf(*to - 2, " }\n") - 2;
-    }
-    *to += sprintf(*to, "}\n");
-}
-
-static void add_vectors(char **to, const char *word, int count,
-                        const double (*vectors)[3])
-{
-    *to += sprintf(*to, "%s { %d, ", word, count);
-    for (int i = 0; i < count; i++)
-        add_vector(to, vectors[i]);
-    *to += sprintf(*to, "}\n");
-}
-
-static void add_indices(char **to, const char *word, int count, const int (*indices)[3])
-{
-    *to += sprintf(*to, "%s { %d, ", word, count);
-    for (int i = 0; i < count; i++)
-        *to += sprintf(*to, "<%d, %d, %d>, ", indices[i][0], indices[i][1],
-                       indices[i][2]);
-    *to += sprintf(*to, "}\n");
-}
-
-static void add_mesh2(char **to, const struct random_mesh *mesh)
-{
-    *to += sprintf(*to, "mesh2 { ");
-    add_vectors(to, "vertex_vectors", mesh->points, mesh->vertices);
-    if (mesh->smooth)
-        add_vectors(to, "normal_vectors", mesh->points, mesh->normals);
-    add_indices(to, "face_indices", mesh->faces, mesh->indices);
-    if (mesh->smooth)
-        add_indices(to, "normal_indices", mesh->faces, mesh->directions);
-    *to += sprintf(*to, "}\n");
 }
 
 static void assert_same_triangle(const struct triangle *a, const struct triangle *b)
@@ -488,16 +433,21 @@ static void assert_same(const struct scene *scene)
 /* A mesh without triangles is an error. */
 TEST(three_ways)
 {
-    static char text[MAX_TEXT];
+    static struct net net;
+    static char text[40000];
+    size_t directions[MAX_FACES][3];
     uint64_t random = RANDOM_SEED;
     size_t compared = 0;
     for (int i = 0; i < MESHES; i++) {
-        struct random_mesh mesh = random_mesh(&random);
         SCOPED_VALUE(diagnostics) reports = { 0 };
-        char *to = text;
-        add_triangles(&to, &mesh, "mesh");
-        add_mesh2(&to, &mesh);
-        add_triangles(&to, &mesh, "union");
+        draw_mesh(&net, directions, &random);
+        text[0] = '\0';
+        net_mesh_text(&net, text, sizeof text);
+        strcat(text, "}\n");
+        net_mesh2_text(&net, text, sizeof text);
+        strcat(text, "}\n");
+        net_triangles_text(&net, "union", text, sizeof text);
+        strcat(text, "}\n");
         SCOPED(scene) *scene = scene_read_text("test.pov", text, &reading_options,
                                                &reports);
         if (!scene)
