@@ -91,15 +91,18 @@ static void put(void *context, const char *text, size_t length)
 
 /* Sequence numbers of requests are multiples of 3, so that they differ from those of
  * responses. */
-void client_request(struct dap_client *client, const char *command, const char *format,
-                    va_list arguments)
+void client_command(struct dap_client *client, const char *command, const char *format,
+                    ...)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text), out = { put, client };
     char whole[4000] = "{}";
+    va_list arguments;
 
+    va_start(arguments, format);
     if (format)
         vsnprintf(whole, sizeof whole, format, arguments);
+    va_end(arguments);
     client->sent += 3;
     sink_print(&sink,
                "{\"seq\": %u, \"type\": \"request\", \"command\": "
@@ -109,16 +112,6 @@ void client_request(struct dap_client *client, const char *command, const char *
     sink_put(&sink, "}");
     message_put(&text, &out);
     text_buffer_free(&text);
-}
-
-void client_command(struct dap_client *client, const char *command, const char *format,
-                    ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    client_request(client, command, format, arguments);
-    va_end(arguments);
 }
 
 /* ---- Notifications ------------------------------------------------------------- */
@@ -191,32 +184,20 @@ const struct json_value *client_response(struct dap_client *client)
     }
 }
 
-const struct json_value *client_ask(struct dap_client *client, const char *command,
-                                    const char *format, ...)
+const struct json_value *client_success(struct dap_client *client, const char *command)
 {
-    const struct json_value *response;
-    va_list arguments;
+    const struct json_value *response = client_response(client);
 
-    va_start(arguments, format);
-    client_request(client, command, format, arguments);
-    va_end(arguments);
-    response = client_response(client);
     assert_string_equal(the_text(response, "command"), command);
     if (!json_member_truth(response, "success", false))
         fail_msg("%s: %s", command, the_text(response, "message"));
     return the(response, "body");
 }
 
-void client_refused(struct dap_client *client, const char *words, const char *command,
-                    const char *format, ...)
+void client_failure(struct dap_client *client, const char *words, const char *command)
 {
-    const struct json_value *response;
-    va_list arguments;
+    const struct json_value *response = client_response(client);
 
-    va_start(arguments, format);
-    client_request(client, command, format, arguments);
-    va_end(arguments);
-    response = client_response(client);
     if (json_member_truth(response, "success", true)
         || !strstr(the_text(response, "message"), words))
         fail_msg("%s: not refused with '%s', but %s", command, words,

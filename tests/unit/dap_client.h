@@ -7,7 +7,6 @@
 #ifndef TESTS_DAP_CLIENT_H
 #define TESTS_DAP_CLIENT_H
 
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <sys/types.h>
@@ -41,31 +40,20 @@ int client_end(struct dap_client *client);
 /* Sends raw bytes. */
 void client_send(struct dap_client *client, const char *bytes, size_t length);
 /* Sends a request. Its arguments are formatted by printf; NULL: no arguments. */
-void client_request(struct dap_client *client, const char *command, const char *format,
-                    va_list arguments);
 void client_command(struct dap_client *client, const char *command, const char *format,
-                    ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
+                    ...) __attribute__((format(printf, 3, 4)));
 /* Returns the response to the last request. Events that arrive before it are queued. */
 const struct json_value *client_response(struct dap_client *client);
-/* Sends a request and returns the body of its response. Fails the test unless the
- * response reports success. */
-const struct json_value *client_ask(struct dap_client *client, const char *command,
-                                    const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
-/* Sends a request that must fail with `words` in the message. */
-void client_refused(struct dap_client *client, const char *words, const char *command,
-                    const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 4, 5)))
-#endif
-    ;
+/* Returns the body of the response to the last request, which must report success. */
+const struct json_value *client_success(struct dap_client *client, const char *command);
+/* Fails the test unless the last request fails with `words` in the message. */
+void client_failure(struct dap_client *client, const char *words, const char *command);
+/* Send a request that must succeed, and one that must fail. */
+#define client_ask(client, command, ...) \
+    (client_command(client, command, __VA_ARGS__), client_success(client, command))
+#define client_refused(client, words, command, ...) \
+    (client_command(client, command, __VA_ARGS__), \
+     client_failure(client, words, command))
 /* Returns the body of the next event, which must have this name. Output events are
  * skipped. */
 const struct json_value *client_event(struct dap_client *client, const char *name);

@@ -132,20 +132,14 @@ static const char *depend(struct kanata_log *log)
     return number_of(log, 2) < log->count ? NULL : "there is no producer";
 }
 
-static const char *pass_time(struct kanata_log *log)
-{
-    (void)log;
-    return NULL;
-}
-
 /* The words after each command: n, a number; i, an instruction that exists; t, text. */
 static const struct kanata_command {
     const char *name, *words;
-    const char *(*take)(struct kanata_log *log);
+    const char *(*take)(struct kanata_log *log); /* NULL: any words are accepted */
 } commands[] = {
-    { "C=", "n", pass_time }, { "C", "n", pass_time }, { "I", "nnn", appear },
-    { "L", "int", label },    { "S", "int", enter },   { "E", "int", leave },
-    { "R", "inn", retire },   { "W", "inn", depend },
+    { "C=", "n", NULL },    { "C", "n", NULL },     { "I", "nnn", appear },
+    { "L", "int", label },  { "S", "int", enter },  { "E", "int", leave },
+    { "R", "inn", retire }, { "W", "inn", depend },
 };
 
 static const char *take_line(struct kanata_log *log)
@@ -170,7 +164,7 @@ static const char *take_line(struct kanata_log *log)
         if (kind == 'i' && !find_alive(log, k))
             return "the instruction is not there";
     }
-    return commands[i].take(log);
+    return commands[i].take ? commands[i].take(log) : NULL;
 }
 
 /* ---- The log --------------------------------------------------------------- */

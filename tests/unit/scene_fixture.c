@@ -7,63 +7,46 @@
 #include "rt/shapes/shape.h"
 #include "vm/text.h"
 
-/* Symbols of a program that has the records, and each kernel only as a label. */
-enum { MAX_PLACES = 8 * PRIMITIVE_KINDS + 2 };
-struct places {
-    const char *names[MAX_PLACES];
-    size_t count;
-};
-
-static void add_place(struct places *places, const char *name)
+/* Defines a label once. */
+static void put_label(const struct sink *sink, const char *name)
 {
-    for (size_t i = 0; name && i < places->count; i++)
-        if (strcmp(places->names[i], name) == 0)
-            return;
     if (name)
-        places->names[places->count++] = name;
+        sink_print(sink, "        .ifndef %s\n%s: .word 0\n        .endif\n", name,
+                   name);
 }
 
-static void add_kernels(struct places *places, const struct shape_kernels *kernels)
+static void put_kernels(const struct sink *sink, const struct shape_kernels *kernels)
 {
-    add_place(places, kernels->kernel);
-    add_place(places, kernels->normal);
-    add_place(places, kernels->solid);
-    add_place(places, kernels->state);
+    put_label(sink, kernels->kernel);
+    put_label(sink, kernels->normal);
+    put_label(sink, kernels->solid);
+    put_label(sink, kernels->state);
 }
 
-static struct places all_places(void)
-{
-    struct places places = { .count = 0 };
-    add_place(&places, "transformed");
-    add_place(&places, "unseen");
-    for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
-        add_kernels(&places, &shapes[i]->kernels);
-        add_kernels(&places, &shapes[i]->other);
-    }
-    return places;
-}
-
+/* Returns a program that has the records, and each kernel only as a label. */
 static struct object *stage_program(void)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_options how = { .texts = texts };
     SCOPED_VALUE(diagnostics) errors = { 0 };
-    struct places places = all_places();
-    char text[4000];
-    char *end = text
-                + sprintf(text, "        .equ CROSSING_SIZE, 2\n"
-                                "        .equ VALUE_SIZE, 3\n"
-                                "        .equ LEVEL_SIZE, 10\n"
-                                "        .equ GLOSS, 1\n"
-                                "        .equ HIDDEN, 1\n"
-                                "        .equ INTERIORS, 1\n"
-                                "        .include \"frame/records.s\"\n"
-                                "        .include \"light/interior.s\"\n"
-                                "        .entry first\nfirst:  EXIT\n"
-                                "        .data\n");
-    for (size_t i = 0; i < places.count; i++)
-        end += sprintf(end, "%s: .word 0\n", places.names[i]);
-    struct object *program = assemble_text("stage", text, &how, &errors);
+    SCOPED_VALUE(text_buffer) text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    sink_put(&sink, "        .equ CROSSING_SIZE, 2\n"
+                    "        .equ VALUE_SIZE, 3\n"
+                    "        .equ LEVEL_SIZE, 10\n"
+                    "        .equ GLOSS, 1\n"
+                    "        .equ HIDDEN, 1\n"
+                    "        .equ INTERIORS, 1\n"
+                    "        .include \"frame/records.s\"\n"
+                    "        .include \"light/interior.s\"\n"
+                    "        .entry first\nfirst:  EXIT\n"
+                    "        .data\n"
+                    "transformed: .word 0\nunseen: .word 0\n");
+    for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
+        put_kernels(&sink, &shapes[i]->kernels);
+        put_kernels(&sink, &shapes[i]->other);
+    }
+    struct object *program = assemble_text("stage", text.text, &how, &errors);
     if (!program)
         fail_msg("%s", errors.items[0].message);
     return program;
