@@ -8,13 +8,7 @@
 #include "rt/shapes/singular.h"
 #include "rt/shapes/steiner.h"
 #include "tests/unit/draw.h"
-#include "tests/unit/unit.h"
-
-static void assert_close(double found, double expected, double within)
-{
-    if (!(fabs(found - expected) <= within))
-        fail_msg("%.17g is not %.17g", found, expected);
-}
+#include "tests/unit/scene_reading.h"
 
 static void fill(struct singular *singular, size_t rows, size_t columns)
 {
@@ -111,8 +105,7 @@ TEST(centers_of_quadrics)
         set_quadric(&primitive, terms[k]);
         struct words words = words_of(&primitive);
         assert_int_equal(words.shape.count, 13);
-        for (size_t i = 0; i < 13; i++)
-            assert_close(words.shape.words[i], expected[k][i], 1e-13);
+        assert_numbers(words.shape.words, expected[k], 13, 1e-13);
     }
 }
 
@@ -315,8 +308,7 @@ TEST(historical_cylinders)
     assert_string_equal(words.solid, "cylinder");
     assert_true(words.on_patch);
     assert_int_equal(words.count, COUNT(expected));
-    for (size_t i = 0; i < words.count; i++)
-        assert_close(words.words[i], expected[i], 1e-14);
+    assert_numbers(words.words, expected, words.count, 1e-14);
     cylinder.shape.cylinder.open = true;
     assert_true(shape_words_historical(&cylinder, &words));
     assert_string_equal(words.kernel, "open_clipped_cylinder");
@@ -383,14 +375,11 @@ TEST(other_planes)
 TEST(weights_of_one_patch)
 {
     static const double by[] = { 100, 1, .01 };
-    static const int ends[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
-                                                 { 0, 1 }, { 1, 2 }, { 2, 0 } };
     struct primitive patch;
     set_patch(&patch);
     struct words words = words_of(&patch);
     for (int i = 0; i < STEINER_POINTS; i++)
-        patch.shape.steiner_patch.weights[i] *= by[ends[i][0]] * by[ends[i][1]];
+        patch.shape.steiner_patch.weights[i] *= by[factors[i][0]] * by[factors[i][1]];
     struct words other = words_of(&patch);
-    for (size_t i = 0; i < STEINER_TABLE; i++)
-        assert_close(other.table[i], words.table[i], 1e-12);
+    assert_numbers(other.table, words.table, STEINER_TABLE, 1e-12);
 }

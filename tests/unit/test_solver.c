@@ -8,6 +8,7 @@
 #include "rt/layout/program.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/saved_machine.h"
 #include "vm/number/arith.h"
 #include "vm/text.h"
 
@@ -105,15 +106,6 @@ static uint64_t address_of(const struct object *object, const char *name)
     return (uint64_t)symbol->value;
 }
 
-static c205 *load(const struct object *object)
-{
-    c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
-    assert_non_null(machine);
-    assert_true(c205_load(machine, &object->program, &error));
-    return machine;
-}
-
 static void run(c205 *machine)
 {
     c205_stop stop = c205_run(machine, C205_NO_LIMIT);
@@ -123,7 +115,7 @@ static void run(c205 *machine)
 static void run_scalar(struct lanes *lanes, const char *routine)
 {
     SCOPED(object) *object = assemble(scalar_program, routine);
-    SCOPED(c205) *machine = load(object);
+    SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     assert_true(c205_write(machine, address_of(object, "inputs"), lanes->in[0],
                            LANES * INPUTS));
     run(machine);
@@ -143,7 +135,7 @@ static bool may_change(unsigned number)
 static void run_vector(struct lanes *lanes, const char *routine)
 {
     SCOPED(object) *object = assemble(vector_program, routine);
-    SCOPED(c205) *machine = load(object);
+    SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     uint64_t inputs = address_of(object, "inputs");
     c205_word plane[LANES];
     for (unsigned j = 0; j < INPUTS - 1; j++) {
@@ -214,6 +206,14 @@ static void check_signs(const struct lanes *lanes, int lane, int found)
     assert_int_equal(seen, found);
 }
 
+/* The number of roots, and each root, must have the same bits. */
+static void assert_same_roots(const c205_word *a, const c205_word *b)
+{
+    assert_int_equal(a[4], b[4]);
+    for (int i = 0; i < (int)c205_to_double(a[4]); i++)
+        assert_int_equal(a[i], b[i]);
+}
+
 TEST(alone)
 {
     static struct lanes scalar, vector, first;
@@ -225,9 +225,7 @@ TEST(alone)
     run_scalar(&first, "solve_quartic");
     for (int i = 0; i < LANES; i++) {
         int found = (int)c205_to_double(scalar.out[i][4]);
-        assert_int_equal(scalar.out[i][4], vector.out[i][4]);
-        for (int j = 0; j < found; j++)
-            assert_int_equal(scalar.out[i][j], vector.out[i][j]);
+        assert_same_roots(scalar.out[i], vector.out[i]);
         assert_int_equal(c205_to_double(first.out[i][4]), found > 0);
         assert_int_equal(first.out[i][0], scalar.out[i][0]);
         check_signs(&scalar, i, found);
@@ -435,11 +433,8 @@ TEST(signs_of_sharp)
     signs = all;
     run_scalar(&all, "solve_quartic_all");
     run_scalar(&signs, "solve_quartic_signs");
-    for (int i = 0; i < LANES; i++) {
-        assert_int_equal(all.out[i][4], signs.out[i][4]);
-        for (int j = 0; j < (int)c205_to_double(all.out[i][4]); j++)
-            assert_int_equal(all.out[i][j], signs.out[i][j]);
-    }
+    for (int i = 0; i < LANES; i++)
+        assert_same_roots(all.out[i], signs.out[i]);
 }
 
 GROUP(set_up_model, tear_down_model);
