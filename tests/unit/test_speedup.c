@@ -39,21 +39,6 @@ static void check_sums(const struct speedup_measure *measure)
     assert_true(regions == measure->total);
 }
 
-TEST(subjects)
-{
-    for (size_t i = 0; i < speedup_subject_count; i++) {
-        struct speedup_measure measures[TRACE_FORMS];
-        measure(&speedup_subjects[i], &view, measures);
-        for (int mode = 0; mode < TRACE_FORMS; mode++) {
-            check_sums(&measures[mode]);
-            assert_int_equal(measures[mode].rays, 4000);
-            assert_in_range(measures[mode].hits, 1000, 3000);
-        }
-        assert_true(measures[TRACE_SCALAR].checksum == measures[TRACE_VECTOR].checksum);
-        assert_true(measures[TRACE_SCALAR].total > 3 * measures[TRACE_VECTOR].total);
-    }
-}
-
 /* The solver's region has clocks if the regula falsi made steps. The scalar form
  * refines one bracket at a time. */
 static void check_solver(const struct speedup_subject *subject,
@@ -76,7 +61,7 @@ static void check_solver(const struct speedup_subject *subject,
 }
 
 /* A subject names the solver's region exactly if it calls the solver. */
-TEST(solvers)
+TEST(subjects)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
         const struct speedup_subject *subject = &speedup_subjects[i];
@@ -86,9 +71,15 @@ TEST(solvers)
         for (int k = 0; k < MAX_SPEEDUP_REGIONS; k++)
             solves |= subject->regions[k] != NULL
                       && strcmp(subject->regions[k], speedup_solver) == 0;
-        for (int mode = 0; mode < TRACE_FORMS; mode++)
+        for (int mode = 0; mode < TRACE_FORMS; mode++) {
+            check_sums(&measures[mode]);
+            assert_int_equal(measures[mode].rays, 4000);
+            assert_in_range(measures[mode].hits, 1000, 3000);
             assert_int_equal(measures[mode].iterations.stage[STAGE_VALUE].brackets > 0,
                              solves);
+        }
+        assert_true(measures[TRACE_SCALAR].checksum == measures[TRACE_VECTOR].checksum);
+        assert_true(measures[TRACE_SCALAR].total > 3 * measures[TRACE_VECTOR].total);
         check_solver(subject, measures);
     }
 }
@@ -123,24 +114,20 @@ TEST(view)
     assert_int_equal(measures[TRACE_VECTOR].hits, 4000);
 }
 
-static void check_error(const struct speedup_subject *subject, const char *message)
-{
-    struct trace_options options = {
-        .width = 4, .height = 4, .queue = 4, .model = model
-    };
-    struct speedup_measure measured;
-    c205_error error = { "" };
-    assert_false(speedup_measure(subject, &view, &options, &measured, &error));
-    assert_non_null(strstr(error.message, message));
-}
-
 TEST(errors)
 {
+    const struct trace_options options = {
+        .width = 4, .height = 4, .queue = 4, .model = model
+    };
     struct speedup_subject subject = speedup_subjects[0];
+    struct speedup_measure measured;
+    c205_error error = { "" };
     subject.regions[1] = "nowhere";
-    check_error(&subject, "no region nowhere");
+    assert_false(speedup_measure(&subject, &view, &options, &measured, &error));
+    assert_non_null(strstr(error.message, "no region nowhere"));
     subject.shape = "sphere { 0 }";
-    check_error(&subject, "sphere");
+    assert_false(speedup_measure(&subject, &view, &options, &measured, &error));
+    assert_non_null(strstr(error.message, "sphere"));
 }
 
 /* Returns the report of all subjects. */
@@ -388,23 +375,24 @@ TEST(markdown)
 
 /* ---- Projections -------------------------------------------------------- */
 
-static void check_projection(const char *name, const char *other)
-{
-    c205_error error;
-    SCOPED(c205_model) *on = c205_model_find(name, &error);
-    assert_non_null(on);
-    assert_string_equal(speedup_projection_model(on, SPEEDUP_720), other);
-    assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
-}
-
 /* Prior models are compared with the prior model of the 720, fitted ones with the
  * fitted one. */
 TEST(projection_models)
 {
-    check_projection("cyber205-2pipe", "cyber720");
-    check_projection("cyber205-4pipe", "cyber720");
-    check_projection("cyber205-2pipe-prior", "cyber720-prior");
-    check_projection("cyber205-1pipe-prior", "cyber720-prior");
+    static const char *const rows[][2] = {
+        { "cyber205-2pipe", "cyber720" },
+        { "cyber205-4pipe", "cyber720" },
+        { "cyber205-2pipe-prior", "cyber720-prior" },
+        { "cyber205-1pipe-prior", "cyber720-prior" },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        c205_error error;
+        SCOPED(c205_model) *on = c205_model_find(rows[i][0], &error);
+        assert_non_null(on);
+        assert_string_equal(speedup_projection_model(on, SPEEDUP_720), rows[i][1]);
+        assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
+    }
 }
 
 /* The scalar form does the same work on both models of the 205, so the difference is

@@ -2,8 +2,7 @@
  * with sums of their parts and with expected crossovers, in small frames. A clock that
  * is lost, or a wrong length, fails here. */
 #include "rt/study/sweep/sweep_types.h"
-#include "rt/scene/language/scene_read.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/scene_reading.h"
 
 #include <math.h>
 
@@ -33,6 +32,10 @@ static void run(const struct sweep_kind *kind, struct sweep *sweep)
     c205_error error = { "" };
     REQUIRE(kind->measure(sweep, &error));
 }
+
+/* Sets the lengths of a sweep to an array. */
+#define SET_LENGTHS(sweep, array) \
+    ((sweep).lengths = (array), (sweep).length_count = COUNT(array))
 
 /* Each clock has one cause, in one group. */
 static void check_sums(const struct sweep_form *form)
@@ -83,8 +86,7 @@ TEST(usual_lengths)
 TEST(queue)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("cylinder", 16, 16);
-    sweep.lengths = few;
-    sweep.length_count = 5;
+    SET_LENGTHS(sweep, few);
     run(&sweep_queue, &sweep);
     assert_int_equal(sweep.count, 5);
     check_all_sums(&sweep);
@@ -107,25 +109,12 @@ TEST(queue)
 }
 
 /* Fourteen balls in one solid: each ray stores its crossings with all of them. */
-static struct scene *read_balls(void)
-{
-    static const struct scene_options how = { .strict = true };
-    SCOPED_VALUE(diagnostics) reports = { 0 };
-    char text[2048];
-    int length = snprintf(text, sizeof text,
-                          "#version 3.7;\n"
-                          "camera { location -9*z look_at 0 right x up y }\n"
-                          "light_source { <-5, 9, -9> 1 }\n"
-                          "difference { box { -2, 2 }\n");
-    for (int i = 0; i < 14; i++)
-        length += snprintf(text + length, sizeof text - (size_t)length,
-                           "sphere { <%d*.6-2, %d-1, -2>, .7 }\n", i % 7, i / 7 * 2);
-    snprintf(text + length, sizeof text - (size_t)length,
-             "pigment { color rgb 1 } }\n");
-    struct scene *scene = scene_read_text("balls", text, &how, &reports);
-    assert_non_null(scene);
-    return scene;
-}
+static const char balls[] =
+    "camera { location -9*z look_at 0 right x up y }\n"
+    "light_source { <-5, 9, -9> 1 }\n"
+    "difference { box { -2, 2 } #for (I, 0, 13)\n"
+    "sphere { <mod(I, 7)*.6 - 2, div(I, 7)*2 - 1, -2>, .7 } #end\n"
+    "pigment { color rgb 1 } }\n";
 
 /* A real memory of some thousand words, so that long queues cause page faults. They
  * also test more parts of the solid, since some ray is near each. */
@@ -135,7 +124,7 @@ TEST(small_memory)
                                              { "memory.real_words", 48 * 512 },
                                              { "translation.miss", 0 } };
     static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
-    SCOPED(scene) *scene = read_balls();
+    SCOPED(scene) *scene = read_scene(balls);
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     c205_error error;
     SCOPED(c205_model) *small = c205_model_change(model, settings, 3, &error);
@@ -144,8 +133,7 @@ TEST(small_memory)
     sweep.scene = scene;
     sweep.base.trace.model = small;
     sweep.base.trace.mode = TRACE_KERNELS;
-    sweep.lengths = lengths;
-    sweep.length_count = 5;
+    SET_LENGTHS(sweep, lengths);
     run(&sweep_queue, &sweep);
     check_all_sums(&sweep);
     const struct sweep_measure *best = sweep_best(&sweep);
@@ -160,7 +148,7 @@ TEST(small_memory)
 /* A model of two frames predicts the memory of a third. Crossings of a tree count. */
 TEST(memory)
 {
-    SCOPED(scene) *scene = read_balls();
+    SCOPED(scene) *scene = read_scene(balls);
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     struct sweep_memory memory;
     c205_error error = { "" };
@@ -232,30 +220,27 @@ TEST(pipes)
 
 /* ---- Hits ---------------------------------------------------------------- */
 
-TEST(hits)
+static void check_hits(const char *subject, size_t width, size_t height)
 {
-    for (size_t i = 0; i < speedup_subject_count; i++) {
-        SCOPED_VALUE(sweep) sweep = sweep_of(speedup_subjects[i].name, 16, 16);
-        run(&sweep_hits, &sweep);
-        assert_int_equal(sweep.count, 11);
-        check_all_sums(&sweep);
-        assert_int_equal(sweep.measures[0].hits, 0);
-        assert_int_equal(sweep.measures[10].hits, 256);
-        for (size_t k = 1; k < sweep.count; k++)
-            assert_true(sweep.measures[k].hits > sweep.measures[k - 1].hits);
-    }
+    SCOPED_VALUE(sweep) sweep = sweep_of(subject, width, height);
+    run(&sweep_hits, &sweep);
+    assert_int_equal(sweep.count, 11);
+    check_all_sums(&sweep);
+    assert_int_equal(sweep.measures[0].hits, 0);
+    assert_int_equal(sweep.measures[10].hits, width * height);
+    for (size_t k = 1; k < sweep.count; k++)
+        assert_true(sweep.measures[k].hits
+                    >= sweep.measures[k - 1].hits + (width == height));
 }
 
-/* Wide and tall frames. */
-TEST(hits_of_frames)
+/* All subjects, and a wide and a tall frame, in which two views may have the same
+ * hits. */
+TEST(hits)
 {
-    static const size_t sizes[][2] = { { 40, 8 }, { 8, 40 } };
-    for (size_t i = 0; i < 2; i++) {
-        SCOPED_VALUE(sweep) sweep = sweep_of("cylinder", sizes[i][0], sizes[i][1]);
-        run(&sweep_hits, &sweep);
-        assert_int_equal(sweep.measures[0].hits, 0);
-        assert_int_equal(sweep.measures[10].hits, 320);
-    }
+    for (size_t i = 0; i < speedup_subject_count; i++)
+        check_hits(speedup_subjects[i].name, 16, 16);
+    check_hits("cylinder", 40, 8);
+    check_hits("cylinder", 8, 40);
 }
 
 /* A distant camera, and one so near that no ray misses the object. */
@@ -300,8 +285,7 @@ TEST(length)
     static const size_t lengths[] = { 1, 2, 4, 8, 16, 64, 256, 1024 };
     for (size_t i = 0; i < share_of(4); i++) {
         SCOPED_VALUE(sweep) sweep = sweep_of(names[i], 1, 1);
-        sweep.lengths = lengths;
-        sweep.length_count = 8;
+        SET_LENGTHS(sweep, lengths);
         run(&sweep_length, &sweep);
         check_all_sums(&sweep);
         struct sweep_lengths_found found = sweep_find_lengths(&sweep);
@@ -323,22 +307,18 @@ TEST(length)
 TEST(no_crossover)
 {
     static const size_t shortest[] = { 1 }, longer[] = { 64, 128 };
-    struct sweep sweep = sweep_of("sphere", 1, 1);
-    sweep.lengths = shortest;
-    sweep.length_count = 1;
-    run(&sweep_length, &sweep);
-    assert_int_equal(sweep_find_lengths(&sweep).crossover, 0);
-    sweep_free(&sweep);
-    sweep = sweep_of("sphere", 1, 1);
-    sweep.lengths = longer;
-    sweep.length_count = 2;
-    run(&sweep_length, &sweep);
-    struct sweep_lengths_found found = sweep_find_lengths(&sweep);
+    SCOPED_VALUE(sweep) one = sweep_of("sphere", 1, 1);
+    SCOPED_VALUE(sweep) two = sweep_of("sphere", 1, 1);
+    SET_LENGTHS(one, shortest);
+    SET_LENGTHS(two, longer);
+    run(&sweep_length, &one);
+    run(&sweep_length, &two);
+    assert_int_equal(sweep_find_lengths(&one).crossover, 0);
+    struct sweep_lengths_found found = sweep_find_lengths(&two);
     assert_int_equal(found.crossover, 64);
     assert_int_equal(found.checked, 0);
     assert_int_equal(found.half, 64);
     assert_false(found.half_is_exact);
-    sweep_free(&sweep);
 }
 
 /* Returns a measurement with this queue length and speedup. */
@@ -395,8 +375,7 @@ TEST(progress)
         SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
         struct watcher watcher = { .stop_at = stop_at };
         c205_error error = { "" };
-        sweep.lengths = few;
-        sweep.length_count = 5;
+        SET_LENGTHS(sweep, few);
         sweep.base.trace.progress = watch;
         sweep.base.trace.context = &watcher;
         assert_int_equal(sweep_queue.measure(&sweep, &error), stop_at == 0);
