@@ -7,12 +7,10 @@ const struct effect no_effect;
 struct clock *clock_of(const char *text)
 {
     c205_error error;
-    c205_model *model = c205_model_parse("test", text, &error);
-    if (!model)
-        fail_msg("%s", error.message);
+    SCOPED(c205_model) *model = c205_model_parse("test", text, &error);
+    REQUIRE(model);
     struct clock *clock = clock_new(model, &error);
     assert_non_null(clock);
-    c205_model_free(model);
     return clock;
 }
 
@@ -23,11 +21,9 @@ struct clock *two_pipes(void)
 
 struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t)
 {
-    struct decoded decoded;
-    memset(&decoded, 0, sizeof decoded);
-    decoded.insn = c205_insn_named(name, strlen(name));
+    struct decoded decoded = { .insn = c205_insn_named(name, strlen(name)),
+                               .pc = driven_pc };
     assert_non_null(decoded.insn);
-    decoded.pc = driven_pc;
     decoded.next = driven_pc + 32 * c205_format_halves(decoded.insn->format);
     decoded.flops = (uint8_t)c205_operation_flops(decoded.insn->operation);
     if (r)
@@ -52,18 +48,14 @@ void scalar(struct clock *clock, const char *name, unsigned r, unsigned s, unsig
 
 void branch(struct clock *clock, const char *name, uint64_t target)
 {
-    struct effect effect = no_effect;
-    effect.taken = true;
-    effect.target = target;
+    const struct effect effect = { .taken = true, .target = target };
     charge(clock, insn(name, 0, 0, 0), &effect);
 }
 
 void at_address(struct clock *clock, const char *name, uint64_t address)
 {
-    struct effect effect = no_effect;
-    effect.touch_count = 1;
-    effect.touch[0].address = address;
-    effect.touch[0].bits = 64;
+    const struct effect effect = { .touch_count = 1,
+                                   .touch[0] = { .address = address, .bits = 64 } };
     charge(clock, insn(name, 1, 0, 9), &effect);
 }
 

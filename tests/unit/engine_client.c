@@ -58,38 +58,29 @@ static bool has(const char *text, const char *part)
 }
 
 /* Formats a request, replaces ' by ", sends it and reads the reply. */
-static char *request_of(struct talk *talk, const char *format, va_list arguments)
+const char *talk_send(struct talk *talk, const char *format, ...)
 {
     static char request[1 << 16];
-    int length = vsnprintf(request, sizeof request, format, arguments);
+    va_list arguments;
 
+    va_start(arguments, format);
+    int length = vsnprintf(request, sizeof request, format, arguments);
+    va_end(arguments);
     assert_true(length >= 0 && (size_t)length < sizeof request);
     talk_quote(request);
     talk_bytes(talk, request, (size_t)length);
     return request;
 }
 
-const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
+const struct json_value *talk_success(const struct talk *talk, const char *request)
 {
-    va_list arguments;
-    const char *request;
-
-    va_start(arguments, format);
-    request = request_of(talk, format, arguments);
-    va_end(arguments);
     if (!json_member_truth(talk->reply, "ok", false))
         fail_msg("%s\n%s", request, talk->text);
     return talk->reply;
 }
 
-void talk_refused(struct talk *talk, const char *why, const char *format, ...)
+void talk_failure(const struct talk *talk, const char *why, const char *request)
 {
-    va_list arguments;
-    const char *request;
-
-    va_start(arguments, format);
-    request = request_of(talk, format, arguments);
-    va_end(arguments);
     if (json_member_truth(talk->reply, "ok", true)
         || !has(text_of(talk->reply, "error"), why))
         fail_msg("%s\n%s, not %s", request, talk->text, why);
@@ -117,8 +108,7 @@ const struct json_value *talk_load(struct talk *talk, const char *text,
     sink_print(&sink, "%s}", more);
     talk_quote(line.text + length);
     talk_bytes(talk, line.text, line.length);
-    if (!json_member_truth(talk->reply, "ok", false))
-        fail_msg("%s\n%s", line.text, talk->text);
+    talk_success(talk, line.text);
     text_buffer_free(&line);
     return talk->reply;
 }

@@ -23,12 +23,16 @@ const struct json_value *talk_bytes(struct talk *talk, const char *request,
 /* Replaces each ' by ". Requests and parts of replies are written with ' for the quotes
  * of JSON. */
 void talk_quote(char *text);
-/* Sends a request that must succeed and returns the reply. */
-const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
+/* Sends a request that is formatted by printf. Returns its text. */
+const char *talk_send(struct talk *talk, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
-/* Sends a request that must fail with `why` in the error. */
-void talk_refused(struct talk *talk, const char *why, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
+/* Check the reply to a request, which must succeed, or fail with `why` in the error. */
+const struct json_value *talk_success(const struct talk *talk, const char *request);
+void talk_failure(const struct talk *talk, const char *why, const char *request);
+/* Send a request that must succeed, and one that must fail. */
+#define talk_ask(talk, ...) talk_success(talk, talk_send(talk, __VA_ARGS__))
+#define talk_refused(talk, why, ...) \
+    talk_failure(talk, why, talk_send(talk, __VA_ARGS__))
 /* Fails the test unless the last reply contains `part`. */
 void talk_says(const struct talk *talk, const char *part);
 /* Loads a program. `more` has further members of the request, each after a comma. */

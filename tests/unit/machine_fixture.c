@@ -35,8 +35,7 @@ struct small_machine make_small_machine(void)
     fixture.model = c205_model_find("cyber205-2pipe-prior", &error);
     assert_non_null(fixture.model);
     fixture.machine = c205_new(fixture.model, &error);
-    if (!fixture.machine)
-        fail_msg("%s", error.message);
+    REQUIRE(fixture.machine);
     return fixture;
 }
 
@@ -52,8 +51,7 @@ void load(struct small_machine *fixture, size_t data_words)
                                 { DATA, data_words, NULL } };
     c205_program program = { CODE, 2, segments, 0, NULL, false };
     c205_error error = { "" };
-    if (!c205_load(fixture->machine, &program, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(c205_load(fixture->machine, &program, &error));
 }
 
 c205_stop run(struct small_machine *fixture)

@@ -281,8 +281,7 @@ void random_open(const struct random_lesson *drawn, struct lesson *lesson)
     take(lesson, "start.s", "        EXIT\n");
     take(lesson, "solution.s", "nothing of it is read\n");
     take(lesson, "lesson.md", "# Drawn at random\n\nText.\n");
-    if (!lesson_end(lesson, &error))
-        fail_msg("%s", error.message);
+    REQUIRE(lesson_end(lesson, &error));
 }
 
 void grade_well(struct lesson_verdict *verdict, const struct lesson *lesson,

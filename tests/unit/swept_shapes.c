@@ -22,12 +22,12 @@ static size_t add_prism_loop(char *text, size_t size, double x, double z, double
     return corners + 1;
 }
 
-/* Adds corners at random places. */
-static size_t add_prism_tangle(char *text, size_t size)
+/* Adds at least `least` corners at random places, from x = low to 1. */
+static size_t add_tangle(char *text, size_t size, size_t least, double low)
 {
-    size_t corners = 3 + below(9);
+    size_t corners = least + below(9);
     for (size_t i = 0; i < corners; i++)
-        add_text(text, size, ", <%.6f, %.6f>", between(-1, 1), between(-1, 1));
+        add_text(text, size, ", <%.6f, %.6f>", between(low, 1), between(-1, 1));
     return corners;
 }
 
@@ -52,7 +52,7 @@ void add_prism(char *text, size_t size, bool tangles)
     char path[4000] = "";
     size_t count = 0, sort = below(3 + tangles);
     if (sort == 3)
-        count = add_prism_tangle(path, sizeof path);
+        count = add_tangle(path, sizeof path, 3, -1);
     else if (sort == 2)
         count = add_prism_comb(path, sizeof path);
     else
@@ -177,20 +177,11 @@ static size_t add_lathe_loop(char *text, size_t size)
     return corners + closed;
 }
 
-/* Adds corners at random places. */
-static size_t add_lathe_tangle(char *text, size_t size)
-{
-    size_t corners = 2 + below(9);
-    for (size_t i = 0; i < corners; i++)
-        add_text(text, size, ", <%.6f, %.6f>", between(0, 1), between(-1, 1));
-    return corners;
-}
-
 void add_lathe(char *text, size_t size, bool tangles)
 {
     char path[2000] = "";
     size_t sort = below(3 + tangles);
-    size_t count = sort == 3   ? add_lathe_tangle(path, sizeof path)
+    size_t count = sort == 3   ? add_tangle(path, sizeof path, 2, 0)
                    : sort == 2 ? add_lathe_loop(path, sizeof path)
                                : add_lathe_profile(path, sizeof path);
     add_text(text, size, "lathe { %s%zu%s ", below(2) ? "linear_spline " : "", count,

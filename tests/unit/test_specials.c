@@ -5,8 +5,6 @@
 #include "tests/random.h"
 #include "tests/unit/rule_cases.h"
 
-#define SIZE(table) (sizeof(table) / sizeof *(table))
-
 enum { ROUNDS = 20000 };
 
 /* ---- Operands ----------------------------------------------------------- */
@@ -253,7 +251,7 @@ static void check_operation(const struct operation *operation)
 
 TEST(operations)
 {
-    for (size_t i = 0; i < SIZE(operations); i++)
+    for (size_t i = 0; i < COUNT(operations); i++)
         check_operation(&operations[i]);
 }
 
@@ -293,7 +291,7 @@ TEST(relations)
 {
     uint64_t seed = RANDOM_SEED;
 
-    for (size_t i = 0; i < SIZE(relations); i++)
+    for (size_t i = 0; i < COUNT(relations); i++)
         for (int n = 0; n < ROUNDS; n++)
             check_relation(&relations[i], &seed);
 }

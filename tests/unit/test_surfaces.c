@@ -151,19 +151,21 @@ TEST(interiors)
     static const char many[] = "global_settings { max_trace_level 9 }\n"
                                "#for (I, 1, %d) sphere { 0, 1 pigment { rgbt .5 }\n"
                                "    interior { ior 1 + I/64 } } #end";
-    char text[200];
+    static const struct {
+        int bodies;
+        double base, full;
+    } rows[] = {
+        { 11, 16, 0 }, { 12, 16, 0x1p40 }, { 16, 32, 0x1p40 }, { 31, 32, 0x1p40 }
+    };
     SCOPED_VALUE(stage) stage = stage_of(few, BOUNDING_FLAT);
     for (size_t i = 0; i < COUNT(numbers); i++)
         assert_number(primitive(&stage, i, "P_INTERIOR"), numbers[i]);
     check_interiors(few, 3, 4, 0);
-    snprintf(text, sizeof text, many, 11);
-    check_interiors(text, 11, 16, 0);
-    snprintf(text, sizeof text, many, 12);
-    check_interiors(text, 12, 16, ldexp(1, 4 * 10));
-    snprintf(text, sizeof text, many, 16);
-    check_interiors(text, 16, 32, ldexp(1, 5 * 8));
-    snprintf(text, sizeof text, many, 31);
-    check_interiors(text, 31, 32, ldexp(1, 5 * 8));
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        char text[200];
+        snprintf(text, sizeof text, many, rows[i].bodies);
+        check_interiors(text, (size_t)rows[i].bodies, rows[i].base, rows[i].full);
+    }
 }
 
 TEST(levels)
