@@ -56,89 +56,90 @@ static void check_regions(const char *text, size_t reports, const char *expected
 
 TEST(trees)
 {
-    static const struct {
-        const char *text, *regions;
-        size_t reports;
-    } rows[] = {
-        { "", "", 0 },
-        { A B, "0 1 ++", 0 },
-        { "union { " A B " }", "0 1 ++", 0 },
-        { "intersection { " A B " }", "&(0,1) ++", 0 },
-        { "merge { " A B C " }", "|(0,1,2) +++", 0 },
-        { "difference { " A B C " }", "&(0,!(1),!(2)) +--", 0 },
-        { "sphere { 0, 1 inverse }", "!(0) -", 0 },
-        { "sphere { 0, 1 inverse inverse }", "0 +", 0 },
-        { "union { " A B " inverse }", "!(|(0,1)) --", 0 },
-        { "union { union { " A B " inverse } " C " inverse }", "!(|(!(|(0,1)),2)) ++-",
-          0 },
-        { "union { merge { " A B " } " C D " }", "|(0,1) 2 3 ++++", 0 },
-        { "intersection { union { " A B " } " C " }", "&(|(0,1),2) +++", 0 },
-        { "merge { union { " A B " } " C " }", "|(|(0,1),2) +++", 0 },
-        { "difference { " A " union { " B C " } }", "&(0,!(|(1,2))) +--", 0 },
+    static const char *const rows[][2] = {
+        { "", "" },
+        { A B, "0 1 ++" },
+        { "union { " A B " }", "0 1 ++" },
+        { "intersection { " A B " }", "&(0,1) ++" },
+        { "merge { " A B C " }", "|(0,1,2) +++" },
+        { "difference { " A B C " }", "&(0,!(1),!(2)) +--" },
+        { "sphere { 0, 1 inverse }", "!(0) -" },
+        { "sphere { 0, 1 inverse inverse }", "0 +" },
+        { "union { " A B " inverse }", "!(|(0,1)) --" },
+        { "union { union { " A B " inverse } " C " inverse }",
+          "!(|(!(|(0,1)),2)) ++-" },
+        { "union { merge { " A B " } " C D " }", "|(0,1) 2 3 ++++" },
+        { "intersection { union { " A B " } " C " }", "&(|(0,1),2) +++" },
+        { "merge { union { " A B " } " C " }", "|(|(0,1),2) +++" },
+        { "difference { " A " union { " B C " } }", "&(0,!(|(1,2))) +--" },
         { "difference { " A " difference { " B C " } " D " }",
-          "&(0,!(&(1,!(2))),!(3)) +-+-", 0 },
-        { "difference { " A " box { 0, 1 inverse } }", "&(0,1) ++", 0 },
-        { "intersection { " A " }", "0 +", 1 },
-        { "intersection { }", "", 1 },
-        { "difference { " A " }", "0 +", 1 },
-        { "intersection { light_source { 0, 1 } " A " }", "0 +", 0 },
-        { "intersection { " A " union { light_source { 0, 1 } } }", "0 +", 1 },
+          "&(0,!(&(1,!(2))),!(3)) +-+-" },
+        { "difference { " A " box { 0, 1 inverse } }", "&(0,1) ++" },
+        { "intersection { light_source { 0, 1 } " A " }", "0 +" },
         { "#declare U = union { " A B " }\n"
           "object { U } object { U inverse } merge { object { U } " C " }",
-          "0 1 !(|(2,3)) |(|(4,5),6) ++--+++", 0 },
+          "0 1 !(|(2,3)) |(|(4,5),6) ++--+++" },
         { "#declare H = difference { " A B " scale 2 }\n"
           "intersection { object { H inverse translate x } " C " }",
-          "&(!(&(0,!(1))),2) -++", 0 },
-        { "object { difference { " A B " } inverse }", "!(&(0,!(1))) -+", 0 },
-        { "sphere { 0, 1 clipped_by { " C " } }", "&(0,1) ++", 0 },
+          "&(!(&(0,!(1))),2) -++" },
+        { "object { difference { " A B " } inverse }", "!(&(0,!(1))) -+" },
+        { "sphere { 0, 1 clipped_by { " C " } }", "&(0,1) ++" },
         { "sphere { 0, 1 clipped_by { " B C " } clipped_by { " D " } }",
-          "&(&(0,1,2),3) ++++", 0 },
-        { "union { " A B " clipped_by { " C " } }", "&(0,1) &(2,3) ++++", 0 },
-        { "merge { " A B " clipped_by { union { " C D " } } }", "&(|(0,1),|(2,3)) ++++",
-          0 },
-        { "sphere { 0, 1 clipped_by { " C " } inverse }", "&(!(0),1) -+", 0 },
-        { "sphere { 0, 1 inverse clipped_by { " C " } inverse }", "&(0,1) ++", 0 },
+          "&(&(0,1,2),3) ++++" },
+        { "union { " A B " clipped_by { " C " } }", "&(0,1) &(2,3) ++++" },
+        { "merge { " A B " clipped_by { union { " C D " } } }",
+          "&(|(0,1),|(2,3)) ++++" },
+        { "sphere { 0, 1 clipped_by { " C " } inverse }", "&(!(0),1) -+" },
+        { "sphere { 0, 1 inverse clipped_by { " C " } inverse }", "&(0,1) ++" },
         { "difference { " A " sphere { 0, 1 clipped_by { difference { " B C " } } } }",
-          "&(0,&(!(1),&(2,!(3)))) +-+-", 0 },
+          "&(0,&(!(1),&(2,!(3)))) +-+-" },
         { "intersection { " A " merge { sphere { 0, 1 clipped_by { " C " } } " B
           " inverse } }",
-          "&(0,&(&(!(1),2),!(3))) +-+-", 0 },
+          "&(0,&(&(!(1),2),!(3))) +-+-" },
         { "intersection { " A B " clipped_by { " C " } inverse }",
-          "&(|(!(0),!(1)),2) --+", 0 },
+          "&(|(!(0),!(1)),2) --+" },
         { "#declare H = sphere { 0, 1 clipped_by { " C " } }\n"
           "object { H } difference { " A " object { H } }",
-          "&(0,1) &(2,&(!(3),4)) +++-+", 0 },
-        { "sphere { 0, 1 clipped_by { " C D " scale 2 } }", "&(0,1,2) +++", 0 },
-        { "sphere { 0, 1 bounded_by { " B " } }", "0 +", 0 },
-        { "plane { y, 0 bounded_by { " B " } }", "0 +", 0 },
-        { "quadric { <1, 0, 1>, 0, 0, -1 bounded_by { " B " } }", "0 +", 1 },
-        { "intersection { " A B " bounded_by { box { -2, 2 } } }", "&(0,1) ++", 0 },
-        { "intersection { " A C " bounded_by { sphere { 0, 2 } } }", "&(0,1) ++", 0 },
-        { "union { " A B " bounded_by { box { -.9, 2 } } }", "0 1 ++", 1 },
+          "&(0,1) &(2,&(!(3),4)) +++-+" },
+        { "sphere { 0, 1 clipped_by { " C D " scale 2 } }", "&(0,1,2) +++" },
+        { "sphere { 0, 1 bounded_by { " B " } }", "0 +" },
+        { "plane { y, 0 bounded_by { " B " } }", "0 +" },
+        { "intersection { " A B " bounded_by { box { -2, 2 } } }", "&(0,1) ++" },
+        { "intersection { " A C " bounded_by { sphere { 0, 2 } } }", "&(0,1) ++" },
         { "intersection { quadric { <1, 0, 1>, 0, 0, -1 } " A
           " bounded_by { sphere { 0, 1.001 } } }",
-          "&(0,1) ++", 0 },
+          "&(0,1) ++" },
         { "intersection { box { <-2, 0, -.1>, <2, 5, 1.1> } "
           "merge { box { -9*y, 1 } box { <-1, -1, 0>, <0, 9, 1> } } "
           "bounded_by { box { <-2, 0, 0>, <2, 5, 1> } } }",
-          "&(0,|(1,2)) +++", 0 },
-        { "merge { sphere { 0, 1 } sphere { x, 1 } bounded_by { sphere { "
-          ".25*x, .7 } scale 2 } }",
-          "|(0,1) ++", 1 },
+          "&(0,|(1,2)) +++" },
         { "merge { sphere { 0, 1 } sphere { x, 1 } bounded_by { sphere { "
           ".25*x, .76 } scale 2 rotate 0 } }",
-          "|(0,1) ++", 0 },
-        { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }", "0 1 ++", 0 },
-        { "union { " A B " bounded_by { clipped_by } }", "0 1 ++", 0 },
+          "|(0,1) ++" },
+        { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }", "0 1 ++" },
+        { "union { " A B " bounded_by { clipped_by } }", "0 1 ++" },
         /* As in POV-Ray, surfaces are not inverted, also within an inverted solid. */
-        { "difference { " B " mesh { " E " } }", "&(0,1) ++", 1 },
-        { "difference { " B " mesh { " E " inside_vector z } }", "&(0,!(1)) +-", 0 },
-        { "union { " B E A " inverse }", "&(!(0),1,!(2)) -+-", 0 },
-        { "object { union { " B E " inverse } inverse }", "|(0,1) ++", 0 },
+        { "difference { " B " mesh { " E " inside_vector z } }", "&(0,!(1)) +-" },
+        { "union { " B E A " inverse }", "&(!(0),1,!(2)) -+-" },
+        { "object { union { " B E " inverse } inverse }", "|(0,1) ++" },
+    };
+    static const char *const reported[][2] = {
+        { "intersection { " A " }", "0 +" },
+        { "intersection { }", "" },
+        { "difference { " A " }", "0 +" },
+        { "intersection { " A " union { light_source { 0, 1 } } }", "0 +" },
+        { "quadric { <1, 0, 1>, 0, 0, -1 bounded_by { " B " } }", "0 +" },
+        { "union { " A B " bounded_by { box { -.9, 2 } } }", "0 1 ++" },
+        { "merge { sphere { 0, 1 } sphere { x, 1 } bounded_by { sphere { "
+          ".25*x, .7 } scale 2 } }",
+          "|(0,1) ++" },
+        { "difference { " B " mesh { " E " } }", "&(0,1) ++" },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
-        check_regions(rows[i].text, rows[i].reports, rows[i].regions);
+        check_regions(rows[i][0], 0, rows[i][1]);
+    for (size_t i = 0; i < COUNT(reported); i++)
+        check_regions(reported[i][0], 1, reported[i][1]);
 }
 
 /* A clipping shape is invisible, casts no shadow and gets no material. Transformations
@@ -395,49 +396,42 @@ TEST(clear_pigments)
     }
 }
 
-#define GREY(value) \
-    { \
-        value, value, value \
-    }
-
 /* A second reflection keeps the values of the first that it does not set, as measured
  * in POV-Ray. */
 TEST(reflections)
 {
     static const struct {
         const char *text;
-        double least[3], most[3], falloff, metallic;
-        bool fresnel;
+        /* The least and the largest reflection, falloff, metallic and fresnel. */
+        double numbers[9];
     } rows[] = {
-        { "", GREY(0), GREY(0), 1, 0, false },
-        { "reflection .25", GREY(.25), GREY(.25), 1, 0, false },
-        { "reflection rgb <.1, .2, .3>", { .1, .2, .3 }, { .1, .2, .3 }, 1, 0, false },
-        { "reflection { <.1, .2, .3> }", { .1, .2, .3 }, { .1, .2, .3 }, 1, 0, false },
-        { "reflection { color rgb .5 } phong 1", GREY(.5), GREY(.5), 1, 0, false },
+        { "", { 0, 0, 0, 0, 0, 0, 1, 0, false } },
+        { "reflection .25", { .25, .25, .25, .25, .25, .25, 1, 0, false } },
+        { "reflection rgb <.1, .2, .3>", { .1, .2, .3, .1, .2, .3, 1, 0, false } },
+        { "reflection { <.1, .2, .3> }", { .1, .2, .3, .1, .2, .3, 1, 0, false } },
+        { "reflection { color rgb .5 } phong 1",
+          { .5, .5, .5, .5, .5, .5, 1, 0, false } },
         { "reflection { .1, rgb <.2, .3, .4> falloff 3 metallic }",
-          GREY(.1),
-          { .2, .3, .4 },
-          3,
-          1,
-          false },
-        { "reflection { .1 .2 fresnel metallic .5 }", GREY(.1), GREY(.2), 1, .5, true },
-        { "reflection { .5 fresnel on }", GREY(0), GREY(.5), 1, 0, true },
-        { "reflection { .5 fresnel off }", GREY(.5), GREY(.5), 1, 0, false },
-        { "reflection { 0, 1 fresnel off } reflection { .5, 1 }", GREY(.5), GREY(1), 1,
-          0, false },
-        { "reflection { 0, 1 fresnel falloff 2 metallic } reflection { .5 }", GREY(.5),
-          GREY(.5), 2, 1, true },
+          { .1, .1, .1, .2, .3, .4, 3, 1, false } },
+        { "reflection { .1 .2 fresnel metallic .5 }",
+          { .1, .1, .1, .2, .2, .2, 1, .5, true } },
+        { "reflection { .5 fresnel on }", { 0, 0, 0, .5, .5, .5, 1, 0, true } },
+        { "reflection { .5 fresnel off }", { .5, .5, .5, .5, .5, .5, 1, 0, false } },
+        { "reflection { 0, 1 fresnel off } reflection { .5, 1 }",
+          { .5, .5, .5, 1, 1, 1, 1, 0, false } },
+        { "reflection { 0, 1 fresnel falloff 2 metallic } reflection { .5 }",
+          { .5, .5, .5, .5, .5, .5, 2, 1, true } },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("sphere { 0, 1 finish { %s } }",
                                            rows[i].text);
         const struct finish *finish = &scene->primitives->finish;
-        assert_numbers(finish->reflection, rows[i].least, 3, CLOSE);
-        assert_numbers(finish->reflection_most, rows[i].most, 3, CLOSE);
-        assert_close(finish->reflection_falloff, rows[i].falloff, 0);
-        assert_close(finish->reflection_metallic, rows[i].metallic, 0);
-        assert_int_equal(finish->fresnel, rows[i].fresnel);
+        const double rest[] = { finish->reflection_falloff, finish->reflection_metallic,
+                                finish->fresnel };
+        assert_numbers(finish->reflection, rows[i].numbers, 3, CLOSE);
+        assert_numbers(finish->reflection_most, rows[i].numbers + 3, 3, CLOSE);
+        assert_numbers(rest, rows[i].numbers + 6, 3, 0);
     }
 }
 
