@@ -37,28 +37,6 @@ static void check_pigment(const char *words, enum pigment_kind kind,
 
 #define TWO "0:1,0,0 0.5:0,0,1 "
 
-TEST(maps)
-{
-    check_pigment("gradient x", PIGMENT_GRADIENT, "0:0,0,0 1:1,1,1 ");
-    check_pigment("gradient x color_map { [0 rgb x] [.5 rgb z] }", PIGMENT_GRADIENT,
-                  TWO);
-    check_pigment("gradient x, color_map { [0, rgb x], [.5, color rgb z] }",
-                  PIGMENT_GRADIENT, TWO);
-    check_pigment("gradient x colour_map { [0 color red 1] [.5 blue 1] }",
-                  PIGMENT_GRADIENT, TWO);
-    check_pigment("gradient x color_map { #for (I, 0, 1) [I/2 rgb <1 - I, 0, I>]"
-                  " #end }",
-                  PIGMENT_GRADIENT, TWO);
-    /* The oldest form; a decreasing value; values outside of 0 to 1. */
-    check_pigment("gradient z color_map { [0, .5 color rgb x color rgb y]"
-                  " [.5, 1 color rgb z color rgb 1] }",
-                  PIGMENT_GRADIENT, "0:1,0,0 0.5:0,1,0 0.5:0,0,1 1:1,1,1 ");
-    check_pigment("gradient y color_map { [.6 rgb x] [.4 rgb y] [.7 rgb z] }",
-                  PIGMENT_GRADIENT, "0.6:1,0,0 0.6:0,1,0 0.7:0,0,1 ");
-    check_pigment("gradient y color_map { [-1 rgb x] [3 rgb y] }", PIGMENT_GRADIENT,
-                  "-1:1,0,0 3:0,1,0 ");
-}
-
 static struct pattern pattern_of(const char *words)
 {
     SCOPED(scene) *scene = read_format("sphere { 0, 1 pigment { %s } }", words);
@@ -70,21 +48,41 @@ static struct pattern pattern_of(const char *words)
 TEST(patterns)
 {
     static const struct {
+        enum pigment_kind kind;
         const char *words, *map;
     } rows[] = {
-        { "planar", "0:0,0,0 1:1,1,1 " },
-        { "spherical color_map { [0 rgb x] [.5 rgb z] }", TWO },
-        { "radial", "0:0,1,1 0.333:1,1,0 0.666:1,0,1 1:0,1,1 " },
-        { "radial color_map { [0 rgb x] [.5 rgb z] }", TWO },
-        { "gradient x sine_wave", "0:0,0,0 1:1,1,1 " },
-        { "gradient x frequency 2", "0:0,0,0 1:1,1,1 " },
-        { "gradient x phase .5", "0:0,0,0 1:1,1,1 " },
+        { PIGMENT_GRADIENT, "gradient x", "0:0,0,0 1:1,1,1 " },
+        { PIGMENT_GRADIENT, "gradient x color_map { [0 rgb x] [.5 rgb z] }", TWO },
+        { PIGMENT_GRADIENT, "gradient x, color_map { [0, rgb x], [.5, color rgb z] }",
+          TWO },
+        { PIGMENT_GRADIENT, "gradient x colour_map { [0 color red 1] [.5 blue 1] }",
+          TWO },
+        { PIGMENT_GRADIENT,
+          "gradient x color_map { #for (I, 0, 1) [I/2 rgb <1 - I, 0, I>] #end }", TWO },
+        /* The oldest form; a decreasing value; values outside of 0 to 1. */
+        { PIGMENT_GRADIENT,
+          "gradient z color_map { [0, .5 color rgb x color rgb y]"
+          " [.5, 1 color rgb z color rgb 1] }",
+          "0:1,0,0 0.5:0,1,0 0.5:0,0,1 1:1,1,1 " },
+        { PIGMENT_GRADIENT, "gradient y color_map { [.6 rgb x] [.4 rgb y] [.7 rgb z] }",
+          "0.6:1,0,0 0.6:0,1,0 0.7:0,0,1 " },
+        { PIGMENT_GRADIENT, "gradient y color_map { [-1 rgb x] [3 rgb y] }",
+          "-1:1,0,0 3:0,1,0 " },
+        { PIGMENT_GRADIENT, "gradient x frequency 1 ramp_wave", "0:0,0,0 1:1,1,1 " },
+        { PIGMENT_GRADIENT, "checker gradient x phase .5", "0:0,0,1 1:0,1,0 " },
+        { PIGMENT_GRADIENT, "hexagon rgb x rgb y rgb z gradient x",
+          "0:1,0,0 1:0,1,0 2:0,0,1 " },
+        { PIGMENT_PATTERN, "planar", "0:0,0,0 1:1,1,1 " },
+        { PIGMENT_PATTERN, "spherical color_map { [0 rgb x] [.5 rgb z] }", TWO },
+        { PIGMENT_PATTERN, "radial", "0:0,1,1 0.333:1,1,0 0.666:1,0,1 1:0,1,1 " },
+        { PIGMENT_PATTERN, "radial color_map { [0 rgb x] [.5 rgb z] }", TWO },
+        { PIGMENT_PATTERN, "gradient x sine_wave", "0:0,0,0 1:1,1,1 " },
+        { PIGMENT_PATTERN, "gradient x frequency 2", "0:0,0,0 1:1,1,1 " },
+        { PIGMENT_PATTERN, "gradient x phase .5", "0:0,0,0 1:1,1,1 " },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
-        check_pigment(rows[i].words, PIGMENT_PATTERN, rows[i].map);
-    check_pigment("gradient x frequency 1 ramp_wave", PIGMENT_GRADIENT,
-                  "0:0,0,0 1:1,1,1 ");
+        check_pigment(rows[i].words, rows[i].kind, rows[i].map);
     struct pattern pattern = pattern_of("onion");
     assert_int_equal(pattern.function, PATTERN_ONION);
     assert_int_equal(pattern.wave, WAVE_RAMP);
@@ -159,9 +157,6 @@ TEST(waves_stay)
     pattern = pattern_of("brick mortar .1 brick_size 1 brick");
     assert_close(pattern.mortar, .5, 0);
     assert_vector(pattern.brick_size, 8, 3, 4.5);
-    check_pigment("checker gradient x phase .5", PIGMENT_GRADIENT, "0:0,0,1 1:0,1,0 ");
-    check_pigment("hexagon rgb x rgb y rgb z gradient x", PIGMENT_GRADIENT,
-                  "0:1,0,0 1:0,1,0 2:0,0,1 ");
     SCOPED(scene) *scene = read_scene(
         "#declare H = pigment { hexagon rgb x rgb y rgb z frequency .5 }\n"
         "sphere { 0, 1 pigment { H gradient x } }\n"

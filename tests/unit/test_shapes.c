@@ -4,13 +4,11 @@
 #include "tests/unit/scene_reading.h"
 
 #include "rt/layout/program.h"
-#include "rt/picture/picture.h"
 #include "rt/scene/transform.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
+#include "tests/unit/asm_helper.h"
 #include "tests/unit/draw.h"
-
-#include <glob.h>
 
 /* ---- Descriptors --------------------------------------------------------- */
 
@@ -34,24 +32,16 @@ TEST(descriptors)
 
 /* ---- Kernels ------------------------------------------------------------- */
 
-static void check_routine(const struct object *program, const char *name)
-{
-    if (name && !object_symbol(program, name))
-        fail_msg("%s is no routine of the kernels", name);
-}
-
 static void check_routines(const struct object *program,
                            const struct shape_kernels *kernels, bool historical)
 {
+    const char *const names[] = { kernels->kernel,     kernels->normal,
+                                  kernels->solid,      kernels->state,
+                                  kernels->historical, kernels->historical_normal };
     assert_true(kernels->kernel && kernels->normal);
-    check_routine(program, kernels->kernel);
-    check_routine(program, kernels->normal);
-    check_routine(program, kernels->solid);
-    check_routine(program, kernels->state);
-    if (historical) {
-        check_routine(program, kernels->historical);
-        check_routine(program, kernels->historical_normal);
-    }
+    for (size_t i = 0; i < (historical ? COUNT(names) : 4); i++)
+        if (names[i] && !object_symbol(program, names[i]))
+            fail_msg("%s is no routine of the kernels", names[i]);
 }
 
 static void check_program(const char *kernel, bool historical)
@@ -119,10 +109,7 @@ static void look_through(const struct primitive *primitive)
 static void look_at_scene(const char *path)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    const struct scene_options options = { .width = 640,
-                                           .height = 480,
-                                           .read_raster = picture_read_raster };
-    SCOPED(scene) *scene = scene_read(path, &options, &reports);
+    SCOPED(scene) *scene = scene_read(path, &with_images, &reports);
     if (!scene)
         fail_msg("%s is not read", path);
     for (size_t i = 0; i < scene->primitive_count; i++)
@@ -132,12 +119,7 @@ static void look_at_scene(const char *path)
 
 TEST(scenes)
 {
-    glob_t scenes;
-
-    assert_int_equal(glob("tests/scenes/*.pov", 0, NULL, &scenes), 0);
-    for (size_t i = 0; i < scenes.gl_pathc; i++)
-        look_at_scene(scenes.gl_pathv[i]);
-    globfree(&scenes);
+    each_file("tests/scenes/*.pov", look_at_scene);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const char *name = primitive_kind_name((enum primitive_kind)i);
         if (found[i].count == 0)

@@ -50,10 +50,14 @@ static const struct outcome plain_indefinite = { IND, INDEFINITE_FLAG };
 
 /* An operation with its operands. */
 struct trial {
-    const char *name;
-    word_format f;
-    arith_binary *binary;
-    arith_unary *unary;
+    const struct operation {
+        const char *name;
+        word_format f;
+        arith_binary *binary;
+        arith_unary *unary;
+        void (*specials)(const struct trial *t);
+    } * of;
+    word_format f; /* of the operation */
     c205_word a, b;
 };
 
@@ -61,8 +65,8 @@ static struct outcome result_of(const struct trial *t)
 {
     struct outcome result = { 0, 0 };
 
-    result.word = t->binary ? t->binary(t->a, t->b, &result.flags)
-                            : t->unary(t->a, &result.flags);
+    result.word = t->of->binary ? t->of->binary(t->a, t->b, &result.flags)
+                                : t->of->unary(t->a, &result.flags);
     return result;
 }
 
@@ -73,7 +77,7 @@ static void expect(const struct trial *t, struct outcome expected)
     if (result.word != expected.word || result.flags != expected.flags)
         fail_msg("%s of %016llX and %016llX, %d digits: %016llX, flags %llX, "
                  "not %016llX, %llX",
-                 t->name, (unsigned long long)t->a, (unsigned long long)t->b,
+                 t->of->name, (unsigned long long)t->a, (unsigned long long)t->b,
                  (int)t->f.digits, (unsigned long long)result.word,
                  (unsigned long long)result.flags, (unsigned long long)expected.word,
                  (unsigned long long)expected.flags);
@@ -211,15 +215,7 @@ static void check_EXTENDED(const struct trial *t)
 
 /* ---- The operations ----------------------------------------------------- */
 
-typedef void check(const struct trial *t);
-
-static const struct operation {
-    const char *name;
-    word_format f;
-    arith_binary *binary;
-    arith_unary *unary;
-    check *specials;
-} operations[] = {
+static const struct operation operations[] = {
 /* clang-format off */
 #define WORDS { 16, 47 }
 #define HALVES { 8, 23 }
@@ -238,9 +234,7 @@ static const struct operation {
 static void check_operation(const struct operation *operation)
 {
     uint64_t seed = RANDOM_SEED;
-    struct trial t = {
-        operation->name, operation->f, operation->binary, operation->unary, 0, 0
-    };
+    struct trial t = { operation, operation->f, 0, 0 };
 
     for (int i = 0; i < ROUNDS; i++) {
         t.a = any_word(t.f, &seed);
