@@ -4,7 +4,7 @@
 
 #include <glob.h>
 
-static struct object *checked(struct object *object, struct diagnostics *errors)
+static struct object *checked(struct object *object, const struct diagnostics *errors)
 {
     struct sink sink = stream_sink(stderr);
 
@@ -12,33 +12,29 @@ static struct object *checked(struct object *object, struct diagnostics *errors)
         diagnostics_put(errors, &sink);
     assert_int_equal(errors->errors, 0);
     assert_non_null(object);
-    diagnostics_free(errors);
     return object;
 }
 
 struct object *good(const char *text)
 {
-    struct diagnostics errors = { 0 };
-
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     return checked(assemble_text("test.s", text, NULL, &errors), &errors);
 }
 
 struct object *good_file(const char *path)
 {
-    struct diagnostics errors = { 0 };
-
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     return checked(assemble_file(path, NULL, &errors), &errors);
 }
 
 size_t each_file(const char *pattern, void (*use)(const char *path))
 {
     glob_t found;
-    size_t count;
 
     assert_int_equal(glob(pattern, 0, NULL, &found), 0);
     for (size_t i = 0; i < found.gl_pathc; i++)
         use(found.gl_pathv[i]);
-    count = found.gl_pathc;
+    size_t count = found.gl_pathc;
     globfree(&found);
     return count;
 }
@@ -72,9 +68,7 @@ void assert_sum(const c205 *machine)
 
 c205_word word_of(const c205_program *program, uint64_t address)
 {
-    size_t i;
-
-    for (i = 0; i < program->segment_count; i++) {
+    for (size_t i = 0; i < program->segment_count; i++) {
         const c205_segment *segment = &program->segments[i];
         uint64_t index = (address - segment->address) / 64;
 
@@ -87,12 +81,9 @@ c205_word word_of(const c205_program *program, uint64_t address)
 /* Fails unless every word of `program` is also in `other`, at the same address. */
 static void assert_words_in(const c205_program *program, const c205_program *other)
 {
-    size_t i, j;
-
-    for (i = 0; i < program->segment_count; i++) {
+    for (size_t i = 0; i < program->segment_count; i++) {
         const c205_segment *segment = &program->segments[i];
-
-        for (j = 0; segment->words && j < segment->length; j++)
+        for (size_t j = 0; segment->words && j < segment->length; j++)
             assert_int_equal(word_of(other, segment->address + 64 * j),
                              segment->words[j]);
     }
@@ -100,14 +91,12 @@ static void assert_words_in(const c205_program *program, const c205_program *oth
 
 void assert_same_program(const c205_program *a, const c205_program *b)
 {
-    size_t i;
-
     assert_int_equal(a->entry, b->entry);
     assert_int_equal(a->warm, b->warm);
     assert_words_in(a, b);
     assert_words_in(b, a);
     assert_int_equal(a->region_count, b->region_count);
-    for (i = 0; i < a->region_count; i++) {
+    for (size_t i = 0; i < a->region_count; i++) {
         assert_string_equal(a->regions[i].name, b->regions[i].name);
         assert_int_equal(a->regions[i].begin, b->regions[i].begin);
         assert_int_equal(a->regions[i].end, b->regions[i].end);
@@ -129,27 +118,22 @@ void assert_one_error(const struct diagnostics *errors, const char *text, size_t
 void assert_asm_errors(const struct asm_error *error, size_t count)
 {
     for (; count > 0; count--, error++) {
-        struct diagnostics found = { 0 };
-
+        SCOPED_VALUE(diagnostics) found = { 0 };
         assert_null(assemble_text("test.s", error->text, NULL, &found));
         assert_one_error(&found, error->text, error->line, error->column,
                          error->message);
-        diagnostics_free(&found);
     }
 }
 
 void assert_asm_warnings(const struct asm_error *warning, size_t count)
 {
     for (; count > 0; count--, warning++) {
-        struct diagnostics found = { 0 };
-        struct object *object = assemble_text("test.s", warning->text, NULL, &found);
-
+        SCOPED_VALUE(diagnostics) found = { 0 };
+        SCOPED(object) *object = assemble_text("test.s", warning->text, NULL, &found);
         if (!object || found.errors > 0 || (!warning->line && found.count > 0))
             fail_msg("%s\n%s", warning->text, found.count ? found.items->message : "");
         if (warning->line)
             assert_one_error(&found, warning->text, warning->line, warning->column,
                              warning->message);
-        diagnostics_free(&found);
-        object_free(object);
     }
 }

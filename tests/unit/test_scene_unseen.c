@@ -72,6 +72,8 @@ static const struct {
     { PRIMITIVE_LATHE, "lathe { 2, <R, 0>, <-R, 1>" },
 };
 
+#define VIEW HEAD "camera { location <1, 2, -4> look_at 0 }\n"
+#define GROUND "plane { y, -1 pigment { rgb .5 } }\n"
 #define BALL "sphere { 0, 1 pigment { rgb 1 }"
 
 /* Places of a shape: the text before it and after it. `ball` is true if the ball is
@@ -102,10 +104,8 @@ static const struct {
 static void scene_text(char *text, size_t size, size_t shape, size_t place)
 {
     snprintf(text, size,
-             HEAD "camera { location <1, 2, -4> look_at 0 }\n"
-                  "plane { y, -1 pigment { rgb .5 } }\n"
-                  "#declare P = <%g, %g, %g>; #declare Q = P + <%g, .3, %g>; "
-                  "#declare R = %g;\n%s%s %s\n",
+             VIEW GROUND "#declare P = <%g, %g, %g>; #declare Q = P + <%g, .3, %g>; "
+                         "#declare R = %g;\n%s%s %s\n",
              between(-1, 1), between(-1, 1), between(-1, 1), between(.1, 1),
              between(-1, 1), between(.2, 1), places[place].before,
              shapes_unseen[shape].text, places[place].after);
@@ -113,12 +113,7 @@ static void scene_text(char *text, size_t size, size_t shape, size_t place)
 
 static struct words *frame_without(bool ball)
 {
-    char text[700];
-    snprintf(text, sizeof text,
-             HEAD "camera { location <1, 2, -4> look_at 0 }\n"
-                  "plane { y, -1 pigment { rgb .5 } }\n%s\n",
-             ball ? BALL "}" : "");
-    return same_frame(text);
+    return same_frame(ball ? VIEW GROUND BALL "}\n" : VIEW GROUND);
 }
 
 static size_t count_reports(const struct diagnostics *reports)
@@ -186,8 +181,7 @@ TEST(without_height)
         size_t seen[2];
         for (int k = 0; k < 2; k++) {
             snprintf(text, sizeof text,
-                     HEAD "camera { location <1, 2, -4> look_at 0 }\n"
-                          "%s rotate <10, 20, 0> pigment { rgb 1 } }\n",
+                     VIEW "%s rotate <10, 20, 0> pigment { rgb 1 } }\n",
                      k ? rows[i].other : rows[i].flat);
             FREED struct words *words = same_frame(text);
             seen[k] = hits(words);

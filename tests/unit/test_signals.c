@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "tests/random.h"
+#include "tests/unit/scene_reading.h"
 
 enum { WORDS = 20, PATH = 100, TEXT = 4096 };
 static size_t rounds = 1;
@@ -126,13 +127,9 @@ static void wait_for(int milliseconds)
 static void write_file(const char *name, const char *text)
 {
     char path[PATH];
-    FILE *file;
 
     path_of(path, name);
-    file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
+    write_bytes(path, text, strlen(text));
 }
 
 static size_t read_file(const char *name, char text[TEXT])

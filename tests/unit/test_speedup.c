@@ -177,14 +177,21 @@ static void read_detail(const char *heading, struct csv_table *table)
     csv_table(strchr(at, '\n') + 1, table);
 }
 
-/* Clocks of each form, divided by the rays of the table above. */
+/* Clocks of each form, divided by the rays of the table above. The names of the shapes
+ * contain commas. */
 TEST(times)
 {
     static struct csv_table rays, times;
     read_detail("# The rays\n", &rays);
     read_detail("# The kernels and their calls\n", &times);
     assert_int_equal(times.cells[0], 4);
+    assert_int_equal(rays.rows, 1 + speedup_subject_count);
     assert_int_equal(times.rows, 1 + 2 * speedup_subject_count);
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        assert_string_equal(rays.cell[1 + i][0], speedup_subjects[i].name);
+        assert_string_equal(rays.cell[1 + i][rays.cells[0] - 1],
+                            speedup_subjects[i].shape);
+    }
     for (size_t i = 1; i < times.rows; i++) {
         const char *subject = speedup_subjects[(i - 1) / 2].name;
         double traced = strtod(rays.cell[(i - 1) / 2 + 1][1], NULL);
@@ -349,19 +356,6 @@ TEST(formulations)
 }
 
 /* ---- Formats ------------------------------------------------------------ */
-
-/* The names of the shapes contain commas. */
-TEST(csv)
-{
-    static struct csv_table table;
-    read_detail("# The rays\n", &table);
-    assert_int_equal(table.rows, 1 + speedup_subject_count);
-    for (size_t i = 0; i < speedup_subject_count; i++) {
-        assert_string_equal(table.cell[1 + i][0], speedup_subjects[i].name);
-        assert_string_equal(table.cell[1 + i][table.cells[0] - 1],
-                            speedup_subjects[i].shape);
-    }
-}
 
 TEST(markdown)
 {

@@ -25,15 +25,14 @@ TEST(distant_patches)
 }
 
 /* The ray is parallel to the second difference of every curve. */
+#define BOWL \
+    "steiner_patch { <-2, -1, 1>, <2, -1, 1>, <0, 2, 1>, <0, -1, 0>, <1, .5, 0>," \
+    " <-1, .5, 0> "
+
 TEST(rays_along_the_differences)
 {
-    check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
-                          " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0> }",
-                 1, 5 + 1 / 3.);
-    check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
-                          " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0>"
-                          " weights 2, 2, 2, 2, 2, 2 }",
-                 1, 5 + 1 / 3.);
+    check_middle(STRAIGHT BOWL "}", 1, 5 + 1 / 3.);
+    check_middle(STRAIGHT BOWL "weights 2, 2, 2, 2, 2, 2 }", 1, 5 + 1 / 3.);
 }
 
 /* Translation surfaces of two parabolas: a plane of rays crosses two curves s = const
