@@ -253,29 +253,6 @@ TEST(orthographic)
     }
 }
 
-TEST(primitives)
-{
-    SCOPED(scene) *scene = read_scene("sphere { <1, 2, 3>, -2 }\n"
-                                      "box { <1, -1, 1>, <-1, 1, -2> }\n"
-                                      "cylinder { 0, 2*y, .5 open }\n"
-                                      "cylinder { 0, 2*y, .5 no_shadow }\n"
-                                      "plane { <0, 3, 4>, 2 }\n");
-    const struct primitive *p = scene->primitives;
-    assert_int_equal(scene->primitive_count, 5);
-    assert_close(p[0].shape.sphere.radius, 2, 0);
-    assert_vector(p[1].shape.box.corner[0], -1, -1, -2);
-    assert_vector(p[1].shape.box.corner[1], 1, 1, 1);
-    assert_true(p[2].shape.cylinder.open);
-    assert_false(p[3].shape.cylinder.open);
-    assert_vector(p[2].shape.cylinder.cap, 0, 2, 0);
-    assert_true(p[3].no_shadow);
-    assert_vector(p[4].shape.plane.normal, 0, .6, .8);
-    assert_close(p[4].shape.plane.distance, 2, 0); /* along a unit normal */
-    for (size_t i = 0; i < 5; i++)
-        assert_int_equal(p[i].line, i + 1);
-    assert_string_equal(primitive_kind_name(p[2].kind), "cylinder");
-}
-
 TEST(transforms)
 {
     static const struct {

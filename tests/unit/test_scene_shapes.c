@@ -1,102 +1,84 @@
-/* test_scene_shapes.c - the scene language: the fields of cones, discs, tori, quadrics,
+/* test_scene_shapes.c - the scene language: the fields of spheres, discs, tori, quadrics,
  * quartics, patches, prisms and lathes, and the conditions of a text, are compared with
  * expected ones. A wrong field, or an error at another place, fails here. */
 #include "tests/unit/scene_reading.h"
 
 /* ---- Shapes ------------------------------------------------------------- */
 
-TEST(cones)
+/* Writes the name, the first `count` numbers and the flags of a primitive. */
+static void describe(const struct primitive *primitive, size_t count, char *to)
 {
-    SCOPED(scene) *scene = read_scene("cone { <1, 2, 3>, 2, 5*y, 0 }\n"
-                                      "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
-                                      "cone { -x, 1.5, x, 1.5 open }\n");
-    const struct primitive *p = scene->primitives;
-    assert_int_equal(p[0].kind, PRIMITIVE_CONE);
-    assert_vector(p[0].shape.cone.base, 1, 2, 3);
-    assert_vector(p[0].shape.cone.cap, 0, 5, 0);
-    assert_close(p[0].shape.cone.base_radius, 2, 0);
-    assert_close(p[0].shape.cone.cap_radius, 0, 0);
-    assert_false(p[0].shape.cone.open);
-    assert_true(p[1].shape.cone.open && p[1].no_shadow && p[1].transformed);
-    assert_close(p[1].shape.cone.cap_radius, .5, 0);
-    assert_int_equal(p[2].kind, PRIMITIVE_CYLINDER); /* equal radii */
-    assert_vector(p[2].shape.cylinder.base, -1, 0, 0);
-    assert_vector(p[2].shape.cylinder.cap, 1, 0, 0);
-    assert_close(p[2].shape.cylinder.radius, 1.5, 0);
-    assert_true(p[2].shape.cylinder.open);
-    assert_int_equal(p[2].line, 3);
+    const double *numbers = (const double *)&primitive->shape;
+    enum primitive_kind kind = primitive->kind;
+
+    to += sprintf(to, "%s", primitive_kind_name(kind));
+    for (size_t i = 0; i < count; i++)
+        to += sprintf(to, " %.17g", numbers[i] + 0); /* -0 becomes 0 */
+    if ((kind == PRIMITIVE_CYLINDER && primitive->shape.cylinder.open)
+        || (kind == PRIMITIVE_CONE && primitive->shape.cone.open))
+        to += sprintf(to, " open");
+    sprintf(to, "%s%s%s", primitive->transformed ? " moved" : "",
+            primitive->no_shadow ? " no_shadow" : "",
+            primitive->inverted ? " inverted" : "");
 }
 
-TEST(discs)
+/* One text per line, and its primitive. All shapes begin with their numbers. */
+TEST(shapes)
 {
-    SCOPED(scene) *scene = read_scene("disc { <1, 2, 3>, -2*z, 2, .5 }\n"
-                                      "disc { y x, -1 scale 2 }\n"
-                                      "disc { 0, y, 1, -.5 inverse }\n");
-    const struct primitive *p = scene->primitives;
-    assert_int_equal(p[0].kind, PRIMITIVE_DISC);
-    assert_vector(p[0].shape.disc.center, 1, 2, 3);
-    assert_vector(p[0].shape.disc.normal, 0, 0, -1);
-    assert_close(p[0].shape.disc.radius, 2, 0);
-    assert_close(p[0].shape.disc.hole, .5, 0);
-    assert_vector(p[1].shape.disc.center, 0, 1, 0);
-    assert_close(p[1].shape.disc.radius, 1, 0);
-    assert_close(p[1].shape.disc.hole, 0, 0);
-    assert_true(p[1].transformed);
-    assert_close(p[2].shape.disc.hole, .5, 0);
-    assert_true(p[2].inverted);
+    static const struct {
+        size_t numbers;
+        const char *text, *shape;
+    } rows[] = {
+        { 4, "sphere { <1, 2, 3>, -2 }", "sphere 1 2 3 2" },
+        { 6, "box { <1, -1, 1>, <-1, 1, -2> }", "box -1 -1 -2 1 1 1" },
+        { 7, "cylinder { 0, 2*y, .5 open }", "cylinder 0 0 0 0 2 0 0.5 open" },
+        { 7, "cylinder { 0, 2*y, .5 no_shadow }",
+          "cylinder 0 0 0 0 2 0 0.5 no_shadow" },
+        { 8, "cone { <1, 2, 3>, 2, 5*y, 0 }", "cone 1 2 3 2 0 5 0 0" },
+        { 8, "cone { 0, 0, x, .5 open no_shadow scale 2 }",
+          "cone 0 0 0 0 1 0 0 0.5 open moved no_shadow" },
+        /* equal radii */
+        { 7, "cone { -x, 1.5, x, 1.5 open }", "cylinder -1 0 0 1 0 0 1.5 open" },
+        { 8, "disc { <1, 2, 3>, -2*z, 2, .5 }", "disc 1 2 3 0 0 -1 2 0.5" },
+        { 8, "disc { y x, -1 scale 2 }", "disc 0 1 0 1 0 0 1 0 moved" },
+        { 8, "disc { 0, y, 1, -.5 inverse }", "disc 0 0 0 0 1 0 1 0.5 inverted" },
+        { 2, "torus { 2, .5 sturm rotate 90*x }", "torus 2 0.5 moved" },
+        { 2, "torus { .5 1 sturm off pigment { rgb 1 } }", "torus 0.5 1" },
+        { 3, "elliptical_torus { 3, .4, .2 }",
+          "elliptical_torus 3 0.40000000000000002 0.20000000000000001" },
+        { 10, "quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -1 translate x }",
+          "quadric 1 2 3 4 5 6 7 8 9 -1 moved" },
+        { 35,
+          "quartic { <1, 2 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19,"
+          " 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, -2*sqrt(4)> sturm }",
+          "quartic 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27"
+          " 28 29 30 31 32 33 34 -4" },
+        { 24, "steiner_patch { <4, 0, 1>, 2*y, 0, <1, 2, 3>, y, x }",
+          "steiner_patch 4 0 1 0 2 0 0 0 0 1 2 3 0 1 0 1 0 0 1 1 1 1 1 1" },
+        { 24,
+          "#declare A = <4, 0, 1>; steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x"
+          " weights 1, 2, 3 .5, 1/4, 6 scale 2 }",
+          "steiner_patch 4 0 1 0 2 0 0 0 0 1 2 3 0 1 0 1 0 0 1 2 3 0.5 0.25 6 moved" },
+    };
+    char text[4000] = "", found[500];
+
+    for (size_t i = 0; i < COUNT(rows); i++)
+        strcat(strcat(text, rows[i].text), "\n");
+    SCOPED(scene) *scene = read_scene(text);
+    assert_int_equal(scene->primitive_count, COUNT(rows));
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        describe(&scene->primitives[i], rows[i].numbers, found);
+        assert_string_equal(found, rows[i].shape);
+        assert_int_equal(scene->primitives[i].line, i + 1);
+    }
 }
 
-TEST(tori)
+/* The distance of a plane is along its unit normal. */
+TEST(planes)
 {
-    SCOPED(scene) *scene = read_scene("torus { 2, .5 sturm rotate 90*x }\n"
-                                      "torus { .5 1 sturm off pigment { rgb 1 } }\n"
-                                      "elliptical_torus { 3, .4, .2 }\n");
-    const struct primitive *p = scene->primitives;
-    assert_int_equal(p[0].kind, PRIMITIVE_TORUS);
-    assert_close(p[0].shape.torus.major, 2, 0);
-    assert_close(p[0].shape.torus.minor, .5, 0);
-    assert_true(p[0].transformed);
-    assert_close(p[1].shape.torus.minor, 1, 0);
-    assert_int_equal(p[2].kind, PRIMITIVE_ELLIPTICAL_TORUS);
-    assert_close(p[2].shape.elliptical_torus.major, 3, 0);
-    assert_close(p[2].shape.elliptical_torus.radial, .4, 0);
-    assert_close(p[2].shape.elliptical_torus.axial, .2, 0);
-    assert_string_equal(primitive_kind_name(p[2].kind), "elliptical_torus");
-}
-
-TEST(polynomials)
-{
-    SCOPED(scene) *scene = read_scene(
-        "quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -1 translate x }\n"
-        "quartic { <1, 2 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,\n"
-        "  17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,\n"
-        "  33, 34, -2*sqrt(4)> sturm }\n");
-    const struct primitive *p = scene->primitives;
-    assert_int_equal(p[0].kind, PRIMITIVE_QUADRIC);
-    assert_numbers(p[0].shape.quadric.coefficients,
-                   (double[]){ 1, 2, 3, 4, 5, 6, 7, 8, 9, -1 }, QUADRIC_TERMS, 0);
-    assert_int_equal(p[1].kind, PRIMITIVE_QUARTIC);
-    for (int i = 0; i < 34; i++)
-        assert_close(p[1].shape.quartic.coefficients[i], i + 1, 0);
-    assert_close(p[1].shape.quartic.coefficients[34], -4, 0);
-}
-
-TEST(patches)
-{
-    SCOPED(scene) *scene = read_scene("#declare A = <4, 0, 1>;\n"
-                                      "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x }\n"
-                                      "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
-                                      "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
-    const struct primitive *p = scene->primitives;
-    assert_int_equal(p[0].kind, PRIMITIVE_STEINER_PATCH);
-    assert_vector(p[0].shape.steiner_patch.points[0], 4, 0, 1);
-    assert_vector(p[0].shape.steiner_patch.points[3], 1, 2, 3);
-    assert_vector(p[0].shape.steiner_patch.points[5], 1, 0, 0);
-    for (int i = 0; i < STEINER_POINTS; i++)
-        assert_close(p[0].shape.steiner_patch.weights[i], 1, 0);
-    assert_close(p[1].shape.steiner_patch.weights[2], 3, 0);
-    assert_close(p[1].shape.steiner_patch.weights[4], .25, 0);
-    assert_true(p[1].transformed);
+    SCOPED(scene) *scene = read_scene("plane { <0, 3, 4>, 2 }");
+    assert_vector(scene->primitives->shape.plane.normal, 0, .6, .8);
+    assert_close(scene->primitives->shape.plane.distance, 2, 0);
 }
 
 /* Heights are sorted; loops are closed, without repeated points; loops that enclose no
