@@ -271,11 +271,9 @@ TEST(foreign)
 TEST(same_constants)
 {
     c205_error error = { "" };
-    SCOPED(c205_model)
-    *same = c205_model_parse("renamed",
-                             "title As before\nlike cyber205-2pipe-prior\n"
-                             "latency.load 15.0 clk P\n",
-                             &error);
+    static const char text[] = "title As before\nlike cyber205-2pipe-prior\n"
+                               "latency.load 15.0 clk P\n";
+    SCOPED(c205_model) *same = c205_model_parse("renamed", text, &error);
     SCOPED_VALUE(bytes) bytes = in_the_middle();
     assert_non_null(same);
     SCOPED(c205) *machine = c205_restore(bytes.byte, bytes.count, same, &error);

@@ -4,15 +4,7 @@
 #include "tests/unit/scene_reading.h"
 
 #include "base/file.h"
-
-static void map(const struct transform *transform, const double from[3], double to[3])
-{
-    for (int i = 0; i < 3; i++) {
-        to[i] = transform->rows[i][3];
-        for (int j = 0; j < 3; j++)
-            to[i] += transform->rows[i][j] * from[j];
-    }
-}
+#include "tests/oracle/plain_regions.h"
 
 TEST(defaults)
 {
@@ -281,8 +273,8 @@ TEST(transforms)
             "#declare T = transform { translate <1, 0, -1> scale <1, 2, 1> }"
             "sphere { 0, 1 %s }",
             rows[i].text);
-        map(&scene->primitives->to_world, point, image);
-        map(&scene->primitives->to_local, image, back);
+        to_other_space(&scene->primitives->to_world, point, image);
+        to_other_space(&scene->primitives->to_local, image, back);
         assert_numbers(image, rows[i].image, 3, CLOSE);
         assert_numbers(back, point, 3, CLOSE);
         assert_true(scene->primitives->transformed);
@@ -304,7 +296,7 @@ static void assert_pattern_at(const struct pigment *pigment, double world_x,
 {
     const double world[3] = { world_x, 0, 0 };
     double local[3];
-    map(&pigment->to_local, world, local);
+    to_other_space(&pigment->to_local, world, local);
     assert_close(local[0], pattern_x, CLOSE);
 }
 
@@ -348,9 +340,9 @@ TEST(unions)
     assert_vector(scene->lights[0].position, 0, 1, 0);
     assert_vector(scene->lights[1].position, 0, 1, 9);
     assert_true(scene->lights[0].shadowless);
-    map(&p[1].to_world, origin, image);
+    to_other_space(&p[1].to_world, origin, image);
     assert_vector(image, -2, 0, 0);
-    map(&p[4].to_world, origin, image);
+    to_other_space(&p[4].to_world, origin, image);
     assert_vector(image, -2, 0, 9);
     assert_int_equal(p[0].pigment.kind, PIGMENT_CHECKER);
     assert_vector(p[1].pigment.color[0], 1, 0, 0);

@@ -8,6 +8,7 @@
 #include "rt/scene/vector.h"
 #include "rt/shapes/blob.h"
 #include "rt/shapes/shape_words.h"
+#include "tests/oracle/plain_regions.h"
 
 static const struct blob_part *parts_of(const struct scene *scene, size_t count)
 {
@@ -52,12 +53,9 @@ TEST(motions)
         "blob { sphere { x, 1, 2 scale 2 rotate 90*z translate <1, 0, 5> }"
         " translate 3*y }");
     const struct blob_part *part = parts_of(scene, 1);
-    double center[3] = { 1, 0, 0 }, back[3] = { 1, 2, 5 };
-    for (int i = 0; i < 3; i++) {
-        center[i] = dot3(part->to_blob.rows[i], part->base) + part->to_blob.rows[i][3];
-        back[i] = dot3(part->to_local.rows[i], (double[]){ 1, 2, 5 })
-                  + part->to_local.rows[i][3];
-    }
+    double center[3], back[3];
+    to_other_space(&part->to_blob, part->base, center);
+    to_other_space(&part->to_local, (double[]){ 1, 2, 5 }, back);
     assert_vector(center, 1, 2, 5);
     assert_vector(back, 1, 0, 0);
     assert_close(scene->primitives->to_world.rows[1][3], 3, 0);

@@ -51,19 +51,15 @@ static bool same_scene(const struct scene *a, const struct scene *b)
     return same;
 }
 
-/* Reads a scene. Returns NULL if the text has errors. */
-static struct scene *read_any(const char *text, struct diagnostics *reports)
-{
-    *reports = (struct diagnostics){ 0 };
-    return scene_read_text("test.pov", text, &reading_options, reports);
-}
-
 static void compare(const struct text_buffer *written,
                     const struct text_buffer *carried_out, size_t *read)
 {
-    struct diagnostics found, wanted;
-    SCOPED(scene) *is = read_any(written->text, &found);
-    SCOPED(scene) *should_be = read_any(carried_out->text, &wanted);
+    SCOPED_VALUE(diagnostics) found = { 0 };
+    SCOPED_VALUE(diagnostics) wanted = { 0 };
+    SCOPED(scene) *is = scene_read_text("test.pov", written->text, &reading_options,
+                                        &found);
+    SCOPED(scene) *should_be = scene_read_text("test.pov", carried_out->text,
+                                               &reading_options, &wanted);
     if (!is != !should_be || (is && !same_scene(is, should_be))
         || (found.count > 0) != (wanted.count > 0)) {
         diagnostics_print(&found, stderr);
@@ -71,8 +67,6 @@ static void compare(const struct text_buffer *written,
         fail_msg("%s: is not %s", written->text, carried_out->text);
     }
     *read += is != NULL && is->primitive_count > 0;
-    diagnostics_free(&found);
-    diagnostics_free(&wanted);
 }
 
 TEST(nests)

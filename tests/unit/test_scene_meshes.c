@@ -128,11 +128,11 @@ TEST(nothing)
     assert_vector(list->normals[2], 1, 0, 0);
     assert_vector(triangles_of_part(scene, 1)->list->normals[0], 1, 0, 0);
     assert_vector(triangles_of_part(scene, 2)->list->normals[0], 0, 0, 1);
-    SCOPED(scene)
-    *other = read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
-                       "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
-                       "triangle { 1, 1, 1 translate x inverse }\n",
-                       1);
+    static const char flat[] =
+        "smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
+        "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
+        "triangle { 1, 1, 1 translate x inverse }\n";
+    SCOPED(scene) *other = read_with(flat, 1);
     assert_int_equal(other->primitive_count, 1);
 }
 

@@ -163,8 +163,8 @@ TEST(normal_maps)
     check_entries("onion normal_map { [0 onion] } brick", 0, NULL);
     check_entries("hexagon normal { onion }, normal { radial } normal { boxed }", 3,
                   (double[]){ 0, 1, 2 });
-    SCOPED(scene)
-        *average = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }", 1);
+    static const char mixed[] = "average normal_map { [onion 2 scale 2] [bumps 3] }";
+    SCOPED(scene) *average = scene_with(mixed, 1);
     const struct bump_list *list = list_of(average);
     assert_true(list->average);
     assert_close(list->entries[0].bump.amount, 2, 0);
@@ -183,10 +183,9 @@ TEST(normal_maps)
 /* A map of several normals in an entry gives its first one, at the entry's place. */
 TEST(nested)
 {
-    SCOPED(scene)
-        *scene = scene_with("onion normal_map { [0 radial] [1 planar scale 2"
-                            " normal_map { [0 boxed translate x] [1 leopard] }] }",
-                            1);
+    static const char text[] = "onion normal_map { [0 radial] [1 planar scale 2"
+                               " normal_map { [0 boxed translate x] [1 leopard] }] }";
+    SCOPED(scene) *scene = scene_with(text, 1);
     const struct bump *bump = &list_of(scene)->entries[1].bump;
     assert_int_equal(bump->pattern.pattern.function, PATTERN_BOXED);
     assert_close(bump->pattern.to_local.rows[0][0], .5, 0);
@@ -195,8 +194,8 @@ TEST(nested)
 
 TEST(quilted)
 {
-    SCOPED(scene)
-        *scene = scene_with("onion slope_map { [0 <0, 1>] } quilted control1 .3", 0);
+    static const char text[] = "onion slope_map { [0 <0, 1>] } quilted control1 .3";
+    SCOPED(scene) *scene = scene_with(text, 0);
     const struct bump *bump = &list_of(scene)->bump;
     assert_close(bump->controls[0], 1, 0);
     assert_close(bump->controls[1], .3, 0);

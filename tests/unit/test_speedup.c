@@ -319,8 +319,8 @@ TEST(width)
  * Table 1. */
 TEST(formulations)
 {
-    struct speedup_measure(*measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
-                                                            sizeof *measures);
+    FREED struct speedup_measure(
+        *measures)[TRACE_FORMS] = calloc(speedup_formulation_count, sizeof *measures);
     const struct csv_table *table1 = read_table1();
     static struct csv_table csv;
     assert_non_null(measures);
@@ -352,7 +352,6 @@ TEST(formulations)
             assert_near(strtod(csv.cell[row][2 + 2 * i], NULL),
                         100 * (strtod(csv.cell[row][1 + 2 * i], NULL) / reported - 1));
     }
-    free(measures);
 }
 
 /* ---- Formats ------------------------------------------------------------ */

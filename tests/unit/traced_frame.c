@@ -8,11 +8,7 @@ struct scene *read_text(const char *text)
 {
     const struct scene_options options = { .strict = !traced.reported };
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    struct scene *scene = read_versioned("test", text, &options, &reports);
-    if (!scene)
-        diagnostics_print(&reports, stderr);
-    assert_non_null(scene);
-    return scene;
+    return read_reported(text, &options, &reports);
 }
 
 struct trace *run_trace(const struct scene *scene, const struct trace_options *options)
