@@ -477,20 +477,3 @@ TEST(many)
         assert_same_triangle(&mesh->list[i], &triangles_of_part(scene, 1)->list[i]);
     assert_close(mesh->list[MANY - 1].corners[0][0], MANY, 0);
 }
-
-/* Invisible shapes, which cause one report. */
-TEST(unseen)
-{
-    static const char *const texts[] = {
-        "mesh { }",
-        "mesh { triangle { 0, x, 2*x } }",
-        "mesh2 { vertex_vectors { 3 0 x 2*x } face_indices { 1 <0, 1, 2> } }",
-        "triangle { 0, x, 2*x }",
-        "bicubic_patch { type 1 0,0,0,0 0,0,0,0 0,0,0,0 0,0,0,0 }",
-        "bicubic_patch { type 1 x,x,x,x y,y,y,y x,x,x,x y,y,y,y scale 9 }",
-        "polygon { 4, 0, 0, 0, 0 }",
-    };
-
-    for (size_t i = 0; i < COUNT(texts); i++)
-        scene_free(read_with(texts[i], 1));
-}

@@ -57,6 +57,15 @@ static const struct {
     { PRIMITIVE_BLOB, "blob { threshold -.5 sphere { P, R, 1 }" },
     { PRIMITIVE_BLOB, "blob { threshold 0 sphere { P, R, 1 }" },
     { PRIMITIVE_MESH, "mesh { triangle { P, P, Q } inside_vector y" },
+    { PRIMITIVE_MESH, "mesh {" },
+    { PRIMITIVE_MESH, "mesh { triangle { 0, x, 2*x }" },
+    { PRIMITIVE_MESH,
+      "mesh2 { vertex_vectors { 3 0 x 2*x } face_indices { 1 <0, 1, 2> }" },
+    { PRIMITIVE_MESH, "triangle { 0, x, 2*x" },
+    { PRIMITIVE_MESH, "bicubic_patch { type 1 0,0,0,0 0,0,0,0 0,0,0,0 0,0,0,0" },
+    { PRIMITIVE_MESH,
+      "bicubic_patch { type 1 x,x,x,x y,y,y,y x,x,x,x y,y,y,y scale 9" },
+    { PRIMITIVE_MESH, "polygon { 4, 0, 0, 0, 0" },
     { PRIMITIVE_MESH, "mesh2 { vertex_vectors { 3, P, Q, P }"
                       " face_indices { 1, <0, 1, 2> }" },
     { PRIMITIVE_MESH, "triangle { P, Q, P" },
@@ -133,7 +142,7 @@ static void check(size_t shape, size_t place, const struct words *expected)
                                            &reports);
     if (!scene)
         fail_msg("is not read: %s\n%s", reports.items[0].message, text);
-    if (count_reports(&reports) != 1)
+    if (count_reports(&reports) != 1 || (place == 0 && reports.count != 1))
         fail_msg("%zu reports that the shape is ignored:\n%s", count_reports(&reports),
                  text);
     FREED struct words *words = same_frame_of(scene, text);
