@@ -116,12 +116,11 @@ static unsigned put_thing(struct drawing *drawing)
     switch (drawing->names ? xorshift_between(random, 0, 2) : 0) {
     case 0:
         which = xorshift_between(random, 0, LOOKS);
-        if (which == LOOKS) {
+        if (which < LOOKS)
+            fprintf(drawing->text, "sphere { 0, 1 texture { T%d } }\n", (int)which);
+        else
             fputs("sphere { 0, 1 }\n", drawing->text);
-            return 0;
-        }
-        fprintf(drawing->text, "sphere { 0, 1 texture { T%d } }\n", (int)which);
-        return 1u << which;
+        return which < LOOKS ? 1u << which : 0;
     case 1:
         which = xorshift_between(random, 0, (int64_t)drawing->names - 1);
         fprintf(drawing->text, "object { N%d }\n", (int)which);

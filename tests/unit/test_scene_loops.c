@@ -36,10 +36,8 @@ static bool same_tree(const struct scene *a, const struct scene *b)
                && a->nodes[i].next == b->nodes[i].next
                && a->nodes[i].primitive == b->nodes[i].primitive;
     for (size_t i = 0; same && i < a->region_count; i++)
-        same = a->regions[i].first_primitive == b->regions[i].first_primitive
-               && a->regions[i].primitive_count == b->regions[i].primitive_count
-               && a->regions[i].first_node == b->regions[i].first_node
-               && a->regions[i].node_count == b->regions[i].node_count;
+        same = memcmp(&a->regions[i], &b->regions[i], offsetof(struct region, line))
+               == 0;
     return same;
 }
 

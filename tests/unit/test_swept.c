@@ -38,35 +38,30 @@ static void check_prism(const struct primitive *prism, bool tangled)
     }
 }
 
-enum {
-    BEGINS = 2,
-    BEND = 3,
-    LEAD = 5,
-    FOOT = 7,
-    BOW = 9,
-    WAY = 11,
-    SHARE = 13,
-    OUTWARD = 15
+/* A row of a quadratic prism's table. */
+struct parabola {
+    double corner[2], begins, bend[2], lead[2], foot[2], bow[2], way[2], share[2];
+    double outward;
 };
 
 /* Evaluates a point at w with the words of the crossings, and its normal with the words
  * of normals, which depend on the point. */
-static void check_point(const struct primitive *prism, const double *corner,
-                        const double *row, double w, bool tangled)
+static void check_point(const struct primitive *prism, const struct parabola *row,
+                        double w, bool tangled)
 {
     double point[2], normal[2], share = 0, outside[3] = { 0 };
     double inside[3] = { 0 };
     for (int k = 0; k < 2; k++) {
-        point[k] = corner[k] + (row[BEND + k] * w + 2 * row[LEAD + k]) * w;
-        share += row[SHARE + k] * (point[k] - row[FOOT + k]);
+        point[k] = row[-1].corner[k] + (row->bend[k] * w + 2 * row->lead[k]) * w;
+        share += row->share[k] * (point[k] - row->foot[k]);
     }
     assert_true(share > -1e-6 && share < 1 + 1e-6);
     for (int k = 0; k < 2; k++)
-        assert_true(fabs(row[FOOT + k] + (row[BOW + k] * share + row[WAY + k]) * share
-                         - point[k])
-                    < 1e-6);
-    normal[0] = (2 * row[BOW + 1] * share + row[WAY + 1]) * row[OUTWARD];
-    normal[1] = -(2 * row[BOW] * share + row[WAY]) * row[OUTWARD];
+        assert_true(
+            fabs(row->foot[k] + (row->bow[k] * share + row->way[k]) * share - point[k])
+            < 1e-6);
+    normal[0] = (2 * row->bow[1] * share + row->way[1]) * row->outward;
+    normal[1] = -(2 * row->bow[0] * share + row->way[0]) * row->outward;
     double length = hypot(normal[0], normal[1]);
     for (int k = 0; k < 2; k++) {
         outside[2 * k] = point[k] + 1e-6 * normal[k] / length;
@@ -83,10 +78,11 @@ static void check_quadratic_prism(const struct primitive *prism, bool tangled)
     size_t count = shape_table_count(prism, NULL);
     FREED double *table = shape_table(prism, NULL, count);
     assert_non_null(table);
-    for (double *row = table; row < table + count; row += 16)
-        if (row[BEGINS] == 0)
+    const struct parabola *rows = (const struct parabola *)table;
+    for (size_t i = 0; i < count / 16; i++)
+        if (rows[i].begins == 0)
             for (double w = .1; w < 1; w += .2)
-                check_point(prism, row - 16, row, w, tangled);
+                check_point(prism, &rows[i], w, tangled);
 }
 
 enum { HEIGHT_WORD = 1, BEGINS_WORD = 2, RADIUS_WORD = 10 };
