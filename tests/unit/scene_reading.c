@@ -38,11 +38,13 @@ void assert_vector(const double a[3], double x, double y, double z)
     assert_close(a[2], z, CLOSE);
 }
 
-void assert_numbers(const double *found, const double *expected, size_t count,
-                    double within)
+void assert_numbers(const char *what, const double *found, const double *expected,
+                    size_t count, double within)
 {
     for (size_t i = 0; i < count; i++)
-        assert_close(found[i], expected[i], within);
+        if (!(fabs(found[i] - expected[i]) <= within))
+            fail_msg("%s: number %zu of %zu: %.15g is not %.15g", what, i + 1, count,
+                     found[i], expected[i]);
 }
 
 char *repeated(const char *head, const char *part, size_t count)

@@ -19,8 +19,9 @@ void write_bytes(const char *path, const char *bytes, size_t count);
 
 void assert_close(double a, double b, double within);
 void assert_vector(const double a[3], double x, double y, double z);
-void assert_numbers(const double *found, const double *expected, size_t count,
-                    double within);
+/* Compares each number; a failure reports `what` and the number's position. */
+void assert_numbers(const char *what, const double *found, const double *expected,
+                    size_t count, double within);
 
 /* Returns `head` with `count` copies of `part` after it. The caller frees the text. */
 char *repeated(const char *head, const char *part, size_t count);

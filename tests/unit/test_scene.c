@@ -122,8 +122,8 @@ TEST(rotations)
     for (size_t i = 0; i < COUNT(rows); i++) {
         SCOPED(scene) *scene = read_format("#declare V = <1, 2 3>; sphere { %s 1 }",
                                            rows[i].text);
-        assert_numbers(scene->primitives->shape.sphere.center, rows[i].value, 3,
-                       PRINTED);
+        assert_numbers(rows[i].text, scene->primitives->shape.sphere.center,
+                       rows[i].value, 3, PRINTED);
     }
 }
 
@@ -153,7 +153,7 @@ TEST(colors)
         SCOPED(scene) *scene = read_format(
             "#include \"colors.inc\"\n#declare W = rgb 1; background { %s }",
             rows[i].text);
-        assert_numbers(scene->background, rows[i].rgb, 3, PRINTED);
+        assert_numbers(rows[i].text, scene->background, rows[i].rgb, 3, PRINTED);
     }
 }
 
@@ -184,7 +184,7 @@ TEST(camera)
         const double *vectors[] = { scene->camera.location, scene->camera.direction,
                                     scene->camera.right, scene->camera.up };
         for (size_t k = 0; k < COUNT(vectors); k++)
-            assert_numbers(vectors[k], rows[i].vectors + 3 * k, 3, CLOSE);
+            assert_numbers(rows[i].text, vectors[k], rows[i].vectors + 3 * k, 3, CLOSE);
     }
     for (size_t i = 0; i < COUNT(reported); i++)
         scene_free(read_with(reported[i], 1));
@@ -275,8 +275,8 @@ TEST(transforms)
             rows[i].text);
         to_other_space(&scene->primitives->to_world, point, image);
         to_other_space(&scene->primitives->to_local, image, back);
-        assert_numbers(image, rows[i].image, 3, CLOSE);
-        assert_numbers(back, point, 3, CLOSE);
+        assert_numbers(rows[i].text, image, rows[i].image, 3, CLOSE);
+        assert_numbers(rows[i].text, back, point, 3, CLOSE);
         assert_true(scene->primitives->transformed);
     }
 }
@@ -358,36 +358,40 @@ TEST(unions)
 /* The last kind of a light counts. Its target moves with it. */
 TEST(beams)
 {
-    SCOPED(scene) *scene = read_scene(
-        "#declare L = light_source { <0, 4, 0>, 1 spotlight point_at x\n"
-        "    radius 10 falloff 20 tightness 3 }\n"
-        "light_source { L scale 2 rotate 90*z translate <0, 0, 1> }\n"
-        "light_source { 2*y, 1 cylinder fade_distance 3 fade_power 2 }\n"
-        "light_source { 2*y, 1 shadowless spotlight falloff 50 }\n"
-        "light_source { 2*y, 1 cylinder radius 2 shadowless }\n"
-        "light_source { 2*y, 1 parallel }\n"
-        "light_source { 2*y, 1 fade_distance 3 }\n"
-        "light_source { 2*y, 1 cylinder tightness 4 spotlight }\n");
-    /* Position, point_at, kind, radius, falloff, tightness, the distance and power of
-     * fading, whether parallel and whether shadowless. */
-    static const double expected[][14] = {
-        { -8, 0, 1, 0, 2, 1, BEAM_CONE, 10, 20, 3, 0, 0, false, false },
-        { 0, 2, 0, 0, 0, 1, BEAM_CYLINDER, .75, 1, 0, 3, 2, true, false },
-        { 0, 2, 0, 0, 0, 1, BEAM_CONE, 30, 50, 0, 0, 0, false, false },
-        { 0, 2, 0, 0, 0, 1, BEAM_NONE, 2, 1, 0, 0, 0, true, true },
-        { 0, 2, 0, 0, 0, 1, BEAM_NONE, 0, 0, 0, 0, 0, true, false },
-        { 0, 2, 0, 0, 0, 1, BEAM_NONE, 0, 0, 0, 3, 0, false, false },
-        { 0, 2, 0, 0, 0, 1, BEAM_CONE, 30, 45, 0, 0, 0, true, false },
+    static const struct {
+        const char *text;
+        /* Position, point_at, kind, radius, falloff, tightness, the distance and power
+         * of fading, whether parallel and whether shadowless. */
+        double numbers[14];
+    } rows[] = {
+        { "#declare L = light_source { <0, 4, 0>, 1 spotlight point_at x radius 10"
+          " falloff 20 tightness 3 }"
+          " light_source { L scale 2 rotate 90*z translate <0, 0, 1> }",
+          { -8, 0, 1, 0, 2, 1, BEAM_CONE, 10, 20, 3, 0, 0, false, false } },
+        { "light_source { 2*y, 1 cylinder fade_distance 3 fade_power 2 }",
+          { 0, 2, 0, 0, 0, 1, BEAM_CYLINDER, .75, 1, 0, 3, 2, true, false } },
+        { "light_source { 2*y, 1 shadowless spotlight falloff 50 }",
+          { 0, 2, 0, 0, 0, 1, BEAM_CONE, 30, 50, 0, 0, 0, false, false } },
+        { "light_source { 2*y, 1 cylinder radius 2 shadowless }",
+          { 0, 2, 0, 0, 0, 1, BEAM_NONE, 2, 1, 0, 0, 0, true, true } },
+        { "light_source { 2*y, 1 parallel }",
+          { 0, 2, 0, 0, 0, 1, BEAM_NONE, 0, 0, 0, 0, 0, true, false } },
+        { "light_source { 2*y, 1 fade_distance 3 }",
+          { 0, 2, 0, 0, 0, 1, BEAM_NONE, 0, 0, 0, 3, 0, false, false } },
+        { "light_source { 2*y, 1 cylinder tightness 4 spotlight }",
+          { 0, 2, 0, 0, 0, 1, BEAM_CONE, 30, 45, 0, 0, 0, true, false } },
     };
-    assert_int_equal(scene->light_count, COUNT(expected));
-    for (size_t i = 0; i < COUNT(expected); i++) {
-        const struct light *l = &scene->lights[i];
+
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED(scene) *scene = read_scene(rows[i].text);
+        const struct light *l = scene->lights;
         const double rest[] = { l->beam,      l->radius,        l->falloff,
                                 l->tightness, l->fade_distance, l->fade_power,
                                 l->parallel,  l->shadowless };
-        assert_numbers(l->position, expected[i], 3, CLOSE);
-        assert_numbers(l->point_at, expected[i] + 3, 3, CLOSE);
-        assert_numbers(rest, expected[i] + 6, COUNT(rest), 0);
+        assert_int_equal(scene->light_count, 1);
+        assert_numbers(rows[i].text, l->position, rows[i].numbers, 3, CLOSE);
+        assert_numbers(rows[i].text, l->point_at, rows[i].numbers + 3, 3, CLOSE);
+        assert_numbers(rows[i].text, rest, rows[i].numbers + 6, COUNT(rest), 0);
     }
 }
 

@@ -76,7 +76,7 @@ TEST(looks)
         snprintf(blob, sizeof blob, text, own[i]);
         SCOPED(scene) *scene = read_with(blob, 1);
         parts_of(scene, 2);
-        assert_numbers(scene->primitives->pigment.color[0], colors[i], 3, CLOSE);
+        assert_numbers(blob, scene->primitives->pigment.color[0], colors[i], 3, CLOSE);
         assert_error(blob, &strict_options, 1, 25, by[i]);
     }
 }

@@ -391,8 +391,8 @@ TEST(clear_pigments)
                                            "sphere { 0, 1 pigment { %s } }",
                                            rows[i].text);
         const struct pigment *pigment = &scene->primitives->pigment;
-        assert_numbers(pigment->filter, rows[i].filter, 2, 0);
-        assert_numbers(pigment->transmit, rows[i].transmit, 2, 0);
+        assert_numbers(rows[i].text, pigment->filter, rows[i].filter, 2, 0);
+        assert_numbers(rows[i].text, pigment->transmit, rows[i].transmit, 2, 0);
     }
 }
 
@@ -429,9 +429,10 @@ TEST(reflections)
         const struct finish *finish = &scene->primitives->finish;
         const double rest[] = { finish->reflection_falloff, finish->reflection_metallic,
                                 finish->fresnel };
-        assert_numbers(finish->reflection, rows[i].numbers, 3, CLOSE);
-        assert_numbers(finish->reflection_most, rows[i].numbers + 3, 3, CLOSE);
-        assert_numbers(rest, rows[i].numbers + 6, 3, 0);
+        assert_numbers(rows[i].text, finish->reflection, rows[i].numbers, 3, CLOSE);
+        assert_numbers(rows[i].text, finish->reflection_most, rows[i].numbers + 3, 3,
+                       CLOSE);
+        assert_numbers(rows[i].text, rest, rows[i].numbers + 6, 3, 0);
     }
 }
 

@@ -103,7 +103,7 @@ TEST(motions)
         SCOPED(scene) *scene = read_scene(texts[i]);
         double point[3] = { 3, 2, 4 };
         transform_point(&scene->primitives[0].bumps.to_local, point);
-        assert_numbers(point, (double[]){ 1, 1, 2 }, 3, 1e-15);
+        assert_numbers(texts[i], point, (double[]){ 1, 1, 2 }, 3, 1e-15);
         assert_int_equal(list_of(scene)->bump.pattern.pattern.function, PATTERN_ONION);
     }
 }

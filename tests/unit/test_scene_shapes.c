@@ -104,7 +104,7 @@ TEST(prisms)
     assert_close(p[0].shape.prism.high, 2, 0);
     assert_false(p[0].shape.prism.open);
     assert_int_equal(path->count, COUNT(expected));
-    assert_numbers(path->points[0], expected[0], 2 * path->count, 0);
+    assert_numbers("path", path->points[0], expected[0], 2 * path->count, 0);
     assert_true(p[1].shape.prism.open && p[1].transformed);
     assert_int_equal(p[1].shape.prism.path.count, 4);
     assert_int_equal(p[2].shape.prism.path.count, 4);
@@ -132,7 +132,7 @@ TEST(quadratic_prisms)
     assert_close(p[0].shape.quadratic_prism.low, -1, 0);
     assert_false(p[0].shape.quadratic_prism.open);
     assert_int_equal(path->count, COUNT(expected));
-    assert_numbers(path->points[0], expected[0], 2 * path->count, 0);
+    assert_numbers("path", path->points[0], expected[0], 2 * path->count, 0);
     assert_int_equal(p[1].kind, PRIMITIVE_QUADRATIC_PRISM);
     assert_true(p[1].shape.quadratic_prism.open);
 }
@@ -150,7 +150,7 @@ TEST(lathes)
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(p[0].kind, PRIMITIVE_LATHE);
     assert_int_equal(path->count, COUNT(expected));
-    assert_numbers(path->points[0], expected[0], 2 * path->count, 0);
+    assert_numbers("path", path->points[0], expected[0], 2 * path->count, 0);
     assert_true(p[1].transformed);
     assert_int_equal(p[1].shape.lathe.path.count, 2);
 }

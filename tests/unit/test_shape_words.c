@@ -105,7 +105,7 @@ TEST(centers_of_quadrics)
         set_quadric(&primitive, terms[k]);
         struct words words = words_of(&primitive);
         assert_int_equal(words.shape.count, 13);
-        assert_numbers(words.shape.words, expected[k], 13, 1e-13);
+        assert_numbers("quadric", words.shape.words, expected[k], 13, 1e-13);
     }
 }
 
@@ -308,7 +308,7 @@ TEST(historical_cylinders)
     assert_string_equal(words.solid, "cylinder");
     assert_true(words.on_patch);
     assert_int_equal(words.count, COUNT(expected));
-    assert_numbers(words.words, expected, words.count, 1e-14);
+    assert_numbers("cylinder", words.words, expected, words.count, 1e-14);
     cylinder.shape.cylinder.open = true;
     assert_true(shape_words_historical(&cylinder, &words));
     assert_string_equal(words.kernel, "open_clipped_cylinder");
@@ -381,5 +381,5 @@ TEST(weights_of_one_patch)
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.weights[i] *= by[factors[i][0]] * by[factors[i][1]];
     struct words other = words_of(&patch);
-    assert_numbers(other.table, words.table, STEINER_TABLE, 1e-12);
+    assert_numbers("table", other.table, words.table, STEINER_TABLE, 1e-12);
 }
