@@ -3,137 +3,106 @@
  * missing, repeated or at another place fails here. */
 #include "tests/unit/asm_helper.h"
 
-TEST(expressions)
-{
-    static const struct asm_error errors[] = {
-        { " .word\n", 1, 7, "expected a number, a name or '('" },
-        { " .word 1,\n", 1, 10, "expected a number" },
-        { " .word 1 2\n", 1, 10, "the end of the statement, found '2'" },
-        { " .word (1\n", 1, 10, "expected ')'" },
-        { " .word 1.5.2\n", 1, 8, "expected the end of the number" },
-        { " .word 1/0\n", 1, 9, "division by zero" },
-        { " .word 1 % 0\n", 1, 10, "division by zero" },
-        { " .word 1 << 64\n", 1, 10, "between 0 and 63" },
-        { " .word 1.5 % 1\n", 1, 12, "requires integers" },
-        { " .word 1 + later\n", 1, 12, "'later' is not defined" },
-        { " .word later + 1\n", 1, 8, "'later' is not defined" },
-        { " .word bits(5\n", 1, 14, "expected ')'" },
-        { " .word word(1.5)\n", 1, 13, "expected an integer" },
-        { " .word word(later)\n", 1, 13, "'later' is not defined" },
-        { " .word length(5)\n", 1, 15, "expected a string" },
-        { " .word length(\"a\"\n", 1, 18, "expected ')'" },
-        { " .word X'12345678901234567'\n", 1, 8, "1 to 16 hex digits" },
-        { " .word X'12\n", 1, 8, "end with '" },
-        { " .word 99999999999999999999\n", 1, 8, "63 bits" },
-        { " .word -1000000000000000000000000000000000000000000000000000000000"
-          "000000000000000000000000000000.0\n",
-          1, 8, "78 characters" },
-    };
+static const struct asm_error wrong_texts[] = {
+    /* Expressions. */
+    { " .word\n", 1, 7, "expected a number, a name or '('" },
+    { " .word 1,\n", 1, 10, "expected a number" },
+    { " .word 1 2\n", 1, 10, "the end of the statement, found '2'" },
+    { " .word (1\n", 1, 10, "expected ')'" },
+    { " .word 1.5.2\n", 1, 8, "expected the end of the number" },
+    { " .word 1/0\n", 1, 9, "division by zero" },
+    { " .word 1 % 0\n", 1, 10, "division by zero" },
+    { " .word 1 << 64\n", 1, 10, "between 0 and 63" },
+    { " .word 1.5 % 1\n", 1, 12, "requires integers" },
+    { " .word 1 + later\n", 1, 12, "'later' is not defined" },
+    { " .word later + 1\n", 1, 8, "'later' is not defined" },
+    { " .word bits(5\n", 1, 14, "expected ')'" },
+    { " .word word(1.5)\n", 1, 13, "expected an integer" },
+    { " .word word(later)\n", 1, 13, "'later' is not defined" },
+    { " .word length(5)\n", 1, 15, "expected a string" },
+    { " .word length(\"a\"\n", 1, 18, "expected ')'" },
+    { " .word X'12345678901234567'\n", 1, 8, "1 to 16 hex digits" },
+    { " .word X'12\n", 1, 8, "end with '" },
+    { " .word 99999999999999999999\n", 1, 8, "63 bits" },
+    { " .word -1000000000000000000000000000000000000000000000000000000000"
+      "000000000000000000000000000000.0\n",
+      1, 8, "78 characters" },
+    /* Directives. */
+    { " .reg\n", 1, 6, "expected a name" },
+    { " .reg a r1\n", 1, 9, "expected ','" },
+    { " .regs 5\n", 1, 8, "expected a register" },
+    { " .regs r1, 5\n", 1, 12, "expected a name" },
+    { " .reg a, r1\na: EXIT\n", 2, 1, "already defined, in test.s:1" },
+    { "a: EXIT\n .reg a, r1\n", 2, 7, "already defined" },
+    { "a: EXIT\n .regs r1, a\n", 2, 12, "already defined" },
+    { " .equ r1, 5\n", 1, 7, "'r1' is a register" },
+    { " .equ a 5\n", 1, 9, "expected ','" },
+    { " .org )\n", 1, 7, "expected a number" },
+    { " .align 0\n", 1, 9, "from 32 to" },
+    { " .half )\n", 1, 8, "expected a number" },
+    { " .descriptor 1\n", 1, 15, "expected ','" },
+    { " .descriptor )\n", 1, 14, "expected a number" },
+    { " .descriptor 1, )\n", 1, 17, "expected a number" },
+    { " .descriptor 1, -5\n", 1, 17, "a bit address from 0" },
+    { " .descriptor 1, later\n", 1, 17, "'later' is not defined" },
+    { " .vector v, -1\n", 1, 13, "a length from 0" },
+    { " .vector v, 2, )\n", 1, 16, "expected a number" },
+    { " .bitvector v, 4, 5\n", 1, 19, "expected a string" },
+    { " .bitvector v, 70000000\n", 1, 16, "a length from 0" },
+    { " .text 5\n", 1, 8, "expected a string" },
+    { " .text \"a\\x4\"\n", 1, 10, "expected one of" },
+    { " .entry )\n", 1, 9, "expected a number" },
+    { " .kernel\n", 1, 9, "expected the kernel's name" },
+    { " .kernel \"\"\n EXIT\n", 1, 10, "a kernel must have a name" },
+    { " .kernel \"a\\q\"\n", 1, 12, "expected one of" },
+    { " .error 5\n", 1, 9, "expected a string" },
+    /* Includes, macros, repetitions and conditions. */
+    { " .include 5\n", 1, 11, "expected a string" },
+    { " .include \"a\" b\n", 1, 15, "the end of the statement" },
+    { " .include \"/no such file\"\n", 1, 11, "cannot read '" },
+    { " .rept -1\n .endr\n", 1, 8, "a count from 0" },
+    { " .rept 1 2\n .endr\n", 1, 10, "the end of the statement" },
+    { " .macro\n .endm\n", 1, 8, "the macro's name" },
+    { " .macro m 5\n .endm\n", 1, 11, "a parameter's name" },
+    { " .macro m a b\n .endm\n", 1, 13, "expected ','" },
+    { " .ifdef 5\n .endif\n", 1, 9, "expected a name" },
+    { " .if 1 2\n .endif\n", 1, 8, "the end of the statement" },
+    /* Instructions. */
+    { " ADDN r1, r2, r256\n", 1, 15, "expected a register" },
+    { " ADDN r1, r2, r3, r4\n", 1, 17, "the end of the statement" },
+    { " ADDNV [r1, ], [r2], [r3]\n", 1, 13, "expected a register" },
+    { " ADDNV [r1], [r2], [r3, r5]\n", 1, 25, "expected r4" },
+    { " ADDNV |[r1], [r2], [r3]\n", 1, 13, "expected '|'" },
+    { " ADDNV [r1], -[r2], [r3]\n", 1, 14, "only the first source" },
+    { " VXTOV [r1], [r2, r3], [r4]\n", 1, 17, "has no offset" },
+    { " CPSV [r1], [r2]\n", 1, 17, "expected a control vector" },
+    { " ES r1, 1.5\n", 1, 9, "expected an integer" },
+    { " IBXLT r1, r2, r3, 5, r1\n", 1, 2, "on a half word" },
+    { " IBXLT r1, r2, r3, later, r1\n", 1, 20, "'later' is not defined" },
+    { " BARB r1, r2, [r3], 16\n", 1, 21, "from 0 to 15" },
+    { " 5\n", 1, 2, "expected an instruction" },
+    { "a b\n", 1, 1, "an instruction or a macro" },
+    { ".frob\n", 1, 1, "expected a directive" },
+    /* Expectations. */
+    { "; expect: r1\n", 1, 13, "expected '='" },
+    { "; expect: [0] 5\n", 1, 15, "expected '='" },
+    { "; expect: [0] = 5,\n", 1, 19, "expected a number" },
+    { "; expect: [)] = 1\n", 1, 12, "expected a number" },
+    { "; expect-bits: 5\n", 1, 16, "expected '['" },
+    { "; expect-bits: [5\n", 1, 18, "expected ']'" },
+    { "; expect-bits: [5] 1\n", 1, 20, "expected '='" },
+    { "; expect-bits: [later] = 1\n", 1, 17, "'later' is not defined" },
+    { "; expect-flags: 1, 2\n", 1, 18, "the end of the statement" },
+    { "; expect-clocks: later\n", 1, 18, "'later' is not defined" },
+    { "; expect-trap:\n", 1, 15, "the name of a trap" },
+    { "; expect: r1 = 1 ~\n", 1, 19, "expected a number" },
+    { "; expect: r1 = 1 ~ -1\n", 1, 11, "a tolerance must be" },
+    { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11, "a tolerance must be" },
+    { "; expect-model:\n", 1, 16, "the name of a model" },
+    { "; expect-model: a\n; expect-model: b\n", 2, 17, "already defined, in test.s:1" },
+};
 
-    assert_asm_errors(errors, COUNT(errors));
-}
-
-TEST(directives)
-{
-    static const struct asm_error errors[] = {
-        { " .reg\n", 1, 6, "expected a name" },
-        { " .reg a r1\n", 1, 9, "expected ','" },
-        { " .regs 5\n", 1, 8, "expected a register" },
-        { " .regs r1, 5\n", 1, 12, "expected a name" },
-        { " .reg a, r1\na: EXIT\n", 2, 1, "already defined, in test.s:1" },
-        { "a: EXIT\n .reg a, r1\n", 2, 7, "already defined" },
-        { "a: EXIT\n .regs r1, a\n", 2, 12, "already defined" },
-        { " .equ r1, 5\n", 1, 7, "'r1' is a register" },
-        { " .equ a 5\n", 1, 9, "expected ','" },
-        { " .org )\n", 1, 7, "expected a number" },
-        { " .align 0\n", 1, 9, "from 32 to" },
-        { " .half )\n", 1, 8, "expected a number" },
-        { " .descriptor 1\n", 1, 15, "expected ','" },
-        { " .descriptor )\n", 1, 14, "expected a number" },
-        { " .descriptor 1, )\n", 1, 17, "expected a number" },
-        { " .descriptor 1, -5\n", 1, 17, "a bit address from 0" },
-        { " .descriptor 1, later\n", 1, 17, "'later' is not defined" },
-        { " .vector v, -1\n", 1, 13, "a length from 0" },
-        { " .vector v, 2, )\n", 1, 16, "expected a number" },
-        { " .bitvector v, 4, 5\n", 1, 19, "expected a string" },
-        { " .bitvector v, 70000000\n", 1, 16, "a length from 0" },
-        { " .text 5\n", 1, 8, "expected a string" },
-        { " .text \"a\\x4\"\n", 1, 10, "expected one of" },
-        { " .entry )\n", 1, 9, "expected a number" },
-        { " .kernel\n", 1, 9, "expected the kernel's name" },
-        { " .kernel \"\"\n EXIT\n", 1, 10, "a kernel must have a name" },
-        { " .kernel \"a\\q\"\n", 1, 12, "expected one of" },
-        { " .error 5\n", 1, 9, "expected a string" },
-    };
-
-    assert_asm_errors(errors, COUNT(errors));
-}
-
-TEST(expansion)
-{
-    static const struct asm_error errors[] = {
-        { " .include 5\n", 1, 11, "expected a string" },
-        { " .include \"a\" b\n", 1, 15, "the end of the statement" },
-        { " .include \"/no such file\"\n", 1, 11, "cannot read '" },
-        { " .rept -1\n .endr\n", 1, 8, "a count from 0" },
-        { " .rept 1 2\n .endr\n", 1, 10, "the end of the statement" },
-        { " .macro\n .endm\n", 1, 8, "the macro's name" },
-        { " .macro m 5\n .endm\n", 1, 11, "a parameter's name" },
-        { " .macro m a b\n .endm\n", 1, 13, "expected ','" },
-        { " .ifdef 5\n .endif\n", 1, 9, "expected a name" },
-        { " .if 1 2\n .endif\n", 1, 8, "the end of the statement" },
-    };
-
-    assert_asm_errors(errors, COUNT(errors));
-}
-
-TEST(instructions)
-{
-    static const struct asm_error errors[] = {
-        { " ADDN r1, r2, r256\n", 1, 15, "expected a register" },
-        { " ADDN r1, r2, r3, r4\n", 1, 17, "the end of the statement" },
-        { " ADDNV [r1, ], [r2], [r3]\n", 1, 13, "expected a register" },
-        { " ADDNV [r1], [r2], [r3, r5]\n", 1, 25, "expected r4" },
-        { " ADDNV |[r1], [r2], [r3]\n", 1, 13, "expected '|'" },
-        { " ADDNV [r1], -[r2], [r3]\n", 1, 14, "only the first source" },
-        { " VXTOV [r1], [r2, r3], [r4]\n", 1, 17, "has no offset" },
-        { " CPSV [r1], [r2]\n", 1, 17, "expected a control vector" },
-        { " ES r1, 1.5\n", 1, 9, "expected an integer" },
-        { " IBXLT r1, r2, r3, 5, r1\n", 1, 2, "on a half word" },
-        { " IBXLT r1, r2, r3, later, r1\n", 1, 20, "'later' is not defined" },
-        { " BARB r1, r2, [r3], 16\n", 1, 21, "from 0 to 15" },
-        { " 5\n", 1, 2, "expected an instruction" },
-        { "a b\n", 1, 1, "an instruction or a macro" },
-        { ".frob\n", 1, 1, "expected a directive" },
-    };
-
-    assert_asm_errors(errors, COUNT(errors));
-}
-
-TEST(expectations)
-{
-    static const struct asm_error errors[] = {
-        { "; expect: r1\n", 1, 13, "expected '='" },
-        { "; expect: [0] 5\n", 1, 15, "expected '='" },
-        { "; expect: [0] = 5,\n", 1, 19, "expected a number" },
-        { "; expect: [)] = 1\n", 1, 12, "expected a number" },
-        { "; expect-bits: 5\n", 1, 16, "expected '['" },
-        { "; expect-bits: [5\n", 1, 18, "expected ']'" },
-        { "; expect-bits: [5] 1\n", 1, 20, "expected '='" },
-        { "; expect-bits: [later] = 1\n", 1, 17, "'later' is not defined" },
-        { "; expect-flags: 1, 2\n", 1, 18, "the end of the statement" },
-        { "; expect-clocks: later\n", 1, 18, "'later' is not defined" },
-        { "; expect-trap:\n", 1, 15, "the name of a trap" },
-        { "; expect: r1 = 1 ~\n", 1, 19, "expected a number" },
-        { "; expect: r1 = 1 ~ -1\n", 1, 11, "a tolerance must be" },
-        { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11, "a tolerance must be" },
-        { "; expect-model:\n", 1, 16, "the name of a model" },
-        { "; expect-model: a\n; expect-model: b\n", 2, 17,
-          "already defined, in test.s:1" },
-    };
-
-    assert_asm_errors(errors, COUNT(errors));
-}
+TEST_CALL(errors, assert_asm_errors(wrong_texts, COUNT(wrong_texts)))
 
 /* ---- Bounds ------------------------------------------------------------ */
 
@@ -143,10 +112,8 @@ static char *repeated(const char *begin, const char *part, size_t times,
 {
     size_t length = strlen(part);
     char *text = malloc(strlen(begin) + times * length + strlen(end) + 1);
-    char *at;
-
     assert_non_null(text);
-    at = text + sprintf(text, "%s", begin);
+    char *at = text + sprintf(text, "%s", begin);
     for (; times > 0; times--, at += length)
         memcpy(at, part, length);
     strcpy(at, end);
@@ -155,22 +122,21 @@ static char *repeated(const char *begin, const char *part, size_t times,
 
 static void check_long(char *text, size_t line, size_t column, const char *message)
 {
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
 
     assert_null(assemble_text("test.s", text, NULL, &errors));
     assert_one_error(&errors, text, line, column, message);
-    diagnostics_free(&errors);
     free(text);
 }
 
 TEST(bounds)
 {
-    char *model = repeated(" .macro m a\n .text \"", "\\a", 100, "\"\n .endm\n m ");
+    FREED char *model = repeated(" .macro m a\n .text \"", "\\a", 100,
+                                 "\"\n .endm\n m ");
 
     check_long(repeated("a:", " ", 70000, "EXIT\n"), 1, 1, "the line has more than");
     check_long(repeated(model, "1234567890", 70, "\n"), 2, 2,
                "the line expands to more than");
-    free(model);
     check_long(repeated("", " .if 1\n", 300, ""), 65, 2, "nested conditions");
     check_long(repeated(" .word ", "(", 300, "1\n"), 1, 208, "nested levels");
     check_long(repeated(" .word later", " + later", 300, "\n"), 1, 1614,
@@ -182,11 +148,10 @@ TEST(bounds)
 /* Carriage returns before line ends are ignored. */
 TEST(line_ends)
 {
-    struct object *object = good(" .data\r\n .word 5 \r\n .word 6\r\n");
+    SCOPED(object) *object = good(" .data\r\n .word 5 \r\n .word 6\r\n");
 
     assert_int_equal(word_of(&object->program, 0x800000), 5);
     assert_int_equal(word_of(&object->program, 0x800040), 6);
-    object_free(object);
 }
 
 /* ---- Names from the command line ---------------------------------------- */
@@ -195,49 +160,40 @@ TEST(names_of_the_command)
 {
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
     const struct asm_options options = { .defines = defines };
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
 
     assert_null(assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
     assert_one_error(&errors, "N", 2, 1, "already defined by the command");
-    diagnostics_free(&errors);
 }
 
 TEST(search_folders)
 {
-    static const char *const folders[] = { "no such folder", "tests/programs/", NULL };
-    static const char *const without[] = { "asm/examples", "tests/programs", NULL };
-    const struct asm_options options = { .search = folders };
-    const struct asm_options others = { .search = without };
-    struct diagnostics errors = { 0 };
-    struct object *object;
-
-    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n", &options,
-                           &errors);
-    assert_non_null(object);
-    object_free(object);
-    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n", &others,
-                           &errors);
-    assert_non_null(object);
-    object_free(object);
-    assert_int_equal(errors.count, 0);
+    static const char *const folders[][3] = { { "no such folder", "tests/programs/" },
+                                              { "asm/examples", "tests/programs" } };
+    for (size_t i = 0; i < COUNT(folders); i++) {
+        const struct asm_options options = { .search = folders[i] };
+        SCOPED_VALUE(diagnostics) errors = { 0 };
+        SCOPED(object) *object = assemble_text("test.s",
+                                               " .include \"scalar.inc\"\n EXIT\n",
+                                               &options, &errors);
+        assert_non_null(object);
+        assert_int_equal(errors.count, 0);
+    }
 }
 
 /* Compares all errors of a text, with their places and messages, with those of a
  * list. */
 static void check_all(const char *text, const struct asm_error *wanted, size_t count)
 {
-    struct diagnostics errors = { 0 };
-    size_t i;
-
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     assert_null(assemble_text("test.s", text, NULL, &errors));
-    for (i = 0; i < errors.count; i++)
+    for (size_t i = 0; i < errors.count; i++)
         if (i >= count || errors.items[i].line != wanted[i].line
             || errors.items[i].column != wanted[i].column
             || !strstr(errors.items[i].message, wanted[i].message))
             fail_msg("%s\n%zu: %zu:%zu: %s", text, i, errors.items[i].line,
                      errors.items[i].column, errors.items[i].message);
     assert_int_equal(errors.count, count);
-    diagnostics_free(&errors);
 }
 
 #define ALL(text, ...) \

@@ -10,17 +10,12 @@
 static c205_word value(const char *expression)
 {
     char text[1200];
-    struct object *object;
-    c205_word word;
-
     snprintf(text, sizeof text,
              " .equ N, 7\n .equ F, 2.5\n .data\n"
              "here: .word %s\nthere:\n",
              expression);
-    object = good(text);
-    word = word_of(&object->program, 0x800000);
-    object_free(object);
-    return word;
+    SCOPED(object) *object = good(text);
+    return word_of(&object->program, 0x800000);
 }
 
 TEST(integers)
@@ -28,69 +23,29 @@ TEST(integers)
     static const struct {
         const char *text;
         int64_t value;
-    } cases[] = { { "10", 10 },
-                  { "0x1F", 31 },
-                  { "-1", -1 },
-                  { "1 + 2 * 3", 7 },
-                  { "(1 + 2) * 3", 9 },
-                  { "7 - 2 - 1", 4 },
-                  { "-7 / 2", -3 },
-                  { "-7 % 4", -3 },
-                  { "1 << 4 + 1", 32 },
-                  { "-8 >> 1", -4 },
-                  { "1 < 2", 1 },
-                  { "2 <= 1", 0 },
-                  { "3 > 2 == 1", 1 },
-                  { "5 & 3 == 3", 1 },
-                  { "5 & 6 ^ 1 | 8", 13 },
-                  { "~0 & 0xFF", 255 },
-                  { "!5", 0 },
-                  { "!!5", 1 },
-                  { "- -5", 5 },
-                  { "-~4", 5 },
-                  { "0 && 1 / 0", 0 },
-                  { "1 || 1 / 0", 1 },
-                  { "1 && 0", 0 },
-                  { "N * N", 49 },
-                  { "here", 0x800000 },
-                  { "there - here", 64 },
-                  { ".", 0x800000 },
-                  { ". + 64 == there", 1 },
-                  { "X'0F' + 1", 16 },
-                  { "bits(1.0) >> 48 & 0xFFFF", 0xFFD2 },
-                  { "bits(-1)", 0xFFFFFFFFFFFF },
-                  { "length(\"a\\nb\\x41\")", 4 },
-                  { "0x7FFFFFFFFFFF + 1", 0x800000000000 },
-                  { "9223372036854775807 == -(-9223372036854775807)", 1 },
-                  { "1 << 63 >> 63", -1 },
-                  { "1 >= 1", 1 },
-                  { "1 >= 2", 0 },
-                  { "1 != 2", 1 },
-                  { "2 != 2", 0 },
-                  { "1 <= 0", 0 },
-                  { "2 > 1", 1 },
-                  { "1 == 1", 1 },
-                  { "!1", 0 },
-                  { "!0", 1 },
-                  { "-(5)", -5 },
-                  { "~5", -6 },
-                  { "7 % 4", 3 },
-                  { "7 / 2", 3 },
-                  { "2 && 3", 1 },
-                  { "0 || 0", 0 },
-                  { "0 || 5", 1 },
-                  { "1 ^ 3", 2 },
-                  { "3 | 4", 7 },
-                  { "6 & 3", 2 },
-                  { "1 << 5", 32 },
-                  { "64 >> 5", 2 },
-                  { "2 + 3 * 4", 14 },
-                  { "length(\"abc\")", 3 },
-                  { "bits(word(77))", 77 } };
-    size_t i;
-
-    for (i = 0; i < COUNT(cases); i++)
-        assert_int_equal(value(cases[i].text), c205_from_integer(cases[i].value));
+    } cases[] = {
+        { "10", 10 },      { "0x1F", 31 },    { "1 + 2 * 3", 7 },
+        { "-1", -1 },      { "-7 / 2", -3 },  { "(1 + 2) * 3", 9 },
+        { "-7 % 4", -3 },  { "-8 >> 1", -4 }, { "7 - 2 - 1", 4 },
+        { "1 < 2", 1 },    { "2 <= 1", 0 },   { "1 << 4 + 1", 32 },
+        { "!5", 0 },       { "!!5", 1 },      { "3 > 2 == 1", 1 },
+        { "- -5", 5 },     { "-~4", 5 },      { "5 & 3 == 3", 1 },
+        { "1 && 0", 0 },   { "N * N", 49 },   { "5 & 6 ^ 1 | 8", 13 },
+        { ".", 0x800000 }, { "1 >= 1", 1 },   { "~0 & 0xFF", 255 },
+        { "1 >= 2", 0 },   { "1 != 2", 1 },   { "0 && 1 / 0", 0 },
+        { "2 != 2", 0 },   { "1 <= 0", 0 },   { "1 || 1 / 0", 1 },
+        { "2 > 1", 1 },    { "1 == 1", 1 },   { "here", 0x800000 },
+        { "!1", 0 },       { "!0", 1 },       { "there - here", 64 },
+        { "-(5)", -5 },    { "~5", -6 },      { ". + 64 == there", 1 },
+        { "7 % 4", 3 },    { "7 / 2", 3 },    { "X'0F' + 1", 16 },
+        { "2 && 3", 1 },   { "0 || 0", 0 },   { "1 << 63 >> 63", -1 },
+        { "0 || 5", 1 },   { "1 ^ 3", 2 },    { "2 + 3 * 4", 14 },
+        { "3 | 4", 7 },    { "6 & 3", 2 },    { "length(\"abc\")", 3 },
+        { "1 << 5", 32 },  { "64 >> 5", 2 },  { "bits(word(77))", 77 },
+    };
+    for (size_t i = 0; i < COUNT(cases); i++)
+        if (value(cases[i].text) != c205_from_integer(cases[i].value))
+            fail_msg("%s is not %lld", cases[i].text, (long long)cases[i].value);
 }
 
 TEST(words)
@@ -107,9 +62,14 @@ TEST(words)
     assert_int_equal(value("word(3 << 48 | here)"), 0x0003000000800000);
 }
 
-/* The first and the last accepted value of each range. */
+/* The first and the last accepted value of each range, and long expressions. */
 TEST(edges)
 {
+    assert_int_equal(value("bits(1.0) >> 48 & 0xFFFF"), 0xFFD2);
+    assert_int_equal(value("bits(-1)"), 0xFFFFFFFFFFFF);
+    assert_int_equal(value("length(\"a\\nb\\x41\")"), 4);
+    assert_int_equal(value("0x7FFFFFFFFFFF + 1"), 0x800000000000);
+    assert_int_equal(value("9223372036854775807 == -(-9223372036854775807)"), 1);
     assert_int_equal(value("(1 << 48) - 1"), 0xFFFFFFFFFFFF);
     assert_int_equal(value("-(1 << 47)"), 0x800000000000);
     assert_int_equal(value("9223372036854775807 >> 62"), 1);
@@ -119,7 +79,7 @@ TEST(edges)
 static void expect_failure(const char *expression, const char *message)
 {
     char text[1200];
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
 
     snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n", expression);
     assert_null(assemble_text("test.s", text, NULL, &errors));
@@ -127,7 +87,6 @@ static void expect_failure(const char *expression, const char *message)
     assert_int_equal(errors.items[0].line, 3);
     if (!strstr(errors.items[0].message, message))
         fail_msg("%s: %s", expression, errors.items[0].message);
-    diagnostics_free(&errors);
 }
 
 TEST(errors)

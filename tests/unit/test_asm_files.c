@@ -11,57 +11,45 @@
 #include "base/file.h"
 #include "tests/random.h"
 
-static void check_disassembly(const struct object *object)
+static struct text_buffer disassembled(const struct object *object)
 {
     struct text_buffer text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
-    struct object *again;
-
     assert_true(disassemble(object, &sink));
-    again = good(text.text);
+    return text;
+}
+
+static void check_disassembly(const struct object *object)
+{
+    SCOPED_VALUE(text_buffer) text = disassembled(object);
+    SCOPED(object) *again = good(text.text);
     assert_same_program(&object->program, &again->program);
-    object_free(again);
-    text_buffer_free(&text);
 }
 
 static void check_object_file(const struct object *object)
 {
-    struct text_buffer first = { NULL, 0, 0, false };
-    struct text_buffer second = { NULL, 0, 0, false };
+    SCOPED_VALUE(text_buffer) first = { NULL, 0, 0, false };
+    SCOPED_VALUE(text_buffer) second = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&first);
     c205_error error = { "" };
-    struct object *again;
-
     object_write(object, &sink);
-    again = object_read(first.text, first.length, &error);
+    SCOPED(object) *again = object_read(first.text, first.length, &error);
     assert_string_equal(error.message, "");
     assert_same_program(&object->program, &again->program);
     sink = text_buffer_sink(&second);
     object_write(again, &sink);
     assert_string_equal(first.text, second.text);
-    object_free(again);
-    text_buffer_free(&first);
-    text_buffer_free(&second);
-}
-
-static void check_listing(const struct object *object)
-{
-    struct text_buffer text = { NULL, 0, 0, false };
-    struct sink sink = text_buffer_sink(&text);
-
-    listing(object, &sink);
-    assert_true(object->line_count == 0 || text.length > 0);
-    text_buffer_free(&text);
 }
 
 static void check_source(const char *path)
 {
-    struct object *object = good_file(path);
-
+    SCOPED(object) *object = good_file(path);
+    SCOPED_VALUE(text_buffer) text = { NULL, 0, 0, false };
+    struct sink sink = text_buffer_sink(&text);
     check_disassembly(object);
     check_object_file(object);
-    check_listing(object);
-    object_free(object);
+    listing(object, &sink);
+    assert_true(object->line_count == 0 || text.length > 0);
 }
 
 TEST(sources)
@@ -96,49 +84,37 @@ static const char sample[] = " .include \"print.s\"\n"
 
 TEST(sample)
 {
-    struct object *object = good(sample);
+    SCOPED(object) *object = good(sample);
 
     assert_int_equal(object->expectation_count, EXPECT_KINDS);
     check_disassembly(object);
     check_object_file(object);
-    object_free(object);
 }
 
 TEST(saved)
 {
     static const char path[] = "test_asm_files.tmp";
-    struct object *object = good(sample), *again;
+    SCOPED(object) *object = good(sample);
     c205_error error;
     size_t length;
-    char *text;
-
     assert_true(object_save(object, path, &error));
-    text = file_read(path, FILE_LARGEST, &length, &error);
+    FREED char *text = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(text);
     assert_true(object_recognise(text, length));
     assert_false(object_recognise(text, 11));
     assert_false(object_recognise(text + 1, length - 1));
-    free(text);
-    again = object_load(path, &error);
+    SCOPED(object) *again = object_load(path, &error);
     assert_non_null(again);
     assert_same_program(&object->program, &again->program);
     assert_int_equal(remove(path), 0);
     assert_false(object_save(object, "no/such/folder", &error));
     assert_null(object_load(path, &error));
-    object_free(object);
-    object_free(again);
 }
 
 static bool is_disassembled_as(const struct object *object, const char *section)
 {
-    struct text_buffer text = { NULL, 0, 0, false };
-    struct sink sink = text_buffer_sink(&text);
-    bool found;
-
-    assert_true(disassemble(object, &sink));
-    found = strstr(text.text, section);
-    text_buffer_free(&text);
-    return found;
+    SCOPED_VALUE(text_buffer) text = disassembled(object);
+    return strstr(text.text, section);
 }
 
 /* Disassembles random data as code. */
@@ -146,26 +122,21 @@ TEST(any_bits)
 {
     enum { WORDS = 4000 };
     static c205_word words[WORDS];
-    c205_segment segment = { 0x400000, WORDS, NULL };
+    c205_segment segment = { 0x400000, WORDS, words };
     c205_region regions[] = { { "r", 0x400020, 0x400100 },
                               { "overlaps", 0x4000E0, 0x400200 },
                               { "ends", 0x400800, 0x400000 + 64 * WORDS } };
-    struct object object;
+    struct object object = {
+        .program = { .entry = 0x400060, .segments = &segment, .segment_count = 1 }
+    };
     uint64_t seed = 84;
-    size_t i;
-
-    memset(&object, 0, sizeof object);
-    for (i = 0; i < WORDS; i++) {
+    for (size_t i = 0; i < WORDS; i++) {
         words[i] = xorshift(&seed);
         if (i % 3) /* defined opcodes */
             words[i] = words[i] << 8 >> 8
                        | (c205_word)c205_insns[xorshift(&seed) % c205_insn_count].opcode
                              << 56;
     }
-    segment.words = words;
-    object.program.entry = 0x400060;
-    object.program.segments = &segment;
-    object.program.segment_count = 1;
     check_disassembly(&object);
     assert_true(is_disassembled_as(&object, ".code"));
     object.program.entry = 0;
@@ -199,38 +170,29 @@ TEST(names)
                                          "EX r2, twice\n", "\nlist:\n",
                                          "\ntwice:\n",     "\n$end.:\n" };
     c205_error error;
-    struct text_buffer text = { NULL, 0, 0, false };
-    struct sink sink = text_buffer_sink(&text);
-    struct object *object = object_read(file, sizeof file - 1, &error);
-    size_t i;
-
+    SCOPED(object) *object = object_read(file, sizeof file - 1, &error);
     assert_non_null(object);
     check_disassembly(object);
-    assert_true(disassemble(object, &sink));
-    for (i = 0; i < COUNT(lines); i++)
+    SCOPED_VALUE(text_buffer) text = disassembled(object);
+    for (size_t i = 0; i < COUNT(lines); i++)
         if (!strstr(text.text, lines[i]))
             fail_msg("no '%s' in\n%s", lines[i], text.text);
     assert_null(strstr(text.text, "L5"));
     assert_null(strstr(text.text, "inside"));
-    text_buffer_free(&text);
-    object_free(object);
 }
 
 /* No prefix of an object file, and no file with one byte changed, causes a crash. */
 TEST(broken_files)
 {
-    struct object *object = good(sample);
-    struct text_buffer text = { NULL, 0, 0, false };
+    SCOPED(object) *object = good(sample);
+    SCOPED_VALUE(text_buffer) text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
     uint64_t seed = 1;
     c205_error error;
-    size_t i;
-
     object_write(object, &sink);
-    object_free(object);
-    for (i = 0; i < text.length; i++)
+    for (size_t i = 0; i < text.length; i++)
         assert_null(object_read(text.text, i, &error));
-    for (i = 0; i < 20000; i++) {
+    for (size_t i = 0; i < 20000; i++) {
         char *byte = &text.text[xorshift(&seed) % text.length];
         char kept = *byte;
 
@@ -238,7 +200,6 @@ TEST(broken_files)
         object_free(object_read(text.text, text.length, &error));
         *byte = kept;
     }
-    text_buffer_free(&text);
 }
 
 static void check_refused(const char *text, const char *message)
@@ -250,18 +211,12 @@ static void check_refused(const char *text, const char *message)
         fail_msg("%s: %s", text, error.message);
 }
 
-TEST(last_address)
-{
-    static const char text[] = "c205-object 1\nzeros FFFFFFFFFFC0 1\nend\n";
-    c205_error error;
-    struct object *object = object_read(text, sizeof text - 1, &error);
-
-    assert_non_null(object);
-    object_free(object);
-}
-
 TEST(refused_files)
 {
+    static const char last[] = "c205-object 1\nzeros FFFFFFFFFFC0 1\nend\n";
+    c205_error error;
+    SCOPED(object) *accepted = object_read(last, sizeof last - 1, &error);
+    assert_non_null(accepted);
     check_refused("", "the end line is missing");
     check_refused("hello\n", "not an object file");
     check_refused("c205-object 2\nend\n", "version");

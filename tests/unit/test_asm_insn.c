@@ -13,14 +13,9 @@ static const char names[] = " .regs r16, a, x, b, y, c, o, z, s\n"
 static c205_word encoding(const char *instruction)
 {
     char text[300];
-    struct object *object;
-    c205_word word;
-
     snprintf(text, sizeof text, "%sback: %s\nnext:\n", names, instruction);
-    object = good(text);
-    word = word_of(&object->program, 0x400000);
-    object_free(object);
-    return word;
+    SCOPED(object) *object = good(text);
+    return word_of(&object->program, 0x400000);
 }
 
 TEST(encodings)
@@ -108,9 +103,7 @@ TEST(encodings)
                   { "CPSV,H h, [c] ? [z]", 0xBC90003200001614 },
                   { "CONV s, [c, o]", 0x9630001700000014 },
                   { "EXTV -h, [c]", 0x9C12003200000014 } };
-    size_t i;
-
-    for (i = 0; i < COUNT(cases); i++)
+    for (size_t i = 0; i < COUNT(cases); i++)
         if (encoding(cases[i].text) != cases[i].word)
             fail_msg("%s: %016llX", cases[i].text,
                      (unsigned long long)encoding(cases[i].text));
@@ -185,10 +178,8 @@ TEST(errors)
                   { "ACPSV a, b, [c], [z]", 7, "a source must be a vector" },
                   { "ADDNV [a], [b], [c] ? [r0]", 23, "r0 cannot be a control vector" },
                   { "CPSV [a], [c] ?! [r0]", 18, "r0 cannot be a control vector" } };
-    size_t i;
-
-    for (i = 0; i < COUNT(cases); i++) {
-        struct diagnostics errors = { 0 };
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        SCOPED_VALUE(diagnostics) errors = { 0 };
         char text[300];
 
         snprintf(text, sizeof text, "%s%s\n", names, cases[i].text);
@@ -199,7 +190,6 @@ TEST(errors)
             || errors.items[0].column != cases[i].column)
             fail_msg("%s: %zu: %s", cases[i].text, errors.items[0].column,
                      errors.items[0].message);
-        diagnostics_free(&errors);
     }
 }
 
@@ -210,29 +200,22 @@ static void check_round_trip(c205_word word)
     char one[DISASSEMBLE_TEXT_SIZE], text[DISASSEMBLE_TEXT_SIZE + 40];
     uint64_t address = 0x40000000;
     unsigned halves = disassemble_one(word, address, one);
-    struct object *object;
-    c205_word made;
-
     snprintf(text, sizeof text, " .org 0x40000000\n %s\n", one);
-    object = good(text);
-    made = word_of(&object->program, address);
+    SCOPED(object) *object = good(text);
+    c205_word made = word_of(&object->program, address);
     if (halves == 1)
         word &= 0xFFFFFFFF00000000;
     if (made != word)
         fail_msg("%s", one);
-    object_free(object);
 }
 
 TEST(round_trip)
 {
     uint64_t seed = 205;
-    size_t i;
-    int j;
-
-    for (i = 0; i < c205_insn_count; i++) {
+    for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
 
-        for (j = 0; j < 100; j++) {
+        for (int j = 0; j < 100; j++) {
             c205_word word = xorshift(&seed);
 
             word = word << 8 >> 8 | (c205_word)insn->opcode << 56;
@@ -243,7 +226,7 @@ TEST(round_trip)
             check_round_trip(word);
         }
     }
-    for (j = 0; j < 2000; j++)
+    for (int j = 0; j < 2000; j++)
         check_round_trip(xorshift(&seed));
 }
 
@@ -253,10 +236,8 @@ static void check_written(const c205_insn *insn, uint8_t g)
 {
     c205_fields fields = { insn->opcode, 0, 0, 7, 0, 8, 9, 10, 7, 8, 10, 3 };
     char text[DISASSEMBLE_TEXT_SIZE];
-    c205_word word;
-
     fields.g = (uint8_t)(insn->subop | g);
-    word = c205_encode(insn, &fields);
+    c205_word word = c205_encode(insn, &fields);
     disassemble_one(word, 0x40000000, text);
     if (strncmp(text, insn->mnemonic, strlen(insn->mnemonic)) != 0
         || (strstr(text, ",H") != NULL) != (g != 0))
@@ -266,9 +247,7 @@ static void check_written(const c205_insn *insn, uint8_t g)
 
 TEST(sizes)
 {
-    size_t i;
-
-    for (i = 0; i < c205_insn_count; i++) {
+    for (size_t i = 0; i < c205_insn_count; i++) {
         check_written(&c205_insns[i], 0);
         if (c205_insns[i].flags & C205_INSN_HALF)
             check_written(&c205_insns[i], C205_G_HALF);
@@ -289,9 +268,7 @@ TEST(refused)
         0xF080001000120014  /* XORB with 32-bit operands */
     };
     char text[DISASSEMBLE_TEXT_SIZE];
-    size_t i;
-
-    for (i = 0; i < COUNT(words); i++) {
+    for (size_t i = 0; i < COUNT(words); i++) {
         assert_int_equal(disassemble_one(words[i], 0, text), 1);
         assert_memory_equal(text, ".half", 5);
     }

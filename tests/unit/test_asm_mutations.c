@@ -81,8 +81,8 @@ static void check_place(const struct diagnostic *item, const char *text)
 
 static size_t check_text(const char *path, const char *text)
 {
-    struct diagnostics found = { 0 };
-    struct object *object = assemble_bytes(path, text, strlen(text), NULL, &found);
+    SCOPED_VALUE(diagnostics) found = { 0 };
+    SCOPED(object) *object = assemble_bytes(path, text, strlen(text), NULL, &found);
     size_t i, errors = found.errors;
 
     if (!object != (errors > 0))
@@ -90,8 +90,6 @@ static size_t check_text(const char *path, const char *text)
                  object ? "an" : "no", text);
     for (i = 0; i < found.count; i++)
         check_place(&found.items[i], text);
-    object_free(object);
-    diagnostics_free(&found);
     return errors;
 }
 
@@ -99,23 +97,19 @@ TEST(mutations)
 {
     uint64_t seed = RANDOM_SEED;
     size_t i, k, wrong = 0;
-    int try;
-
     for (i = 0; i < COUNT(programs); i++) {
         c205_error error;
         size_t length;
-        char *text = file_read(programs[i], FILE_LARGEST, &length, &error);
-        char *copy = text ? malloc(length + 100 * MISTAKES) : NULL;
+        FREED char *text = file_read(programs[i], FILE_LARGEST, &length, &error);
+        FREED char *copy = text ? malloc(length + 100 * MISTAKES) : NULL;
 
         assert_non_null(copy);
-        for (try = 0; try < TRIES; try++) {
+        for (int try = 0; try < TRIES; try++) {
             memcpy(copy, text, length + 1);
             for (k = 0; k < 1 + below(&seed, MISTAKES); k++)
                 make_mistake(copy, &seed);
             wrong += check_text(programs[i], copy) > 0;
         }
-        free(copy);
-        free(text);
     }
     assert_true(wrong > TRIES);
 }

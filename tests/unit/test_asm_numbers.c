@@ -60,7 +60,7 @@ static void draw_sum(struct drawn *drawn, int depth)
                        { "/", oracle_divide_significant } };
     const char *made = "";
     size_t i = below(&state, 4);
-    struct drawn *sides = calloc(2, sizeof *sides);
+    FREED struct drawn *sides = calloc(2, sizeof *sides);
     uint64_t flags = 0;
 
     draw_value(&sides[0], depth);
@@ -77,47 +77,38 @@ static void draw_sum(struct drawn *drawn, int depth)
     drawn->word = operations[i].rule(&oracle_full, number_of(&sides[0]),
                                      number_of(&sides[1]), &flags);
     drawn->good = sides[0].good && sides[1].good && drawn->word != C205_INDEFINITE;
-    free(sides);
 }
+
+static const char *const operators[] = { "<", ">=", ">", "<=", "==", "!=" };
 
 static void draw_comparison(struct drawn *drawn, int depth)
 {
-    static const char *const operators[] = { "<", ">=", ">", "<=", "==", "!=" };
-    size_t i = below(&state, 6);
-    struct drawn *sides = calloc(2, sizeof *sides);
+    size_t i = below(&state, COUNT(operators));
+    FREED struct drawn *sides = calloc(2, sizeof *sides);
     uint64_t flags = 0;
-    c205_word left, right;
-
     draw_value(&sides[0], depth);
     draw_value(&sides[1], depth);
     if (one_in(&state, 4))
         sides[1] = sides[0];
-    left = number_of(&sides[0]);
-    right = number_of(&sides[1]);
+    c205_word left = number_of(&sides[0]);
+    c205_word right = number_of(&sides[1]);
+    bool less = oracle_less(&oracle_full, left, right, &flags);
+    bool greater = oracle_less(&oracle_full, right, left, &flags);
+    bool equal = oracle_equal(&oracle_full, left, right, &flags);
+    const bool results[] = { less, !less, greater, !greater, equal, !equal };
     snprintf(drawn->text, TEXT, "(%.1900s) %s (%.1900s)", sides[0].text, operators[i],
              sides[1].text);
     drawn->is_integer = true;
-    drawn->integer = (int64_t)(i == 0 ? oracle_less(&oracle_full, left, right, &flags)
-                               : i == 1
-                                   ? !oracle_less(&oracle_full, left, right, &flags)
-                               : i == 2 ? oracle_less(&oracle_full, right, left, &flags)
-                               : i == 3
-                                   ? !oracle_less(&oracle_full, right, left, &flags)
-                               : i == 4
-                                   ? oracle_equal(&oracle_full, left, right, &flags)
-                                   : !oracle_equal(&oracle_full, left, right, &flags));
+    drawn->integer = results[i];
     drawn->good = sides[0].good && sides[1].good;
-    free(sides);
 }
 
 static void draw_unary(struct drawn *drawn, int depth)
 {
-    struct drawn *inside = calloc(1, sizeof *inside);
+    FREED struct drawn *inside = calloc(1, sizeof *inside);
     uint64_t flags = 0;
-    c205_word word;
-
     draw_value(inside, depth);
-    word = number_of(inside);
+    c205_word word = number_of(inside);
     drawn->is_integer = false;
     drawn->good = inside->good;
     switch (below(&state, 4)) {
@@ -141,7 +132,6 @@ static void draw_unary(struct drawn *drawn, int depth)
         drawn->word = word;
     }
     drawn->good = drawn->good && (drawn->is_integer || drawn->word != C205_INDEFINITE);
-    free(inside);
 }
 
 static void draw_value(struct drawn *drawn, int depth)
@@ -158,14 +148,10 @@ static void draw_value(struct drawn *drawn, int depth)
 static struct object *assemble_value(const char *text)
 {
     static char program[TEXT + 100];
-    struct diagnostics errors = { 0 };
-    struct object *object;
-
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     snprintf(program, sizeof program,
              "        .data\n        .word   %s\n        .code\n        EXIT\n", text);
-    object = assemble_text("test.s", program, NULL, &errors);
-    diagnostics_free(&errors);
-    return object;
+    return assemble_text("test.s", program, NULL, &errors);
 }
 
 TEST(operations)
@@ -174,22 +160,19 @@ TEST(operations)
     int values = 0;
 
     for (int i = 0; i < TRIES; i++) {
-        struct object *object;
-        c205_word expected, word;
-
         draw_value(&drawn, DEPTH);
-        object = assemble_value(drawn.text);
+        SCOPED(object) *object = assemble_value(drawn.text);
         if (drawn.good != (bool)object)
             fail_msg("%s: it has %s value", drawn.text, drawn.good ? "a" : "no");
         if (!object)
             continue;
-        word = word_of(&object->program, 0x800000);
-        expected = drawn.is_integer ? c205_from_integer(drawn.integer) : drawn.word;
+        c205_word word = word_of(&object->program, 0x800000);
+        c205_word expected = drawn.is_integer ? c205_from_integer(drawn.integer)
+                                              : drawn.word;
         if (word != expected) {
             fail_msg("%s: %016" PRIX64 " should be %016" PRIX64, drawn.text, word,
                      expected);
         }
-        object_free(object);
         values++;
     }
     assert_true(values > TRIES / 2);
@@ -203,11 +186,8 @@ static void check_function(const char *name, bool two)
     double x = of_any_size(&state, 1e-3, 100);
     double y = of_any_size(&state, 1e-3, 10) * (one_in(&state, 2) ? -1 : 1);
     char second[40] = "", program[1000];
-    struct object *object;
     c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
-    c205_word computed;
-
+    SCOPED(c205) *machine = c205_new(prior_model, &error);
     if (two)
         snprintf(second, sizeof second, ", %.9f", y);
     snprintf(program, sizeof program,
@@ -217,33 +197,26 @@ static void check_function(const char *name, bool two)
              "        apply_two %s, x, y, r\n"
              "        load_constant s, %s(%.9f%s)\n        EXIT\n",
              strcmp(name, "cos") == 0 ? "sin" : name, x, y, name, name, x, second);
-    object = good(program);
+    SCOPED(object) *object = good(program);
     assert_true(c205_load(machine, &object->program, &error));
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
-    computed = c205_register(machine, 13);
+    c205_word computed = c205_register(machine, 13);
     if (c205_register(machine, 12) != computed) {
         fail_msg("%s(%.9f%s) is %016" PRIX64 " at assembly, %016" PRIX64 " in a run",
                  name, x, second, computed, c205_register(machine, 12));
     }
-    c205_free(machine);
-    object_free(object);
 }
 
 /* A word may be indefinite. Of the comparisons with an indefinite operand, only != is
  * true. */
 TEST(indefinite)
 {
-    static const char *const operators[] = { "<", ">=", ">", "<=", "==", "!=" };
-
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i < COUNT(operators); i++) {
         char text[80];
-        struct object *object;
-
         snprintf(text, sizeof text, "X'7000 0000 0000 0000' %s 1.0", operators[i]);
-        object = assemble_value(text);
+        SCOPED(object) *object = assemble_value(text);
         assert_non_null(object);
         assert_int_equal(word_of(&object->program, 0x800000), i == 5);
-        object_free(object);
     }
 }
 

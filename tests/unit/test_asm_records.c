@@ -17,23 +17,23 @@ static void assert_place(const struct object *object, const char *name, int64_t 
 
 TEST(places)
 {
-    struct object *object = good(" .equ n, 2\n"
-                                 " .record BALL\n"
-                                 " .field BALL_CENTER, 3\n"
-                                 " .field radius\n"
-                                 " .field none, 0\n"
-                                 " .field BALL_COLOR, 3 * n\n"
-                                 " .at BALL_COLOR + 1\n"
-                                 " .field BALL_GREEN\n"
-                                 " .endrecord\n"
-                                 " .record EMPTY\n"
-                                 " .endrecord\n"
-                                 " .record PADDED\n"
-                                 " .field PADDED_ONE\n"
-                                 " .at 16\n"
-                                 " .endrecord\n"
-                                 " .equ radius, 3\n"
-                                 " .word BALL_SIZE\n");
+    SCOPED(object) *object = good(" .equ n, 2\n"
+                                  " .record BALL\n"
+                                  " .field BALL_CENTER, 3\n"
+                                  " .field radius\n"
+                                  " .field none, 0\n"
+                                  " .field BALL_COLOR, 3 * n\n"
+                                  " .at BALL_COLOR + 1\n"
+                                  " .field BALL_GREEN\n"
+                                  " .endrecord\n"
+                                  " .record EMPTY\n"
+                                  " .endrecord\n"
+                                  " .record PADDED\n"
+                                  " .field PADDED_ONE\n"
+                                  " .at 16\n"
+                                  " .endrecord\n"
+                                  " .equ radius, 3\n"
+                                  " .word BALL_SIZE\n");
 
     assert_place(object, "BALL_CENTER", 0);
     assert_place(object, "radius", 3);
@@ -47,7 +47,6 @@ TEST(places)
     assert_null(object_symbol(object, "BALL"));
     assert_int_equal(object->program.segment_count, 1);
     assert_int_equal(word_of(&object->program, 0x400000), 10);
-    object_free(object);
 }
 
 /* A random record: its text, and the expected offsets of its fields. */
@@ -101,48 +100,42 @@ TEST(random_records)
 
     for (size_t i = 0; i < 300; i++) {
         struct random_record record;
-        struct object *object;
         char name[16];
-
         make_record(&record, &seed);
-        object = good(record.text);
+        SCOPED(object) *object = good(record.text);
         for (size_t field = 0; field < record.count; field++) {
             snprintf(name, sizeof name, "f%zu", field);
             assert_place(object, name, record.place[field]);
         }
         assert_place(object, "R_SIZE", record.size);
-        object_free(object);
     }
 }
 
-TEST(errors)
-{
-    static const struct asm_error errors[] = {
-        { " .record\n", 1, 9, "expected the record's name" },
-        { " .record a\n", 1, 2, "no .endrecord" },
-        { " .record a b\n .endrecord\n", 1, 12, "the end of the statement" },
-        { " .record a\n .record b\n .endrecord\n", 2, 2,
-          "expected .endrecord first, for the .record in test.s:1" },
-        { " .endrecord\n", 1, 2, "expected .record before this line" },
-        { " .field a\n", 1, 2, "expected .record before this line" },
-        { " .at 5\n", 1, 2, "expected .record before this line" },
-        { " .record a\n .endrecord\n .field b\n", 3, 2, "expected .record before" },
-        { " .record a\n .field 5\n .endrecord\n", 2, 9, "the field's name" },
-        { " .record a\n .field b, -1\n .endrecord\n", 2, 12, "from 0 to" },
-        { " .record a\n .field b 2\n .endrecord\n", 2, 11, "the end" },
-        { " .record a\n .field b, 70000000\n .endrecord\n", 2, 12,
-          "a number of words from 0 to 67108864" },
-        { " .record a\n .field b, 60000000\n .field c, 60000000\n"
-          " .endrecord\n",
-          3, 12, "from 0 to 7108864" },
-        { " .record a\n .field b, later\n .endrecord\nlater: EXIT\n", 2, 12,
-          "not defined before" },
-        { " .record a\n .at -1\n .endrecord\n", 2, 6, "a position in the record" },
-        { " .record a\n .field b\n .field b\n .endrecord\n", 3, 9,
-          "'b' is already defined, in test.s:2" },
-        { " .equ a_SIZE, 5\n .record a\n .field b\n .endrecord\n", 4, 2,
-          "'a_SIZE' is already defined, in test.s:1" },
-    };
+static const struct asm_error wrong_texts[] = {
+    { " .record\n", 1, 9, "expected the record's name" },
+    { " .record a\n", 1, 2, "no .endrecord" },
+    { " .record a b\n .endrecord\n", 1, 12, "the end of the statement" },
+    { " .record a\n .record b\n .endrecord\n", 2, 2,
+      "expected .endrecord first, for the .record in test.s:1" },
+    { " .endrecord\n", 1, 2, "expected .record before this line" },
+    { " .field a\n", 1, 2, "expected .record before this line" },
+    { " .at 5\n", 1, 2, "expected .record before this line" },
+    { " .record a\n .endrecord\n .field b\n", 3, 2, "expected .record before" },
+    { " .record a\n .field 5\n .endrecord\n", 2, 9, "the field's name" },
+    { " .record a\n .field b, -1\n .endrecord\n", 2, 12, "from 0 to" },
+    { " .record a\n .field b 2\n .endrecord\n", 2, 11, "the end" },
+    { " .record a\n .field b, 70000000\n .endrecord\n", 2, 12,
+      "a number of words from 0 to 67108864" },
+    { " .record a\n .field b, 60000000\n .field c, 60000000\n"
+      " .endrecord\n",
+      3, 12, "from 0 to 7108864" },
+    { " .record a\n .field b, later\n .endrecord\nlater: EXIT\n", 2, 12,
+      "not defined before" },
+    { " .record a\n .at -1\n .endrecord\n", 2, 6, "a position in the record" },
+    { " .record a\n .field b\n .field b\n .endrecord\n", 3, 9,
+      "'b' is already defined, in test.s:2" },
+    { " .equ a_SIZE, 5\n .record a\n .field b\n .endrecord\n", 4, 2,
+      "'a_SIZE' is already defined, in test.s:1" },
+};
 
-    assert_asm_errors(errors, COUNT(errors));
-}
+TEST_CALL(errors, assert_asm_errors(wrong_texts, COUNT(wrong_texts)))

@@ -6,64 +6,61 @@
 
 #include "tests/random.h"
 
-TEST(warnings)
-{
-    static const struct asm_error warnings[] = {
-        { " .reg a, r5\n .reg b, r6\n .reg h, h8\n .reg i, h9\n", 0, 0, "" },
-        { " .reg a, r5\n .reg b, r5\n", 2, 7,
-          "r5 is already 'a', in test.s:1; declare names that share a register"
-          " with .share" },
-        { " .regs r5, a, b\n .regs r4, c, d\n", 2, 15, "r5 is already 'a'" },
-        { " .reg a, r5\n .reg h, h11\n", 2, 7, "h11 is already 'a'" },
-        { " .reg h, h10\n .reg a, r5\n", 2, 7, "r5 is already 'h'" },
-        { " .reg h, h10\n .reg i, h10\n", 2, 7, "h10 is already 'h'" },
-        /* Names of r0 never conflict. */
-        { " .reg a, r0\n .reg b, r0\n .reg h, h1\n", 0, 0, "" },
-        /* A repeated declaration, and aliases. */
-        { " .reg a, r5\n .reg a, r5\n", 0, 0, "" },
-        { " .reg a, r5\n .reg b, a\n .reg a, a\n .reg c, b\n", 0, 0, "" },
-        { " .regs r5, a, b\n .regs a, c, d\n", 0, 0, "" },
-        { " .reg b, r6\n .reg a, r5\n .regs a, c, d\n", 3, 14,
-          "r6 is already 'b', in test.s:1" },
-        { " .reg a, r5\n .reg b, a\n .reg a, r6\n .reg c, r5\n", 4, 7,
-          "r5 is already 'b', in test.s:2" },
-        /* A name may be given to another register. */
-        { " .reg a, r5\n .reg a, r6\n .reg b, r5\n", 0, 0, "" },
-        { " .reg a, r5\n .reg a, r6\n .reg b, r6\n", 3, 7, "already 'a'" },
-        /* .share */
-        { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n", 0, 0, "" },
-        { " .share\n .reg a, r5\n .endshare\n .reg b, r5\n", 0, 0, "" },
-        { " .share\n .reg a, r5\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
-        { " .reg a, r5\n .share x\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
-        { " .share x\n .reg a, r5\n .endshare\n"
-          " .share x\n .reg b, r5\n .endshare\n",
-          0, 0, "" },
-        { " .share x\n .reg a, r5\n .endshare\n"
-          " .share y\n .reg b, r5\n .endshare\n",
-          5, 7, "already 'a'" },
-        { " .share x\n .reg a, r5\n .endshare\n"
-          " .share y\n .share x\n .reg b, r5\n .endshare\n .endshare\n",
-          0, 0, "" },
-        { " .share\n .share x\n .reg a, r5\n .endshare\n"
-          " .share y\n .reg b, r5\n .endshare\n .endshare\n",
-          6, 7, "already 'a'" },
-        { " .share\n .reg a, r5\n .share x\n .reg b, r5\n .endshare\n"
-          " .endshare\n",
-          4, 7, "already 'a'" },
-        { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
-          " .endshare\n",
-          0, 0, "" },
-        /* An alias belongs to the block of the name that it refers to. */
-        { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
-          " .share x\n .reg c, r5\n .endshare\n",
-          0, 0, "" },
-        /* Every earlier name of a register is an owner, not only the last one. */
-        { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n .reg c, r5\n", 5, 7,
-          "already 'a', in test.s:1" },
-    };
+static const struct asm_error warnings[] = {
+    { " .reg a, r5\n .reg b, r6\n .reg h, h8\n .reg i, h9\n", 0, 0, "" },
+    { " .reg a, r5\n .reg b, r5\n", 2, 7,
+      "r5 is already 'a', in test.s:1; declare names that share a register"
+      " with .share" },
+    { " .regs r5, a, b\n .regs r4, c, d\n", 2, 15, "r5 is already 'a'" },
+    { " .reg a, r5\n .reg h, h11\n", 2, 7, "h11 is already 'a'" },
+    { " .reg h, h10\n .reg a, r5\n", 2, 7, "r5 is already 'h'" },
+    { " .reg h, h10\n .reg i, h10\n", 2, 7, "h10 is already 'h'" },
+    /* Names of r0 never conflict. */
+    { " .reg a, r0\n .reg b, r0\n .reg h, h1\n", 0, 0, "" },
+    /* A repeated declaration, and aliases. */
+    { " .reg a, r5\n .reg a, r5\n", 0, 0, "" },
+    { " .reg a, r5\n .reg b, a\n .reg a, a\n .reg c, b\n", 0, 0, "" },
+    { " .regs r5, a, b\n .regs a, c, d\n", 0, 0, "" },
+    { " .reg b, r6\n .reg a, r5\n .regs a, c, d\n", 3, 14,
+      "r6 is already 'b', in test.s:1" },
+    { " .reg a, r5\n .reg b, a\n .reg a, r6\n .reg c, r5\n", 4, 7,
+      "r5 is already 'b', in test.s:2" },
+    /* A name may be given to another register. */
+    { " .reg a, r5\n .reg a, r6\n .reg b, r5\n", 0, 0, "" },
+    { " .reg a, r5\n .reg a, r6\n .reg b, r6\n", 3, 7, "already 'a'" },
+    /* .share */
+    { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n", 0, 0, "" },
+    { " .share\n .reg a, r5\n .endshare\n .reg b, r5\n", 0, 0, "" },
+    { " .share\n .reg a, r5\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
+    { " .reg a, r5\n .share x\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
+    { " .share x\n .reg a, r5\n .endshare\n"
+      " .share x\n .reg b, r5\n .endshare\n",
+      0, 0, "" },
+    { " .share x\n .reg a, r5\n .endshare\n"
+      " .share y\n .reg b, r5\n .endshare\n",
+      5, 7, "already 'a'" },
+    { " .share x\n .reg a, r5\n .endshare\n"
+      " .share y\n .share x\n .reg b, r5\n .endshare\n .endshare\n",
+      0, 0, "" },
+    { " .share\n .share x\n .reg a, r5\n .endshare\n"
+      " .share y\n .reg b, r5\n .endshare\n .endshare\n",
+      6, 7, "already 'a'" },
+    { " .share\n .reg a, r5\n .share x\n .reg b, r5\n .endshare\n"
+      " .endshare\n",
+      4, 7, "already 'a'" },
+    { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
+      " .endshare\n",
+      0, 0, "" },
+    /* An alias belongs to the block of the name that it refers to. */
+    { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
+      " .share x\n .reg c, r5\n .endshare\n",
+      0, 0, "" },
+    /* Every earlier name of a register is an owner, not only the last one. */
+    { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n .reg c, r5\n", 5, 7,
+      "already 'a', in test.s:1" },
+};
 
-    assert_asm_warnings(warnings, COUNT(warnings));
-}
+TEST_CALL(warnings, assert_asm_warnings(warnings, COUNT(warnings)))
 
 TEST(errors)
 {
@@ -90,14 +87,14 @@ TEST(errors)
 /* The object records register names and the places where they are used. */
 TEST(mentions)
 {
-    struct object *object = good(" .regs r5, a, b\n"
-                                 " .reg h, h20\n"
-                                 " .reg c, b\n"
-                                 " ADDN a, c, r9\n"
-                                 " .reg a, r5\n"
-                                 " ADDNV [a, b], c, [a] ? [b]\n"
-                                 " EXH h, 5\n"
-                                 " EXIT\n");
+    SCOPED(object) *object = good(" .regs r5, a, b\n"
+                                  " .reg h, h20\n"
+                                  " .reg c, b\n"
+                                  " ADDN a, c, r9\n"
+                                  " .reg a, r5\n"
+                                  " ADDNV [a, b], c, [a] ? [b]\n"
+                                  " EXH h, 5\n"
+                                  " EXIT\n");
     static const struct {
         uint64_t address;
         size_t name;
@@ -118,7 +115,6 @@ TEST(mentions)
         assert_int_equal(object->mentions[i].address, mentions[i].address);
         assert_int_equal(object->mentions[i].name, mentions[i].name);
     }
-    object_free(object);
 }
 
 /* ---- Random declarations ------------------------------------------------ */
@@ -261,12 +257,11 @@ TEST(random_declarations)
 
     for (size_t i = 0; i < 2000; i++) {
         static struct declarations declarations;
-        struct diagnostics found = { 0 };
-        struct object *object;
+        SCOPED_VALUE(diagnostics) found = { 0 };
         size_t next = 0;
-
         make_declarations(&declarations, &seed);
-        object = assemble_text("test.s", declarations.text, NULL, &found);
+        SCOPED(object) *object = assemble_text("test.s", declarations.text, NULL,
+                                               &found);
         assert_non_null(object);
         for (size_t line = 1; line <= LINES; line++) {
             bool here = next < found.count && found.items[next].line == line;
@@ -278,8 +273,6 @@ TEST(random_declarations)
             silent += !here;
         }
         assert_int_equal(next, found.count);
-        diagnostics_free(&found);
-        object_free(object);
     }
     assert_true(reported > 1000 && silent > 1000);
 }

@@ -97,14 +97,12 @@ static void put_labelled(struct random_text *drawn, size_t i)
 
 static void check(const struct random_text *drawn)
 {
-    struct object *object = good(drawn->text);
+    SCOPED(object) *object = good(drawn->text);
 
     for (size_t i = 0; i < LABELS; i++) {
         char name[24];
-        const struct asm_symbol *symbol;
-
         snprintf(name, sizeof name, "l%zu", i);
-        symbol = object_symbol(object, name);
+        const struct asm_symbol *symbol = object_symbol(object, name);
         if (symbol->contents != drawn->label[i].contents
             || symbol->count != drawn->label[i].count) {
             fail_msg("%s: %d, %" PRIu64 " of them; should be %d, %" PRIu64 ", in\n%s",
@@ -112,7 +110,6 @@ static void check(const struct random_text *drawn)
                      (int)drawn->label[i].contents, drawn->label[i].count, drawn->text);
         }
     }
-    object_free(object);
 }
 
 TEST(labels)
@@ -138,13 +135,12 @@ TEST(labels)
 /* A label at the end of the data, and a constant, have no data. */
 TEST(ends)
 {
-    struct object *object = good("        .data\nx:      .word 1\nend:\n"
-                                 "        .equ five, 5\n        .code\n"
-                                 "        EXIT\n");
+    SCOPED(object) *object = good("        .data\nx:      .word 1\nend:\n"
+                                  "        .equ five, 5\n        .code\n"
+                                  "        EXIT\n");
 
     assert_int_equal(object_symbol(object, "end")->contents, ASM_NOTHING);
     assert_int_equal(object_symbol(object, "end")->count, 0);
     assert_int_equal(object_symbol(object, "five")->contents, ASM_NOTHING);
     assert_int_equal(object_symbol(object, "x")->count, 1);
-    object_free(object);
 }

@@ -108,16 +108,15 @@ static void go(struct session *session, char *request)
 static void stop(struct session *session, char *request)
 {
     char *place = next_word(request), *fault = strstr(place, " ! ");
-    const struct json_value *list;
-
     if (fault) {
         *fault = '\0';
         fault += strlen(" ! ");
     }
-    list = the(client_ask(&session->client, request,
-                          "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
-                          client_path, place),
-               "breakpoints");
+    const struct json_value *list =
+        the(client_ask(&session->client, request,
+                       "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
+                       client_path, place),
+            "breakpoints");
     assert_int_equal(length_of(list), *place != '\0');
     if (*place
         && (json_member_truth(list->first, "verified", fault) == (fault != NULL)
@@ -167,11 +166,9 @@ static void take_reference(struct session *session, char *name)
 {
     static const char key[] = "\"variablesReference\": ";
     char text[LINE];
-    const char *at;
-
     snprintf(text, sizeof text, "{\"name\": \"%s\", ", name);
     check_text(session, text);
-    at = strstr(strstr(session->client.text, text), key);
+    const char *at = strstr(strstr(session->client.text, text), key);
     assert_non_null(at);
     session->reference = atoi(at + strlen(key));
 }
@@ -218,22 +215,12 @@ static const struct {
     const char *word;
     void (*play)(struct session *session, char *rest);
 } steps[] = {
-    { "begin", begin },
-    { "launch", launch },
-    { "enter", enter },
-    { ">", do_request },
-    { ">>", send },
-    { "<<", check_late },
-    { "go", go },
-    { "stop", stop },
-    { "restart", restart },
-    { "!", check_refused },
-    { "*", check_event },
-    { "=", take_reference },
-    { "at", check_place },
+    { "begin", begin },     { "launch", launch },  { "restart", restart },
+    { "enter", enter },     { ">", do_request },   { "!", check_refused },
+    { ">>", send },         { "<<", check_late },  { "=", take_reference },
+    { "go", go },           { "stop", stop },      { "print", check_value },
+    { "*", check_event },   { "at", check_place }, { "out", check_output },
     { "step", check_step },
-    { "print", check_value },
-    { "out", check_output },
 };
 
 static void play_step(struct session *session, const char *step)
@@ -287,13 +274,11 @@ TEST(sessions)
 {
     FILE *script = fopen("tests/unit/dap.txt", "r");
     struct session session = { .line = 0 };
-    const struct json_value *capabilities;
     struct dap_client client;
     size_t tried = 0, promised = 0;
     char line[LINE];
-
     assert_non_null(script);
-    capabilities = client_launch(&client, client_program, "");
+    const struct json_value *capabilities = client_launch(&client, client_program, "");
     for (const struct json_value *item = capabilities->first; item; item = item->next)
         promised += item->kind == JSON_TRUTH && item->truth;
     while (fgets(line, sizeof line, script)) {

@@ -9,35 +9,28 @@
 static char *run_on(const char *model_name, const char *text)
 {
     c205_error error;
-    c205_model *model = c205_model_find(model_name, &error);
-    c205 *machine = model ? c205_new(model, &error) : NULL;
+    SCOPED(c205_model) *model = c205_model_find(model_name, &error);
+    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
-    struct object *object = good(text);
-    c205_stop stop;
-    bool met;
-
+    SCOPED(object) *object = good(text);
     assert_non_null(machine);
     assert_true(c205_load(machine, &object->program, &error));
-    stop = c205_run(machine, 1000000);
-    met = expect_check(object, machine, &stop, "", object->warned, &sink);
+    c205_stop stop = c205_run(machine, 1000000);
+    bool met = expect_check(object, machine, &stop, "", object->warned, &sink);
     sink_put(&sink, "");
     assert_int_equal(met, report.length == 0);
-    object_free(object);
-    c205_free(machine);
-    c205_model_free(model);
     return report.text;
 }
 
 static void check_said(const char *text, const char *said)
 {
-    char *report = run_on("cyber205-2pipe", text);
+    FREED char *report = run_on("cyber205-2pipe", text);
 
     if (!*said && report && *report)
         fail_msg("%s\nexpected nothing said, found %s", text, report);
     if (*said && (!report || !strstr(report, said)))
         fail_msg("%s\nexpected '%s', found '%s'", text, said, report ? report : "");
-    free(report);
 }
 
 #define RUN \
@@ -77,12 +70,9 @@ TEST(model)
     static const char text[] = " ES r1, 1\n EXIT\n; expect: r1 = 1\n"
                                "; expect-clocks: 7\n"
                                "; expect-model: cyber205-2pipe-prior\n";
-    char *report;
-
     check_said(text, "");
-    report = run_on("cyber205-2pipe-prior", text);
+    FREED char *report = run_on("cyber205-2pipe-prior", text);
     assert_non_null(report);
     assert_non_null(strstr(report, "test.s:4: expected 7 clocks, found"));
-    free(report);
     check_said(" EXIT\n; expect-clocks: 7\n", "expected 7 clocks");
 }

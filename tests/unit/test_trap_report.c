@@ -8,25 +8,19 @@
 static void check(const char *text, bool lines, const char *const *said)
 {
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    c205 *machine = model ? c205_new(model, &error) : NULL;
-    struct text_buffer report = { NULL, 0, 0, false };
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
+    SCOPED_VALUE(text_buffer) report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
-    struct object *object = good(text);
-    c205_stop stop;
-
+    SCOPED(object) *object = good(text);
     assert_non_null(machine);
     assert_true(c205_load(machine, &object->program, &error));
-    stop = c205_run(machine, 100000);
+    c205_stop stop = c205_run(machine, 100000);
     assert_int_not_equal(stop.trap, C205_TRAP_NONE);
     trap_report(lines ? object : NULL, "test.o", machine, &stop, &sink);
     for (; *said; said++)
         if (!strstr(report.text, *said))
             fail_msg("%s\nexpected '%s', found\n%s", text, *said, report.text);
-    text_buffer_free(&report);
-    object_free(object);
-    c205_free(machine);
-    c205_model_free(model);
 }
 
 #define CHECK(text, ...) check(text, true, (const char *const[]){ __VA_ARGS__, NULL })

@@ -19,75 +19,62 @@ static struct object *assembled(const char *text, const char *choice,
 
 static void check_none(const char *text, const char *choice)
 {
-    struct diagnostics diagnostics = { 0 };
-    struct object *object = assembled(text, choice, &diagnostics);
+    SCOPED_VALUE(diagnostics) diagnostics = { 0 };
+    SCOPED(object) *object = assembled(text, choice, &diagnostics);
 
     if (!object || diagnostics.count > 0)
         fail_msg("%s\n%s", text, diagnostics.count ? diagnostics.items[0].message : "");
-    object_free(object);
-    diagnostics_free(&diagnostics);
 }
 
-TEST(misspelt)
-{
-    static const struct asm_error cases[] = {
-        { "; expct: r1 = 5\n", 1, 3,
-          "'expct' does not begin an expectation; did you mean '; expect:'?" },
-        { "; Expect: r1 = 5\n", 1, 3, "[-Wmisspelt-expect]" },
-        { "; expect r1 = 5\n", 1, 3, "'expect'" },
-        { "; expect : r1 = 5\n", 1, 3, "'expect'" },
-        { "; expects: [0x10000] = 5\n", 1, 3, "'expects'" },
-        { "; expected: total = 5\n", 1, 3, "'expected'" },
-        { " EXIT ; expcet: r1 = 5\n", 1, 9, "'expcet'" },
-        { "; expct-trap: bad-link\n", 1, 3, "'expct-trap'" },
-        { "; Expect-print: 5\n", 1, 3, "'Expect-print'" },
-        { ";; expecct-clocks: 5\n", 1, 4, "'expecct-clocks'" },
-        { "; we expect: r1 = 5\n", 0, 0, NULL },
-        { "; expected is: r1 = 5\n", 0, 0, NULL },
-        { "; except: this and that\n", 0, 0, NULL },
-        { "; aspect-oriented programs\n", 0, 0, NULL },
-        { "; inspect: r1 = 5\n", 0, 0, NULL },
-        { "; r1 = 5\n", 0, 0, NULL },
-        { ";\n;:\n;=\n; \n;-:\n;expect\n", 0, 0, NULL },
-    };
+static const struct asm_error warnings[] = {
+    /* Misspelt expectations. */
+    { "; expct: r1 = 5\n", 1, 3,
+      "'expct' does not begin an expectation; did you mean '; expect:'?" },
+    { "; Expect: r1 = 5\n", 1, 3, "[-Wmisspelt-expect]" },
+    { "; expect r1 = 5\n", 1, 3, "'expect'" },
+    { "; expect : r1 = 5\n", 1, 3, "'expect'" },
+    { "; expects: [0x10000] = 5\n", 1, 3, "'expects'" },
+    { "; expected: total = 5\n", 1, 3, "'expected'" },
+    { " EXIT ; expcet: r1 = 5\n", 1, 9, "'expcet'" },
+    { "; expct-trap: bad-link\n", 1, 3, "'expct-trap'" },
+    { "; Expect-print: 5\n", 1, 3, "'Expect-print'" },
+    { ";; expecct-clocks: 5\n", 1, 4, "'expecct-clocks'" },
+    { "; we expect: r1 = 5\n", 0, 0, NULL },
+    { "; expected is: r1 = 5\n", 0, 0, NULL },
+    { "; except: this and that\n", 0, 0, NULL },
+    { "; aspect-oriented programs\n", 0, 0, NULL },
+    { "; inspect: r1 = 5\n", 0, 0, NULL },
+    { "; r1 = 5\n", 0, 0, NULL },
+    { ";\n;:\n;=\n; \n;-:\n;expect\n", 0, 0, NULL },
+    /* Code that runs off its end. */
+    { " ES r1, 5\n", 1, 2, "[-Wrun-off]" },
+    { " EXIT\n ADDN r1, r1, r1\n", 2, 2, "can continue after this line" },
+    { " EXIT r1, r0, 1\n", 1, 2, "EXIT or a branch" },
+    { " BEQ r1, r2, [r3]\n", 1, 2, "can continue" },
+    { " ES r1, 5\n .align 512\n EXIT\n", 1, 2, "can continue" },
+    { " ES r1, 5\n .word 5\n", 1, 2, "can continue" },
+    { " BIM far\n .org 0x900000\nfar: LINKV\n", 3, 1, "can continue" },
+    { " .macro two\n ES r1, 1\n ES r1, 2\n .endm\n two\n", 3, 2,
+      "(expanded from test.s:5)" },
+    { " EXIT\n", 0, 0, NULL },
+    { " EXIT r1\n", 0, 0, NULL },
+    { " EXIT r1, r2, zero\n .equ zero, 0\n", 0, 0, NULL },
+    { "a: BIM a\n", 0, 0, NULL },
+    { " BIM 0, r5\n", 0, 0, NULL },
+    { " BSAVE r5, [r6]\n", 0, 0, NULL },
+    { " ES r1, 5\n .half X'09000000'\n", 0, 0, NULL },
+    { " ES r1, 5\n; expect-trap: undefined-instruction\n", 0, 0, NULL },
+    { " .data\n .word 5\n", 0, 0, NULL },
+    { "", 0, 0, NULL },
+};
 
-    assert_asm_warnings(cases, COUNT(cases));
-}
-
-TEST(run_off)
-{
-    static const struct asm_error cases[] = {
-        { " ES r1, 5\n", 1, 2, "[-Wrun-off]" },
-        { " EXIT\n ADDN r1, r1, r1\n", 2, 2, "can continue after this line" },
-        { " EXIT r1, r0, 1\n", 1, 2, "EXIT or a branch" },
-        { " BEQ r1, r2, [r3]\n", 1, 2, "can continue" },
-        { " ES r1, 5\n .align 512\n EXIT\n", 1, 2, "can continue" },
-        { " ES r1, 5\n .word 5\n", 1, 2, "can continue" },
-        { " BIM far\n .org 0x900000\nfar: LINKV\n", 3, 1, "can continue" },
-        { " .macro two\n ES r1, 1\n ES r1, 2\n .endm\n two\n", 3, 2,
-          "(expanded from test.s:5)" },
-        { " EXIT\n", 0, 0, NULL },
-        { " EXIT r1\n", 0, 0, NULL },
-        { " EXIT r1, r2, zero\n .equ zero, 0\n", 0, 0, NULL },
-        { "a: BIM a\n", 0, 0, NULL },
-        { " BIM 0, r5\n", 0, 0, NULL },
-        { " BSAVE r5, [r6]\n", 0, 0, NULL },
-        { " ES r1, 5\n .half X'09000000'\n", 0, 0, NULL },
-        { " ES r1, 5\n; expect-trap: undefined-instruction\n", 0, 0, NULL },
-        { " .data\n .word 5\n", 0, 0, NULL },
-        { "", 0, 0, NULL },
-    };
-
-    assert_asm_warnings(cases, COUNT(cases));
-}
+TEST_CALL(warnings, assert_asm_warnings(warnings, COUNT(warnings)))
 
 TEST(choice)
 {
     static const char text[] = "; expct: r1 = 5\n ES r1, 5\n";
-    struct diagnostics diagnostics = { 0 };
+    SCOPED_VALUE(diagnostics) diagnostics = { 0 };
     struct warning_choice choice = { 0, false };
-    struct object *object;
-
     check_none(" ES r1, 5\n", "no-run-off");
     check_none(text, "no-all");
     check_none(" ES r1, 5\n; expect-warning: run-off\n", NULL);
@@ -96,12 +83,10 @@ TEST(choice)
     assert_int_equal(diagnostics.count, 2);
     assert_int_equal(diagnostics.errors, 2);
     diagnostics_free(&diagnostics);
-    object = assembled(text, "no-run-off", &diagnostics);
+    SCOPED(object) *object = assembled(text, "no-run-off", &diagnostics);
     assert_int_equal(diagnostics.count, 1);
     assert_int_equal(object->warned, WARNING_BIT(WARNING_RUN_OFF)
                                          | WARNING_BIT(WARNING_MISSPELT_EXPECT));
-    object_free(object);
-    diagnostics_free(&diagnostics);
 
     assert_true(warning_choose(&choice, "no-all"));
     assert_true(warning_choose(&choice, "run-off"));
@@ -121,11 +106,9 @@ TEST(manual)
 {
     c205_error error;
     size_t length;
-    char *text = file_read("docs/assembly.md", FILE_LARGEST, &length, &error);
-    unsigned i;
-
+    FREED char *text = file_read("docs/assembly.md", FILE_LARGEST, &length, &error);
     assert_non_null(text);
-    for (i = 0; i < WARNINGS; i++) {
+    for (unsigned i = 0; i < WARNINGS; i++) {
         char row[80];
 
         snprintf(row, sizeof row, "\n| `%s` | ", warning_name((enum warning)i));
@@ -133,5 +116,4 @@ TEST(manual)
             fail_msg("no row%s in docs/assembly.md", row);
         assert_int_equal(warning_named(warning_name((enum warning)i)), i);
     }
-    free(text);
 }

@@ -14,8 +14,8 @@
 static char *watched(const struct object *object, const struct warning_choice *choice)
 {
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    c205 *machine = model ? c205_new(model, &error) : NULL;
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
     struct runtime_checker *watch = runtime_new(object, "test.o", choice, &sink);
@@ -28,8 +28,6 @@ static char *watched(const struct object *object, const struct warning_choice *c
     c205_run(machine, 1000000);
     assert_int_equal(runtime_warned(watch) != 0, report.length > 0);
     runtime_free(watch);
-    c205_free(machine);
-    c205_model_free(model);
     return report.text;
 }
 
@@ -38,14 +36,12 @@ static char *watched(const struct object *object, const struct warning_choice *c
 static void check(const char *text, const char *said)
 {
     static const struct warning_choice all;
-    struct object *object = good(text);
-    char *report = watched(object, &all);
+    SCOPED(object) *object = good(text);
+    FREED char *report = watched(object, &all);
 
     if (*said ? count_of(report, said) != 1 || count_of(report, "[-W") != 1
               : report != NULL)
         fail_msg("%s\nexpected '%s', found '%s'", text, said, report ? report : "");
-    free(report);
-    object_free(object);
 }
 
 #define DATA \
@@ -56,26 +52,26 @@ static void check(const char *text, const char *said)
     " descriptor xs, x, 3\n descriptor fs, f, 3\n descriptor ys, y, 3\n" \
     " descriptor zs, odd, 3\n"
 #define LINE "test.s:14:2: warning: "
+/* Checks a program of the data, these instructions and EXIT. */
+#define check_data(instructions, said) check(DATA instructions " EXIT\n", said)
 
 TEST(integers)
 {
-    check(DATA " MPYSV [xs], a, [ys]\n EXIT\n", "");
-    check(DATA "\n ES a, 3\n MPYSV [xs], a, [ys]\n EXIT\n",
-          "test.s:16:2: warning: element 0 of [r10] is the integer 1, not"
-          " 1.0, so bits are lost: 3 becomes 2");
-    check(DATA " MPYSV [xs], [fs], [xs]\n EXIT\n",
-          LINE "element 2 of [r10] is the integer 3");
-    check(DATA " MPYSV [xs], [fs], [ys] ? [zs]\n EXIT\n", "");
-    check(DATA " MPYSV [xs], [fs], [ys] ?! [zs]\n EXIT\n", LINE "element 2");
-    check(DATA " DOTV [fs], [xs], r20\n EXIT\n", "");
-    check(DATA " SQRTV [xs], [ys]\n EXIT\n", LINE "element 1 of [r10]");
-    check(DATA " ADDUV [xs], [fs], [ys]\n EXIT\n", LINE "element 2");
-    check(DATA " ADDNV [xs], [fs], [ys]\n EXIT\n", "");
-    check(DATA " MPYLV [xs], [xs], [ys]\n EXIT\n", "");
-    check(DATA " MPYSV [fs], [fs], [ys]\n EXIT\n", "");
-    check(DATA " LINKV\n MPYSV [xs], [fs], [ys]\n ADDNV [ys], [fs], [ys]\n"
-               " EXIT\n",
-          "test.s:15:2: warning: element 2");
+    check_data(" MPYSV [xs], a, [ys]\n", "");
+    check_data("\n ES a, 3\n MPYSV [xs], a, [ys]\n",
+               "test.s:16:2: warning: element 0 of [r10] is the integer 1, not"
+               " 1.0, so bits are lost: 3 becomes 2");
+    check_data(" MPYSV [xs], [fs], [xs]\n", LINE "element 2 of [r10] is the integer 3");
+    check_data(" MPYSV [xs], [fs], [ys] ? [zs]\n", "");
+    check_data(" MPYSV [xs], [fs], [ys] ?! [zs]\n", LINE "element 2");
+    check_data(" DOTV [fs], [xs], r20\n", "");
+    check_data(" SQRTV [xs], [ys]\n", LINE "element 1 of [r10]");
+    check_data(" ADDUV [xs], [fs], [ys]\n", LINE "element 2");
+    check_data(" ADDNV [xs], [fs], [ys]\n", "");
+    check_data(" MPYLV [xs], [xs], [ys]\n", "");
+    check_data(" MPYSV [fs], [fs], [ys]\n", "");
+    check_data(" LINKV\n MPYSV [xs], [fs], [ys]\n ADDNV [ys], [fs], [ys]\n",
+               "test.s:15:2: warning: element 2");
     check(" ES r1, 3\n ES r2, 1\n MPYS r1, r2, r1\n EXIT\n",
           "test.s:3:2: warning: r1 is the integer 3, not 3.0, so bits are"
           " lost: 3 becomes 2");
@@ -91,55 +87,52 @@ TEST(integers)
 
 TEST(recurrences)
 {
-    check(DATA " RTOR fs, a\n IX a, 64\n ELEN a, 2\n"
-               " ADDNV [fs], [fs], [a]\n EXIT\n",
-          "test.s:17:2: warning: 1 element of [r11] is a result of this");
-    check(DATA " RTOR fs, a\n IX a, 128\n ELEN a, 1\n"
-               " ADDNV [fs], [fs], [a]\n EXIT\n",
-          "");
-    check(DATA " ADDNV [fs], [fs], [fs]\n EXIT\n", "");
-    check(DATA " RTOR fs, a\n IX fs, 64\n ELEN fs, 2\n ELEN a, 2\n"
-               " ADDNV [fs], [fs], [a]\n EXIT\n",
-          "");
-    check(DATA " RTOR fs, a\n IX a, 64\n ELEN a, 2\n ELEN fs, 2\n"
+    check_data(" RTOR fs, a\n IX a, 64\n ELEN a, 2\n"
+               " ADDNV [fs], [fs], [a]\n",
+               "test.s:17:2: warning: 1 element of [r11] is a result of this");
+    check_data(" RTOR fs, a\n IX a, 128\n ELEN a, 1\n"
+               " ADDNV [fs], [fs], [a]\n",
+               "");
+    check_data(" ADDNV [fs], [fs], [fs]\n", "");
+    check_data(" RTOR fs, a\n IX fs, 64\n ELEN fs, 2\n ELEN a, 2\n"
+               " ADDNV [fs], [fs], [a]\n",
+               "");
+    check_data(" RTOR fs, a\n IX a, 64\n ELEN a, 2\n ELEN fs, 2\n"
                " ELEN ys, 2\n LINKV\n ADDNV [fs], r0, [ys]\n"
-               " MPYSV [ys], [fs], [a]\n EXIT\n",
-          "warning: 1 element of a source is a result of this pair");
+               " MPYSV [ys], [fs], [a]\n",
+               "warning: 1 element of a source is a result of this pair");
 }
 
 TEST(lengths)
 {
-    check(DATA " EX a, y\n ADDNV [fs], [fs], [a]\n EXIT\n",
-          "test.s:15:2: warning: r14 has the address 800180 but no length");
-    check(DATA " EX a, y\n ADDNV [a], [fs], [ys]\n EXIT\n", "r14 has the");
-    check(DATA " ADDNV [fs], [fs], [a]\n EXIT\n",
-          LINE "r14 is never set, so it describes no vector");
-    check(DATA " EX a, y\n ELEN a, 0\n ADDNV [fs], [fs], [a]\n EXIT\n",
-          "the length of [r14] was set to 0 [-Wzero-length]");
-    check(DATA " EX a, y\n CPSV [fs], [a] ? [zs]\n ADDNV [a], [a], [a]\n"
-               " EXIT\n",
-          "");
-    check(DATA " EX a, y\n SUBX r0, r0, r20\n ADDLEN a, r20, a\n"
-               " ADDNV [fs], [fs], [a]\n EXIT\n",
-          "r14 has the");
-    check(DATA " .data\nempty: .descriptor 0, y\n .code\n EX a, empty\n"
-               " LOD [a], a\n ADDNV [fs], [fs], [a]\n EXIT\n",
-          "");
+    check_data(" EX a, y\n ADDNV [fs], [fs], [a]\n",
+               "test.s:15:2: warning: r14 has the address 800180 but no length");
+    check_data(" EX a, y\n ADDNV [a], [fs], [ys]\n", "r14 has the");
+    check_data(" ADDNV [fs], [fs], [a]\n",
+               LINE "r14 is never set, so it describes no vector");
+    check_data(" EX a, y\n ELEN a, 0\n ADDNV [fs], [fs], [a]\n",
+               "the length of [r14] was set to 0 [-Wzero-length]");
+    check_data(" EX a, y\n CPSV [fs], [a] ? [zs]\n ADDNV [a], [a], [a]\n", "");
+    check_data(" EX a, y\n SUBX r0, r0, r20\n ADDLEN a, r20, a\n"
+               " ADDNV [fs], [fs], [a]\n",
+               "r14 has the");
+    check_data(" .data\nempty: .descriptor 0, y\n .code\n EX a, empty\n"
+               " LOD [a], a\n ADDNV [fs], [fs], [a]\n",
+               "");
 }
 
 TEST(indices)
 {
-    check(DATA " VXTOV [fs], [xs], [ys]\n EXIT\n",
-          LINE "element 0 of the index list [r11] is 1, not an integer");
-    check(DATA " ELEN xs, 2\n VXTOV [xs], [fs], [ys]\n EXIT\n", "");
-    check(DATA " VTOVX [fs], [fs], [ys]\n EXIT\n", "[-Wfloat-index]");
-    check(DATA " load_constant a, 2.0\n VGATHP a, [fs], [ys]\n EXIT\n",
-          "[-Wfloat-index]");
-    check(DATA " ES a, 3\n VGATHP a, [fs], [ys]\n EXIT\n", "");
-    check(DATA " load_constant a, 2.0\n LOD [fs, a], r20\n EXIT\n",
-          "the index in r14 is 2, not an integer");
-    check(DATA " ES a, 2\n LOD [fs, a], r20\n EXIT\n", "");
-    check(DATA " load_constant a, 0.0\n LOD [fs, a], r20\n EXIT\n", "");
+    check_data(" VXTOV [fs], [xs], [ys]\n",
+               LINE "element 0 of the index list [r11] is 1, not an integer");
+    check_data(" ELEN xs, 2\n VXTOV [xs], [fs], [ys]\n", "");
+    check_data(" VTOVX [fs], [fs], [ys]\n", "[-Wfloat-index]");
+    check_data(" load_constant a, 2.0\n VGATHP a, [fs], [ys]\n", "[-Wfloat-index]");
+    check_data(" ES a, 3\n VGATHP a, [fs], [ys]\n", "");
+    check_data(" load_constant a, 2.0\n LOD [fs, a], r20\n",
+               "the index in r14 is 2, not an integer");
+    check_data(" ES a, 2\n LOD [fs, a], r20\n", "");
+    check_data(" load_constant a, 0.0\n LOD [fs, a], r20\n", "");
 }
 
 TEST(storage)
@@ -150,28 +143,27 @@ TEST(storage)
           "EXIT\n",
           "");
     /* After the end nothing is executed. */
-    check(DATA " ES a, 11\n EXIT\n STO [ys, a], a\n EXIT\n", "");
-    check(DATA " ES a, 11\n STO [ys, a], a\n EXIT\n",
-          "index 11 is beyond the storage of 'y'");
-    check(DATA " ELEN ys, 4\n VTOV [fs], [ys]\n EXIT\n",
-          "test.s:15:2: warning: the result extends to address 800280, but"
-          " the storage of 'y' ends at 800240 [-Wpast-storage]");
-    check(DATA " ELEN ys, 2\n VTOV [fs], [ys]\n EXIT\n", "");
-    check(DATA " ES r13, 1\n VTOV [fs], [ys, r13]\n EXIT\n", "");
-    check(DATA " EX ys, y\n ADDLEN ys, xs, ys\n ELEN ys, 3\n"
-               " IX ys, 64\n VTOV [fs], [ys]\n EXIT\n",
-          "'y' ends at 800240");
-    check(DATA " ELEN fs, 3\n VTOVX [xs], [fs], [ys]\n EXIT\n",
-          "test.s:15:2: warning: index 3 is beyond the storage of 'y'");
-    check(DATA " ELEN fs, 3\n ES a, 2\n VSCATP a, [fs], [ys]\n EXIT\n",
-          "test.s:16:2: warning: index 4 is beyond the storage of 'y'");
-    check(DATA " ELEN fs, 3\n ES a, 1\n VSCATP a, [fs], [ys]\n EXIT\n", "");
-    check(DATA " ES a, 3\n STO [ys, a], a\n EXIT\n",
-          "index 3 is beyond the storage of 'y', which ends at 800240");
-    check(DATA " ES a, 2\n STO [ys, a], a\n EXIT\n", "");
-    check(DATA " EX ys, after\n EX zs, odd\n ELEN zs, 65\n"
-               " ELEN ys, 8\n CMPEQV [ys], [ys], [zs]\n EXIT\n",
-          "'odd' ends at");
+    check_data(" ES a, 11\n EXIT\n STO [ys, a], a\n", "");
+    check_data(" ES a, 11\n STO [ys, a], a\n", "index 11 is beyond the storage of 'y'");
+    check_data(" ELEN ys, 4\n VTOV [fs], [ys]\n",
+               "test.s:15:2: warning: the result extends to address 800280, but"
+               " the storage of 'y' ends at 800240 [-Wpast-storage]");
+    check_data(" ELEN ys, 2\n VTOV [fs], [ys]\n", "");
+    check_data(" ES r13, 1\n VTOV [fs], [ys, r13]\n", "");
+    check_data(" EX ys, y\n ADDLEN ys, xs, ys\n ELEN ys, 3\n"
+               " IX ys, 64\n VTOV [fs], [ys]\n",
+               "'y' ends at 800240");
+    check_data(" ELEN fs, 3\n VTOVX [xs], [fs], [ys]\n",
+               "test.s:15:2: warning: index 3 is beyond the storage of 'y'");
+    check_data(" ELEN fs, 3\n ES a, 2\n VSCATP a, [fs], [ys]\n",
+               "test.s:16:2: warning: index 4 is beyond the storage of 'y'");
+    check_data(" ELEN fs, 3\n ES a, 1\n VSCATP a, [fs], [ys]\n", "");
+    check_data(" ES a, 3\n STO [ys, a], a\n",
+               "index 3 is beyond the storage of 'y', which ends at 800240");
+    check_data(" ES a, 2\n STO [ys, a], a\n", "");
+    check_data(" EX ys, after\n EX zs, odd\n ELEN zs, 65\n"
+               " ELEN ys, 8\n CMPEQV [ys], [ys], [zs]\n",
+               "'odd' ends at");
     check(DATA " EX a, y\n ELEN fs, 3\n EX zs, ones\n ELEN zs, 7\n"
                " EX xs, after\n ELEN xs, 7\n CPSV [xs], [a] ? [zs]\n EXIT\n"
                " .data\n .bitvector ones, 7, \"1111111\"\n",
@@ -203,34 +195,23 @@ TEST(choice)
     static const char text[] = " ES r1, 3\n ES r2, 1\n"
                                "a: MPYS r1, r2, r3\n EXIT\n";
     struct warning_choice choice = { 0, true };
-    struct object *object = good(text);
+    SCOPED(object) *object = good(text);
     struct object bare = *object;
-    char *report = watched(object, &choice);
-
-    assert_int_equal(count_of(report, "error: r1 is the integer 3"), 1);
-    free(report);
+    FREED char *of_lines = watched(object, &choice);
+    assert_int_equal(count_of(of_lines, "error: r1 is the integer 3"), 1);
     choice.errors = false;
     bare.line_count = 0;
-    report = watched(&bare, &choice);
-    assert_int_equal(count_of(report, "test.o: warning: MPYS at 400040: r1 is"
-                                      " the integer 3"),
+    FREED char *of_words = watched(&bare, &choice);
+    assert_int_equal(count_of(of_words, "test.o: warning: MPYS at 400040: r1 is"
+                                        " the integer 3"),
                      1);
-    free(report);
-    object_free(object);
-    object = good(" ADDNV [r1], [r1], [r1]\n EXIT\n"
-                  "; expect-warning: unset-length\n");
-    report = NULL;
-    choice.off = 0;
-    {
-        struct text_buffer buffer = { NULL, 0, 0, false };
-        struct sink sink = text_buffer_sink(&buffer);
-        struct runtime_checker *watch = runtime_new(object, "", &choice, &sink);
-
-        assert_non_null(watch);
-        assert_int_equal(runtime_warned(watch), 0);
-        runtime_free(watch);
-    }
-    object_free(object);
+    SCOPED(object) *expected = good(" ADDNV [r1], [r1], [r1]\n EXIT\n"
+                                    "; expect-warning: unset-length\n");
+    struct sink sink = stream_sink(stderr);
+    struct runtime_checker *watch = runtime_new(expected, "", &choice, &sink);
+    assert_non_null(watch);
+    assert_int_equal(runtime_warned(watch), 0);
+    runtime_free(watch);
 }
 
 /* ---- The loss of bits --------------------------------------------------- */

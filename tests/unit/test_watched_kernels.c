@@ -81,23 +81,17 @@ static void check(const char *path, const c205_model *model, enum trace_mode mod
 
 TEST(kernels)
 {
-    static const char *const scenes[] = { "scenes/first.pov",
-                                          "scenes/bracket.pov",
-                                          "scenes/glass.pov",
-                                          "scenes/rings.pov",
-                                          "scenes/steiner.pov",
-                                          "tests/scenes/csg_culled.pov",
-                                          "tests/scenes/csg_patches.pov",
-                                          "tests/scenes/csg_prisms.pov",
-                                          "tests/scenes/blobs.pov",
-                                          "tests/scenes/csg_blobs.pov",
-                                          "tests/scenes/csg_lathes.pov",
-                                          "tests/scenes/images.pov",
-                                          "tests/scenes/quadratic_prism.pov",
-                                          "tests/scenes/mesh.pov",
-                                          "tests/scenes/mesh_solids.pov",
-                                          "tests/scenes/mesh_glass.pov",
-                                          "tests/scenes/field_solids.pov" };
+    static const char *const scenes[] = {
+        "scenes/first.pov",           "tests/scenes/csg_culled.pov",
+        "scenes/bracket.pov",         "tests/scenes/csg_patches.pov",
+        "scenes/glass.pov",           "tests/scenes/csg_prisms.pov",
+        "scenes/rings.pov",           "tests/scenes/csg_lathes.pov",
+        "scenes/steiner.pov",         "tests/scenes/quadratic_prism.pov",
+        "tests/scenes/blobs.pov",     "tests/scenes/mesh_solids.pov",
+        "tests/scenes/csg_blobs.pov", "tests/scenes/mesh_glass.pov",
+        "tests/scenes/images.pov",    "tests/scenes/field_solids.pov",
+        "tests/scenes/mesh.pov",
+    };
     struct sink sink = stream_sink(stderr);
     c205_error error;
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
