@@ -4,208 +4,147 @@
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"
 
-enum type { TEXT, TRUTH, WHOLE, OBJECT, LIST, TEXTS, WHOLES, TYPES };
-
-static const struct {
-    const char *request, *key;
-    enum type type;
-} arguments[] = {
-    { "initialize", "pathFormat", TEXT },
-    { "initialize", "adapterID", TEXT },
-    { "initialize", "linesStartAt1", TRUTH },
-    { "initialize", "columnsStartAt1", TRUTH },
-    { "initialize", "supportsInvalidatedEvent", TRUTH },
-    { "launch", "program", TEXT },
-    { "launch", "model", TEXT },
-    { "launch", "defines", WHOLES },
-    { "launch", "include", TEXTS },
-    { "launch", "warm", TRUTH },
-    { "launch", "noDebug", TRUTH },
-    { "launch", "stopOnEntry", TRUTH },
-    { "launch", "stopOnEnd", TRUTH },
-    { "restart", "arguments", OBJECT },
-    { "terminate", "restart", TRUTH },
-    { "disconnect", "terminateDebuggee", TRUTH },
-    { "setBreakpoints", "source", OBJECT },
-    { "setBreakpoints", "breakpoints", LIST },
-    { "setFunctionBreakpoints", "breakpoints", LIST },
-    { "setInstructionBreakpoints", "breakpoints", LIST },
-    { "setDataBreakpoints", "breakpoints", LIST },
-    { "setExceptionBreakpoints", "filters", TEXTS },
-    { "dataBreakpointInfo", "variablesReference", WHOLE },
-    { "dataBreakpointInfo", "name", TEXT },
-    { "dataBreakpointInfo", "bytes", WHOLE },
-    { "breakpointLocations", "source", OBJECT },
-    { "breakpointLocations", "line", WHOLE },
-    { "breakpointLocations", "endLine", WHOLE },
-    { "continue", "threadId", WHOLE },
-    { "next", "threadId", WHOLE },
-    { "next", "granularity", TEXT },
-    { "stepIn", "threadId", WHOLE },
-    { "stepOut", "threadId", WHOLE },
-    { "stepBack", "granularity", TEXT },
-    { "reverseContinue", "threadId", WHOLE },
-    { "pause", "threadId", WHOLE },
-    { "goto", "targetId", WHOLE },
-    { "gotoTargets", "source", OBJECT },
-    { "gotoTargets", "line", WHOLE },
-    { "exceptionInfo", "threadId", WHOLE },
-    { "stackTrace", "threadId", WHOLE },
-    { "stackTrace", "startFrame", WHOLE },
-    { "stackTrace", "levels", WHOLE },
-    { "source", "source", OBJECT },
-    { "source", "sourceReference", WHOLE },
-    { "scopes", "frameId", WHOLE },
-    { "variables", "variablesReference", WHOLE },
-    { "variables", "filter", TEXT },
-    { "variables", "start", WHOLE },
-    { "variables", "count", WHOLE },
-    { "setVariable", "variablesReference", WHOLE },
-    { "setVariable", "name", TEXT },
-    { "setVariable", "value", TEXT },
-    { "evaluate", "expression", TEXT },
-    { "evaluate", "context", TEXT },
-    { "evaluate", "frameId", WHOLE },
-    { "setExpression", "expression", TEXT },
-    { "setExpression", "value", TEXT },
-    { "readMemory", "memoryReference", TEXT },
-    { "readMemory", "offset", WHOLE },
-    { "readMemory", "count", WHOLE },
-    { "writeMemory", "memoryReference", TEXT },
-    { "writeMemory", "offset", WHOLE },
-    { "writeMemory", "data", TEXT },
-    { "writeMemory", "allowPartial", TRUTH },
-    { "disassemble", "memoryReference", TEXT },
-    { "disassemble", "offset", WHOLE },
-    { "disassemble", "instructionOffset", WHOLE },
-    { "disassemble", "instructionCount", WHOLE },
-    { "disassemble", "resolveSymbols", TRUTH },
+/* Requests with their arguments, each a name and a type. Names are a list of texts, and
+ * numbers are an object of whole numbers. */
+struct request {
+    const char *name, *arguments;
 };
-enum { ARGUMENTS = COUNT(arguments) };
+static const struct request requests[] = {
+    { "initialize", "pathFormat:text adapterID:text linesStartAt1:truth "
+                    "columnsStartAt1:truth supportsInvalidatedEvent:truth" },
+    { "launch", "program:text model:text defines:numbers include:names warm:truth "
+                "noDebug:truth stopOnEntry:truth stopOnEnd:truth" },
+    { "restart", "arguments:object" },
+    { "terminate", "restart:truth" },
+    { "disconnect", "terminateDebuggee:truth" },
+    { "setBreakpoints", "source:object breakpoints:list" },
+    { "setFunctionBreakpoints", "breakpoints:list" },
+    { "setInstructionBreakpoints", "breakpoints:list" },
+    { "setDataBreakpoints", "breakpoints:list" },
+    { "setExceptionBreakpoints", "filters:names" },
+    { "dataBreakpointInfo", "variablesReference:whole name:text bytes:whole" },
+    { "breakpointLocations", "source:object line:whole endLine:whole" },
+    { "continue", "threadId:whole" },
+    { "next", "threadId:whole granularity:text" },
+    { "stepIn", "threadId:whole" },
+    { "stepOut", "threadId:whole" },
+    { "stepBack", "granularity:text" },
+    { "reverseContinue", "threadId:whole" },
+    { "pause", "threadId:whole" },
+    { "goto", "targetId:whole" },
+    { "gotoTargets", "source:object line:whole" },
+    { "exceptionInfo", "threadId:whole" },
+    { "stackTrace", "threadId:whole startFrame:whole levels:whole" },
+    { "source", "source:object sourceReference:whole" },
+    { "scopes", "frameId:whole" },
+    { "variables", "variablesReference:whole filter:text start:whole count:whole" },
+    { "setVariable", "variablesReference:whole name:text value:text" },
+    { "evaluate", "expression:text context:text frameId:whole" },
+    { "setExpression", "expression:text value:text" },
+    { "readMemory", "memoryReference:text offset:whole count:whole" },
+    { "writeMemory", "memoryReference:text offset:whole data:text "
+                     "allowPartial:truth" },
+    { "disassemble", "memoryReference:text offset:whole instructionOffset:whole "
+                     "instructionCount:whole resolveSymbols:truth" },
+};
 
 /* Members of a source, in requests that take one. */
-static const struct {
-    const char *key;
-    enum type type;
-} source_members[] = { { "path", TEXT },
-                       { "name", TEXT },
-                       { "sourceReference", WHOLE } };
+#define SOURCE "path:text name:text sourceReference:whole"
+static const struct request sources[] = {
+    { "setBreakpoints", SOURCE },
+    { "gotoTargets", SOURCE },
+    { "breakpointLocations", SOURCE },
+    { "source", SOURCE },
+};
 
-/* Members of a breakpoint, and the request that has it. */
-static const struct {
-    const char *request, *key;
-    enum type type;
-} members[] = {
-    { "setBreakpoints", "line", WHOLE },
-    { "setBreakpoints", "condition", TEXT },
-    { "setBreakpoints", "hitCondition", TEXT },
-    { "setBreakpoints", "logMessage", TEXT },
-    { "setFunctionBreakpoints", "name", TEXT },
-    { "setFunctionBreakpoints", "condition", TEXT },
-    { "setInstructionBreakpoints", "instructionReference", TEXT },
-    { "setInstructionBreakpoints", "offset", WHOLE },
-    { "setInstructionBreakpoints", "hitCondition", TEXT },
-    { "setDataBreakpoints", "dataId", TEXT },
-    { "setDataBreakpoints", "accessType", TEXT },
+/* Requests with the members of their breakpoints. */
+static const struct request breakpoints[] = {
+    { "setBreakpoints", "line:whole condition:text hitCondition:text "
+                        "logMessage:text" },
+    { "setFunctionBreakpoints", "name:text condition:text" },
+    { "setInstructionBreakpoints", "instructionReference:text offset:whole "
+                                   "hitCondition:text" },
+    { "setDataBreakpoints", "dataId:text accessType:text" },
 };
 
 /* Values, and the types that they match. */
 static const struct {
-    const char *text;
-    bool right[TYPES];
+    const char *text, *types;
 } values[] = {
-    { "5", { [WHOLE] = true } },
-    { "1.5", { [TEXT] = false } },
-    { "1e300", { [TEXT] = false } },
-    { "-9007199254740993", { [TEXT] = false } },
-    { "\"x\"", { [TEXT] = true } },
-    { "\"5\"", { [TEXT] = true } },
-    { "\"true\"", { [TEXT] = true } },
-    { "true", { [TRUTH] = true } },
-    { "false", { [TRUTH] = true } },
-    { "[]", { [LIST] = true, [TEXTS] = true } },
-    { "[5]", { [LIST] = true } },
-    { "[\"x\", null]", { [LIST] = true } },
-    { "{}", { [OBJECT] = true, [WHOLES] = true } },
-    { "{\"n\": \"5\"}", { [OBJECT] = true } },
-    { "{\"n\": 5, \"m\": 0.5}", { [OBJECT] = true } },
-    { "{\"n\": null}", { [OBJECT] = true } },
+    { "1.5", "" },        { "[\"x\", null]", "list" },
+    { "true", "truth" },  { "{\"n\": null}", "object" },
+    { "1e300", "" },      { "\"true\"", "text" },
+    { "false", "truth" }, { "{\"n\": \"5\"}", "object" },
+    { "5", "whole" },     { "[]", "list names" },
+    { "[5]", "list" },    { "{\"n\": 5, \"m\": 0.5}", "object" },
+    { "\"x\"", "text" },  { "{}", "object numbers" },
+    { "\"5\"", "text" },  { "-9007199254740993", "" },
 };
-enum { VALUES = COUNT(values) };
 
-static void check_argument(struct dap_client *client, size_t i)
+typedef void check_value(struct dap_client *client, const char *request,
+                         const char *key, const char *value);
+
+/* Calls `check` with each argument of a request and each value of a wrong type. */
+static void check_types(struct dap_client *client, const struct request *request,
+                        check_value *check)
 {
-    for (size_t k = 0; k < VALUES; k++)
-        if (!values[k].right[arguments[i].type])
-            client_refused(client, arguments[i].key, arguments[i].request,
-                           "{\"%s\": %s}", arguments[i].key, values[k].text);
+    char key[40], type[10];
+    int length = 0;
+    for (const char *next = request->arguments;
+         sscanf(next, " %39[^:]:%9s%n", key, type, &length) == 2; next += length)
+        for (size_t k = 0; k < COUNT(values); k++)
+            if (!strstr(values[k].types, type))
+                check(client, request->name, key, values[k].text);
 }
 
-/* Requests whose arguments are not an object. */
-static void check_no_object(struct dap_client *client, const char *request)
+static void check_argument(struct dap_client *client, const char *request,
+                           const char *key, const char *value)
 {
-    static const char *const wrong[] = { "5", "\"x\"", "true", "[]", "[{}]" };
-
-    for (size_t i = 0; i < COUNT(wrong); i++)
-        client_refused(client, "expected an object", request, "%s", wrong[i]);
+    client_refused(client, key, request, "{\"%s\": %s}", key, value);
 }
 
+static void check_source(struct dap_client *client, const char *request,
+                         const char *key, const char *value)
+{
+    client_refused(client, key, request, "{\"source\": {\"%s\": %s}}", key, value);
+}
+
+/* Sends arguments that are not an object, and those of wrong types, of one request, or
+ * of all requests of a running program. */
 static void check_requests(struct dap_client *client, const char *only)
 {
-    for (size_t i = 0; i < ARGUMENTS; i++) {
-        bool early = strcmp(arguments[i].request, "initialize") == 0
-                     || strcmp(arguments[i].request, "launch") == 0;
-
-        if (only ? strcmp(arguments[i].request, only) != 0 : early)
+    static const char *const wrong[] = { "5", "\"x\"", "true", "[]", "[{}]" };
+    for (size_t i = 0; i < COUNT(requests); i++) {
+        const char *name = requests[i].name;
+        if (only ? strcmp(name, only) != 0
+                 : !strcmp(name, "initialize") || !strcmp(name, "launch"))
             continue;
-        if (i == 0 || strcmp(arguments[i].request, arguments[i - 1].request) != 0)
-            check_no_object(client, arguments[i].request);
-        check_argument(client, i);
+        for (size_t k = 0; k < COUNT(wrong); k++)
+            client_refused(client, "expected an object", name, "%s", wrong[k]);
+        check_types(client, &requests[i], check_argument);
     }
 }
 
-static void check_sources(struct dap_client *client)
-{
-    static const char *const requests[] = { "setBreakpoints", "gotoTargets",
-                                            "breakpointLocations", "source" };
-
-    for (size_t r = 0; r < COUNT(requests); r++)
-        for (size_t i = 0; i < COUNT(source_members); i++)
-            for (size_t k = 0; k < VALUES; k++)
-                if (!values[k].right[source_members[i].type])
-                    client_refused(client, source_members[i].key, requests[r],
-                                   "{\"source\": {\"%s\": %s}}", source_members[i].key,
-                                   values[k].text);
-}
-
-static void check_breakpoint(struct dap_client *client, const char *request,
-                             const char *breakpoint, const char *said)
+static void check_list(struct dap_client *client, const char *request,
+                       const char *breakpoint, const char *said)
 {
     const struct json_value *list =
         the(client_ask(client, request,
                        "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
                        client_path, breakpoint),
             "breakpoints");
-
     assert_int_equal(length_of(list), 1);
     if (json_member_truth(list->first, "verified", true)
         || !strstr(the_text(list->first, "message"), said))
         fail_msg("%s %s", request, breakpoint);
 }
 
-static void check_breakpoints(struct dap_client *client)
+static void check_breakpoint(struct dap_client *client, const char *request,
+                             const char *key, const char *value)
 {
     char text[100];
-
-    for (size_t i = 0; i < COUNT(members); i++) {
-        check_breakpoint(client, members[i].request, "5", "expected an object");
-        for (size_t k = 0; k < VALUES; k++) {
-            if (values[k].right[members[i].type])
-                continue;
-            snprintf(text, sizeof text, "{\"%s\": %s}", members[i].key, values[k].text);
-            check_breakpoint(client, members[i].request, text, members[i].key);
-        }
-    }
+    snprintf(text, sizeof text, "{\"%s\": %s}", key, value);
+    check_list(client, request, text, key);
 }
 
 TEST(arguments)
@@ -225,8 +164,12 @@ TEST(arguments)
     client_ask(&client, "configurationDone", NULL);
     client_stopped(&client, "entry");
     check_requests(&client, NULL);
-    check_sources(&client);
-    check_breakpoints(&client);
+    for (size_t i = 0; i < COUNT(sources); i++)
+        check_types(&client, &sources[i], check_source);
+    for (size_t i = 0; i < COUNT(breakpoints); i++) {
+        check_list(&client, breakpoints[i].name, "5", "expected an object");
+        check_types(&client, &breakpoints[i], check_breakpoint);
+    }
     assert_int_equal(client_step(&client), 0);
     client_leave(&client);
 }
