@@ -21,75 +21,58 @@ TEST(known)
 {
     static const struct {
         const char *text;
-        double center[3], radius;
+        double x, y, z, radius;
         double slack; /* allowed relative excess of the radius */
     } rows[] = {
-        { "sphere { <1, 2, 3>, 2 }", { 1, 2, 3 }, 2, .002 },
-        { "sphere { x, 1 scale <1, 3, 1> }", { 1, 0, 0 }, 3, .002 },
-        { "box { 0, <2, 4, 4> }", { 1, 2, 2 }, 3, .002 },
-        { "box { -1, 1 scale <2, 4, 4> rotate <20, 30, 40> translate x }",
-          { 1, 0, 0 },
-          6,
+        { "sphere { <1, 2, 3>, 2 }", 1, 2, 3, 2, .002 },
+        { "sphere { x, 1 scale <1, 3, 1> }", 1, 0, 0, 3, .002 },
+        { "box { 0, <2, 4, 4> }", 1, 2, 2, 3, .002 },
+        { "box { -1, 1 scale <2, 4, 4> rotate <20, 30, 40> translate x }", 1, 0, 0, 6,
           .002 },
-        { "cylinder { -4*y, 4*y, 3 }", { 0, 0, 0 }, 5, .02 },
-        { "cylinder { -y, y, 3 open scale <1, 4, 1> rotate 30 }", { 0, 0, 0 }, 5, .02 },
-        { "cone { 0, 3, 4*y, 0 }", { 0, .875, 0 }, 3.125, .03 },
-        { "torus { 3, 1 rotate 33 }", { 0, 0, 0 }, 4, .002 },
-        { "torus { 3, 1 scale <1, 2, 1> }", { 0, 0, 0 }, 5, .002 },
-        { "elliptical_torus { 3, .5, 2 translate z }", { 0, 0, 1 }, 5, .002 },
-        { "steiner_patch { 0, 2*x, <1, 1, 0>, x, <1.5, .5, 0>, <.5, .5, 0> }",
-          { 1, 0, 0 },
-          1,
-          .03 },
-        { "prism { -4, 4, 4, <3, 0>, <0, 3>, <-3, 0>, <0, -3> }", { 0, 0, 0 }, 5, .02 },
-        { "lathe { 4, <0, -4>, <3, -4>, <1, 0>, <3, 4> }", { 0, 0, 0 }, 5, .02 },
-        { "lathe { 3, <0, 0>, <3, 0>, <1, 1> }", { 0, 0, 0 }, 3.06, .02 },
+        { "cylinder { -4*y, 4*y, 3 }", 0, 0, 0, 5, .02 },
+        { "cylinder { -y, y, 3 open scale <1, 4, 1> rotate 30 }", 0, 0, 0, 5, .02 },
+        { "cone { 0, 3, 4*y, 0 }", 0, .875, 0, 3.125, .03 },
+        { "torus { 3, 1 rotate 33 }", 0, 0, 0, 4, .002 },
+        { "torus { 3, 1 scale <1, 2, 1> }", 0, 0, 0, 5, .002 },
+        { "elliptical_torus { 3, .5, 2 translate z }", 0, 0, 1, 5, .002 },
+        { "steiner_patch { 0, 2*x, <1, 1, 0>, x, <1.5, .5, 0>, <.5, .5, 0> }", 1, 0, 0,
+          1, .03 },
+        { "prism { -4, 4, 4, <3, 0>, <0, 3>, <-3, 0>, <0, -3> }", 0, 0, 0, 5, .02 },
+        { "lathe { 4, <0, -4>, <3, -4>, <1, 0>, <3, 4> }", 0, 0, 0, 5, .02 },
+        { "lathe { 3, <0, 0>, <3, 0>, <1, 1> }", 0, 0, 0, 3.06, .02 },
         { "blob { sphere { -3*x, 1, 2 } cylinder { x, 2*x, 2, 1 }"
           " sphere { 0, 9, -1 } }",
-          { 0, 0, 0 },
-          4,
-          .002 },
+          0, 0, 0, 4, .002 },
         { "mesh { triangle { 0, 2*x, <1, 1, 0> }"
           " triangle { <1, 1, 0>, 0, <1, -1, 0> } }",
-          { 1, 0, 0 },
-          1,
-          .03 },
-        { "smooth_triangle { 0, y, 2*x, x, <1, 1, 0>, y scale 2 }",
-          { 2, 0, 0 },
-          2,
-          .03 },
-        { "plane { y, 1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "quadric { 1, 0, 0, -1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "sphere { 0, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "box { -1e100, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 4, .002 },
-        { "merge { sphere { 0, 5 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 5, .002 },
-        { "merge { sphere { 0, 5 } plane { y, 2 } }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "intersection { sphere { 0, 5 } plane { y, 2 } sphere { x, 2 } }",
-          { 1, 0, 0 },
-          2,
+          1, 0, 0, 1, .03 },
+        { "smooth_triangle { 0, y, 2*x, x, <1, 1, 0>, y scale 2 }", 2, 0, 0, 2, .03 },
+        { "plane { y, 1 }", 0, 0, 0, BOUND_NONE, 0 },
+        { "quadric { 1, 0, 0, -1 }", 0, 0, 0, BOUND_NONE, 0 },
+        { "sphere { 0, 1e100 }", 0, 0, 0, BOUND_NONE, 0 },
+        { "box { -1e100, 1e100 }", 0, 0, 0, BOUND_NONE, 0 },
+        { "merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }", 0, 0, 0, 4, .002 },
+        { "merge { sphere { 0, 5 } sphere { 2*x, 2 } }", 0, 0, 0, 5, .002 },
+        { "merge { sphere { 0, 5 } plane { y, 2 } }", 0, 0, 0, BOUND_NONE, 0 },
+        { "intersection { sphere { 0, 5 } plane { y, 2 } sphere { x, 2 } }", 1, 0, 0, 2,
           .002 },
-        { "difference { sphere { 0, 5 } sphere { x, 2 } }", { 0, 0, 0 }, 5, .002 },
-        { "disc { x, y, 2, 1 scale 2 }", { 2, 0, 0 }, 4, .03 },
-        { "intersection { disc { 0, y, 2 } sphere { 0, 5 } }", { 0, 0, 0 }, 5, .002 },
-        { "merge { disc { 0, y, 2 } sphere { 0, 5 } }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "sphere { 0, 1 inverse }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "intersection { plane { y, 1 } plane { x, 1 } }",
-          { 0, 0, 0 },
-          BOUND_NONE,
-          0 },
+        { "difference { sphere { 0, 5 } sphere { x, 2 } }", 0, 0, 0, 5, .002 },
+        { "disc { x, y, 2, 1 scale 2 }", 2, 0, 0, 4, .03 },
+        { "intersection { disc { 0, y, 2 } sphere { 0, 5 } }", 0, 0, 0, 5, .002 },
+        { "merge { disc { 0, y, 2 } sphere { 0, 5 } }", 0, 0, 0, BOUND_NONE, 0 },
+        { "sphere { 0, 1 inverse }", 0, 0, 0, BOUND_NONE, 0 },
+        { "intersection { plane { y, 1 } plane { x, 1 } }", 0, 0, 0, BOUND_NONE, 0 },
         { "intersection { merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }"
           " difference { box { -9, 9 } sphere { 0, 1 } } }",
-          { 0, 0, 0 },
-          4,
-          .002 },
+          0, 0, 0, 4, .002 },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
+        const double center[] = { rows[i].x, rows[i].y, rows[i].z };
         double within = rows[i].slack * rows[i].radius;
         for (int k = 0; k < 3; k++)
-            assert_close(bound.center[k], rows[i].center[k], within);
+            assert_close(bound.center[k], center[k], within);
         if (bound.radius < rows[i].radius
             || bound.radius > rows[i].radius * (1 + rows[i].slack))
             fail_msg("%s: radius %.9g, expected %.9g", rows[i].text, bound.radius,
@@ -101,37 +84,31 @@ TEST(known_boxes)
 {
     static const struct {
         const char *text;
-        double low[3], high[3];
+        double box[6]; /* the low corner, then the high one */
     } rows[] = {
-        { "sphere { <1, 2, 3>, 2 }", { -1, 0, 1 }, { 3, 4, 5 } },
-        { "box { <-1, 0, 2>, <3, 4, 5> rotate 90*y }", { 2, 0, -3 }, { 5, 4, 1 } },
+        { "sphere { <1, 2, 3>, 2 }", { -1, 0, 1, 3, 4, 5 } },
+        { "box { <-1, 0, 2>, <3, 4, 5> rotate 90*y }", { 2, 0, -3, 5, 4, 1 } },
         { "cylinder { -4*y, 4*y, 1 rotate 90*z translate x }",
-          { -3, -1, -1 },
-          { 5, 1, 1 } },
-        { "torus { 3, 1 scale <1, 2, 1> }", { -4, -2, -4 }, { 4, 2, 4 } },
+          { -3, -1, -1, 5, 1, 1 } },
+        { "torus { 3, 1 scale <1, 2, 1> }", { -4, -2, -4, 4, 2, 4 } },
         { "mesh { triangle { <-1, 0, 2>, <3, 0, 2>, <0, 4, 5> }"
           " triangle { 0, y, z } translate x }",
-          { 0, 0, 0 },
-          { 4, 4, 5 } },
+          { 0, 0, 0, 4, 4, 5 } },
         { "merge { box { 0, 1 } box { <2, -1, 0>, <3, 1, 2> } }",
-          { 0, -1, 0 },
-          { 3, 1, 2 } },
+          { 0, -1, 0, 3, 1, 2 } },
         { "intersection { box { 0, 4 } box { <2, -1, 0>, <6, 1, 2> } }",
-          { 2, 0, 0 },
-          { 4, 1, 2 } },
-        { "difference { box { 0, <4, 4, 1> } box { 1, 3 } }",
-          { 0, 0, 0 },
-          { 4, 4, 1 } },
+          { 2, 0, 0, 4, 1, 2 } },
+        { "difference { box { 0, <4, 4, 1> } box { 1, 3 } }", { 0, 0, 0, 4, 4, 1 } },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
         for (int k = 0; k < 3; k++) {
             double slack = .02 * bound.radius;
-            assert_true(bound.low[k] < rows[i].low[k]);
-            assert_true(bound.high[k] > rows[i].high[k]);
-            assert_close(bound.low[k], rows[i].low[k], slack);
-            assert_close(bound.high[k], rows[i].high[k], slack);
+            assert_true(bound.low[k] < rows[i].box[k]);
+            assert_true(bound.high[k] > rows[i].box[3 + k]);
+            assert_close(bound.low[k], rows[i].box[k], slack);
+            assert_close(bound.high[k], rows[i].box[3 + k], slack);
         }
     }
 }
