@@ -1,6 +1,7 @@
 /* test_accounts.c - the tables and CSV of random accounts are compared with the
  * accounts themselves. A matrix whose sums differ, that has an empty row or column, or
  * that is wider than a page fails here. */
+#include <inttypes.h>
 #include <math.h>
 
 #include "base/accounts_show.h"
@@ -119,16 +120,16 @@ static void check_place(struct view view, const struct accounts *accounts,
 static void check_matrix(const struct accounts *accounts, enum accounts_rows rows)
 {
     c205_account sum = accounts_together(accounts);
-    struct table *table = accounts_matrix(accounts, rows, 0, MAX_REGIONS);
+    SCOPED(table) *table = accounts_matrix(accounts, rows, 0, MAX_REGIONS);
     size_t regions = accounts_regions(accounts), place = 0;
     struct view view = { table, rows == ACCOUNTS_CAUSES };
-    size_t figures = 1u + (sum.vector_instructions > 0 ? 1u : 0u)
-                     + (sum.elements > 0 ? 1u : 0u) + (sum.operations > 0 ? 1u : 0u);
+    size_t figures = 1u + (sum.vector_instructions > 0) + (sum.elements > 0)
+                     + (sum.operations > 0);
     assert_non_null(table);
+    size_t rows_of_regions = regions > 1 ? regions + 1 : 1;
     assert_int_equal(table_rows(table), view.causes_down
                                             ? used_causes(&sum) + 1 + figures
-                                        : regions > 1 ? regions + 1
-                                                      : 1);
+                                            : rows_of_regions);
     for (size_t i = 0; regions > 1 && i < accounts->count; i++) {
         if (accounts_clocks(&accounts->items[i]) > 0) {
             check_place(view, accounts, &sum, &accounts->items[i],
@@ -137,18 +138,16 @@ static void check_matrix(const struct accounts *accounts, enum accounts_rows row
         }
     }
     check_place(view, accounts, &sum, &sum, view.causes_down ? 1 : place);
-    table_free(table);
 }
 
 TEST(matrices_add_up)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct accounts accounts = random_accounts();
+        SCOPED_VALUE(accounts) accounts = random_accounts();
         if (accounts.clocks > 0) {
             check_matrix(&accounts, ACCOUNTS_CAUSES);
             check_matrix(&accounts, ACCOUNTS_REGIONS);
         }
-        accounts_free(&accounts);
     }
 }
 
@@ -179,9 +178,9 @@ static size_t times_in(const char *text, const char *word)
 TEST(matrices_are_narrow)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct accounts accounts = random_accounts();
+        SCOPED_VALUE(accounts) accounts = random_accounts();
         size_t regions = accounts_regions(&accounts);
-        char *text;
+        FREED char *text = NULL;
         show(&accounts, OUTPUT_TEXT, &text);
         for (const char *line = text; *line;) {
             size_t length = strcspn(line, "\n");
@@ -193,8 +192,6 @@ TEST(matrices_are_narrow)
             assert_int_equal(times_in(text, account->name),
                              regions > 1 && accounts_clocks(account) > 0);
         }
-        free(text);
-        accounts_free(&accounts);
     }
 }
 
@@ -218,23 +215,21 @@ static void check_share(const struct accounts *accounts, const char *text,
 TEST(csv_is_exact)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct accounts accounts = random_accounts();
-        char *text, row[200];
+        SCOPED_VALUE(accounts) accounts = random_accounts();
+        FREED char *text = NULL;
         show(&accounts, OUTPUT_CSV, &text);
         for (size_t k = 0; k < accounts.count; k++) {
             const c205_account *account = &accounts.items[k];
             uint64_t clocks = accounts_clocks(account);
-            snprintf(row, sizeof row, "\n%s,%llu,%llu,%llu,%llu,%llu,%llu,",
-                     account->name, (unsigned long long)account->entries,
-                     (unsigned long long)account->instructions,
-                     (unsigned long long)account->vector_instructions,
-                     (unsigned long long)account->elements,
-                     (unsigned long long)account->operations,
-                     (unsigned long long)clocks);
+            char row[200];
+            snprintf(row, sizeof row,
+                     "\n%s,%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64 ",%" PRIu64
+                     ",%" PRIu64 ",",
+                     account->name, account->entries, account->instructions,
+                     account->vector_instructions, account->elements,
+                     account->operations, clocks);
             check_share(&accounts, text, row, clocks);
         }
-        free(text);
-        accounts_free(&accounts);
     }
 }
 
@@ -253,36 +248,34 @@ static void assert_twice(const c205_account *twice, const c205_account *once)
 TEST(runs_add_up)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct accounts once = random_accounts(), twice = { .model = prior_model };
+        SCOPED_VALUE(accounts) once = random_accounts();
+        SCOPED_VALUE(accounts) twice = { .model = prior_model };
         for (size_t k = 0; k < 2 * once.count; k++)
             assert_true(accounts_add_account(&twice, &once.items[k % once.count]));
         assert_int_equal(twice.count, once.count);
         assert_int_equal(twice.clocks, 2 * once.clocks);
         for (size_t k = 0; k < once.count; k++)
             assert_twice(accounts_find(&twice, once.items[k].name), &once.items[k]);
-        accounts_free(&twice);
-        accounts_free(&once);
     }
-}
-
-static void assert_time(uint64_t clocks, const char *expected)
-{
-    char text[ACCOUNTS_TIME];
-    accounts_time(prior_model, clocks, text);
-    assert_string_equal(text, expected);
 }
 
 /* A clock is 20 ns. */
 TEST(times_are_short)
 {
-    assert_time(0, "0.00 us");
-    assert_time(1, "0.02 us");
-    assert_time(1139, "22.78 us");
-    assert_time(499999, "9999.98 us");
-    assert_time(500000, "10.000 ms");
-    assert_time(499999999, "10000.000 ms");
-    assert_time(500000000, "10.000 s");
-    assert_time(50000000000, "1000.000 s");
+    static const struct {
+        uint64_t clocks;
+        const char *text;
+    } times[] = {
+        { 0, "0.00 us" },          { 1, "0.02 us" },
+        { 1139, "22.78 us" },      { 499999, "9999.98 us" },
+        { 500000, "10.000 ms" },   { 499999999, "10000.000 ms" },
+        { 500000000, "10.000 s" }, { 50000000000, "1000.000 s" },
+    };
+    for (size_t i = 0; i < COUNT(times); i++) {
+        char text[ACCOUNTS_TIME];
+        accounts_time(prior_model, times[i].clocks, text);
+        assert_string_equal(text, times[i].text);
+    }
 }
 
 GROUP(set_up_model, tear_down_model);

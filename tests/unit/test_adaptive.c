@@ -4,6 +4,8 @@
  * bands fails here. */
 #define SMALL_FRAMES
 #include "tests/oracle/plain_adaptive.h"
+#include "tests/oracle/plain_shapes.h"
+#include "tests/unit/scene_reading.h"
 #include "tests/unit/traced_frame.h"
 
 #include "rt/jobs/job_set.h"
@@ -48,32 +50,31 @@ static void add_scene(char *text, size_t size)
 
 /* ---- The plain rule ------------------------------------------------------ */
 
+static struct frame new_frame(size_t width, size_t height)
+{
+    struct frame frame;
+    assert_true(frame_allocate(&frame, width, height));
+    return frame;
+}
+
 static struct frame traced_frame(const struct scene *scene, size_t width, size_t height)
 {
     struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = TRACE_QUEUE,
                                             .width = width, .height = height);
     SCOPED(trace) *trace = run_trace(scene, &options);
-    struct frame frame;
-    assert_true(frame_allocate(&frame, width, height));
+    struct frame frame = new_frame(width, height);
     trace_read(trace, 0, &frame);
     return frame;
-}
-
-/* Computes a += s b. */
-static void add_scaled(double a[3], double s, const double b[3])
-{
-    for (int i = 0; i < 3; i++)
-        a[i] += s * b[i];
 }
 
 /* Extends the camera by one column on the left and one row at the top. */
 static void look_beyond(struct camera *camera, double width, double height)
 {
     double *middle = camera->orthographic ? camera->location : camera->direction;
-    add_scaled(middle, -.5 / width, camera->right);
-    add_scaled(middle, .5 / height, camera->up);
-    add_scaled(camera->right, 1 / width, camera->right);
-    add_scaled(camera->up, 1 / height, camera->up);
+    add_scaled(middle, middle, -.5 / width, camera->right);
+    add_scaled(middle, middle, .5 / height, camera->up);
+    scale_by(camera->right, 1 + 1 / width);
+    scale_by(camera->up, 1 + 1 / height);
 }
 
 /* Refines the picture by the plain rule. Colours are averaged and compared before
@@ -139,9 +140,8 @@ static void check_rays(const struct trace *trace, const struct trace_options *op
 static void check_plain(struct scene *scene, const struct trace *trace,
                         const struct trace_options *options, const char *text)
 {
-    struct frame expected, found;
-    assert_true(frame_allocate(&expected, options->width, options->height));
-    assert_true(frame_allocate(&found, options->width, options->height));
+    SCOPED_VALUE(frame) expected = new_frame(options->width, options->height);
+    SCOPED_VALUE(frame) found = new_frame(options->width, options->height);
     struct plain_refined refined = expect(scene, options, &expected);
     trace_read(trace, 0, &found);
     size_t others = count_others(&expected, &found, scene->assumed_gamma);
@@ -152,8 +152,6 @@ static void check_plain(struct scene *scene, const struct trace *trace,
                  options->samples, text);
     if (refined.margin > 1e-9)
         check_rays(trace, options, refined.count);
-    frame_free(&expected);
-    frame_free(&found);
 }
 
 /* ---- All forms ----------------------------------------------------------- */
@@ -248,12 +246,6 @@ static double red(const struct trace *trace, size_t pixel)
     return c205_to_double(trace_channel(trace, CHANNEL_RED)[pixel]);
 }
 
-static void check_nearly(double found, double expected)
-{
-    if (fabs(found - expected) > 1e-9)
-        fail_msg("%.12f, not %.12f", found, expected);
-}
-
 /* If all pixels differ by more than the threshold, all are refined, and the first ray
  * counts once more. If none does, each has its first ray only. */
 TEST(ends)
@@ -265,8 +257,8 @@ TEST(ends)
     SCOPED(trace) *first = trace_with(scene, 3, 3);
     uint64_t first_rays = (WIDTH + 1) * (HEIGHT + 1);
     for (size_t k = 0; k < PIXELS; k++) {
-        check_nearly(red(first, k), red(one, k));
-        check_nearly(red(refined, k), .9 * red(all, k) + .1 * red(one, k));
+        assert_close(red(first, k), red(one, k), 1e-9);
+        assert_close(red(refined, k), .9 * red(all, k) + .1 * red(one, k), 1e-9);
     }
     assert_int_equal(trace_rays(first, RAY_PRIMARY), first_rays);
     assert_int_equal(trace_rays(refined, RAY_PRIMARY), first_rays + 9 * PIXELS);
@@ -362,7 +354,7 @@ TEST(kept)
     close(mkstemp(path));
     assert_true(trace_run(whole, &error));
     patience = (struct patience){ 0, patience.asked * 3 / 4 };
-    struct trace *trace = begin_kept(scene, .02, &patience, &job_set);
+    SCOPED(trace) *trace = begin_kept(scene, .02, &patience, &job_set);
     assert_false(trace_run(trace, &error));
     assert_true(trace_bands_done(trace) > 0);
     assert_int_equal(trace_rows_done(trace), TRACE_BLOCK * trace_bands_done(trace));
@@ -374,7 +366,6 @@ TEST(kept)
     assert_int_equal(trace_checksum(trace), trace_checksum(whole));
     assert_int_equal(trace_accounts(trace)->clocks, trace_accounts(whole)->clocks);
     trace_forget(trace);
-    trace_free(trace);
 }
 
 GROUP(set_up_frames, tear_down_model);

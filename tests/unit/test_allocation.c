@@ -163,12 +163,11 @@ static bool find_models(FILE *out, c205_error *error)
 {
     static const char text[] = "title Slow\nlike cyber205-2pipe-prior\n"
                                "latency.load 99 clk R\n";
-    c205_model *parsed = c205_model_parse("slow", text, error);
+    SCOPED(c205_model) *parsed = c205_model_parse("slow", text, error);
     c205_model *read = parsed ? c205_model_find("vm/models/cyber205-2pipe.model", error)
                               : NULL;
     if (read)
         fprintf(out, "%s, %s\n", c205_model_title(parsed), c205_model_title(read));
-    c205_model_free(parsed);
     c205_model_free(read);
     return read;
 }
@@ -209,23 +208,21 @@ static void print_first(const struct diagnostics *errors, c205_error *error)
 
 static struct object *assembled(const char *text, c205_error *error)
 {
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     struct object *made = assemble_text("test.s", text, NULL, &errors);
     if (!made)
         print_first(&errors, error);
-    diagnostics_free(&errors);
     return made;
 }
 
 static bool assemble_one(FILE *out, c205_error *error)
 {
     struct sink sink = stream_sink(out);
-    struct object *made = assembled(program_text, error);
+    SCOPED(object) *made = assembled(program_text, error);
     if (!made)
         return false;
     object_write(made, &sink);
     listing(made, &sink);
-    object_free(made);
     return true;
 }
 
@@ -280,11 +277,10 @@ static void begin_with_label(size_t length)
 
 static bool assemble_long(FILE *out, c205_error *error)
 {
-    struct object *made = assembled(long_text, error);
+    SCOPED(object) *made = assembled(long_text, error);
     if (!made)
         return false;
     fprintf(out, "%zu symbols\n", made->symbol_count);
-    object_free(made);
     return true;
 }
 
@@ -301,7 +297,7 @@ static bool assemble_wrong(FILE *out, c205_error *error)
 
 static bool read_object(FILE *out, c205_error *error)
 {
-    struct text_buffer buffer = { NULL, 0, 0, false };
+    SCOPED_VALUE(text_buffer) buffer = { NULL, 0, 0, false };
     struct sink text = text_buffer_sink(&buffer), sink = stream_sink(out);
     object_write(object, &text);
     struct object *copy = buffer.failed
@@ -309,7 +305,6 @@ static bool read_object(FILE *out, c205_error *error)
                               : object_read(buffer.text, buffer.length, error);
     if (copy)
         object_write(copy, &sink);
-    text_buffer_free(&buffer);
     object_free(copy);
     return copy;
 }
@@ -340,13 +335,11 @@ static bool run_and_show(c205 *machine, FILE *out, c205_error *error)
 {
     struct printer printer = { stream_sink(out) };
     c205_listen(machine, printer_listen, &printer);
-    struct accounts accounts = { .model = model };
-    bool done = run_to(machine, C205_NO_LIMIT, error)
-                && (accounts_add(&accounts, machine) || no_memory(error))
-                && show(accounts_by_cause(&accounts), out, error)
-                && show(accounts_by_region(&accounts), out, error);
-    accounts_free(&accounts);
-    return done;
+    SCOPED_VALUE(accounts) accounts = { .model = model };
+    return run_to(machine, C205_NO_LIMIT, error)
+           && (accounts_add(&accounts, machine) || no_memory(error))
+           && show(accounts_by_cause(&accounts), out, error)
+           && show(accounts_by_region(&accounts), out, error);
 }
 
 static c205 *loaded(const struct object *program, c205_error *error)
@@ -361,17 +354,15 @@ static c205 *loaded(const struct object *program, c205_error *error)
 
 static bool run_object(FILE *out, c205_error *error)
 {
-    c205 *machine = loaded(object, error);
-    bool done = machine && run_and_show(machine, out, error);
-    c205_free(machine);
-    return done;
+    SCOPED(c205) *machine = loaded(object, error);
+    return machine && run_and_show(machine, out, error);
 }
 
 /* Gathers and scatters: the machine allocates memory while it runs. */
 static bool run_example(FILE *out, c205_error *error)
 {
-    struct diagnostics errors = { 0 };
-    struct object *made = assemble_file("asm/examples/lookup.s", NULL, &errors);
+    SCOPED_VALUE(diagnostics) errors = { 0 };
+    SCOPED(object) *made = assemble_file("asm/examples/lookup.s", NULL, &errors);
     c205 *machine = NULL;
     if (made)
         machine = loaded(made, error);
@@ -379,8 +370,6 @@ static bool run_example(FILE *out, c205_error *error)
         print_first(&errors, error);
     bool done = machine && run_and_show(machine, out, error);
     c205_free(machine);
-    diagnostics_free(&errors);
-    object_free(made);
     return done;
 }
 
@@ -412,10 +401,10 @@ static bool measure_one(FILE *out, c205_error *error)
 
 static bool check_object(FILE *out, c205_error *error)
 {
-    struct text_buffer printed = { NULL, 0, 0, false };
+    SCOPED_VALUE(text_buffer) printed = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = stream_sink(out);
-    c205 *machine = loaded(object, error);
+    SCOPED(c205) *machine = loaded(object, error);
     bool done = machine != NULL;
     if (machine) {
         c205_listen(machine, printer_listen, &printer);
@@ -425,8 +414,6 @@ static bool check_object(FILE *out, c205_error *error)
             assert_true(expect_check(object, machine, &stop, printed.text,
                                      object->warned, &report));
     }
-    text_buffer_free(&printed);
-    c205_free(machine);
     return done || no_memory(error);
 }
 
@@ -444,8 +431,8 @@ static bool grade_answer(FILE *out, c205_error *error)
                                  "        STO     [r10], r11\n"
                                  "        EXIT\n";
     struct sink sink = stream_sink(out);
-    struct lesson lesson = { 0 };
-    struct lesson_verdict verdict = { 0 };
+    SCOPED_VALUE(lesson) lesson = { 0 };
+    SCOPED_VALUE(lesson_verdict) verdict = { 0 };
     bool done = lesson_begin(&lesson, "1-it", error)
                 && lesson_take(&lesson, "lesson.md", "# A\n", 4, error)
                 && lesson_take(&lesson, "start.s", "", 0, error)
@@ -459,8 +446,6 @@ static bool grade_answer(FILE *out, c205_error *error)
     if (done) {
         lesson_verdict_put(&verdict, &sink);
     }
-    lesson_verdict_free(&verdict);
-    lesson_free(&lesson);
     return done;
 }
 
@@ -469,13 +454,12 @@ static bool grade_answer(FILE *out, c205_error *error)
 static bool reply_to(struct engine *engine, const char *request, FILE *out,
                      c205_error *error)
 {
-    char *reply = engine_answer(engine, request, strlen(request));
+    FREED char *reply = engine_answer(engine, request, strlen(request));
     bool good = reply && strncmp(reply, "{\"ok\": true", 11) == 0
                 && !strstr(reply, "\"printed_cut\": true")
                 && !strstr(reply, "out of memory");
     if (good)
         fprintf(out, "%s\n", reply);
-    free(reply);
     return good || no_memory(error);
 }
 
@@ -543,14 +527,13 @@ static bool report_pipes(FILE *out, c205_error *error)
 {
     struct sweep_measure measures[6];
     struct sweep sweep = { .measures = measures, .count = 6 };
-    struct sweep_report report = { .part_count = 0 };
+    SCOPED_VALUE(sweep_report) report = { .part_count = 0 };
     for (size_t i = 0; i < 6; i++)
         measures[i] = (struct sweep_measure){
             .rays = 1, .forms = { { .total = 9 }, { .total = 3 } }
         };
     bool done = sweep_pipes.report(&sweep, &report, error)
                 && sweep_report_write(&report, TABLE_MARKDOWN, out);
-    sweep_report_free(&report);
     return done || no_memory(error);
 }
 
@@ -581,10 +564,10 @@ TEST(untouched_page)
                                "        STO [r4], r4\n"
                                "        EXIT\n";
     c205_error error = { "" };
-    struct object *program = assembled(text, &error);
+    SCOPED(object) *program = assembled(text, &error);
     size_t lacked = 0;
     for (size_t fails = 1;; fails++) {
-        c205 *machine = loaded(program, &error);
+        SCOPED(c205) *machine = loaded(program, &error);
         c205_word word;
         assert_non_null(machine);
         assert_true(c205_map(machine, 0x50000000, 1, C205_WHEN_TOUCHED, &error));
@@ -600,13 +583,11 @@ TEST(untouched_page)
             assert_int_equal(stop.trap, C205_TRAP_NONE);
         assert_true(c205_read(machine, 0x50000000, &word, 1));
         assert_int_equal(word, stop.trap == C205_TRAP_NONE ? 0x50000000 : 0);
-        c205_free(machine);
         if (!failed)
             break;
         lacked += stop.trap != C205_TRAP_NONE;
     }
     assert_true(lacked > 0);
-    object_free(program);
 }
 
 /* Runs a loop with a history whose allocations fail after step 16. Returns the number
@@ -614,7 +595,7 @@ TEST(untouched_page)
 static size_t calls_without_memory(const char *loop, size_t steps)
 {
     c205_error error = { "" };
-    struct object *program = assembled(loop, &error);
+    SCOPED(object) *program = assembled(loop, &error);
     c205 *machine = c205_new(model, &error);
     assert_non_null(program);
     assert_non_null(machine);
@@ -632,7 +613,6 @@ static size_t calls_without_memory(const char *loop, size_t steps)
     host.fails = 0;
     size_t calls = host.calls;
     c205_history_free(history);
-    object_free(program);
     return calls;
 }
 

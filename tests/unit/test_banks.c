@@ -66,7 +66,7 @@ static void check_list(uint64_t *seed)
     uint64_t table = xorshift(seed) >> 16, busy = xorshift(seed) % 16;
     unsigned step = xorshift(seed) % 4 ? 64 : 32;
     struct banks banks;
-    struct index_list list = { 0 };
+    SCOPED_VALUE(index_list) list = { 0 };
 
     assert_true(
         banks_init(&banks, (size_t)xorshift_between(seed, 1, MAX_BANKS), access, busy));
@@ -78,7 +78,6 @@ static void check_list(uint64_t *seed)
         change(indices, count, &table, &step, seed);
     }
     banks_free(&banks);
-    index_list_free(&list);
 }
 
 TEST(lists_by_chance)

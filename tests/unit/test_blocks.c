@@ -45,11 +45,9 @@ static const char arithmetic[] = /* solves 40 quadratics, with calls */
 static c205 *load(const char *text)
 {
     char whole[4000];
-    struct object *object;
     snprintf(whole, sizeof whole, "        .include \"core.s\"\n%s", text);
-    object = good(whole);
+    SCOPED(object) *object = good(whole);
     c205 *machine = machine_with(&object->program, prior_model);
-    object_free(object);
     return machine;
 }
 
@@ -61,23 +59,27 @@ static c205_stop step_to_end(c205 *machine)
     return stop;
 }
 
-/* Runs a program to its end both ways and compares the machines, which the caller
- * frees. */
-static c205_stop compare(const char *text, c205 **whole, c205 **stepped)
+/* Machines that ran a program from block to block and step by step, and their stop. */
+struct both {
+    c205 *whole, *stepped;
+    c205_stop stop;
+};
+
+static void both_free(struct both *both)
 {
-    *whole = load(text);
-    *stepped = load(text);
-    c205_stop one = c205_run(*whole, C205_NO_LIMIT);
-    c205_stop other = step_to_end(*stepped);
-    assert_same_stop(&one, &other);
-    assert_same(*whole, *stepped);
-    return one;
+    c205_free(both->whole);
+    c205_free(both->stepped);
 }
 
-static void free_both(c205 *whole, c205 *stepped)
+/* Runs a program to its end both ways and compares the machines. */
+static struct both compare(const char *text)
 {
-    c205_free(whole);
-    c205_free(stepped);
+    struct both both = { .whole = load(text), .stepped = load(text) };
+    both.stop = c205_run(both.whole, C205_NO_LIMIT);
+    c205_stop stop = step_to_end(both.stepped);
+    assert_same_stop(&both.stop, &stop);
+    assert_same(both.whole, both.stepped);
+    return both;
 }
 
 static uint64_t schedule_count(const c205 *machine)
@@ -90,40 +92,31 @@ static uint64_t schedule_count(const c205 *machine)
 
 TEST(whole)
 {
-    c205 *whole, *stepped;
-    c205_stop stop = compare(arithmetic, &whole, &stepped);
-    assert_int_equal(stop.trap, C205_TRAP_NONE);
-    assert_true(schedule_count(whole) > 5);
-    assert_int_equal(schedule_count(stepped), 0);
-    free_both(whole, stepped);
+    SCOPED_VALUE(both) both = compare(arithmetic);
+    assert_int_equal(both.stop.trap, C205_TRAP_NONE);
+    assert_true(schedule_count(both.whole) > 5);
+    assert_int_equal(schedule_count(both.stepped), 0);
 }
 
 /* ---- Limits, listeners --------------------------------------------------- */
 
-static void step_to_limit(c205 *machine, uint64_t limit)
-{
-    c205_stop stop;
-    while (c205_clock(machine) < limit && c205_step(machine, &stop))
-        continue;
-}
-
 /* At every clock limit, the run stops where single steps would. */
 static void check_limits(const char *text)
 {
-    c205 *whole = load(text);
+    SCOPED(c205) *whole = load(text);
     c205_run(whole, C205_NO_LIMIT);
     uint64_t clocks = c205_clock(whole);
     for (uint64_t limit = 1; limit < clocks; limit += 1 + limit / 50) {
-        c205 *broken = load(text), *stepped = load(text);
-        c205_stop stop = c205_run(broken, limit);
-        step_to_limit(stepped, limit);
+        SCOPED(c205) *broken = load(text);
+        SCOPED(c205) *stepped = load(text);
+        c205_stop stop = c205_run(broken, limit), other;
+        while (c205_clock(stepped) < limit && c205_step(stepped, &other))
+            continue;
         assert_same(broken, stepped);
         if (stop.trap == C205_TRAP_CLOCK_LIMIT)
             c205_run(broken, C205_NO_LIMIT);
         assert_same(broken, whole);
-        free_both(broken, stepped);
     }
-    c205_free(whole);
 }
 
 TEST(limits)
@@ -141,7 +134,7 @@ TEST(limits)
 }
 
 struct heard {
-    uint64_t events, clock, operations;
+    uint64_t events, clock;
 };
 
 /* Each event must begin at the clock at which the previous one ended. */
@@ -167,20 +160,18 @@ static uint64_t instructions(const c205 *machine)
 /* A listener that is added during a run is notified of all later events. */
 TEST(listener)
 {
-    c205 *whole = load(arithmetic);
+    SCOPED(c205) *whole = load(arithmetic);
     c205_run(whole, C205_NO_LIMIT);
     for (uint64_t limit = 1; limit < c205_clock(whole); limit += 137) {
-        c205 *machine = load(arithmetic);
+        SCOPED(c205) *machine = load(arithmetic);
         c205_run(machine, limit);
         uint64_t before = instructions(machine);
-        struct heard heard = { 0, c205_clock(machine), 0 };
+        struct heard heard = { 0, c205_clock(machine) };
         assert_true(c205_listen(machine, hear, &heard));
         c205_run(machine, C205_NO_LIMIT);
         assert_int_equal(before + heard.events, instructions(whole));
         assert_same(machine, whole);
-        c205_free(machine);
     }
-    c205_free(whole);
 }
 
 /* ---- Code that changes --------------------------------------------------- */
@@ -212,10 +203,8 @@ TEST(changes)
         "        .align  64\n"
         "other:  IS      sum, 100\n"
         "        IS      sum, 100\n";
-    c205 *whole, *stepped;
-    compare(text, &whole, &stepped);
-    assert_int_equal(c205_register(whole, 15), 2 + 200 + 5 * 400);
-    free_both(whole, stepped);
+    SCOPED_VALUE(both) both = compare(text);
+    assert_int_equal(c205_register(both.whole, 15), 2 + 200 + 5 * 400);
 }
 
 /* ---- Faults -------------------------------------------------------------- */
@@ -237,17 +226,15 @@ TEST(fault)
                                "        .data\n"
                                "        .org    0x10000000 - 64 * 20\n"
                                "        .space  20\n";
-    c205 *whole, *stepped;
+    SCOPED_VALUE(both) both = compare(text);
     c205_error error;
-    c205_stop stop = compare(text, &whole, &stepped);
-    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
-    assert_int_equal(stop.address, 0x10000000);
-    assert_true(c205_map(whole, 0x10000000, 100, C205_READ_WRITE, &error));
-    assert_true(c205_map(stepped, 0x10000000, 100, C205_READ_WRITE, &error));
-    c205_run(whole, C205_NO_LIMIT);
-    step_to_end(stepped);
-    assert_same(whole, stepped);
-    free_both(whole, stepped);
+    assert_int_equal(both.stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
+    assert_int_equal(both.stop.address, 0x10000000);
+    assert_true(c205_map(both.whole, 0x10000000, 100, C205_READ_WRITE, &error));
+    assert_true(c205_map(both.stepped, 0x10000000, 100, C205_READ_WRITE, &error));
+    c205_run(both.whole, C205_NO_LIMIT);
+    step_to_end(both.stepped);
+    assert_same(both.whole, both.stepped);
 }
 
 /* ---- Regions ------------------------------------------------------------- */
@@ -279,11 +266,9 @@ TEST(regions)
                                "        DBNZ    turns, [to]\n"
                                "        .endkernel\n"
                                "        EXIT\n";
-    c205 *whole, *stepped;
-    compare(text, &whole, &stepped);
-    assert_int_equal(c205_account_count(whole), 3);
-    assert_int_equal(c205_account_at(whole, 1)->entries, 30);
-    free_both(whole, stepped);
+    SCOPED_VALUE(both) both = compare(text);
+    assert_int_equal(c205_account_count(both.whole), 3);
+    assert_int_equal(c205_account_at(both.whole, 1)->entries, 30);
 }
 
 /* ---- Other programs, other models ---------------------------------------- */
@@ -436,19 +421,15 @@ static const struct {
 TEST(programs)
 {
     c205_model *usual = prior_model;
-
     for (size_t i = 0; i < COUNT(programs); i++) {
         char constants[300];
         c205_error error;
-        c205 *whole, *stepped;
-
         snprintf(constants, sizeof constants, "title T\nlike cyber205-2pipe-prior\n%s",
                  programs[i].constants);
-        prior_model = c205_model_parse("other", constants, &error);
-        assert_non_null(prior_model);
-        compare(programs[i].text, &whole, &stepped);
-        free_both(whole, stepped);
-        c205_model_free(prior_model);
+        SCOPED(c205_model) *model = c205_model_parse("other", constants, &error);
+        assert_non_null(model);
+        prior_model = model;
+        SCOPED_VALUE(both) both = compare(programs[i].text);
     }
     prior_model = usual;
 }
@@ -457,27 +438,24 @@ TEST(programs)
  * change of code once. */
 TEST(data_behind_branch)
 {
-    c205 *whole, *stepped;
-
-    c205_stop stop = compare("        .regs   r10, turns, to, at, x, one\n"
-                             "        EX      to, again\n"
-                             "        EX      at, place\n"
-                             "        ES      turns, 100\n"
-                             "        ES      one, 1\n"
-                             "        .align  64\n"
-                             "again:  LOD     [at], x\n"
-                             "        ADDX    x, one, x\n"
-                             "        STO     [at], x\n"
-                             "        IBXEQ   r0, r0, r0, over\n"
-                             "        ADDX    x, x, x\n"
-                             "place:  ADDX    x, x, x\n"
-                             "        ADDX    x, x, x\n"
-                             "over:   DBNZ    turns, [to]\n"
-                             "        EXIT\n",
-                             &whole, &stepped);
-    assert_int_equal(stop.trap, C205_TRAP_NONE);
-    assert_true(whole->memory.code_changes < stepped->memory.code_changes + 5);
-    free_both(whole, stepped);
+    SCOPED_VALUE(both) both = compare("        .regs   r10, turns, to, at, x, one\n"
+                                      "        EX      to, again\n"
+                                      "        EX      at, place\n"
+                                      "        ES      turns, 100\n"
+                                      "        ES      one, 1\n"
+                                      "        .align  64\n"
+                                      "again:  LOD     [at], x\n"
+                                      "        ADDX    x, one, x\n"
+                                      "        STO     [at], x\n"
+                                      "        IBXEQ   r0, r0, r0, over\n"
+                                      "        ADDX    x, x, x\n"
+                                      "place:  ADDX    x, x, x\n"
+                                      "        ADDX    x, x, x\n"
+                                      "over:   DBNZ    turns, [to]\n"
+                                      "        EXIT\n");
+    assert_int_equal(both.stop.trap, C205_TRAP_NONE);
+    assert_true(both.whole->memory.code_changes
+                < both.stepped->memory.code_changes + 5);
 }
 
 /* ---- Limits of memory ---------------------------------------------------- */
@@ -494,12 +472,11 @@ TEST(many_blocks)
                                "        .endr\n"
                                "        DBNZ    turns, [to]\n"
                                "        EXIT\n";
-    c205 *machine = load(text);
+    SCOPED(c205) *machine = load(text);
     c205_run(machine, C205_NO_LIMIT);
     assert_int_equal(c205_register(machine, 12), 140000);
     assert_int_equal(instructions(machine), 140000 + 5);
     assert_true(machine->blocks->decoded_count < 140000);
-    c205_free(machine);
 }
 
 /* Each of many branches goes either way at random, so that new states of in-flight
@@ -534,10 +511,8 @@ TEST(many_flights)
         "        .endr\n"
         "        DBNZ    turns, [to]\n"
         "        EXIT\n";
-    c205 *whole, *stepped;
-    compare(text, &whole, &stepped);
-    assert_true(whole->clock->generation > 1);
-    free_both(whole, stepped);
+    SCOPED_VALUE(both) both = compare(text);
+    assert_true(both.whole->clock->generation > 1);
 }
 
 GROUP(set_up_model, tear_down_model);

@@ -1,6 +1,8 @@
 /* test_breakpoints.c - random addresses and lines for break, until and the protocol of
  * editors are compared with the starts of a program's instructions. An address is
  * accepted exactly if an instruction begins there; any other verdict fails here. */
+#include <inttypes.h>
+
 #include "tests/unit/draw.h"
 #include "tests/unit/dap_session.h"
 #include "tests/unit/debugger_session.h"
@@ -66,8 +68,8 @@ static void check_addresses(const char *path, bool stripped)
         bool good = is_instruction(whole, address);
         char line[80];
 
-        snprintf(line, sizeof line, "%s *0x%llX", below(2) ? "break" : "tbreak",
-                 (unsigned long long)address);
+        snprintf(line, sizeof line, "%s *0x%" PRIX64, below(2) ? "break" : "tbreak",
+                 address);
         check_line(&session, line, good,
                    good ? "break " : "error: no instruction begins at ");
     }
@@ -93,8 +95,7 @@ TEST(visited)
 
         session_begin(&session, plain.object, programs[i]);
         for (size_t k = 0; k < plain.end; k++) {
-            snprintf(line, sizeof line, "break *0x%llX",
-                     (unsigned long long)plain.moments[k].pc);
+            snprintf(line, sizeof line, "break *0x%" PRIX64, plain.moments[k].pc);
             check_line(&session, line, true, "break ");
         }
         session_end(&session);
@@ -206,7 +207,7 @@ static void check_verified(struct dap_client *client, const char *request,
 
 TEST(protocol)
 {
-    struct object *object = good(client_program);
+    SCOPED(object) *object = good(client_program);
     struct dap_client client;
     char stop[100];
 
@@ -214,8 +215,8 @@ TEST(protocol)
     for (size_t i = 0; i < REQUESTS; i++) {
         uint64_t address = draw_address(object);
 
-        snprintf(stop, sizeof stop, "{\"instructionReference\": \"0x%llX\"}",
-                 (unsigned long long)address);
+        snprintf(stop, sizeof stop, "{\"instructionReference\": \"0x%" PRIX64 "\"}",
+                 address);
         check_verified(&client, "setInstructionBreakpoints", stop,
                        is_instruction(object, address));
     }
@@ -228,7 +229,6 @@ TEST(protocol)
     check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"a.words\"}", false);
     check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"again\"}", true);
     client_leave(&client);
-    object_free(object);
 }
 
 GROUP(set_up_model, tear_down_model);

@@ -3,6 +3,8 @@
  * forward and backward. A store that is not reported, or a stop that is missed, fails
  * here.
  */
+#include <inttypes.h>
+
 #include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
 
@@ -50,15 +52,14 @@ static void compare(const struct contents *before, const struct contents *after,
     for (unsigned i = 1; i < C205_REGISTERS; i++)
         if (before->registers[i] != after->registers[i]
             && !(event->written[i / 64] >> i % 64 & 1))
-            fail_msg("%s at %llx changed r%u", event->insn->mnemonic,
-                     (unsigned long long)event->pc, i);
+            fail_msg("%s at %" PRIx64 " changed r%u", event->insn->mnemonic, event->pc,
+                     i);
     for (size_t i = 0; i < random_area_count; i++)
         for (size_t k = 0; k < random_areas[i].words; k++)
             if (before->words[i][k] != after->words[i][k]
                 && !is_reported(event, random_areas[i].address + 64 * k))
-                fail_msg("%s at %llx changed %llx", event->insn->mnemonic,
-                         (unsigned long long)event->pc,
-                         (unsigned long long)(random_areas[i].address + 64 * k));
+                fail_msg("%s at %" PRIx64 " changed %" PRIx64, event->insn->mnemonic,
+                         event->pc, (random_areas[i].address + 64 * k));
 }
 
 /* True for instructions that store consecutive elements; their range has exactly the
@@ -77,8 +78,8 @@ static void take_event(void *context, const c205 *machine, const c205_event *eve
 static void check_changes(const struct random_program *program, size_t *dense)
 {
     struct contents before = { { 0 }, { NULL } }, after = { { 0 }, { NULL } };
-    c205_model *model = model_of(program);
-    c205 *machine = machine_of(program, model);
+    SCOPED(c205_model) *model = model_of(program);
+    SCOPED(c205) *machine = machine_of(program, model);
     c205_event event;
     c205_stop stop;
     bool goes_on = true;
@@ -111,8 +112,6 @@ static void check_changes(const struct random_program *program, size_t *dense)
     }
     drop(&before);
     drop(&after);
-    c205_free(machine);
-    c205_model_free(model);
 }
 
 TEST(changes)
@@ -169,15 +168,13 @@ TEST(pages)
 
     for (uint64_t i = 0; i < PROGRAMS; i++) {
         struct random_program program = random_program(RANDOM_SEED + 41 * i);
-        c205_model *model = model_of(&program);
-        c205 *machine = machine_of(&program, model);
+        SCOPED(c205_model) *model = model_of(&program);
+        SCOPED(c205) *machine = machine_of(&program, model);
         c205_stop stop;
 
         assert_true(c205_listen(machine, check_pages, &faults));
         for (int k = 0; k < MAX_STEPS && c205_step(machine, &stop); k++)
             continue;
-        c205_free(machine);
-        c205_model_free(model);
     }
     assert_true(faults > PROGRAMS);
 }
@@ -195,20 +192,17 @@ struct places {
 static struct places draw_places(const struct random_program *program,
                                  c205_model *model)
 {
-    c205 *machine = machine_of(program, model);
+    SCOPED(c205) *machine = machine_of(program, model);
     struct places places = { { 0 }, 0, 0 };
-    const struct random_area *area;
     c205_stop stop;
-
     for (size_t i = 0; i < PLACES; i++) {
         for (uint64_t k = below(20); k > 0 && c205_step(machine, &stop); k--)
             continue;
         places.at[i] = c205_pc(machine);
     }
-    area = &random_areas[below(random_area_count)];
+    const struct random_area *area = &random_areas[below(random_area_count)];
     places.words = 1 + (size_t)below(area->words);
     places.watched = area->address + 64 * below(area->words - places.words + 1);
-    c205_free(machine);
     return places;
 }
 
@@ -275,7 +269,7 @@ static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
 
 static void check_stops(const struct random_program *program, bool listens)
 {
-    c205_model *model = model_of(program);
+    SCOPED(c205_model) *model = model_of(program);
     struct places places = draw_places(program, model);
     c205 *machine = machine_of(program, model), *plain = machine_of(program, model);
     uint64_t left = 0;
@@ -305,7 +299,6 @@ static void check_stops(const struct random_program *program, bool listens)
     assert_same(machine, plain);
     c205_free(machine);
     c205_free(plain);
-    c205_model_free(model);
 }
 
 TEST(stops)
@@ -322,7 +315,7 @@ TEST(stops)
 static void check_history(const struct random_program *program)
 {
     enum { STEPS = 60 };
-    c205_model *model = model_of(program);
+    SCOPED(c205_model) *model = model_of(program);
     struct places places = draw_places(program, model);
     c205 *machine = machine_of(program, model), *plain = machine_of(program, model);
     c205_error error;
@@ -353,7 +346,6 @@ static void check_history(const struct random_program *program)
     }
     c205_history_free(history);
     c205_free(plain);
-    c205_model_free(model);
 }
 
 TEST(history)

@@ -8,6 +8,8 @@
 #include "tests/random.h"
 #include "tests/unit/clock_driver.h"
 
+SCOPED_BY_FREE(clock);
+
 /* Charges a prefix and two instructions without registers. */
 static void charge_pair(struct clock *clock, const char *first_name,
                         const char *second_name, uint8_t g)
@@ -42,10 +44,10 @@ TEST(linked_rates)
         { "ORV", "SQRTV", C205_G_HALF, 84 + 29 + 4, 814 },
         { "MPYSV", "SHIFTV", C205_G_HALF, 84 + 4, 251 },
     };
-    struct clock *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
-                                   "startup.vtransmit 60 clk R\n"
-                                   "startup.vmultiply 40 clk R\n"
-                                   "startup.vlogical 55 clk R\n");
+    SCOPED(clock) *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
+                                    "startup.vtransmit 60 clk R\n"
+                                    "startup.vmultiply 40 clk R\n"
+                                    "startup.vlogical 55 clk R\n");
     for (size_t i = 0; i < COUNT(cases); i++) {
         clock_reset(clock);
         charge_pair(clock, cases[i].first, cases[i].second, cases[i].g);
@@ -53,7 +55,6 @@ TEST(linked_rates)
         assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM), cases[i].stream);
         assert_total(clock, cases[i].startup + cases[i].stream);
     }
-    clock_free(clock);
 }
 
 static uint64_t gather_clocks(struct clock *clock, const c205_word *indices,
@@ -75,8 +76,8 @@ enum { LIST = 60000 };
 /* The published mean is 40 million elements a second, or 1.25 clocks each. */
 TEST(random_gather)
 {
-    struct clock *clock = two_pipes();
-    c205_word *indices = calloc(LIST, sizeof *indices);
+    SCOPED(clock) *clock = two_pipes();
+    FREED c205_word *indices = calloc(LIST, sizeof *indices);
     uint64_t total = 0, seed = RANDOM_SEED;
     for (int round = 0; round < 10; round++) {
         for (size_t i = 0; i < LIST; i++)
@@ -84,14 +85,12 @@ TEST(random_gather)
         total += gather_clocks(clock, indices, LIST);
     }
     assert_in_range(total * 1000 / (10 * LIST), 1245, 1255);
-    free(indices);
-    clock_free(clock);
 }
 
 /* A loop of exactly 64 words stays in the stack; a loop of 65 words does not. */
 TEST(stack_size)
 {
-    struct clock *clock = two_pipes();
+    SCOPED(clock) *clock = two_pipes();
     for (unsigned words = 63; words <= 65; words++) {
         driven_pc = 0x40000;
         for (unsigned half = 0; half < 2 * words - 1; half++)
@@ -108,5 +107,4 @@ TEST(stack_size)
         assert_int_equal(clocks_for(clock, C205_BRANCH), back <= 63 ? 8 : 16);
         clock_reset(clock);
     }
-    clock_free(clock);
 }

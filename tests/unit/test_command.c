@@ -307,13 +307,11 @@ static void catch (struct caught *caught)
 
 static void release(struct caught *caught)
 {
-    size_t length;
-
     fflush(stderr);
     dup2(caught->before, STDERR_FILENO);
     close(caught->before);
     rewind(caught->file);
-    length = fread(caught->text, 1, sizeof caught->text - 1, caught->file);
+    size_t length = fread(caught->text, 1, sizeof caught->text - 1, caught->file);
     caught->text[length] = '\0';
     fclose(caught->file);
 }
@@ -324,8 +322,6 @@ static void refused(const char *word, const char *value, const char *why)
     for (uint64_t seed = 1; seed <= 20; seed++) {
         struct line line;
         struct caught caught;
-        int code;
-
         begin(&line, seed * RANDOM_SEED);
         if (below(&line, 2))
             add_option(&line, &options[0]);
@@ -336,7 +332,7 @@ static void refused(const char *word, const char *value, const char *why)
             add_option(&line, &options[1]);
         add_operands(&line, 1);
         catch (&caught);
-        code = run(line.argc, line.argv);
+        int code = run(line.argc, line.argv);
         release(&caught);
         assert_int_equal(code, CMD_USAGE);
         assert_string_equal(seen, "");

@@ -4,6 +4,8 @@
  */
 #include <unistd.h>
 
+#include <inttypes.h>
+
 #include "asm/object.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/dap_session.h"
@@ -30,15 +32,14 @@ static void check_moment(struct walk *walk, const char *request)
     if (strtoull(value_of(time, "step"), NULL, 10) != walk->step
         || strtoull(value_of(time, "clock"), NULL, 10) != moment->clock
         || client_pc(&walk->client) != moment->pc)
-        fail_msg("%s: step %s at clock %s, not %zu at %llu", request,
+        fail_msg("%s: step %s at clock %s, not %zu at %" PRIu64, request,
                  value_of(time, "step"), value_of(time, "clock"), walk->step,
-                 (unsigned long long)moment->clock);
+                 moment->clock);
     item = client_variables(&walk->client, "All registers")->first;
     for (; item; item = item->next, i++)
         assert_true(word_in(the_text(item, "value")) == moment->registers[i]);
     assert_int_equal(i, C205_REGISTERS);
-    snprintf(watched, sizeof watched, "[%llu]",
-             (unsigned long long)walk->plain.watched);
+    snprintf(watched, sizeof watched, "[%" PRIu64 "]", walk->plain.watched);
     assert_true(word_in(client_print(&walk->client, watched)) == moment->watched);
 }
 
@@ -49,14 +50,14 @@ static void choose_stops(struct walk *walk)
     walk->stops.by_watch = below(2);
     client_ask(&walk->client, "setInstructionBreakpoints",
                walk->stops.by_place ? "{\"breakpoints\": "
-                                      "[{\"instructionReference\": \"0x%llX\"}]}"
+                                      "[{\"instructionReference\": \"0x%" PRIX64 "\"}]}"
                                     : "{\"breakpoints\": []}",
-               (unsigned long long)walk->stops.place);
+               walk->stops.place);
     client_ask(&walk->client, "setDataBreakpoints",
                walk->stops.by_watch ? "{\"breakpoints\": [{\"dataId\": "
-                                      "\"0x%llX, 1\"}]}"
+                                      "\"0x%" PRIX64 ", 1\"}]}"
                                     : "{\"breakpoints\": []}",
-               (unsigned long long)walk->plain.watched);
+               walk->plain.watched);
 }
 
 /* Returns the expected reason of a stop. If two breakpoints match, the one that was set
@@ -164,11 +165,9 @@ TEST(objects)
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };
         struct text_buffer text;
-        struct object *object;
         c205_error error;
-
         draw_walk(&random_state, &text);
-        object = good(text.text);
+        SCOPED(object) *object = good(text.text);
         assert_true(object_save(object, client_path, &error));
         client_launch_file(&walk.client, ", \"stopOnEntry\": true");
         client_ask(&walk.client, "configurationDone", NULL);
@@ -177,7 +176,6 @@ TEST(objects)
         for (size_t k = 0; k < 20; k++)
             check_disassembly(&walk);
         client_leave(&walk.client);
-        object_free(object);
         text_buffer_free(&text);
     }
 }

@@ -26,17 +26,14 @@ TEST(elements)
                                           "3  X'FFD3 6000 0000 0000'  ? 1",
                                           "4  X'FFD4 4000 0000 0000'  ? 0" };
     struct dap_client client;
-    const struct json_value *list, *item;
-    int reference;
-
     client_enter(&client, masked_text);
     client_stop_at(&client, "{\"line\": 6}");
     client_go(&client, "continue", "breakpoint");
-    list = client_variables(&client, "Operands");
-    item = element_with(list, "name", "ADDNV [a]");
+    const struct json_value *list = client_variables(&client, "Operands");
+    const struct json_value *item = element_with(list, "name", "ADDNV [a]");
     assert_string_equal(the_text(item, "value"), "4 words from 800000 on");
     assert_int_equal(the_whole(item, "indexedVariables"), 4);
-    reference = (int)the_whole(item, "variablesReference");
+    int reference = (int)the_whole(item, "variablesReference");
     for (int start = 0; start < 4; start++)
         for (int count = 0; count < 6; count++) {
             char range[80];
@@ -87,9 +84,9 @@ static void check_accounts(struct dap_client *client, const c205 *machine)
 TEST(time)
 {
     struct dap_client client;
-    struct object *object = good(client_program);
+    SCOPED(object) *object = good(client_program);
     c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
+    SCOPED(c205) *machine = c205_new(prior_model, &error);
     c205_stop stop;
 
     assert_true(c205_load(machine, &object->program, &error));
@@ -104,8 +101,6 @@ TEST(time)
         check_accounts(&client, machine);
     }
     client_leave(&client);
-    c205_free(machine);
-    object_free(object);
 }
 
 /* ---- The extension --------------------------------------------------------------- */
@@ -114,18 +109,14 @@ static const struct json_value *read_file(struct arena *arena, const char *name)
 {
     char whole[100];
     c205_error error = { "" };
-    const struct json_value *tree;
     size_t length;
-    char *text;
-
     snprintf(whole, sizeof whole, "docs/editors/vscode/%s", name);
-    text = file_read(whole, FILE_LARGEST, &length, &error);
+    FREED char *text = file_read(whole, FILE_LARGEST, &length, &error);
     if (!text)
         fail_msg("%s: %s", whole, error.message);
-    tree = json_read(arena, text, length, &error);
+    const struct json_value *tree = json_read(arena, text, length, &error);
     if (!tree)
         fail_msg("%s: %s", whole, error.message);
-    free(text);
     return tree;
 }
 
@@ -155,8 +146,8 @@ static void put_defaults(struct json *json, const struct json_value *properties)
 TEST(extension)
 {
     struct dap_client client;
-    struct text_buffer launch_text = { 0 };
-    struct arena arena = { 0 };
+    SCOPED_VALUE(text_buffer) launch_text = { 0 };
+    SCOPED_VALUE(arena) arena = { 0 };
     c205_error error;
     const struct json_value *package = read_file(&arena, "package.json");
     const struct json_value *entry = the(the(package, "contributes"), "debuggers")
@@ -180,8 +171,6 @@ TEST(extension)
     client_ask(&client, "configurationDone", NULL);
     client_stopped(&client, "entry");
     client_leave(&client);
-    text_buffer_free(&launch_text);
-    arena_free(&arena);
 }
 
 GROUP(set_up_model, tear_down_model);

@@ -1,6 +1,8 @@
 /* test_debugger.c - the position of a debugger after random command lines is compared
  * with the one that a plain run of the program gives. A stop that is missed, or a step
  * too many, fails here. */
+#include <inttypes.h>
+
 #include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/plain_run.h"
@@ -60,8 +62,8 @@ static void choose_place(struct session *session)
     obey(session, "delete");
     session->reported.by_watch = false;
     session->reported.region = NULL;
-    snprintf(line, sizeof line, "break *%llu if $step %% %zu == 0",
-             (unsigned long long)session->reported.place, session->reported.every);
+    snprintf(line, sizeof line, "break *%" PRIu64 " if $step %% %zu == 0",
+             session->reported.place, session->reported.every);
     obey(session, line);
 }
 
@@ -84,8 +86,7 @@ static void choose_watch(struct session *session)
     if (session->reported.by_watch)
         return;
     session->reported.by_watch = true;
-    snprintf(line, sizeof line, "watch *%llu",
-             (unsigned long long)session->plain->watched);
+    snprintf(line, sizeof line, "watch *%" PRIu64, session->plain->watched);
     obey(session, line);
 }
 
@@ -100,21 +101,21 @@ static size_t draw_line(struct session *session, char line[80])
     switch (below(8)) {
     case 0:
         number = 1 + below(40);
-        snprintf(line, 80, "step %llu", (unsigned long long)number);
+        snprintf(line, 80, "step %" PRIu64, number);
         return plain_on(plain, reported, step, number);
     case 1:
         number = 1 + below(40);
-        snprintf(line, 80, "reverse-step %llu", (unsigned long long)number);
+        snprintf(line, 80, "reverse-step %" PRIu64, number);
         return step > number ? step - (size_t)number : 0;
     case 2: strcpy(line, "c"); return plain_on(plain, reported, step, UINT64_MAX);
     case 3: strcpy(line, "rc"); return plain_back(plain, reported, step);
     case 4:
         number = below(plain->end + 1);
-        snprintf(line, 80, "goto %llu", (unsigned long long)number);
+        snprintf(line, 80, "goto %" PRIu64, number);
         return (size_t)number;
     case 5:
         number = below(plain->moments[plain->end].clock + 1);
-        snprintf(line, 80, "goto clock %llu", (unsigned long long)number);
+        snprintf(line, 80, "goto clock %" PRIu64, number);
         return plain_to_clock(plain, step, number);
     case 6:
         strcpy(line, "run");
@@ -123,7 +124,7 @@ static size_t draw_line(struct session *session, char line[80])
                    : plain_on(plain, reported, 0, UINT64_MAX);
     default:
         number = plain->moments[below(plain->end)].pc;
-        snprintf(line, 80, "until *%llu", (unsigned long long)number);
+        snprintf(line, 80, "until *%" PRIu64, number);
         return to_place(plain, reported, step, number);
     }
 }
@@ -136,13 +137,13 @@ static void check_place(const struct session *session, const char *line)
 
     if (c205_history_step(session->debug.debugger->history) != session->step
         || memcmp(&found, expected, sizeof found) != 0)
-        fail_msg(
-            "'%s' (watch %d, place %d every %zu, region %s): step %llu, not %zu, or another state; it said %s",
-            line, session->reported.by_watch, session->reported.by_place,
-            session->reported.every,
-            session->reported.region ? session->reported.region : "none",
-            (unsigned long long)c205_history_step(session->debug.debugger->history),
-            session->step, session->debug.said.text);
+        fail_msg("'%s' (watch %d, place %d every %zu, region %s): step %" PRIu64
+                 ", not %zu, or another state; it said %s",
+                 line, session->reported.by_watch, session->reported.by_place,
+                 session->reported.every,
+                 session->reported.region ? session->reported.region : "none",
+                 c205_history_step(session->debug.debugger->history), session->step,
+                 session->debug.said.text);
 }
 
 static void move(struct session *session)
@@ -198,8 +199,8 @@ TEST(far_back)
     char line[80];
 
     begin(&session, &plain, "saxpy_scalar.s");
-    snprintf(line, sizeof line, "break *%llu if $step == %d",
-             (unsigned long long)plain.moments[STOP].pc, STOP);
+    snprintf(line, sizeof line, "break *%" PRIu64 " if $step == %d",
+             plain.moments[STOP].pc, STOP);
     obey(&session, line);
     for (session.step = STOP + 1; session.step < STOP + FAR; session.step++) {
         snprintf(line, sizeof line, "goto %zu", session.step);

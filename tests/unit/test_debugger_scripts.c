@@ -6,6 +6,8 @@
  * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for a
  * check that runs it in another way (tests/check_replay.sh).
  */
+#include <inttypes.h>
+
 #include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/random_debug_program.h"
@@ -77,8 +79,7 @@ static void draw_place(const struct object *object, script_line place)
             break;
         }
         /* fall through */
-    default:
-        snprintf(place, LINE, "*%llu", (unsigned long long)draw_address(object, true));
+    default: snprintf(place, LINE, "*%" PRIu64, draw_address(object, true));
     }
 }
 
@@ -91,8 +92,7 @@ static void draw_value(const struct object *object, script_line value)
     };
 
     if (below(3) == 0)
-        snprintf(value, LINE, "[%llu]",
-                 (unsigned long long)draw_address(object, false));
+        snprintf(value, LINE, "[%" PRIu64 "]", draw_address(object, false));
     else
         snprintf(value, LINE, "%s", pick(values, COUNT(values)));
 }
@@ -110,10 +110,7 @@ static void draw_motion(const struct object *object, script_line line)
     switch (below(5)) {
     case 0:
     case 1: snprintf(line, LINE, "%s", pick(plain, COUNT(plain))); break;
-    case 2:
-        snprintf(line, LINE, "until *%llu",
-                 (unsigned long long)draw_address(object, true));
-        break;
+    case 2: snprintf(line, LINE, "until *%" PRIu64, draw_address(object, true)); break;
     default:
         snprintf(line, LINE, "%s %d", pick(counted, COUNT(counted)),
                  (int)below(below(2) ? 20 : 1500));
@@ -137,12 +134,12 @@ static void draw_view(const struct object *object, script_line line)
         snprintf(line, LINE, "print %.60s", value);
         break;
     case 1:
-        snprintf(line, LINE, "x/%d%c %llu", 1 + (int)below(8), formats[below(5)],
-                 (unsigned long long)draw_address(object, below(2)));
+        snprintf(line, LINE, "x/%d%c %" PRIu64, 1 + (int)below(8), formats[below(5)],
+                 draw_address(object, below(2)));
         break;
     case 2:
-        snprintf(line, LINE, "%s *%llu, %d", below(2) ? "list" : "disassemble",
-                 (unsigned long long)draw_address(object, true), 1 + (int)below(6));
+        snprintf(line, LINE, "%s *%" PRIu64 ", %d", below(2) ? "list" : "disassemble",
+                 draw_address(object, true), 1 + (int)below(6));
         break;
     default: snprintf(line, LINE, "%s", pick(plain, COUNT(plain)));
     }
@@ -156,8 +153,8 @@ static void draw_stop(const struct object *object, script_line line)
     draw_place(object, place);
     draw_value(object, value);
     if (below(3) == 0)
-        snprintf(line, LINE, "watch %llu, %d",
-                 (unsigned long long)draw_address(object, false), 1 + (int)below(3));
+        snprintf(line, LINE, "watch %" PRIu64 ", %d", draw_address(object, false),
+                 1 + (int)below(3));
     else if (below(3) == 0)
         snprintf(line, LINE, "break %.30s if %.30s", place, value);
     else
@@ -177,8 +174,8 @@ static void draw_change(const struct object *object, script_line line)
         snprintf(line, LINE, "set r%d = %d", 10 + (int)below(50), (int)below(1000));
         break;
     case 3:
-        snprintf(line, LINE, "set [%llu] = %d.5",
-                 (unsigned long long)draw_address(object, false), (int)below(100));
+        snprintf(line, LINE, "set [%" PRIu64 "] = %d.5", draw_address(object, false),
+                 (int)below(100));
         break;
     default: strcpy(line, below(4) ? "info breaks" : "delete");
     }
@@ -279,20 +276,15 @@ TEST(scripts)
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         static script_line lines[LINES];
         const char *name;
-        struct object *object = open_program(&name);
-        struct text_buffer said, again;
-
+        SCOPED(object) *object = open_program(&name);
         for (size_t k = 0; k < LINES; k++)
             draw_line(object, lines[k]);
-        said = play(object, name, lines, LINES);
-        again = play(object, name, lines, LINES);
+        SCOPED_VALUE(text_buffer) said = play(object, name, lines, LINES);
+        SCOPED_VALUE(text_buffer) again = play(object, name, lines, LINES);
         check_same(&said, &again, name);
         check_in_turn(object, name, lines, &said);
         all += LINES;
         faults += count_of(said.text, "\nerror: ");
-        text_buffer_free(&said);
-        text_buffer_free(&again);
-        object_free(object);
     }
     assert_true(faults > 0 && faults * 3 < all);
 }
@@ -335,10 +327,9 @@ TEST(again)
 {
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         const char *name;
-        struct object *object = open_program(&name);
+        SCOPED(object) *object = open_program(&name);
 
         check_anew(object, name);
-        object_free(object);
     }
 }
 
@@ -346,7 +337,7 @@ TEST(again)
 
 static int print_script(const char *number, const char *path)
 {
-    struct object *object = good_file(path);
+    SCOPED(object) *object = good_file(path);
     script_line line;
 
     random_state ^= strtoull(number, NULL, 10) << 20;
@@ -354,7 +345,6 @@ static int print_script(const char *number, const char *path)
         draw_line(object, line);
         puts(line);
     }
-    object_free(object);
     return 0;
 }
 

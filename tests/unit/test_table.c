@@ -12,6 +12,7 @@
 #include "base/table.h"
 #include "base/atomic_file.h"
 #include "tests/unit/csv_reading.h"
+#include "tests/unit/scene_reading.h"
 
 static const struct table_column columns[] = {
     { "name", "name", TABLE_TEXT, 0 },
@@ -103,13 +104,14 @@ static void assert_folded(const char *printed, size_t begins, const char *text)
 
 /* Texts that could break a format: its separators, line ends, and numbers that are
  * shorter in print. */
+static const char *const odd_names[] = { "a, b", "\"c\"",      "# d",
+                                         "e|f",  "two\nlines", "\\ <g> *h* `i`" };
+
 static struct table *odd_table(void)
 {
-    static const char *const names[] = { "a, b", "\"c\"",      "# d",
-                                         "e|f",  "two\nlines", "\\ <g> *h* `i`" };
     struct table *table = table_new(columns, COUNT(columns));
-    for (size_t i = 0; i < COUNT(names); i++) {
-        table_text(table, names[i]);
+    for (size_t i = 0; i < COUNT(odd_names); i++) {
+        table_text(table, odd_names[i]);
         table_count(table, i);
         table_number(table, i ? 1.0 / (double)i : NAN);
         table_text(table, i ? "" : "so, \"so\"");
@@ -129,46 +131,38 @@ static char *written(const struct table *table, enum table_format format)
     return text;
 }
 
-static void expect_written(struct table *table, enum table_format format,
+static void expect_written(const struct table *table, enum table_format format,
                            const char *expected)
 {
-    char *text = written(table, format);
+    FREED char *text = written(table, format);
     assert_string_equal(text, expected);
-    free(text);
-    table_free(table);
 }
 
-TEST(formats)
+TEST_WITH(formats, set_up, tear_down)
 {
-    struct table *table = some_table();
-    char *text = NULL;
-    size_t length = 0;
+    SCOPED(table) *table = some_table();
     c205_error error;
-    FILE *file = open_memstream(&text, &length);
-    struct json *json = json_open_stream(file, NULL, &error);
+    struct json *json = json_open(folder.path, &error);
     table_json(table, json, "rows");
     assert_true(json_close(json, &error));
-    assert_int_equal(fclose(file), 0);
-    assert_string_equal(text, "{\n  \"rows\": [\n"
-                              "    {\n      \"name\": \"a\",\n"
-                              "      \"clocks\": 12345678,\n"
-                              "      \"percent\": 99.96,\n"
-                              "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
-                              "    {\n      \"name\": \"longer\",\n"
-                              "      \"clocks\": 7,\n"
-                              "      \"percent\": null,\n"
-                              "      \"remark\": \"\"\n    }\n  ]\n}\n");
-    free(text);
-    table_free(table);
-    expect_written(some_table(), TABLE_PLAIN,
+    expect_text(folder.path, "{\n  \"rows\": [\n"
+                             "    {\n      \"name\": \"a\",\n"
+                             "      \"clocks\": 12345678,\n"
+                             "      \"percent\": 99.96,\n"
+                             "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
+                             "    {\n      \"name\": \"longer\",\n"
+                             "      \"clocks\": 7,\n"
+                             "      \"percent\": null,\n"
+                             "      \"remark\": \"\"\n    }\n  ]\n}\n");
+    expect_written(table, TABLE_PLAIN,
                    "name      clocks      %  remark\n"
                    "a       12345678  100.0  say \"so\"\n"
                    "longer         7         \n");
-    expect_written(some_table(), TABLE_CSV,
+    expect_written(table, TABLE_CSV,
                    "name,clocks,percent,remark\n"
                    "a,12345678,99.96,\"say \"\"so\"\"\"\n"
                    "longer,7,,\n");
-    expect_written(some_table(), TABLE_MARKDOWN,
+    expect_written(table, TABLE_MARKDOWN,
                    "| name   |   clocks |     % | remark   |\n"
                    "|:-------|---------:|------:|:---------|\n"
                    "| a      | 12345678 | 100.0 | say \"so\" |\n"
@@ -181,15 +175,13 @@ TEST(long_text_is_folded)
     enum { FIRST = 76 };
     unsigned seed = 12;
     for (size_t words = 1; words < 200; words++) {
-        char name[FIRST + 1] = "", text[13 * 200], *printed, *csv;
-        struct table *table = table_new(TABLE_COLUMNS(named));
+        char name[FIRST + 1] = "", text[13 * 200];
+        SCOPED(table) *table = table_new(TABLE_COLUMNS(named));
         memset(name, 'x', words % FIRST > 0 ? words % FIRST : 1);
         random_words(&seed, words, text);
         table_text(table, name);
         table_text(table, text);
-        printed = written(table, TABLE_PLAIN);
-        csv = written(table, TABLE_CSV);
-        table_free(table);
+        char *printed = written(table, TABLE_PLAIN), *csv = written(table, TABLE_CSV);
         assert_folded(printed, 2 + (strlen(name) > 4 ? strlen(name) : 4), text);
         assert_non_null(strstr(csv, text));
         free(printed);
@@ -200,20 +192,16 @@ TEST(long_text_is_folded)
 TEST(csv_comes_back)
 {
     static struct csv_table back;
-    struct table *table = odd_table();
-    char *text = written(table, TABLE_CSV);
-    table_free(table);
+    SCOPED(table) *table = odd_table();
+    FREED char *text = written(table, TABLE_CSV);
     assert_null(strstr(text, "\n#")); /* a CSV reader would ignore the line */
     assert_string_equal(csv_table(text, &back), "");
-    free(text);
     assert_int_equal(back.rows, 7);
     assert_int_equal(back.cells[0], 4);
-    assert_string_equal(back.cell[1][0], "a, b");
+    for (size_t i = 0; i < COUNT(odd_names); i++)
+        assert_string_equal(back.cell[i + 1][0], odd_names[i]);
     assert_string_equal(back.cell[1][2], "");
     assert_string_equal(back.cell[1][3], "so, \"so\"");
-    assert_string_equal(back.cell[2][0], "\"c\"");
-    assert_string_equal(back.cell[3][0], "# d");
-    assert_string_equal(back.cell[5][0], "two\nlines");
     assert_true(strtod(back.cell[4][2], NULL) == 1.0 / 3.0);
 }
 
@@ -231,9 +219,9 @@ TEST(csv_has_no_formulas)
             char text[8];
             snprintf(text, sizeof text, "%c%s", first, ends[i]);
             struct table_column column = { text, "", TABLE_TEXT, 0 };
-            struct table *table = table_new(&column, 1);
+            SCOPED(table) *table = table_new(&column, 1);
             table_text(table, text);
-            char *csv = written(table, TABLE_CSV);
+            FREED char *csv = written(table, TABLE_CSV);
             bool number = strchr("+-", first) && (i == 1 || i == 2);
             bool marked = strchr(marks, first) && !number;
             assert_string_equal(csv_table(csv, &back), "");
@@ -242,8 +230,6 @@ TEST(csv_has_no_formulas)
                 assert_string_equal(cell + marked, text);
                 assert_true(!marked || *cell == '\'');
             }
-            free(csv);
-            table_free(table);
         }
     }
 }
@@ -261,8 +247,8 @@ static size_t markdown_cells(const char *line)
 
 TEST(markdown_has_all_cells)
 {
-    struct table *table = odd_table();
-    char *text = written(table, TABLE_MARKDOWN);
+    SCOPED(table) *table = odd_table();
+    FREED char *text = written(table, TABLE_MARKDOWN);
     size_t lines = 0;
     for (const char *line = text; *line; line = strchr(line, '\n') + 1) {
         assert_int_equal(markdown_cells(line), 4);
@@ -272,20 +258,16 @@ TEST(markdown_has_all_cells)
     assert_non_null(strstr(text, "| e\\|f "));
     assert_non_null(strstr(text, "| two lines "));
     assert_non_null(strstr(text, "| \\\\ \\<g> \\*h\\* \\`i\\` |"));
-    free(text);
-    table_free(table);
 }
 
 TEST(signs_and_decimals)
 {
     static const struct table_column column = { "e", "e", TABLE_NUMBER, 4 };
     static const double values[] = { 1.06, -12, NAN };
-    struct table *table = table_new(&column, 1);
+    SCOPED(table) *table = table_new(&column, 1);
     for (size_t i = 0; i < 3; i++)
         table_signed(table, values[i], 1);
-    char *text = written(table, TABLE_CSV);
-    assert_string_equal(text, "e\n1.06\n-12\n\n");
-    free(text);
+    expect_written(table, TABLE_CSV, "e\n1.06\n-12\n\n");
     expect_written(table, TABLE_PLAIN, "    e\n +1.1\n-12.0\n     \n");
 }
 
@@ -293,16 +275,14 @@ TEST(signs_and_decimals)
 TEST(huge_numbers)
 {
     static const struct table_column column = { "e", "e", TABLE_NUMBER, 1 };
-    struct table *table = table_new(&column, 1);
+    SCOPED(table) *table = table_new(&column, 1);
     table_number(table, -1e300);
     table_signed(table, DBL_MAX, 1);
-    char *text = written(table, TABLE_PLAIN);
+    FREED char *text = written(table, TABLE_PLAIN);
     char *number = text + strcspn(text, "\n");
     assert_true(strtod(number, &number) == -1e300);
     assert_true(strtod(number, &number) == DBL_MAX);
     assert_string_equal(number, "\n");
-    free(text);
-    table_free(table);
 }
 
 TEST_WITH(headings, set_up, tear_down)
@@ -321,7 +301,7 @@ TEST_WITH(headings, set_up, tear_down)
 /* JSON on a stream and in a file must be equal. */
 TEST_WITH(json_on_stream, set_up, tear_down)
 {
-    char *text = NULL;
+    FREED char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
     c205_error error;
@@ -339,7 +319,6 @@ TEST_WITH(json_on_stream, set_up, tear_down)
     assert_null(json_open_stream(stream, "/nonexistent/file", &error));
     fclose(stream);
     assert_string_equal(text, "{\n  \"one\": 1\n}\n{\n  \"two\": 2\n}\n");
-    free(text);
 }
 
 TEST_WITH(json_values, set_up, tear_down)
@@ -395,10 +374,7 @@ TEST_WITH(other_file_stays, set_up, tear_down)
     char beside[80];
     c205_error error;
     snprintf(beside, sizeof beside, "%s.new0", folder.path);
-    FILE *file = fopen(beside, "w");
-    assert_non_null(file);
-    fputs("theirs", file);
-    fclose(file);
+    write_bytes(beside, "theirs", strlen("theirs"));
     struct atomic_file *whole = atomic_file_open(folder.path, &error);
     fputs("ours", whole->file);
     assert_true(atomic_file_commit(whole, &error));
@@ -409,14 +385,14 @@ TEST_WITH(other_file_stays, set_up, tear_down)
 
 TEST(no_folder)
 {
-    c205_error error;
-    assert_null(atomic_file_open("/nonexistent/file", &error));
-    assert_string_equal(error.message,
-                        "cannot write /nonexistent/file: No such file or directory");
-    error.message[0] = '\0';
-    assert_false(atomic_file_check("/nonexistent/file", &error));
-    assert_string_equal(error.message,
-                        "cannot write /nonexistent/file: No such file or directory");
+    static const char path[] = "/nonexistent/file";
+    static const char message[] = "cannot write /nonexistent/file: "
+                                  "No such file or directory";
+    c205_error error = { "" }, other = { "" };
+    assert_null(atomic_file_open(path, &error));
+    assert_string_equal(error.message, message);
+    assert_false(atomic_file_check(path, &other));
+    assert_string_equal(other.message, message);
     assert_true(atomic_file_check("/dev/full", &error));
 }
 

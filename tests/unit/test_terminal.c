@@ -14,11 +14,12 @@
 
 #include "base/sink.h"
 #include "tests/unit/draw.h"
+#include "tests/unit/scene_reading.h"
 
 enum { ROUNDS = 10, MAX_MILLISECONDS = 20000 };
 
 /* An endless program, and a folder whose libedit cannot be opened. */
-static char folder[] = "/tmp/terminal.XXXXXX", program[40];
+static char folder[] = "/tmp/terminal.XXXXXX", program[40], no_libedit[40];
 
 struct terminal {
     int master;
@@ -75,11 +76,9 @@ static bool listen_on(struct terminal *terminal, int milliseconds)
     struct pollfd input = { .fd = terminal->master, .events = POLLIN };
     struct sink sink = text_buffer_sink(&terminal->said);
     char bytes[1000];
-    ssize_t count;
-
     if (poll(&input, 1, milliseconds) <= 0)
         return false;
-    count = read(terminal->master, bytes, sizeof bytes);
+    ssize_t count = read(terminal->master, bytes, sizeof bytes);
     if (count > 0)
         sink.put(sink.context, bytes, (size_t)count);
     return count > 0;
@@ -88,11 +87,10 @@ static bool listen_on(struct terminal *terminal, int milliseconds)
 static bool hears(struct terminal *terminal, const char *text, int milliseconds)
 {
     const char *found = NULL;
-
-    do {
+    do
         found = terminal->said.text ? strstr(terminal->said.text + terminal->seen, text)
                                     : NULL;
-    } while (!found && listen_on(terminal, milliseconds));
+    while (!found && listen_on(terminal, milliseconds));
     if (found)
         terminal->seen = (size_t)(found - terminal->said.text) + strlen(text);
     return found;
@@ -199,10 +197,8 @@ static void check_session(char *const *words, bool libedit)
 
 TEST(ctrl_c)
 {
-    check_session(debug_words, true);
-    check_session(debug_words, false);
-    check_session(render_words, true);
-    check_session(render_words, false);
+    for (int i = 0; i < 4; i++)
+        check_session(i < 2 ? debug_words : render_words, i % 2 == 0);
 }
 
 /* At the prompt, in the middle of a line, and while the program runs. */
@@ -226,34 +222,21 @@ TEST(ends)
 
 /* ---- The folder -------------------------------------------------------------- */
 
-static void write_file(const char *path, const char *text)
-{
-    FILE *file = fopen(path, "w");
-
-    assert_non_null(file);
-    fputs(text, file);
-    fclose(file);
-}
-
 FIXTURE(make_folder)
 {
-    char path[80];
-
+    static const char text[] = "loop:   BIM loop\n        EXIT\n";
     if (!mkdtemp(folder))
         return -1;
-    snprintf(path, sizeof path, "%s/libedit.so.2", folder);
-    write_file(path, "");
+    snprintf(no_libedit, sizeof no_libedit, "%s/libedit.so.2", folder);
+    write_bytes(no_libedit, "", 0);
     snprintf(program, sizeof program, "%s/p.s", folder);
-    write_file(program, "loop:   BIM loop\n        EXIT\n");
+    write_bytes(program, text, strlen(text));
     return 0;
 }
 
 FIXTURE(remove_folder)
 {
-    char path[80];
-
-    snprintf(path, sizeof path, "%s/libedit.so.2", folder);
-    unlink(path);
+    unlink(no_libedit);
     unlink(program);
     return rmdir(folder);
 }

@@ -126,11 +126,10 @@ TEST(invisible_in_program)
     };
 
     for (size_t i = 0; i < COUNT(cases); i++) {
-        struct diagnostics reports = { 0 };
+        SCOPED_VALUE(diagnostics) reports = { 0 };
         assert_null(assemble_text("a.s", cases[i].text, NULL, &reports));
         assert_non_null(strstr(reports.items->message, cases[i].name));
         assert_int_equal(reports.items->column, cases[i].column);
-        diagnostics_free(&reports);
     }
 }
 
@@ -154,7 +153,7 @@ TEST(any_name)
 
     for (size_t i = 0; i < TEXTS; i++) {
         char name[200] = "";
-        struct text_buffer shown = { 0 };
+        SCOPED_VALUE(text_buffer) shown = { 0 };
         struct sink sink = text_buffer_sink(&shown);
         size_t visible = 0;
 
@@ -165,15 +164,14 @@ TEST(any_name)
             visible += *at >= ' ' && *at < 0x7F;
         assert_true(visible == 0 || shown.length >= visible);
         assert_true(!shown.text || is_safe(shown.text));
-        text_buffer_free(&shown);
     }
 }
 
 TEST(name_in_diagnostic)
 {
     const struct position position = { "a\x1B[2J.s", 1, 3, "x\x1B\xC2\xA0y", 5 };
-    struct diagnostics reports = { 0 };
-    struct text_buffer shown = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED_VALUE(text_buffer) shown = { 0 };
     struct sink sink = text_buffer_sink(&shown);
 
     diagnostics_add(&reports, SEVERITY_ERROR, &position, "no \x1B[31m\n");
@@ -185,6 +183,4 @@ TEST(name_in_diagnostic)
                                     "    x??y\n"
                                     "      ^\n"
                                     "said \\x1b[31m\n\tnext\n");
-    text_buffer_free(&shown);
-    diagnostics_free(&reports);
 }

@@ -59,7 +59,7 @@ static void check_rows(const struct timeline *timeline)
 {
     enum { ROWS = 64 };
     static uint64_t ends[LANES][ROWS];
-    struct arena arena = { NULL, false };
+    SCOPED_VALUE(arena) arena = { NULL, false };
     struct lanes lanes = { 0 };
 
     memset(ends, 0, sizeof ends);
@@ -74,7 +74,6 @@ static void check_rows(const struct timeline *timeline)
         ends[span->lane][span->row] = span->end;
     }
     assert_true(lanes.rows[LANE_CHARGED] <= 1);
-    arena_free(&arena);
 }
 
 /* ---- Konata's format ------------------------------------------------------ */
@@ -150,19 +149,16 @@ static void take_command(struct reader *reader, const char *line)
 static void check_kanata(const struct timeline *timeline)
 {
     static struct reader reader;
-    struct text_buffer text = { 0 };
+    SCOPED_VALUE(text_buffer) text = { 0 };
     struct sink sink = text_buffer_sink(&text);
     unsigned long begin;
-    const char *fault;
     size_t number;
-    char *line;
-
     reader = (struct reader){ .timeline = timeline };
     assert_true(timeline_kanata(timeline, &sink));
-    fault = kanata_fault(text.text, &number);
+    const char *fault = kanata_fault(text.text, &number);
     if (fault)
         fail_msg("line %zu: %s", number, fault);
-    line = strtok(text.text, "\n");
+    char *line = strtok(text.text, "\n");
     assert_string_equal(line, "Kanata\t0004");
     line = strtok(NULL, "\n");
     assert_int_equal(sscanf(line, "C=\t%lu", &begin), 1);
@@ -172,7 +168,6 @@ static void check_kanata(const struct timeline *timeline)
     for (size_t i = 0; i < reader.next; i++)
         assert_true(reader.shown[i].retired);
     assert_true(reader.next + 1 >= timeline->insn_count);
-    text_buffer_free(&text);
 }
 
 /* ---- Other cases ---------------------------------------------------------- */
@@ -180,7 +175,7 @@ static void check_kanata(const struct timeline *timeline)
 /* The texts have one event and one box per span, and each is closed. */
 static void check_texts(const struct timeline *timeline)
 {
-    struct arena arena = { NULL, false };
+    SCOPED_VALUE(arena) arena = { NULL, false };
     struct lanes lanes = { 0 };
     struct text_buffer svg = { 0 }, events = { 0 };
     struct sink svg_sink = text_buffer_sink(&svg);
@@ -197,7 +192,6 @@ static void check_texts(const struct timeline *timeline)
     assert_int_equal(count_of(events.text, "{"), count_of(events.text, "}"));
     text_buffer_free(&svg);
     text_buffer_free(&events);
-    arena_free(&arena);
 }
 
 /* ---- Tests ---------------------------------------------------------------- */
@@ -225,10 +219,9 @@ static void check_object(const struct object *object, const char *path)
 
 static void check_program(const char *path)
 {
-    struct object *object = good_file(path);
+    SCOPED(object) *object = good_file(path);
 
     check_object(object, path);
-    object_free(object);
 }
 
 TEST(programs)
@@ -246,12 +239,9 @@ TEST(drawn)
         char text[DRAWN_TEXT + 40];
         int length = sprintf(text, "        .equ n, %d\n",
                              1 + (int)(xorshift(&random_state) % 150));
-        struct object *object;
-
         draw_program(&random_state, text + length);
-        object = good(text);
+        SCOPED(object) *object = good(text);
         check_object(object, "drawn.s");
-        object_free(object);
     }
 }
 
@@ -277,21 +267,21 @@ TEST(reader)
         { "Kanata\t0004\n", 1 },
         { "Kanata\t0004\nC\t7\n", 2 },
         { BEGIN "C=\t9\n", 3 },
-        { BEGIN "C\t-1\n", 3 },
-        { BEGIN "C\t1\t2\n", 3 },
-        { BEGIN "X\t1\n", 3 },
-        { BEGIN "\n", 3 },
-        { BEGIN "C\t1", 3 },
         { BEGIN "I\t1\t0\t0\n", 3 },
+        { BEGIN "C\t-1\n", 3 },
         { BEGIN "S\t0\t0\tF\n", 3 },
+        { BEGIN "C\t1\t2\n", 3 },
         { THERE "I\t0\t1\t0\n", 4 },
+        { BEGIN "X\t1\n", 3 },
         { THERE "L\t0\t2\ta\n" GONE, 4 },
+        { BEGIN "\n", 3 },
         { THERE "L\t0\t0\t\n" GONE, 4 },
+        { BEGIN "C\t1", 3 },
         { THERE "S\t0\t0\tF\nE\t0\t0\tX\n" GONE, 5 },
-        { THERE "S\t0\t0\tF\nE\t0\t1\tF\n" GONE, 5 },
-        { THERE GONE "L\t0\t0\ta\n", 5 },
         { THERE GONE GONE, 5 },
+        { THERE "S\t0\t0\tF\nE\t0\t1\tF\n" GONE, 5 },
         { THERE "R\t0\t1\t0\n", 4 },
+        { THERE GONE "L\t0\t0\ta\n", 5 },
         { THERE "R\t0\t0\t2\n", 4 },
         { THERE "W\t0\t1\t0\n" GONE, 4 },
         { THERE, 3 },

@@ -85,10 +85,8 @@ static void begin_with(struct small_machine *on, const struct vector_case *one,
 static double constant(const c205_model *model, const char *kind, const char *name)
 {
     char text[64];
-    const c205_constant *found;
-
     snprintf(text, sizeof text, "%s.%s", kind, name);
-    found = c205_model_lookup(model, text);
+    const c205_constant *found = c205_model_lookup(model, text);
     assert_non_null(found);
     return found->value;
 }
@@ -234,13 +232,12 @@ TEST(closed_formula)
         for (size_t k = 0; is_vector(&c205_insns[i]) && k < cases; k++) {
             struct small_machine *on = &fixture[k % MODELS];
             const char *timing = c205_timing_name(c205_insns[i].timing);
-            uint64_t clocks, startup;
             draw_case(&one, &c205_insns[i], &random, draw_size(&random));
             begin_with(on, &one, 1);
-            startup = (uint64_t)constant(on->model, "startup", timing);
-            clocks = startup + conflicts(&one, on->model)
-                     + stream(on->model, timing, elements(&one),
-                              one.fields.g & C205_G_HALF);
+            uint64_t startup = (uint64_t)constant(on->model, "startup", timing);
+            uint64_t clocks = startup + conflicts(&one, on->model)
+                              + stream(on->model, timing, elements(&one),
+                                       one.fields.g & C205_G_HALF);
             if (measured(on, &one) != clocks)
                 fail_msg("%s of %zu on %s: %llu clocks, not %llu", one.row->mnemonic,
                          one.n, model_names[k % MODELS],
@@ -402,16 +399,13 @@ static const struct {
 
 static uint64_t clocks_of(const char *text)
 {
-    struct object *object = good(text);
+    SCOPED(object) *object = good(text);
     c205 *machine = fixture[1].machine;
     c205_error error = { "" };
-    uint64_t clocks;
-
     assert_true(c205_load(machine, &object->program, &error));
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
-    clocks = c205_clock(machine);
+    uint64_t clocks = c205_clock(machine);
     assert_sum(machine);
-    object_free(object);
     return clocks;
 }
 

@@ -177,7 +177,7 @@ TEST(ends_of_the_range)
 TEST(distant_digits)
 {
     enum { ZEROS = 30000 };
-    char *text = malloc(ZEROS + 8);
+    FREED char *text = malloc(ZEROS + 8);
 
     assert_non_null(text);
     memset(text, '0', ZEROS + 8);
@@ -192,7 +192,6 @@ TEST(distant_digits)
     memcpy(text + ZEROS - 7, "e-29991", 8);
     text[ZEROS] = '\0';
     assert_int_equal(read_all(text + 1), read_all("1e0"));
-    free(text);
 }
 
 TEST(layout_of_text)
