@@ -1,7 +1,7 @@
 /* test_asm_docs.c - the examples of the pages: every block marked c205 must assemble,
  * and the results of blocks with expectations are compared with them. An example that
  * no longer works fails here. */
-#include "tests/unit/asm_helper.h"
+#include "tests/unit/saved_machine.h"
 
 #include "asm/expect.h"
 #include "base/file.h"
@@ -15,14 +15,12 @@ static void run(const struct object *object, const char *name)
 {
     c205_error error;
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
-    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
+    SCOPED(c205) *machine = machine_with(&object->program, model);
     SCOPED_VALUE(text_buffer) printed = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = stream_sink(stderr);
     const struct warning_choice choice = { .errors = true };
-    assert_non_null(machine);
     assert_true(c205_listen(machine, printer_listen, &printer));
-    assert_true(c205_load(machine, &object->program, &error));
     struct runtime_checker *watch = runtime_new(object, name, &choice, &report);
     assert_non_null(watch);
     assert_true(c205_listen(machine, runtime_listen, watch));

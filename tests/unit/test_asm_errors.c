@@ -122,10 +122,7 @@ static char *repeated(const char *begin, const char *part, size_t times,
 
 static void check_long(char *text, size_t line, size_t column, const char *message)
 {
-    SCOPED_VALUE(diagnostics) errors = { 0 };
-
-    assert_null(assemble_text("test.s", text, NULL, &errors));
-    assert_one_error(&errors, text, line, column, message);
+    assert_asm_errors(&(struct asm_error){ text, line, column, message }, 1);
     free(text);
 }
 

@@ -79,14 +79,8 @@ TEST(edges)
 static void expect_failure(const char *expression, const char *message)
 {
     char text[1200];
-    SCOPED_VALUE(diagnostics) errors = { 0 };
-
     snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n", expression);
-    assert_null(assemble_text("test.s", text, NULL, &errors));
-    assert_int_equal(errors.count, 1);
-    assert_int_equal(errors.items[0].line, 3);
-    if (!strstr(errors.items[0].message, message))
-        fail_msg("%s: %s", expression, errors.items[0].message);
+    assert_asm_errors(&(struct asm_error){ text, 3, 0, message }, 1);
 }
 
 TEST(errors)

@@ -179,17 +179,11 @@ TEST(errors)
                   { "ADDNV [a], [b], [c] ? [r0]", 23, "r0 cannot be a control vector" },
                   { "CPSV [a], [c] ?! [r0]", 18, "r0 cannot be a control vector" } };
     for (size_t i = 0; i < COUNT(cases); i++) {
-        SCOPED_VALUE(diagnostics) errors = { 0 };
         char text[300];
-
         snprintf(text, sizeof text, "%s%s\n", names, cases[i].text);
-        assert_null(assemble_text("test.s", text, NULL, &errors));
-        assert_int_equal(errors.count, 1);
-        assert_int_equal(errors.items[0].line, 4);
-        if (!strstr(errors.items[0].message, cases[i].message)
-            || errors.items[0].column != cases[i].column)
-            fail_msg("%s: %zu: %s", cases[i].text, errors.items[0].column,
-                     errors.items[0].message);
+        assert_asm_errors(&(struct asm_error){ text, 4, cases[i].column,
+                                               cases[i].message },
+                          1);
     }
 }
 

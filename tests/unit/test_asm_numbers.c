@@ -6,8 +6,8 @@
 
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/oracle/chance.h"
-#include "tests/unit/asm_helper.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/saved_machine.h"
 
 enum { TRIES = 400, TEXT = 4000, DEPTH = 5 };
 
@@ -186,8 +186,6 @@ static void check_function(const char *name, bool two)
     double x = of_any_size(&state, 1e-3, 100);
     double y = of_any_size(&state, 1e-3, 10) * (one_in(&state, 2) ? -1 : 1);
     char second[40] = "", program[1000];
-    c205_error error;
-    SCOPED(c205) *machine = c205_new(prior_model, &error);
     if (two)
         snprintf(second, sizeof second, ", %.9f", y);
     snprintf(program, sizeof program,
@@ -198,7 +196,7 @@ static void check_function(const char *name, bool two)
              "        load_constant s, %s(%.9f%s)\n        EXIT\n",
              strcmp(name, "cos") == 0 ? "sin" : name, x, y, name, name, x, second);
     SCOPED(object) *object = good(program);
-    assert_true(c205_load(machine, &object->program, &error));
+    SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
     c205_word computed = c205_register(machine, 13);
     if (c205_register(machine, 12) != computed) {

@@ -4,7 +4,7 @@
  *
  *     test_bicubic_patches [PATCHES [SEED]]
  */
-#include "rt/shapes/primitive.h"
+#include "tests/oracle/plain_shapes.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 
@@ -78,17 +78,6 @@ static void cell_point(const struct patch *patch, const struct cell *cell, int i
     blossom_point(patch, u, v, point);
 }
 
-static void minus(const double a[3], const double b[3], double c[3])
-{
-    for (int i = 0; i < 3; i++)
-        c[i] = a[i] - b[i];
-}
-
-static double times(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 static void product(const double a[3], const double b[3], double c[3])
 {
     c[0] = a[1] * b[2] - a[2] * b[1];
@@ -109,12 +98,10 @@ static void oracle_normal(const struct patch *patch, double u, double v,
             blossom_point(patch, axis == 0 ? bent : at[0], axis == 1 ? bent : at[1],
                           ends[end]);
         }
-        minus(ends[1], ends[0], along[axis]);
+        add_scaled(along[axis], ends[1], -1, ends[0]);
     }
     product(along[0], along[1], normal);
-    double length = sqrt(times(normal, normal));
-    for (int k = 0; k < 3; k++)
-        normal[k] /= length;
+    normalise(normal);
 }
 
 static bool oracle_is_flat(const struct patch *patch, const struct cell *cell)
@@ -123,16 +110,17 @@ static bool oracle_is_flat(const struct patch *patch, const struct cell *cell)
     cell_point(patch, cell, 0, 0, corners[0]);
     cell_point(patch, cell, 0, 3, corners[1]);
     cell_point(patch, cell, 3, 0, corners[2]);
-    minus(corners[1], corners[0], a);
-    minus(corners[2], corners[0], b);
+    add_scaled(a, corners[1], -1, corners[0]);
+    add_scaled(b, corners[2], -1, corners[0]);
     product(a, b, normal);
+    normalise(normal);
     for (int i = 0; i < 16; i++) {
-        double point[3], way[3];
+        double point[3];
         cell_point(patch, cell, i / 4, i % 4, point);
-        minus(point, corners[0], way);
-        most = fmax(most, fabs(times(way, normal)));
+        add_scaled(point, point, -1, corners[0]);
+        most = fmax(most, fabs(dot(point, normal)));
     }
-    return most / sqrt(times(normal, normal)) < patch->flatness;
+    return most < patch->flatness;
 }
 
 struct expected {
@@ -269,30 +257,28 @@ TEST(random_patches)
 
 /* ---- Words and errors ---------------------------------------------------- */
 
-static size_t count_of(const char *text)
-{
-    SCOPED(scene) *scene = read_scene(text);
-    return triangles_of(scene)->count;
-}
-
 TEST(words)
 {
-    /* A flat patch is not divided, unless its flatness is 0. */
-    assert_int_equal(count_of("bicubic_patch { type 0 " SQUARE " }"), 2);
-    assert_int_equal(count_of("bicubic_patch { v_steps 1.9 type 1 u_steps 2, " SQUARE
-                              " scale 2 }"),
-                     2 * 8);
-    assert_int_equal(count_of("bicubic_patch { type 1 u_steps 3 v_steps 3 "
-                              "flatness .1 " SQUARE " }"),
-                     2);
-    assert_int_equal(count_of("bicubic_patch { u_steps -3 type 3 u_steps 1 "
-                              "uv_vectors <0, 0> x <1, 1> y " SQUARE " inverse }"),
-                     4);
-    assert_int_equal(count_of("#declare P = bicubic_patch { type 1 u_steps 1 "
-                              "v_steps 1 flatness .5 " SQUARE
-                              " matrix <1,0,0, 0,1,0, 0,0,1, 0,0,0> }"
-                              "object { P rotate x }"),
-                     2);
+    static const struct {
+        const char *text;
+        size_t triangles;
+    } cases[] = {
+        /* A flat patch is not divided, unless its flatness is 0. */
+        { "bicubic_patch { type 0 " SQUARE " }", 2 },
+        { "bicubic_patch { v_steps 1.9 type 1 u_steps 2, " SQUARE " scale 2 }", 2 * 8 },
+        { "bicubic_patch { type 1 u_steps 3 v_steps 3 flatness .1 " SQUARE " }", 2 },
+        { "bicubic_patch { u_steps -3 type 3 u_steps 1 "
+          "uv_vectors <0, 0> x <1, 1> y " SQUARE " inverse }",
+          4 },
+        { "#declare P = bicubic_patch { type 1 u_steps 1 v_steps 1 flatness .5 " SQUARE
+          " matrix <1,0,0, 0,1,0, 0,0,1, 0,0,0> } object { P rotate x }",
+          2 },
+    };
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        SCOPED(scene) *scene = read_scene(cases[i].text);
+        if (triangles_of(scene)->count != cases[i].triangles)
+            fail_msg("%zu triangles of %s", triangles_of(scene)->count, cases[i].text);
+    }
 }
 
 /* Flatness is measured in the world, for each copy. */

@@ -43,38 +43,31 @@ static bool take_length(char *text, void *value)
 
 #define PLACE(member) offsetof(struct arguments, member)
 
-/* clang-format off */
+#define OPTION(option, type, member, ...) \
+    { \
+        .name = option, .kind = COMMAND_##type, .offset = PLACE(member), \
+        .help = "a value", __VA_ARGS__ \
+    }
 static const struct command_option options[] = {
-    { .name = "loud", .letter = 'l', .kind = COMMAND_FLAG,
-      .offset = PLACE(loud), .help = "a flag" },
-    { .name = "text", .letter = 't', .value = "TEXT", .kind = COMMAND_TEXT,
-      .offset = PLACE(text), .preset_text = "usual", .help = "a text" },
-    { .name = "input", .value = "FILE", .kind = COMMAND_INPUT,
-      .offset = PLACE(input), .help = "a file" },
-    { .name = "output", .letter = 'o', .value = "FILE",
-      .kind = COMMAND_OUTPUT, .offset = PLACE(output), .help = "a file" },
-    { .name = "kept", .value = "FILE", .kind = COMMAND_FILE,
-      .offset = PLACE(kept), .help = "a file" },
-    { .name = "folder", .value = "DIR", .kind = COMMAND_FOLDER,
-      .offset = PLACE(folder), .help = "a folder" },
-    { .name = "count", .letter = 'c', .value = "N", .kind = COMMAND_COUNT,
-      .offset = PLACE(count), .least = 3, .most = 1000, .preset = 77,
-      .help = "a count" },
-    { .name = "clocks", .value = "N", .kind = COMMAND_CLOCKS,
-      .offset = PLACE(clocks), .help = "clocks" },
-    { .name = "number", .value = "X", .kind = COMMAND_NUMBER,
-      .offset = PLACE(number), .least = -2, .most = 2, .preset = 0.5,
-      .help = "a number" },
-    { .name = "colour", .value = "COLOUR", .kind = COMMAND_CHOICE,
-      .offset = PLACE(colour), .choice = colour_choice, .preset = GREEN,
-      .help = "a colour" },
-    { .name = "own", .value = "TEXT", .kind = COMMAND_CUSTOM,
-      .offset = PLACE(length), .take = take_length, .wants = "eight letters",
-      .help = "a length" },
-    { .name = "word", .letter = 'w', .value = "WORD", .kind = COMMAND_TEXT,
-      .many = true, .offset = PLACE(words), .help = "words" },
+    OPTION("loud", FLAG, loud, .letter = 'l'),
+    OPTION("text", TEXT, text, .letter = 't', .value = "TEXT", .preset_text = "usual"),
+    OPTION("input", INPUT, input, .value = "FILE"),
+    OPTION("output", OUTPUT, output, .letter = 'o', .value = "FILE"),
+    OPTION("kept", FILE, kept, .value = "FILE"),
+    OPTION("folder", FOLDER, folder, .value = "DIR"),
+    OPTION("count", COUNT, count, .letter = 'c', .value = "N", .least = 3, .most = 1000,
+           .preset = 77),
+    OPTION("clocks", CLOCKS, clocks, .value = "N"),
+    OPTION("number", NUMBER, number, .value = "X", .least = -2, .most = 2,
+           .preset = 0.5),
+    OPTION("colour", CHOICE, colour, .value = "COLOUR", .choice = colour_choice,
+           .preset = GREEN),
+    OPTION("own", CUSTOM, length, .value = "TEXT", .take = take_length,
+           .wants = "eight letters"),
+    OPTION("word", TEXT, words, .letter = 'w', .value = "WORD", .many = true),
     COMMAND_END
 };
+/* clang-format off */
 static const struct command_option operands[] = {
     { .value = "FIRST", .kind = COMMAND_TEXT, .offset = PLACE(first),
       .help = "a text" },

@@ -7,6 +7,7 @@
 #include "base/json.h"
 #include "tests/unit/dap_session.h"
 #include "tests/unit/plain_run.h"
+#include "tests/unit/saved_machine.h"
 
 /* ---- Displayed values
  * --------------------------------------------------------------------- */
@@ -85,11 +86,9 @@ TEST(time)
 {
     struct dap_client client;
     SCOPED(object) *object = good(client_program);
-    c205_error error;
-    SCOPED(c205) *machine = c205_new(prior_model, &error);
+    SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     c205_stop stop;
 
-    assert_true(c205_load(machine, &object->program, &error));
     client_launch(&client, client_program,
                   ", \"stopOnEntry\": true, \"stopOnEnd\": "
                   "true, \"model\": \"cyber205-2pipe-prior\"");

@@ -4,10 +4,10 @@
  * fails here. */
 #include "asm/timeline/lanes.h"
 #include "tests/random.h"
-#include "tests/unit/asm_helper.h"
 #include "tests/unit/random_debug_program.h"
 #include "tests/unit/kanata_log.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/saved_machine.h"
 
 enum { MAX_INSNS = 3000, TEXT_LENGTH = 300 };
 
@@ -18,21 +18,13 @@ static uint64_t random_state = RANDOM_SEED;
 /* Runs a program for at most MAX_INSNS instructions, to an instruction boundary. */
 static c205 *run(const struct object *object, struct timeline *timeline)
 {
-    c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
+    c205 *machine = machine_with(&object->program, prior_model);
     c205_stop stop;
-
-    assert_true(c205_load(machine, &object->program, &error)
-                && c205_listen(machine, timeline_listen, timeline));
+    assert_true(c205_listen(machine, timeline_listen, timeline));
     for (size_t i = 0; i < MAX_INSNS && c205_step(machine, &stop); i++)
         continue;
     assert_true(timeline_is_good(timeline) && !timeline->full);
     return machine;
-}
-
-static struct timeline whole(void)
-{
-    return (struct timeline){ .from = 0, .to = UINT64_MAX };
 }
 
 /* ---- Sums ----------------------------------------------------------------- */
@@ -177,7 +169,8 @@ static void check_texts(const struct timeline *timeline)
 {
     SCOPED_VALUE(arena) arena = { NULL, false };
     struct lanes lanes = { 0 };
-    struct text_buffer svg = { 0 }, events = { 0 };
+    SCOPED_VALUE(text_buffer) svg = { 0 };
+    SCOPED_VALUE(text_buffer) events = { 0 };
     struct sink svg_sink = text_buffer_sink(&svg);
     struct sink events_sink = text_buffer_sink(&events);
 
@@ -190,31 +183,24 @@ static void check_texts(const struct timeline *timeline)
     assert_int_equal(count_of(svg.text, "a &lt; b &amp; c"), 1);
     assert_int_equal(count_of(events.text, "\"ph\":\"X\""), lanes.count);
     assert_int_equal(count_of(events.text, "{"), count_of(events.text, "}"));
-    text_buffer_free(&svg);
-    text_buffer_free(&events);
 }
 
 /* ---- Tests ---------------------------------------------------------------- */
 
 static void check_object(const struct object *object, const char *path)
 {
-    struct timeline timeline = whole(), part = whole();
-    c205 *machine = run(object, &timeline);
-    uint64_t end = c205_clock(machine) + 1;
-
+    SCOPED_VALUE(timeline) timeline = { .to = UINT64_MAX };
+    SCOPED_VALUE(timeline) part = { 0 };
+    SCOPED(c205) *machine = run(object, &timeline);
     check_sums(&timeline, machine, path);
     check_rows(&timeline);
     check_kanata(&timeline);
-    c205_free(machine);
-    part.from = xorshift(&random_state) % end;
+    part.from = xorshift(&random_state) % (c205_clock(machine) + 1);
     part.to = part.from + 1 + xorshift(&random_state) % 400;
-    machine = run(object, &part);
+    c205_free(run(object, &part));
     check_rows(&part);
     check_kanata(&part);
     check_texts(&part);
-    c205_free(machine);
-    timeline_free(&timeline);
-    timeline_free(&part);
 }
 
 static void check_program(const char *path)

@@ -1,7 +1,7 @@
 /* test_tolerance.c - reports about expectations are compared with expected texts:
  * tolerances, the model that an expectation names, and messages of failures. A value at
  * the limit that is judged wrongly fails here. */
-#include "tests/unit/asm_helper.h"
+#include "tests/unit/saved_machine.h"
 
 #include "asm/expect.h"
 
@@ -10,12 +10,10 @@ static char *run_on(const char *model_name, const char *text)
 {
     c205_error error;
     SCOPED(c205_model) *model = c205_model_find(model_name, &error);
-    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
     SCOPED(object) *object = good(text);
-    assert_non_null(machine);
-    assert_true(c205_load(machine, &object->program, &error));
+    SCOPED(c205) *machine = machine_with(&object->program, model);
     c205_stop stop = c205_run(machine, 1000000);
     bool met = expect_check(object, machine, &stop, "", object->warned, &sink);
     sink_put(&sink, "");

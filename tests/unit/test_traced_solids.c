@@ -29,27 +29,19 @@ static void write_scene(char *text, size_t size, size_t count)
 
 /* ---- Tests -------------------------------------------------------------- */
 
-static void check_scenes(size_t scenes)
+static void check_scenes(bool clear)
 {
     static char text[65536];
-    for (size_t i = 0; i < scenes; i++) {
+    solids.clear = clear;
+    for (size_t i = 0; i < 10; i++) {
         write_scene(text, sizeof text, 3);
         FREED struct words *words = plain_frame(text);
         check_paper_stage(text, words);
     }
 }
 
-TEST(opaque)
-{
-    solids.clear = false;
-    check_scenes(10);
-}
-
-TEST(clear)
-{
-    solids.clear = true;
-    check_scenes(10);
-}
+TEST_CALL(opaque, check_scenes(false))
+TEST_CALL(clear, check_scenes(true))
 
 /* The method of the vector form for visible crossings must not change the frame. */
 static void check_every(const char *text)

@@ -1,7 +1,7 @@
 /* test_trap_report.c - reports of traps are compared with expected parts: the line, the
  * rule that was broken, and the values of the operands. A report about another operand
  * or line fails here. */
-#include "tests/unit/asm_helper.h"
+#include "tests/unit/saved_machine.h"
 
 #include "asm/trap_report.h"
 
@@ -9,12 +9,10 @@ static void check(const char *text, bool lines, const char *const *said)
 {
     c205_error error;
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
-    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
     SCOPED_VALUE(text_buffer) report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
     SCOPED(object) *object = good(text);
-    assert_non_null(machine);
-    assert_true(c205_load(machine, &object->program, &error));
+    SCOPED(c205) *machine = machine_with(&object->program, model);
     c205_stop stop = c205_run(machine, 100000);
     assert_int_not_equal(stop.trap, C205_TRAP_NONE);
     trap_report(lines ? object : NULL, "test.o", machine, &stop, &sink);

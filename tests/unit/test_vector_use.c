@@ -1,7 +1,7 @@
 /* test_vector_use.c - the counts of elements that control vectors permit are compared
  * with those of a program whose bits are known. An instruction that is not counted, or
  * counted twice, fails here. */
-#include "tests/unit/asm_helper.h"
+#include "tests/unit/saved_machine.h"
 
 #include "rt/trace/vector_use.h"
 
@@ -27,7 +27,6 @@ static struct vector_use use_of(const char *instruction)
     struct observer observer = vector_use_observer(&sum);
     struct hearing hearing = { &observer, NULL };
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
-    SCOPED(c205) *machine = c205_new(model, &error);
     snprintf(text, sizeof text,
              " .include \"core.s\"\n .data\n"
              "bits: .word X'FFFFFFFFFF3FFFFF', X'FFFFFFFFFFFFFFFF'\n"
@@ -38,9 +37,9 @@ static struct vector_use use_of(const char *instruction)
              " %s\n EXIT\n",
              instruction);
     SCOPED(object) *object = good(text);
+    SCOPED(c205) *machine = machine_with(&object->program, model);
     hearing.use = observer.begin(observer.context, object, &error);
     assert_true(c205_listen(machine, hear, &hearing));
-    assert_true(c205_load(machine, &object->program, &error));
     assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
     observer.merge(observer.context, hearing.use);
     observer.end(hearing.use);

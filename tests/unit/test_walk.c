@@ -48,7 +48,7 @@ static void add_tube(char *text, size_t size)
 static void add_hidden(char *text, size_t size, size_t rarity)
 {
     static const char *const words[] = { "no_shadow", "no_image", "no_reflection" };
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    for (size_t i = 0; i < COUNT(words); i++)
         if (below(rarity) == 0)
             add_text(text, size, "%s ", words[i]);
 }
@@ -162,23 +162,12 @@ static void check_scenes(bool gridded, bool clear, bool spheres)
     }
 }
 
-TEST(clouds)
-{
-    check_scenes(false, false, false);
-    check_scenes(false, true, false);
-}
-
-TEST(grids)
-{
-    check_scenes(true, false, false);
-    check_scenes(true, true, false);
-}
-
-TEST(spheres)
-{
-    check_scenes(false, false, true);
-    check_scenes(true, false, true);
-}
+TEST_CALL(clouds, check_scenes(false, false, false))
+TEST_CALL(clear_clouds, check_scenes(false, true, false))
+TEST_CALL(grids, check_scenes(true, false, false))
+TEST_CALL(clear_grids, check_scenes(true, true, false))
+TEST_CALL(spheres, check_scenes(false, false, true))
+TEST_CALL(grids_of_spheres, check_scenes(true, false, true))
 
 /* Light passes down through many panes and balls of different colours. The product of
  * the colours must be that of the scene's order, whatever the order of the hits. */

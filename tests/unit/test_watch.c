@@ -4,7 +4,7 @@
  * here. */
 #include <math.h>
 
-#include "tests/unit/asm_helper.h"
+#include "tests/unit/saved_machine.h"
 
 #include "asm/precision.h"
 #include "asm/runtime_check.h"
@@ -15,14 +15,11 @@ static char *watched(const struct object *object, const struct warning_choice *c
 {
     c205_error error;
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
-    SCOPED(c205) *machine = model ? c205_new(model, &error) : NULL;
+    SCOPED(c205) *machine = machine_with(&object->program, model);
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
     struct runtime_checker *watch = runtime_new(object, "test.o", choice, &sink);
-
-    assert_non_null(machine);
     assert_non_null(watch);
-    assert_true(c205_load(machine, &object->program, &error));
     assert_true(c205_listen(machine, runtime_listen, watch));
     runtime_begin(watch, machine);
     c205_run(machine, 1000000);
