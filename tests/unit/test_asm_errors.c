@@ -100,6 +100,23 @@ static const struct asm_error wrong_texts[] = {
     { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11, "a tolerance must be" },
     { "; expect-model:\n", 1, 16, "the name of a model" },
     { "; expect-model: a\n; expect-model: b\n", 2, 17, "already defined, in test.s:1" },
+    /* Suggestions. */
+    { " ADDVN [r1], [r2], [r3]\n", 1, 2, "did you mean ADDNV?" },
+    { " .dta\n", 1, 2, "did you mean .data?" },
+    { " .incldue \"core.s\"\n", 1, 2, "did you mean .include?" },
+    { " .edif\n", 1, 2, "did you mean .endif?" },
+    { " .include \"core.s\"\n descirptor r1, 0, 5\n", 2, 2,
+      "did you mean descriptor?" },
+    { " .reg total, r9\n ES totla, 5\n", 2, 5, "did you mean total?" },
+    { "here: BIM hree\n", 1, 11, "did you mean here?" },
+    { " ES r1, 1.0f\n", 1, 9, "a number must not have a suffix" },
+    { " ES r1, 10x\n", 1, 9, "expected the end of the number" },
+    { " ES r1, #5\n", 1, 9, "numbers have no prefix" },
+    { " ELEN r1, 65536\n", 1, 11, "at most 65535 elements" },
+    { " .descriptor 65536, 0\n", 1, 14, "at most 65535 elements" },
+    { " LOD r1, r2\n", 1, 6, "expected '[', found 'r1'; syntax: LOD [r, r], r" },
+    { " MPYSH 1, h2, h3\n", 1, 8, "syntax: MPYSH h, h, h" },
+    { " EXIT 5\n", 1, 7, "syntax: EXIT (r, (r, (number)))" },
 };
 
 TEST_CALL(errors, assert_asm_errors(wrong_texts, COUNT(wrong_texts)))
@@ -217,25 +234,4 @@ TEST(all_of_a_line)
     ALL(" .word 1, ), 2+, 4, *\n", { NULL, 1, 11, "found ')'" },
         { NULL, 1, 16, "found ','" }, { NULL, 1, 21, "found '*'" });
     ALL(" .word one + two\n", { NULL, 1, 8, "'one'" }, { NULL, 1, 14, "'two'" });
-}
-
-TEST(what_was_meant)
-{
-    ALL(" ADDVN [r1], [r2], [r3]\n", { NULL, 1, 2, "did you mean ADDNV?" });
-    ALL(" .dta\n", { NULL, 1, 2, "did you mean .data?" });
-    ALL(" .incldue \"core.s\"\n", { NULL, 1, 2, "did you mean .include?" });
-    ALL(" .edif\n", { NULL, 1, 2, "did you mean .endif?" });
-    ALL(" .include \"core.s\"\n descirptor r1, 0, 5\n",
-        { NULL, 2, 2, "did you mean descriptor?" });
-    ALL(" .reg total, r9\n ES totla, 5\n", { NULL, 2, 5, "did you mean total?" });
-    ALL("here: BIM hree\n", { NULL, 1, 11, "did you mean here?" });
-    ALL(" ES r1, 1.0f\n", { NULL, 1, 9, "a number must not have a suffix" });
-    ALL(" ES r1, 10x\n", { NULL, 1, 9, "expected the end of the number" });
-    ALL(" ES r1, #5\n", { NULL, 1, 9, "numbers have no prefix" });
-    ALL(" ELEN r1, 65536\n", { NULL, 1, 11, "at most 65535 elements" });
-    ALL(" .descriptor 65536, 0\n", { NULL, 1, 14, "at most 65535 elements" });
-    ALL(" LOD r1, r2\n",
-        { NULL, 1, 6, "expected '[', found 'r1'; syntax: LOD [r, r], r" });
-    ALL(" MPYSH 1, h2, h3\n", { NULL, 1, 8, "syntax: MPYSH h, h, h" });
-    ALL(" EXIT 5\n", { NULL, 1, 7, "syntax: EXIT (r, (r, (number)))" });
 }

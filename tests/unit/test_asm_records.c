@@ -17,6 +17,14 @@ static void assert_place(const struct object *object, const char *name, int64_t 
 
 TEST(places)
 {
+    static const struct {
+        const char *name;
+        int64_t place;
+    } places[] = {
+        { "none", 4 },       { "BALL_GREEN", 5 }, { "PADDED_ONE", 0 },
+        { "radius", 3 },     { "BALL_SIZE", 10 }, { "BALL_CENTER", 0 },
+        { "BALL_COLOR", 4 }, { "EMPTY_SIZE", 0 }, { "PADDED_SIZE", 16 },
+    };
     SCOPED(object) *object = good(" .equ n, 2\n"
                                   " .record BALL\n"
                                   " .field BALL_CENTER, 3\n"
@@ -35,15 +43,8 @@ TEST(places)
                                   " .equ radius, 3\n"
                                   " .word BALL_SIZE\n");
 
-    assert_place(object, "BALL_CENTER", 0);
-    assert_place(object, "radius", 3);
-    assert_place(object, "none", 4);
-    assert_place(object, "BALL_COLOR", 4);
-    assert_place(object, "BALL_GREEN", 5);
-    assert_place(object, "BALL_SIZE", 10);
-    assert_place(object, "EMPTY_SIZE", 0);
-    assert_place(object, "PADDED_ONE", 0);
-    assert_place(object, "PADDED_SIZE", 16);
+    for (size_t i = 0; i < COUNT(places); i++)
+        assert_place(object, places[i].name, places[i].place);
     assert_null(object_symbol(object, "BALL"));
     assert_int_equal(object->program.segment_count, 1);
     assert_int_equal(word_of(&object->program, 0x400000), 10);
@@ -54,24 +55,16 @@ enum { MAX_FIELDS = 30 };
 struct random_record {
     size_t count;
     int64_t place[MAX_FIELDS], size;
-    char text[4096];
+    struct text_buffer text;
 };
-
-static void say(struct random_record *record, const char *format, int64_t a, int64_t b)
-{
-    size_t used = strlen(record->text);
-
-    snprintf(record->text + used, sizeof record->text - used, format, (long)a, (long)b);
-}
 
 /* Adds fields of random sizes. Some .at directives return to an earlier field or skip
  * words. */
 static void make_record(struct random_record *record, uint64_t *seed)
 {
+    struct sink text = text_buffer_sink(&record->text);
     int64_t next = 0;
-
-    memset(record, 0, sizeof *record);
-    say(record, " .record R\n", 0, 0);
+    sink_print(&text, " .record R\n");
     while (record->count < MAX_FIELDS) {
         int64_t words = xorshift_between(seed, 0, 19);
         int64_t choice = xorshift_between(seed, 0, 7);
@@ -79,19 +72,21 @@ static void make_record(struct random_record *record, uint64_t *seed)
         if (choice == 0 && record->count > 0) {
             size_t field = xorshift(seed) % record->count;
             next = record->place[field];
-            say(record, " .at f%ld\n", (int64_t)field, 0);
+            sink_print(&text, " .at f%zu\n", field);
         } else if (choice == 1) {
             next += words;
-            say(record, " .at %ld\n", next, 0);
+            sink_print(&text, " .at %ld\n", (long)next);
         } else {
             record->place[record->count] = next;
             next += choice == 2 ? 1 : words;
-            say(record, choice == 2 ? " .field f%ld\n" : " .field f%ld, %ld\n",
-                (int64_t)record->count++, words);
+            sink_print(&text, " .field f%zu", record->count++);
+            if (choice != 2)
+                sink_print(&text, ", %ld", (long)words);
+            sink_print(&text, "\n");
         }
         record->size = next > record->size ? next : record->size;
     }
-    say(record, " .endrecord\n", 0, 0);
+    sink_print(&text, " .endrecord\n");
 }
 
 TEST(random_records)
@@ -99,15 +94,16 @@ TEST(random_records)
     uint64_t seed = RANDOM_SEED;
 
     for (size_t i = 0; i < 300; i++) {
-        struct random_record record;
+        struct random_record record = { 0 };
         char name[16];
         make_record(&record, &seed);
-        SCOPED(object) *object = good(record.text);
+        SCOPED(object) *object = good(record.text.text);
         for (size_t field = 0; field < record.count; field++) {
             snprintf(name, sizeof name, "f%zu", field);
             assert_place(object, name, record.place[field]);
         }
         assert_place(object, "R_SIZE", record.size);
+        text_buffer_free(&record.text);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "tests/oracle/chance.h"
 #include "tests/unit/asm_helper.h"
 
-enum { TRIES = 200, LABELS = 40, TEXT = 20000 };
+enum { TRIES = 200, LABELS = 40 };
 
 static uint64_t state = RANDOM_SEED;
 
@@ -18,20 +18,9 @@ struct labelled {
 
 struct random_text {
     struct labelled label[LABELS];
-    size_t length;
-    char text[TEXT];
+    struct text_buffer text;
+    struct sink out; /* to the text */
 };
-
-static void put(struct random_text *drawn, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    drawn->length += (size_t)vsnprintf(drawn->text + drawn->length,
-                                       TEXT - drawn->length, format, arguments);
-    va_end(arguments);
-    assert_true(drawn->length < TEXT);
-}
 
 /* Adds a line of data. Returns the number of elements, in units of their type. */
 static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
@@ -41,19 +30,19 @@ static uint64_t put_data(struct random_text *drawn, enum asm_contents contents)
     switch (contents) {
     case ASM_WORDS:
         if (one_in(&state, 3)) {
-            put(drawn, "        .space  %" PRIu64 "\n", n);
+            sink_print(&drawn->out, "        .space  %" PRIu64 "\n", n);
             return n;
         }
-        put(drawn, one_in(&state, 2) ? "        .word   1, 2.5\n"
-                                     : "        .descriptor 1, 0\n"
-                                       "        .word   .\n");
+        sink_print(&drawn->out, one_in(&state, 2) ? "        .word   1, 2.5\n"
+                                                  : "        .descriptor 1, 0\n"
+                                                    "        .word   .\n");
         return 2;
     case ASM_HALF_WORDS: /* full words, so that the next data is aligned */
-        put(drawn, "        .halfword 1, 2\n        .half   3, 4\n");
+        sink_print(&drawn->out, "        .halfword 1, 2\n        .half   3, 4\n");
         return 4;
-    case ASM_BYTES: put(drawn, "        .text   \"eight of\"\n"); return 8;
+    case ASM_BYTES: sink_print(&drawn->out, "        .text   \"eight of\"\n"); return 8;
     case ASM_CODE:
-        put(drawn, "        ADDN    r1, r2, r3\n        EX      r1, 5\n");
+        sink_print(&drawn->out, "        ADDN    r1, r2, r3\n        EX      r1, 5\n");
         return 3;
     default: return 0;
     }
@@ -72,11 +61,11 @@ static void put_vector(struct random_text *drawn, size_t i)
 
     drawn->label[i].contents = kinds[kind].contents;
     drawn->label[i].count = below(&state, 100) + !one_in(&state, 4);
-    put(drawn, "        .%s l%zu, %" PRIu64 "%s\n", kinds[kind].name, i,
-        drawn->label[i].count,
-        !drawn->label[i].count || one_in(&state, 2) ? ""
-        : kind == 2                                 ? ", \"1\""
-                                                    : ", 7");
+    sink_print(&drawn->out, "        .%s l%zu, %" PRIu64 "%s\n", kinds[kind].name, i,
+               drawn->label[i].count,
+               !drawn->label[i].count || one_in(&state, 2) ? ""
+               : kind == 2                                 ? ", \"1\""
+                                                           : ", 7");
 }
 
 static void put_labelled(struct random_text *drawn, size_t i)
@@ -86,18 +75,19 @@ static void put_labelled(struct random_text *drawn, size_t i)
     enum asm_contents contents = kinds[below(&state, 4)];
 
     drawn->label[i] = (struct labelled){ contents, 0 };
-    put(drawn, contents == ASM_CODE ? "        .code\n" : "        .data\n");
-    put(drawn, "l%zu:\n", i);
+    sink_print(&drawn->out,
+               contents == ASM_CODE ? "        .code\n" : "        .data\n");
+    sink_print(&drawn->out, "l%zu:\n", i);
     for (size_t k = below(&state, 3) + 1; k > 0; k--)
         drawn->label[i].count += put_data(drawn, contents);
     /* Other data, with a label or without, ends the counted data. */
     if (contents == ASM_WORDS && one_in(&state, 2))
-        put(drawn, "        .text   \"abc\"\n");
+        sink_print(&drawn->out, "        .text   \"abc\"\n");
 }
 
 static void check(const struct random_text *drawn)
 {
-    SCOPED(object) *object = good(drawn->text);
+    SCOPED(object) *object = good(drawn->text.text);
 
     for (size_t i = 0; i < LABELS; i++) {
         char name[24];
@@ -107,7 +97,8 @@ static void check(const struct random_text *drawn)
             || symbol->count != drawn->label[i].count) {
             fail_msg("%s: %d, %" PRIu64 " of them; should be %d, %" PRIu64 ", in\n%s",
                      name, (int)symbol->contents, symbol->count,
-                     (int)drawn->label[i].contents, drawn->label[i].count, drawn->text);
+                     (int)drawn->label[i].contents, drawn->label[i].count,
+                     drawn->text.text);
         }
     }
 }
@@ -117,18 +108,19 @@ TEST(labels)
     static struct random_text drawn;
 
     for (int try = 0; try < TRIES; try++) {
-        drawn.length = 0;
+        drawn.out = text_buffer_sink(&drawn.text);
         for (size_t i = 0; i < LABELS; i++) {
             if (one_in(&state, 3)) {
-                put(&drawn, "        .data\n");
+                sink_print(&drawn.out, "        .data\n");
                 put_vector(&drawn, i);
             } else {
                 put_labelled(&drawn, i);
             }
         }
-        put(&drawn, "        .code\nlast:   EXIT\n");
-        put(&drawn, "        .equ    five, 5\n");
+        sink_print(&drawn.out, "        .code\nlast:   EXIT\n");
+        sink_print(&drawn.out, "        .equ    five, 5\n");
         check(&drawn);
+        text_buffer_free(&drawn.text);
     }
 }
 
