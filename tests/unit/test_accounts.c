@@ -64,14 +64,6 @@ static double in_unit(const struct accounts *accounts, uint64_t clocks)
     return accounts_seconds(prior_model, clocks) * unit->per_second;
 }
 
-static size_t used_causes(const c205_account *sum)
-{
-    size_t count = 0;
-    for (int cause = 0; cause < C205_CAUSES; cause++)
-        count += sum->clocks[cause] > 0;
-    return count;
-}
-
 /* A matrix whose rows are causes or regions. The functions below take the cause and the
  * region in the order of this view. */
 struct view {
@@ -121,15 +113,16 @@ static void check_matrix(const struct accounts *accounts, enum accounts_rows row
 {
     c205_account sum = accounts_together(accounts);
     SCOPED(table) *table = accounts_matrix(accounts, rows, 0, MAX_REGIONS);
-    size_t regions = accounts_regions(accounts), place = 0;
+    size_t regions = accounts_regions(accounts), place = 0, used = 0;
     struct view view = { table, rows == ACCOUNTS_CAUSES };
     size_t figures = 1u + (sum.vector_instructions > 0) + (sum.elements > 0)
                      + (sum.operations > 0);
     assert_non_null(table);
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        used += sum.clocks[cause] > 0;
     size_t rows_of_regions = regions > 1 ? regions + 1 : 1;
-    assert_int_equal(table_rows(table), view.causes_down
-                                            ? used_causes(&sum) + 1 + figures
-                                            : rows_of_regions);
+    assert_int_equal(table_rows(table),
+                     view.causes_down ? used + 1 + figures : rows_of_regions);
     for (size_t i = 0; regions > 1 && i < accounts->count; i++) {
         if (accounts_clocks(&accounts->items[i]) > 0) {
             check_place(view, accounts, &sum, &accounts->items[i],

@@ -23,13 +23,6 @@ static void add_place(char *text, size_t size, double reach)
              place_between(-reach, reach), place_between(-reach, reach));
 }
 
-/* Adds a strength; every fifth is negative. */
-static void add_strength(char *text, size_t size)
-{
-    add_text(text, size, ", %s%s%.4f ", below(2) ? "strength " : "",
-             below(5) ? "" : "-", between(.5, 2));
-}
-
 static void add_motions(char *text, size_t size)
 {
     if (below(3) == 0)
@@ -66,7 +59,9 @@ static void add_component(char *text, size_t size)
         add_text(text, size, ", ");
     }
     add_text(text, size, "%.4f", size_between(.4, 1));
-    add_strength(text, size);
+    /* Every fifth strength is negative. */
+    add_text(text, size, ", %s%s%.4f ", below(2) ? "strength " : "",
+             below(5) ? "" : "-", between(.5, 2));
     if (below(2))
         add_motions(text, size);
     add_text(text, size, "} ");

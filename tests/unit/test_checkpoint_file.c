@@ -163,11 +163,6 @@ static void expect_and_mend(const struct written *written, long at)
     assert_int_equal(size_of(paths[0]), written->end[written->count - 1]);
 }
 
-static long somewhere(const struct written *written)
-{
-    return HEAD + (long)below((size_t)(written->end[written->count - 1] - HEAD));
-}
-
 /* A file is cut off, or one of its bits is flipped. Every unit from the one with the
  * damage on is discarded. */
 TEST_WITH(damaged, set_up, tear_down)
@@ -175,7 +170,8 @@ TEST_WITH(damaged, set_up, tear_down)
     struct written written;
     for (int i = 0; i < 2 * TRIES; i++) {
         write_some(0, &written);
-        long at = somewhere(&written);
+        long size = written.end[written.count - 1];
+        long at = HEAD + (long)below((size_t)(size - HEAD));
         if (i < TRIES)
             assert_int_equal(truncate(paths[0], at), 0);
         else

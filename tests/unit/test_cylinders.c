@@ -102,20 +102,15 @@ static void check_tubes(void)
     check_middle(STRAIGHT SLOPE "open translate <-.4, 0, -5> }", 0, 0);
 }
 
-static void check_all(void)
-{
-    check_scenes();
-    check_solids();
-    check_misses();
-    check_tubes();
-}
-
 TEST(formulations)
 {
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         traced.historical = speedup_formulations[i].historical;
         traced.variant = speedup_formulations[i].variant;
-        check_all();
+        check_scenes();
+        check_solids();
+        check_misses();
+        check_tubes();
     }
     traced.historical = false;
     traced.variant = NULL;

@@ -146,21 +146,6 @@ static void check_place(const struct session *session, const char *line)
                  session->debug.said.text);
 }
 
-static void move(struct session *session)
-{
-    char line[80];
-
-    session->step = draw_line(session, line);
-    obey(session, line);
-    check_place(session, line);
-}
-
-static void begin(struct session *session, const struct plain *plain, const char *name)
-{
-    *session = (struct session){ .plain = plain };
-    session_begin(&session->debug, plain->object, name);
-}
-
 static void end(struct session *session)
 {
     session_end(&session->debug);
@@ -172,17 +157,20 @@ TEST(movements)
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         struct plain plain = run_plainly(good_file(programs[i % PROGRAMS]),
                                          &random_state);
-        struct session session;
+        struct session session = { .plain = &plain };
 
-        begin(&session, &plain, programs[i % PROGRAMS]);
+        session_begin(&session.debug, plain.object, programs[i % PROGRAMS]);
         for (size_t k = 0; k < LINES; k++) {
+            char line[80];
             if (below(20) == 0)
                 choose_place(&session);
             if (below(20) == 0)
                 choose_watch(&session);
             if (below(20) == 0)
                 choose_region(&session);
-            move(&session);
+            session.step = draw_line(&session, line);
+            obey(&session, line);
+            check_place(&session, line);
         }
         assert_int_equal(debugger_faults(session.debug.debugger), 0);
         end(&session);
@@ -195,10 +183,10 @@ TEST(far_back)
     enum { STOP = 150, FAR = 400 };
     struct plain plain = run_plainly(good_file("asm/examples/saxpy_scalar.s"),
                                      &random_state);
-    struct session session;
+    struct session session = { .plain = &plain };
     char line[80];
 
-    begin(&session, &plain, "saxpy_scalar.s");
+    session_begin(&session.debug, plain.object, "saxpy_scalar.s");
     snprintf(line, sizeof line, "break *%" PRIu64 " if $step == %d",
              plain.moments[STOP].pc, STOP);
     obey(&session, line);

@@ -10,14 +10,6 @@ enum { TRIES = 40000, DIGITS = 128, LONGEST = 20000 };
 
 static uint64_t state = RANDOM_SEED;
 
-/* Draws a word with a short decimal expansion, so that ties occur. */
-static c205_word draw_short(void)
-{
-    double number = (double)xorshift_between(&state, -100000, 100000);
-
-    return c205_from_double(number / (double)(1 << xorshift_between(&state, 0, 12)));
-}
-
 /* Draws 9.99 .. times a power of ten. */
 static c205_word draw_below_power(void)
 {
@@ -36,7 +28,11 @@ static c205_word draw(void)
     case 0: return xorshift(&state);
     case 1: return xorshift_unnormalised(&state, -60, 10);
     case 2: return xorshift_normalised(&state, -28672, 28671);
-    case 3: return draw_short();
+    case 3: { /* a short decimal expansion, so that ties occur */
+        double number = (double)xorshift_between(&state, -100000, 100000);
+        return c205_from_double(number
+                                / (double)(1 << xorshift_between(&state, 0, 12)));
+    }
     case 5: return draw_below_power();
     case 4: { /* near a power of ten */
         double ten = 1;
@@ -46,16 +42,6 @@ static c205_word draw(void)
     }
     default: return xorshift_normalised(&state, -90, 0);
     }
-}
-
-/* Reduces MPFR's exponent, which has a sign and at least two digits, to its shortest
- * form. */
-static void plain_exponent(char *text)
-{
-    char *e = strchr(text, 'e');
-    long power = strtol(e + 1, NULL, 10);
-
-    sprintf(e, "e%ld", power);
 }
 
 static void check(c205_word word, c205_notation notation, unsigned digits)
@@ -77,7 +63,9 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
         unsigned behind = asked - (notation == C205_SCIENTIFIC);
 
         mpfr_snprintf(exact, sizeof exact, "%.*RNe", (int)behind, value);
-        plain_exponent(exact);
+        /* MPFR's exponent has a sign and at least two digits. */
+        char *e = strchr(exact, 'e');
+        sprintf(e, "e%ld", strtol(e + 1, NULL, 10));
         /* Scientific notation is used only if the fixed one does not fit. */
         if (notation == C205_FIXED)
             assert_true(mpfr_get_exp(value)

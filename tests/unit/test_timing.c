@@ -50,19 +50,14 @@ static bool is_vector(const c205_insn *row)
 
 /* ---- Measured ---------------------------------------------------------- */
 
-static void place_case(struct small_machine *on, const struct vector_case *one)
-{
-    assert_true(c205_write(on->machine, DATA, one->memory, MEMORY_WORDS));
-    for (unsigned i = 0; i < C205_REGISTERS; i++)
-        set(on, i, one->reg[i]);
-}
-
 /* Runs twice; the second time the pages are mapped. */
 static uint64_t measured(struct small_machine *on, const struct vector_case *one)
 {
     load(on, MEMORY_WORDS);
     for (int time = 0; time < 2; time++) {
-        place_case(on, one);
+        assert_true(c205_write(on->machine, DATA, one->memory, MEMORY_WORDS));
+        for (unsigned i = 0; i < C205_REGISTERS; i++)
+            set(on, i, one->reg[i]);
         c205_set_pc(on->machine, CODE);
         c205_reset_clock(on->machine);
         if (run(on).trap != C205_TRAP_NONE)
@@ -270,12 +265,6 @@ static void draw_plain(struct vector_case *one, const c205_insn *row, uint64_t *
                   != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_Y] : 0));
 }
 
-static void check_fewer_pipes(const struct vector_case *one, const uint64_t *clocks)
-{
-    if (clocks[0] < clocks[1] || clocks[1] < clocks[2])
-        fail_msg("%s is slower with more pipes", one->row->mnemonic);
-}
-
 /* One instruction, and two in sequence. */
 static void try_lengths(struct vector_case *one, unsigned times)
 {
@@ -290,7 +279,8 @@ static void try_lengths(struct vector_case *one, unsigned times)
             if (now[i] < before[i])
                 fail_msg("%s of %zu is cheaper", one->row->mnemonic, length);
         }
-        check_fewer_pipes(one, now);
+        if (now[0] < now[1] || now[1] < now[2])
+            fail_msg("%s is slower with more pipes", one->row->mnemonic);
         memcpy(before, now, sizeof now);
     }
 }

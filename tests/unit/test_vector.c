@@ -222,20 +222,14 @@ static uint64_t draw_scalar(struct bench *bench, char letter, bool half)
     return half ? 2 * HALF_NUMBER + below(bench, 4) : NUMBER + below(bench, 2);
 }
 
-/* The operands of SWAP are vectors, too. */
-static uint64_t draw_swap(struct bench *bench, enum role role)
-{
-    return role == ROLE_B ? BLOCK + below(bench, C205_REGISTERS - BLOCK)
-                          : draw_vector(bench, 'd', false);
-}
-
 static uint64_t draw_operand(struct bench *bench, const c205_insn *row, unsigned g,
                              enum role role)
 {
     char letter = sized_letter(row, g, role);
 
-    if (row->format == C205_FORMAT_SWAP)
-        return draw_swap(bench, role);
+    if (row->format == C205_FORMAT_SWAP) /* its operands are vectors, too */
+        return role == ROLE_B ? BLOCK + below(bench, C205_REGISTERS - BLOCK)
+                              : draw_vector(bench, 'd', false);
     if (is_scalar(row, g, role))
         return draw_scalar(bench, letter, is_half_register(row, g, role));
     if (letter == 'z' && !strstr(c205_format_syntax(row->format), "!Z")

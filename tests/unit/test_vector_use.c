@@ -5,17 +5,6 @@
 
 #include "rt/trace/vector_use.h"
 
-struct hearing {
-    const struct observer *observer;
-    void *use;
-};
-
-static void hear(void *context, const c205 *machine, const c205_event *event)
-{
-    const struct hearing *hearing = context;
-    hearing->observer->listen(hearing->use, machine, event);
-}
-
 /* Counts one vector instruction with 150 elements. Its control vector begins in the
  * middle of a word; all its bits are ones except the first two and the last. The bits
  * around it are ones too. */
@@ -25,7 +14,6 @@ static struct vector_use use_of(const char *instruction)
     c205_error error;
     struct vector_use sum = { 0, 0, 0, 0 };
     struct observer observer = vector_use_observer(&sum);
-    struct hearing hearing = { &observer, NULL };
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
     snprintf(text, sizeof text,
              " .include \"core.s\"\n .data\n"
@@ -38,11 +26,11 @@ static struct vector_use use_of(const char *instruction)
              instruction);
     SCOPED(object) *object = good(text);
     SCOPED(c205) *machine = machine_with(&object->program, model);
-    hearing.use = observer.begin(observer.context, object, &error);
-    assert_true(c205_listen(machine, hear, &hearing));
+    void *use = observer.begin(observer.context, object, &error);
+    assert_true(c205_listen(machine, observer.listen, use));
     assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
-    observer.merge(observer.context, hearing.use);
-    observer.end(hearing.use);
+    observer.merge(observer.context, use);
+    observer.end(use);
     return sum;
 }
 

@@ -22,26 +22,25 @@ static void add_place(char *text, size_t size)
                  between(-2, 2), between(-2, 2));
 }
 
-static void add_ball(char *text, size_t size)
+/* Begins a shape; half of the kinds are balls. */
+static void add_shape(char *text, size_t size, size_t kind)
 {
-    add_text(text, size, "sphere { 0, %.3f ", solids.gridded ? .5 : between(.05, .4));
-}
-
-static void add_block(char *text, size_t size)
-{
-    add_text(text, size, "box { -%.3f, .5 ", solids.gridded ? .5 : between(.1, .4));
-}
-
-static void add_bitten(char *text, size_t size)
-{
-    add_text(text, size,
-             "%s { sphere { 0, .5 } box { %s, 1 } bounded_by { sphere { 0, 3 } } ",
-             below(2) ? "difference" : "merge", below(2) ? "0" : "-.25");
-}
-
-static void add_tube(char *text, size_t size)
-{
-    add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ", below(2) ? "open" : "");
+    switch (kind) {
+    case 3:
+        add_text(text, size, "box { -%.3f, .5 ", solids.gridded ? .5 : between(.1, .4));
+        break;
+    case 4:
+        add_text(text, size,
+                 "%s { sphere { 0, .5 } box { %s, 1 } bounded_by { sphere { 0, 3 } } ",
+                 below(2) ? "difference" : "merge", below(2) ? "0" : "-.25");
+        break;
+    case 5:
+        add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ", below(2) ? "open" : "");
+        break;
+    default:
+        add_text(text, size, "sphere { 0, %.3f ",
+                 solids.gridded ? .5 : between(.05, .4));
+    }
 }
 
 /* Adds words that hide the object from some rays. */
@@ -56,13 +55,11 @@ static void add_hidden(char *text, size_t size, size_t rarity)
 /* Adds an object, or several of different colours at the same place. */
 static void add_thing(char *text, size_t size)
 {
-    static void (*const kinds[])(char *, size_t) = { add_ball,  add_ball,   add_ball,
-                                                     add_block, add_bitten, add_tube };
     size_t kind = below(6), copies = below(5) ? 1 : 2 + below(2);
     uint64_t state = traced.random;
     for (size_t i = 0; i < copies; i++) {
         traced.random = state;
-        kinds[kind](text, size);
+        add_shape(text, size, kind);
         add_place(text, size);
         uint64_t later = traced.random;
         for (size_t k = 0; k <= i; k++)

@@ -224,22 +224,27 @@ static c205_word some_operand(uint64_t *seed, bool half)
     return half ? c205_half_from_double(number) : c205_from_double(number);
 }
 
+static double exact(char sign, double a, double b)
+{
+    return sign == '+' ? a + b : sign == '-' ? a - b : sign == '*' ? a * b : a / b;
+}
+
 /* A loss must be reported exactly if the error of the machine's result is larger than
  * allowed. */
-static void check_loss(const char *mnemonic, arith_binary *operation,
-                       double (*exact)(double, double), bool half, uint64_t *seed)
+static void check_loss(const char *mnemonic, arith_binary *operation, char sign,
+                       bool half, uint64_t *seed)
 {
     const c205_insn *insn = c205_insn_named(mnemonic, strlen(mnemonic));
     double (*value)(c205_word) = half ? c205_half_to_double : c205_to_double;
     double most = half ? 0x1p-16 : 0x1p-40;
-    int i, lost = 0;
+    int lost = 0;
 
     assert_non_null(insn);
-    for (i = 0; i < 20000; i++) {
+    for (int i = 0; i < 20000; i++) {
         c205_word a = some_operand(seed, half), b = some_operand(seed, half);
         struct precision precision;
         uint64_t flags = 0;
-        double wanted = exact(value(a), value(b));
+        double wanted = exact(sign, value(a), value(b));
         double found = value(operation(a, b, &flags));
         double off = fabs(found - wanted) / fabs(wanted);
         bool reported = precision_is_lost(precision_rule(insn), half, a, b, &precision);
@@ -256,36 +261,19 @@ static void check_loss(const char *mnemonic, arith_binary *operation,
     assert_true(lost > 100);
 }
 
-static double sum(double a, double b)
-{
-    return a + b;
-}
-static double difference(double a, double b)
-{
-    return a - b;
-}
-static double product(double a, double b)
-{
-    return a * b;
-}
-static double quotient(double a, double b)
-{
-    return a / b;
-}
-
 TEST(loss)
 {
     uint64_t seed = RANDOM_SEED;
 
-    check_loss("ADDU", arith_add_upper, sum, false, &seed);
-    check_loss("SUBUV", arith_subtract_upper, difference, false, &seed);
-    check_loss("MPYU", arith_multiply_upper, product, false, &seed);
-    check_loss("MPYSV", arith_multiply_significant, product, false, &seed);
-    check_loss("DIVU", arith_divide_upper, quotient, false, &seed);
-    check_loss("DIVS", arith_divide_significant, quotient, false, &seed);
-    check_loss("ADDUH", half_add_upper, sum, true, &seed);
-    check_loss("MPYSH", half_multiply_significant, product, true, &seed);
-    check_loss("DIVSH", half_divide_significant, quotient, true, &seed);
+    check_loss("ADDU", arith_add_upper, '+', false, &seed);
+    check_loss("SUBUV", arith_subtract_upper, '-', false, &seed);
+    check_loss("MPYU", arith_multiply_upper, '*', false, &seed);
+    check_loss("MPYSV", arith_multiply_significant, '*', false, &seed);
+    check_loss("DIVU", arith_divide_upper, '/', false, &seed);
+    check_loss("DIVS", arith_divide_significant, '/', false, &seed);
+    check_loss("ADDUH", half_add_upper, '+', true, &seed);
+    check_loss("MPYSH", half_multiply_significant, '*', true, &seed);
+    check_loss("DIVSH", half_divide_significant, '/', true, &seed);
     assert_int_equal(precision_rule(c205_insn_named("ADDN", 4)), PRECISION_FULL);
     assert_int_equal(precision_rule(c205_insn_named("MPYL", 4)), PRECISION_FULL);
 }
