@@ -124,7 +124,7 @@ enum { LINES = 40, NAMES = 6, REGISTERS = 4, WORDS = 3, DEPTH = 4 };
 /* A declaration with the blocks around it. Each block has a number and a word; 0: no
  * word. */
 struct given {
-    size_t line, name, depth;
+    size_t name, depth;
     unsigned number, blocks[DEPTH], words[DEPTH];
     size_t owner;
     bool holds;
@@ -211,11 +211,9 @@ static void name_one(struct declarations *declarations, uint64_t *seed)
     if (declarations->count > 0 && given[other].holds
         && given[other].name != new->name &&xorshift(seed) % 3 == 0) {
         snprintf(text, sizeof text, " .reg n%zu, n%zu\n", new->name, given[other].name);
-        new->number = given[other].number;
-        new->owner = given[other].owner;
-        new->depth = given[other].depth;
-        memcpy(new->blocks, given[other].blocks, sizeof new->blocks);
-        memcpy(new->words, given[other].words, sizeof new->words);
+        size_t name = new->name;
+        *new = given[other];
+        new->name = name;
     } else {
         snprintf(text, sizeof text, " .reg n%zu, r%u\n", new->name, new->number);
     }

@@ -387,25 +387,19 @@ static const struct {
       96 + 5 },
 };
 
-static uint64_t clocks_of(const char *text)
-{
-    SCOPED(object) *object = good(text);
-    c205 *machine = fixture[1].machine;
-    c205_error error = { "" };
-    assert_true(c205_load(machine, &object->program, &error));
-    assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
-    uint64_t clocks = c205_clock(machine);
-    assert_sum(machine);
-    return clocks;
-}
-
 TEST(small_programs)
 {
     for (size_t i = 0; i < COUNT(programs); i++) {
-        uint64_t clocks = clocks_of(programs[i].text);
-        if (clocks != programs[i].clocks)
-            fail_msg("%llu clocks, not %llu: %s", (unsigned long long)clocks,
+        SCOPED(object) *object = good(programs[i].text);
+        c205 *machine = fixture[1].machine;
+        c205_error error = { "" };
+        assert_true(c205_load(machine, &object->program, &error));
+        assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
+        if (c205_clock(machine) != programs[i].clocks)
+            fail_msg("%llu clocks, not %llu: %s",
+                     (unsigned long long)c205_clock(machine),
                      (unsigned long long)programs[i].clocks, programs[i].what);
+        assert_sum(machine);
     }
 }
 
