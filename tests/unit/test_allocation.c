@@ -33,6 +33,10 @@ void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *old, size_t size);
 void __wrap_free(void *old);
 
+SCOPED_BY_FREE(c205_history);
+SCOPED_BY_FREE(engine);
+SCOPED_BY_FREE(speedup_report);
+
 /* ---- The host ------------------------------------------------------------ */
 
 static struct {
@@ -92,7 +96,7 @@ typedef bool task(FILE *out, c205_error *error);
 struct outcome {
     bool done;
     c205_error error;
-    char *output;
+    char *output; /* libc allocated it without counting it */
     size_t length;
 };
 
@@ -113,24 +117,6 @@ static struct outcome attempt(task *work, size_t fails, bool for_good)
     return outcome;
 }
 
-/* Frees the output, which libc allocated without counting it. */
-static void drop(struct outcome *outcome)
-{
-    __real_free(outcome->output);
-}
-
-static void judge(const struct outcome *outcome, const struct outcome *wanted,
-                  size_t fails)
-{
-    if (!outcome->done) {
-        if (!outcome->error.message[0])
-            fail_msg("allocation %zu failed without a message", fails);
-    } else if (outcome->length != wanted->length
-               || memcmp(outcome->output, wanted->output, wanted->length)) {
-        fail_msg("allocation %zu failed, and the output is wrong", fails);
-    }
-}
-
 /* Runs a task with each allocation failing in turn. If `once` is set, all later
  * allocations fail too; otherwise both cases are run. */
 static void exhaust(task *work, bool once)
@@ -143,10 +129,15 @@ static void exhaust(task *work, bool once)
     for (size_t fails = 1; fails <= calls; fails++)
         for (int for_good = once; for_good < 2; for_good++) {
             struct outcome outcome = attempt(work, fails, for_good);
-            judge(&outcome, &wanted, fails);
-            drop(&outcome);
+            if (!outcome.done && !outcome.error.message[0])
+                fail_msg("allocation %zu failed without a message", fails);
+            if (outcome.done
+                && (outcome.length != wanted.length
+                    || memcmp(outcome.output, wanted.output, wanted.length)))
+                fail_msg("allocation %zu failed, and the output is wrong", fails);
+            __real_free(outcome.output);
         }
-    drop(&wanted);
+    __real_free(wanted.output);
 }
 
 /* ---- Tasks --------------------------------------------------------------- */
@@ -164,11 +155,12 @@ static bool find_models(FILE *out, c205_error *error)
     static const char text[] = "title Slow\nlike cyber205-2pipe-prior\n"
                                "latency.load 99 clk R\n";
     SCOPED(c205_model) *parsed = c205_model_parse("slow", text, error);
-    c205_model *read = parsed ? c205_model_find("vm/models/cyber205-2pipe.model", error)
-                              : NULL;
+    SCOPED(c205_model) *read = parsed
+                                   ? c205_model_find("vm/models/cyber205-2pipe.model",
+                                                     error)
+                                   : NULL;
     if (read)
         fprintf(out, "%s, %s\n", c205_model_title(parsed), c205_model_title(read));
-    c205_model_free(read);
     return read;
 }
 
@@ -267,14 +259,6 @@ static const char more_text[] =
     "; expect-trap: bad-link\n";
 static char long_text[MAX_LABEL + sizeof program_text + sizeof more_text];
 
-static void begin_with_label(size_t length)
-{
-    memset(long_text, 'x', length);
-    strcpy(long_text + length, length ? ":\n" : "");
-    strcat(long_text + length, program_text);
-    strcat(long_text + length, more_text);
-}
-
 static bool assemble_long(FILE *out, c205_error *error)
 {
     SCOPED(object) *made = assembled(long_text, error);
@@ -300,12 +284,11 @@ static bool read_object(FILE *out, c205_error *error)
     SCOPED_VALUE(text_buffer) buffer = { NULL, 0, 0, false };
     struct sink text = text_buffer_sink(&buffer), sink = stream_sink(out);
     object_write(object, &text);
-    struct object *copy = buffer.failed
-                              ? (no_memory(error), NULL)
-                              : object_read(buffer.text, buffer.length, error);
+    SCOPED(object) *copy = buffer.failed
+                               ? (no_memory(error), NULL)
+                               : object_read(buffer.text, buffer.length, error);
     if (copy)
         object_write(copy, &sink);
-    object_free(copy);
     return copy;
 }
 
@@ -363,14 +346,10 @@ static bool run_example(FILE *out, c205_error *error)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };
     SCOPED(object) *made = assemble_file("asm/examples/lookup.s", NULL, &errors);
-    c205 *machine = NULL;
-    if (made)
-        machine = loaded(made, error);
-    else
+    if (!made)
         print_first(&errors, error);
-    bool done = machine && run_and_show(machine, out, error);
-    c205_free(machine);
-    return done;
+    SCOPED(c205) *machine = made ? loaded(made, error) : NULL;
+    return machine && run_and_show(machine, out, error);
 }
 
 static bool save_and_restore(FILE *out, c205_error *error)
@@ -379,15 +358,12 @@ static bool save_and_restore(FILE *out, c205_error *error)
     int file = mkstemp(path);
     assert_true(file >= 0);
     close(file);
-    c205 *machine = loaded(object, error), *other = NULL;
-    bool done = machine && run_to(machine, 1100, error)
-                && state_save(machine, path, error)
-                && (other = state_load(path, model, error))
-                && run_and_show(other, out, error);
-    c205_free(machine);
-    c205_free(other);
+    SCOPED(c205) *machine = loaded(object, error);
+    bool saved = machine && run_to(machine, 1100, error)
+                 && state_save(machine, path, error);
+    SCOPED(c205) *other = saved ? state_load(path, model, error) : NULL;
     unlink(path);
-    return done;
+    return other && run_and_show(other, out, error);
 }
 
 static bool measure_one(FILE *out, c205_error *error)
@@ -405,16 +381,15 @@ static bool check_object(FILE *out, c205_error *error)
     struct printer printer = { text_buffer_sink(&printed) };
     struct sink report = stream_sink(out);
     SCOPED(c205) *machine = loaded(object, error);
-    bool done = machine != NULL;
-    if (machine) {
-        c205_listen(machine, printer_listen, &printer);
-        c205_stop stop = c205_run(machine, C205_NO_LIMIT);
-        done = stop.trap != C205_TRAP_NO_MEMORY && !printed.failed;
-        if (done)
-            assert_true(expect_check(object, machine, &stop, printed.text,
-                                     object->warned, &report));
-    }
-    return done || no_memory(error);
+    if (!machine)
+        return no_memory(error);
+    c205_listen(machine, printer_listen, &printer);
+    c205_stop stop = c205_run(machine, C205_NO_LIMIT);
+    if (stop.trap == C205_TRAP_NO_MEMORY || printed.failed)
+        return no_memory(error);
+    assert_true(
+        expect_check(object, machine, &stop, printed.text, object->warned, &report));
+    return true;
 }
 
 /* A correct answer that does not pass was not graded because memory ran out. */
@@ -440,13 +415,9 @@ static bool grade_answer(FILE *out, c205_error *error)
                 && lesson_end(&lesson, error)
                 && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
                                 error);
-    if (done && !verdict.passed) {
-        done = no_memory(error);
-    }
-    if (done) {
+    if (done && verdict.passed)
         lesson_verdict_put(&verdict, &sink);
-    }
-    return done;
+    return done && (verdict.passed || no_memory(error));
 }
 
 /* Succeeds only if the reply is complete: printed text is cut, or breakpoints are
@@ -484,12 +455,11 @@ static bool answer_requests(FILE *out, c205_error *error)
         "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\\n\"}, "
         "{\"text\": \" EXIT\\n\"}]}",
     };
-    struct engine *engine = engine_new();
-    bool done = engine != NULL;
+    SCOPED(engine) *engine = engine_new();
+    bool done = engine || no_memory(error);
     for (size_t i = 0; done && i < COUNT(requests); i++)
         done = reply_to(engine, requests[i], out, error);
-    engine_free(engine);
-    return done || no_memory(error);
+    return done;
 }
 
 static bool write_json(FILE *out, c205_error *error)
@@ -508,19 +478,15 @@ static bool report_speedups(FILE *out, c205_error *error)
     static const struct speedup_measure measures[TRACE_FORMS] = {
         { .total = 9, .rays = 1 }, { .total = 3, .rays = 1 }
     };
-    struct speedup_report *report = speedup_report_new(model);
+    SCOPED(speedup_report) *report = speedup_report_new(model);
     struct json *json = report ? json_open_stream(out, NULL, error) : NULL;
-    bool done = json != NULL;
     for (size_t i = 0; report && i < speedup_subject_count; i++)
         speedup_report_add(report, &speedup_subjects[i], &view, measures);
-    if (done && !speedup_report_json(report, json)) {
+    if (json && speedup_report_json(report, json))
+        return json_close(json, error) || no_memory(error);
+    if (json)
         json_discard(json);
-        done = false;
-    } else if (done) {
-        done = json_close(json, error);
-    }
-    speedup_report_free(report);
-    return done || no_memory(error);
+    return no_memory(error);
 }
 
 static bool report_pipes(FILE *out, c205_error *error)
@@ -532,9 +498,9 @@ static bool report_pipes(FILE *out, c205_error *error)
         measures[i] = (struct sweep_measure){
             .rays = 1, .forms = { { .total = 9 }, { .total = 3 } }
         };
-    bool done = sweep_pipes.report(&sweep, &report, error)
-                && sweep_report_write(&report, TABLE_MARKDOWN, out);
-    return done || no_memory(error);
+    return (sweep_pipes.report(&sweep, &report, error)
+            && sweep_report_write(&report, TABLE_MARKDOWN, out))
+           || no_memory(error);
 }
 
 /* ---- The tests ----------------------------------------------------------- */
@@ -596,12 +562,10 @@ static size_t calls_without_memory(const char *loop, size_t steps)
 {
     c205_error error = { "" };
     SCOPED(object) *program = assembled(loop, &error);
-    c205 *machine = c205_new(model, &error);
-    assert_non_null(program);
-    assert_non_null(machine);
-    assert_true(c205_load(machine, &program->program, &error));
-    c205_history *history = c205_history_new(machine, SIZE_MAX, &error);
     c205_stop stop;
+    assert_non_null(program);
+    SCOPED(c205_history) *history = c205_history_new(loaded(program, &error), SIZE_MAX,
+                                                     &error);
     assert_non_null(history);
     while (c205_history_step(history) < 16)
         assert_true(c205_history_forward(history, &stop));
@@ -611,9 +575,7 @@ static size_t calls_without_memory(const char *loop, size_t steps)
     while (c205_history_step(history) < steps)
         assert_true(c205_history_forward(history, &stop));
     host.fails = 0;
-    size_t calls = host.calls;
-    c205_history_free(history);
-    return calls;
+    return host.calls;
 }
 
 /* A failed snapshot is retried after twice as many instructions (scalar loops) or
@@ -643,7 +605,9 @@ TEST(snapshots)
 TEST(any_block)
 {
     for (size_t length = 0; length < MAX_LABEL; length += LABEL_STEP) {
-        begin_with_label(length);
+        memset(long_text, 'x', length);
+        sprintf(long_text + length, "%s%s%s", length ? ":\n" : "", program_text,
+                more_text);
         exhaust(assemble_long, true);
     }
 }

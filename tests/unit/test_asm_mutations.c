@@ -69,27 +69,23 @@ static void make_mistake(char *text, uint64_t *seed)
     }
 }
 
-static void check_place(const struct diagnostic *item, const char *text)
-{
-    size_t length = strlen(item->source);
-
-    if (item->line == 0 || item->column < 1 || item->column > length + 1
-        || !*item->message || strchr(item->source, '\n'))
-        fail_msg("%s:%zu:%zu: %s\n%s\nin\n%s", item->file, item->line, item->column,
-                 item->message, item->source, text);
-}
-
 static size_t check_text(const char *path, const char *text)
 {
     SCOPED_VALUE(diagnostics) found = { 0 };
     SCOPED(object) *object = assemble_bytes(path, text, strlen(text), NULL, &found);
-    size_t i, errors = found.errors;
+    size_t errors = found.errors;
 
     if (!object != (errors > 0))
         fail_msg("%s: %zu errors, and %s object in\n%s", path, errors,
                  object ? "an" : "no", text);
-    for (i = 0; i < found.count; i++)
-        check_place(&found.items[i], text);
+    for (size_t i = 0; i < found.count; i++) {
+        const struct diagnostic *item = &found.items[i];
+        if (item->line == 0 || item->column < 1
+            || item->column > strlen(item->source) + 1 || !*item->message
+            || strchr(item->source, '\n'))
+            fail_msg("%s:%zu:%zu: %s\n%s\nin\n%s", item->file, item->line, item->column,
+                     item->message, item->source, text);
+    }
     return errors;
 }
 

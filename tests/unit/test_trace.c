@@ -34,20 +34,15 @@ static void add_shape(char *text, size_t size)
     }
 }
 
-static void add_quadric(char *text, size_t size)
-{
-    add_text(text, size, "quadric { <%.6f, %.6f, %.6f>, ", between(-1, 1),
-             between(-1, 1), between(-1, 1));
-    add_point(text, size, .5);
-    add_text(text, size, ", ");
-    add_point(text, size, 1);
-    add_text(text, size, ", %.6f ", between(-1, .3));
-}
-
 static void add_quadric_or_cone(char *text, size_t size)
 {
     if (xorshift(&traced.random) % 3 == 0) {
-        add_quadric(text, size);
+        add_text(text, size, "quadric { <%.6f, %.6f, %.6f>, ", between(-1, 1),
+                 between(-1, 1), between(-1, 1));
+        add_point(text, size, .5);
+        add_text(text, size, ", ");
+        add_point(text, size, 1);
+        add_text(text, size, ", %.6f ", between(-1, .3));
         return;
     }
     add_text(text, size, "cone { ");
