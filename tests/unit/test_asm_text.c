@@ -114,6 +114,9 @@ TEST(regions)
     assert_string_equal(program->regions[1].name, "a b");
 }
 
+#define NESTED \
+    " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n .endr\n"
+
 /* Texts and the word that each puts at an address. */
 TEST(words)
 {
@@ -148,15 +151,9 @@ TEST(words)
           CODE, 0x8208090100020003 },
         /* Repetitions. */
         { " .data\n .rept 3\n .word \\+\n .endr\n", DATA + 128, 2 },
-        { " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
-          " .endr\n",
-          DATA + 2 * 64, 2 },
-        { " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
-          " .endr\n",
-          DATA + 3 * 64, 10 },
-        { " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
-          " .endr\n",
-          DATA + 7 * 64, 11 },
+        { NESTED, DATA + 2 * 64, 2 },
+        { NESTED, DATA + 3 * 64, 10 },
+        { NESTED, DATA + 7 * 64, 11 },
         { " .data\n .rept 0\n .word 1\n .endr\n .word 2\n", DATA, 2 },
         /* Registers that are renamed. */
         { " .reg x, r1\n .reg x, r2\n RTOR x, r3\n", CODE, 0x7802000300000000 },

@@ -10,6 +10,11 @@
 #include "vm/machine.h"
 #include "vm/time/clock_parts.h"
 
+/* Ends a loop, which begins at the address in `to`, and the program. */
+#define LOOP_END \
+    "        DBNZ    turns, [to]\n" \
+    "        EXIT\n"
+
 static const char arithmetic[] = /* solves 40 quadratics, with calls */
     "        .regs   r10, x, y, one, four, turns, list, to, link, i\n"
     "        .data\n"
@@ -26,10 +31,7 @@ static const char arithmetic[] = /* solves 40 quadratics, with calls */
     "        EX      to, root\n"
     "        BSAVE   link, [to]\n"
     "        STO     [list, i], y\n"
-    "        EX      to, again\n"
-    "        DBNZ    turns, [to]\n"
-    "        EXIT\n"
-    "        .endkernel\n"
+    "        EX      to, again\n" LOOP_END "        .endkernel\n"
     "        .kernel root\n"
     "root:   MPYS    x, x, y\n"
     "        SUBN    y, four, y\n"
@@ -128,9 +130,7 @@ TEST(limits)
                  "        EX      to, again\n"
                  "again:  DIVS    x, x, y\n"
                  "        BIM     await\n"
-                 "await:  ADDX    y, r0, y\n"
-                 "        DBNZ    turns, [to]\n"
-                 "        EXIT\n");
+                 "await:  ADDX    y, r0, y\n" LOOP_END);
 }
 
 struct heard {
@@ -197,10 +197,7 @@ TEST(changes)
         "        .align  64\n"
         "ahead:  IS      sum, 10\n"
         "        IS      sum, 10\n"
-        "        STO     [back], word\n"
-        "        DBNZ    turns, [to]\n"
-        "        EXIT\n"
-        "        .align  64\n"
+        "        STO     [back], word\n" LOOP_END "        .align  64\n"
         "other:  IS      sum, 100\n"
         "        IS      sum, 100\n";
     SCOPED_VALUE(both) both = compare(text);
@@ -220,9 +217,7 @@ TEST(fault)
                                "        EX      to, again\n"
                                "again:  IX      at, 64\n"
                                "        LOD     [at], x\n"
-                               "        ADDX    sum, x, sum\n"
-                               "        DBNZ    turns, [to]\n"
-                               "        EXIT\n"
+                               "        ADDX    sum, x, sum\n" LOOP_END
                                "        .data\n"
                                "        .org    0x10000000 - 64 * 20\n"
                                "        .space  20\n";
@@ -292,9 +287,7 @@ static const struct {
           "        BIM     inner\n"
           "inner:  LOD     [at], y\n"
           "        MPYS    y, y, x\n"
-          "        EX      to, again\n"
-          "        DBNZ    turns, [to]\n"
-          "        EXIT\n" },
+          "        EX      to, again\n" LOOP_END },
     /* An instruction that reads the time gets the clock at which it begins, at any
      * place in a block. */
     { "", "        .regs   r10, turns, to, x, y, wait, left, flags, sum, run_out\n"
@@ -316,9 +309,7 @@ static const struct {
           "        WJTIME  wait\n"
           "        DIVS    x, x, y\n"
           "        ADDN    y, x, y\n"
-          "        BADF    run_out, [to], 0\n"
-          "        DBNZ    turns, [to]\n"
-          "        EXIT\n" },
+          "        BADF    run_out, [to], 0\n" LOOP_END },
     /* Loads wait for the oldest of three, across the ends of blocks. */
     { "latency.load 70 clk R\n"
       "memory.loads_in_flight 3 loads R\n",
@@ -337,9 +328,7 @@ static const struct {
       "less:   BIM     more\n"
       "more:   LOD     [at], c\n"
       "        LOD     [at], r0\n"
-      "        ADDX    n, a, n\n"
-      "        DBNZ    turns, [to]\n"
-      "        EXIT\n" },
+      "        ADDX    n, a, n\n" LOOP_END },
     /* A SWAP of more registers takes longer and ends on another page. Three pages are
      * used, and two translations are kept. */
     { "page.words 512 words R\n"
@@ -363,9 +352,7 @@ static const struct {
       "swap:   SWAP    [r0], r100, [place]\n"
       "        IBXNE   n, r0, five, over, n\n"
       "        LOD     [far], x\n"
-      "over:   EX      to, again\n"
-      "        DBNZ    turns, [to]\n"
-      "        EXIT\n" },
+      "over:   EX      to, again\n" LOOP_END },
     /* The maximum number of loads in a block, then a SWAP. */
     { "page.words 512 words R\n"
       "translation.registers 2 registers R\n",
@@ -413,9 +400,7 @@ static const struct {
       "        BIM     both\n"
       "odd:    ADDN    x, x, r0\n"
       "        BIM     both\n"
-      "both:   SWAP    [r0], r4, [place]\n"
-      "        DBNZ    turns, [to]\n"
-      "        EXIT\n" },
+      "both:   SWAP    [r0], r4, [place]\n" LOOP_END },
 };
 
 TEST(programs)
@@ -469,9 +454,7 @@ TEST(many_blocks)
                                "again:\n"
                                "        .rept   70000\n"
                                "        IS      sum, 1\n"
-                               "        .endr\n"
-                               "        DBNZ    turns, [to]\n"
-                               "        EXIT\n";
+                               "        .endr\n" LOOP_END;
     SCOPED(c205) *machine = load(text);
     c205_run(machine, C205_NO_LIMIT);
     assert_int_equal(c205_register(machine, 12), 140000);
@@ -508,9 +491,7 @@ TEST(many_flights)
         "        .rept   10\n"
         "        chance  \\+\n"
         "        .endr\n"
-        "        .endr\n"
-        "        DBNZ    turns, [to]\n"
-        "        EXIT\n";
+        "        .endr\n" LOOP_END;
     SCOPED_VALUE(both) both = compare(text);
     assert_true(both.whole->clock->generation > 1);
 }

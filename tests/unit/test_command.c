@@ -197,17 +197,6 @@ static const char *make_value(struct line *line, const struct command_option *op
     return NULL;
 }
 
-static void expect_text(struct line *line, const struct command_option *option,
-                        const char *text)
-{
-    struct arguments *expected = &line->expected;
-
-    if (option->many)
-        expected->words.items[expected->words.count++] = text;
-    else
-        memcpy((char *)expected + option->offset, &text, sizeof text);
-}
-
 /* Adds "--name value", "--name=value", "-l value" or "-lvalue". A name may be
  * abbreviated if it stays unique. */
 static void add_option(struct line *line, const struct command_option *option)
@@ -216,7 +205,8 @@ static void add_option(struct line *line, const struct command_option *option)
     bool is_text = make_value(line, option, value) != NULL;
     bool flag = option->kind == COMMAND_FLAG;
     bool apart = flag || below(line, 2);
-    char *word = add(line), *place = word;
+    struct arguments *expected = &line->expected;
+    char *word = add(line), *place;
     int length;
 
     if (option->letter && below(line, 2))
@@ -224,26 +214,27 @@ static void add_option(struct line *line, const struct command_option *option)
     else
         length = snprintf(word, WORD_SIZE, "--%s%s", option->name, apart ? "" : "=");
     if (flag) {
-        line->expected.loud = true;
+        expected->loud = true;
         return;
     }
     place = apart ? add(line) : word + length;
     snprintf(place, (size_t)(WORD_SIZE - length), "%s", value);
-    if (is_text)
-        expect_text(line, option, place);
+    if (is_text && option->many)
+        expected->words.items[expected->words.count++] = place;
+    else if (is_text)
+        memcpy((char *)expected + option->offset, &place, sizeof place);
 }
 
 static void begin(struct line *line, uint64_t seed)
 {
-    memset(line, 0, sizeof *line);
-    line->random = seed;
-    line->expected.text = "usual";
-    line->expected.count = 77;
-    line->expected.clocks = 205;
-    line->expected.number = .5;
-    line->expected.colour = GREEN;
-    line->expected.words.items = line->texts[0];
-    line->expected.files.items = line->texts[1];
+    *line = (struct line){ .random = seed,
+                           .expected = { .text = "usual",
+                                         .count = 77,
+                                         .clocks = 205,
+                                         .number = .5,
+                                         .colour = GREEN,
+                                         .words = { .items = line->texts[0] },
+                                         .files = { .items = line->texts[1] } } };
     strcpy(add(line), "test");
     strcpy(add(line), "look");
 }

@@ -22,30 +22,23 @@ static const char *const examples[] = {
 };
 static const char drawn[] = "drawn.s";
 
-static struct object *open_drawn(void)
-{
-    char text[DRAWN_TEXT + LINE];
-    int length = sprintf(text, "        .equ    n, %d\n", 1 + (int)below(200));
-
-    draw_program(&random_state, text + length);
-    return good(text);
-}
-
 /* Draws a program; two in five are random texts. */
 static struct object *open_program(const char **name)
 {
+    char text[DRAWN_TEXT + LINE];
     *name = below(5) < 2 ? drawn : examples[below(COUNT(examples))];
-    return *name == drawn ? open_drawn() : good_file(*name);
+    if (*name != drawn)
+        return good_file(*name);
+    int length = sprintf(text, "        .equ    n, %d\n", 1 + (int)below(200));
+    draw_program(&random_state, text + length);
+    return good(text);
 }
 
 /* ---- Random lines ------------------------------------------------------- */
 
 typedef char script_line[LINE];
 
-static const char *pick(const char *const *texts, size_t count)
-{
-    return texts[below(count)];
-}
+#define PICK(texts) texts[below(COUNT(texts))]
 
 /* Draws an address of code, or of data. */
 static uint64_t draw_address(const struct object *object, bool code)
@@ -66,7 +59,7 @@ static void draw_place(const struct object *object, script_line place)
                                          "EX",   "MPYSV", "ES",  "LINKV" };
 
     switch (below(5)) {
-    case 0: snprintf(place, LINE, "insn %s", pick(insns, COUNT(insns))); break;
+    case 0: snprintf(place, LINE, "insn %s", PICK(insns)); break;
     case 1:
         if (program->region_count > 0) {
             snprintf(place, LINE, "region %s", program->regions[0].name);
@@ -94,7 +87,7 @@ static void draw_value(const struct object *object, script_line value)
     if (below(3) == 0)
         snprintf(value, LINE, "[%" PRIu64 "]", draw_address(object, false));
     else
-        snprintf(value, LINE, "%s", pick(values, COUNT(values)));
+        snprintf(value, LINE, "%s", PICK(values));
 }
 
 /* Draws a line that moves the program. */
@@ -109,11 +102,10 @@ static void draw_motion(const struct object *object, script_line line)
 
     switch (below(5)) {
     case 0:
-    case 1: snprintf(line, LINE, "%s", pick(plain, COUNT(plain))); break;
+    case 1: snprintf(line, LINE, "%s", PICK(plain)); break;
     case 2: snprintf(line, LINE, "until *%" PRIu64, draw_address(object, true)); break;
     default:
-        snprintf(line, LINE, "%s %d", pick(counted, COUNT(counted)),
-                 (int)below(below(2) ? 20 : 1500));
+        snprintf(line, LINE, "%s %d", PICK(counted), (int)below(below(2) ? 20 : 1500));
     }
 }
 
@@ -141,7 +133,7 @@ static void draw_view(const struct object *object, script_line line)
         snprintf(line, LINE, "%s *%" PRIu64 ", %d", below(2) ? "list" : "disassemble",
                  draw_address(object, true), 1 + (int)below(6));
         break;
-    default: snprintf(line, LINE, "%s", pick(plain, COUNT(plain)));
+    default: snprintf(line, LINE, "%s", PICK(plain));
     }
 }
 

@@ -90,10 +90,8 @@ static double constant(const c205_model *model, const char *kind, const char *na
  * rates are exact in millionths. */
 static uint64_t stream(const c205_model *model, const char *name, uint64_t n, bool half)
 {
-    uint64_t million = 1000000;
-    double value = constant(model, "stream", name);
-    uint64_t rate = (uint64_t)llround(value * 1e6);
-    uint64_t pipes = 1;
+    uint64_t million = 1000000, pipes = 1;
+    uint64_t rate = (uint64_t)llround(constant(model, "stream", name) * 1e6);
     char text[64];
 
     snprintf(text, sizeof text, "stream.%s", name);
@@ -243,29 +241,18 @@ TEST(closed_formula)
 
 /* ---- Longer, more pipes ------------------------------------------------ */
 
-/* Gives all operands this length. */
-static void set_lengths(struct vector_case *one, size_t length)
-{
-    for (int role = 0; role < ROLES; role++)
-        if (letter_of(one->row, (enum role)role) && !one->scalar[role]
-            && (role != ROLE_Z || one->fields.z))
-            one->reg[role_register[role]] = descriptor(one->vector[role].address,
-                                                       length);
-}
-
 static void draw_plain(struct vector_case *one, const c205_insn *row, uint64_t *random)
 {
+    bool sparse = row->format == C205_FORMAT_SPARSE;
     do
         draw_case(one, row, random, LENGTH);
     while (reference_has_offset(row, &one->fields)
            || one->fields.g & (C205_G_BROADCAST_A | C205_G_BROADCAST_B)
-           || one->fields.x
-                  != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_X] : 0)
-           || one->fields.y
-                  != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_Y] : 0));
+           || one->fields.x != (sparse ? role_register[ROLE_X] : 0)
+           || one->fields.y != (sparse ? role_register[ROLE_Y] : 0));
 }
 
-/* One instruction, and two in sequence. */
+/* One instruction, and two in sequence; all operands have each length. */
 static void try_lengths(struct vector_case *one, unsigned times)
 {
     uint64_t before[MODELS] = { 0 }, now[MODELS];
@@ -273,7 +260,11 @@ static void try_lengths(struct vector_case *one, unsigned times)
     for (int i = 0; i < MODELS; i++)
         begin_with(&fixture[i], one, times);
     for (size_t length = 0; length <= LENGTH; length += 1 + length / 20) {
-        set_lengths(one, length);
+        for (int role = 0; role < ROLES; role++)
+            if (letter_of(one->row, (enum role)role) && !one->scalar[role]
+                && (role != ROLE_Z || one->fields.z))
+                one->reg[role_register[role]] = descriptor(one->vector[role].address,
+                                                           length);
         for (int i = 0; i < MODELS; i++) {
             now[i] = measured(&fixture[i], one);
             if (now[i] < before[i])
