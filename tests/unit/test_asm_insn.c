@@ -150,11 +150,9 @@ TEST(errors)
                   { "IBXLT a, x, z, 0x2FFFE0, c", 1, "half words away" },
                   { "IBXLT a, x, z, 0x400010, c", 1, "on a half word" },
                   { "ADDN a, h, c", 9,
-                    "a whole register, r0 .. r255, found the half"
-                    " register h50" },
+                    "a whole register, r0 .. r255, found the half register h50" },
                   { "ADDNH h, i, a", 13,
-                    "a half register, h0 .. h255, found the whole"
-                    " register r16" },
+                    "a half register, h0 .. h255, found the whole register r16" },
                   { "ADDNH h, i, h256", 13, "a register" },
                   { "ADDNV [a], h, [c]", 12, "a whole register" },
                   { "ADDNV,H [a], b, [c]", 14, "a half register" },

@@ -31,7 +31,7 @@ static void take(struct contents *contents, const c205 *machine)
     }
 }
 
-static void drop(struct contents *contents)
+static void contents_free(struct contents *contents)
 {
     for (size_t i = 0; i < random_area_count; i++)
         free(contents->words[i]);
@@ -81,7 +81,8 @@ static void take_event(void *context, const c205 *machine, const c205_event *eve
 
 static void check_changes(uint64_t seed, size_t *dense)
 {
-    struct contents before = { { 0 }, { NULL } }, after = { { 0 }, { NULL } };
+    SCOPED_VALUE(contents) before = { { 0 }, { NULL } };
+    SCOPED_VALUE(contents) after = { { 0 }, { NULL } };
     struct random_program program = random_program(seed);
     SCOPED(c205_model) *model = model_of(&program);
     SCOPED(c205) *machine = machine_of(&program, model);
@@ -110,8 +111,6 @@ static void check_changes(uint64_t seed, size_t *dense)
         before = after;
         after = other;
     }
-    drop(&before);
-    drop(&after);
 }
 
 TEST(changes)

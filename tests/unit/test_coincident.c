@@ -47,8 +47,7 @@ TEST(faces_that_rest_on_each_other_need_none)
 {
     expect("00", "plane { y, 0 } box { 0, 1 }");
     expect("000", "box { 0, 1 } cylinder { y, 2*y, .5 } cone { 2*y, .5, 3*y, 0 }");
-    expect("00", "difference { box { -1, 1 } sphere { y, .5 } } "
-                 "sphere { y, .5 }");
+    expect("00", "difference { box { -1, 1 } sphere { y, .5 } } sphere { y, .5 }");
     expect("50", "plane { y, 0 } box { 0, 1 clipped_by { plane { x, .5 } } }");
     expect("50", "plane { y, 0 } box { <-20, 0, -20>, 20 }");
 }

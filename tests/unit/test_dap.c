@@ -13,7 +13,8 @@ enum { LINE = 400, TEXT = 4000 };
 struct session {
     char name[LINE]; /* "": no session */
     unsigned line;   /* line of the script */
-    char program[TEXT];
+    char own[TEXT];
+    const char *program; /* its own, or the usual one */
     struct dap_client client;
     bool begun, refused; /* the last response reports failure */
     int reference;
@@ -76,7 +77,7 @@ static void begin(struct session *session, char *arguments)
 {
     const char *words[20] = { NULL };
 
-    client_write(*session->program ? session->program : client_program);
+    client_write(session->program);
     for (size_t i = 0; *arguments; i++) {
         words[i] = arguments;
         arguments = next_word(arguments);
@@ -87,16 +88,14 @@ static void begin(struct session *session, char *arguments)
 
 static void launch(struct session *session, char *more)
 {
-    client_launch(&session->client,
-                  *session->program ? session->program : client_program, more);
+    client_launch(&session->client, session->program, more);
     session->begun = true;
 }
 
 static void enter(struct session *session, char *rest)
 {
     (void)rest;
-    client_enter(&session->client,
-                 *session->program ? session->program : client_program);
+    client_enter(&session->client, session->program);
     session->begun = true;
 }
 
@@ -252,7 +251,7 @@ static void end_session(struct session *session)
             wrong(session, "a success");
         client_leave(&session->client);
     }
-    *session = (struct session){ .line = line };
+    *session = (struct session){ .line = line, .program = client_program };
 }
 
 static void play_line(struct session *session, char *line)
@@ -273,7 +272,7 @@ static void play_line(struct session *session, char *line)
 TEST(sessions)
 {
     FILE *script = fopen("tests/unit/dap.txt", "r");
-    struct session session = { .line = 0 };
+    struct session session = { .program = client_program };
     struct dap_client client;
     size_t tried = 0, promised = 0;
     char line[LINE];
@@ -292,7 +291,7 @@ TEST(sessions)
                 enter(&session, NULL);
             }
         } else if (*line == '|') {
-            strcat(strcat(session.program, line + 1), "\n");
+            session.program = strcat(strcat(session.own, line + 1), "\n");
         } else if (*line && *line != '#') {
             play_line(&session, line);
         }

@@ -41,9 +41,8 @@ TEST(elements)
             int i = start;
 
             snprintf(range, sizeof range,
-                     ", \"filter\": \"indexed\", \"start\": %d, \"count\": "
-                     "%d",
-                     start, count);
+                     ", \"filter\": \"indexed\", \"start\": %d, \"count\": %d", start,
+                     count);
             item = client_inside(&client, reference, range)->first;
             for (; item; item = item->next, i++)
                 assert_string_equal(the_text(item, "value"), values[i]);

@@ -354,11 +354,9 @@ static const struct {
       "DIVS r10, r11, r12\n DIVS r10, r11, r13\n EXIT", 108 },
     { "EX at 0; the page is in at 1 + 1030, when LOD issues; 15 until it is "
       "there, then 5 for the addition.",
-      "EX r10, x\n LOD [r10], r11\n ADDN r11, r11, r12\n EXIT\n"
-      " .data\nx: .word 1.0\n",
+      "EX r10, x\n LOD [r10], r11\n ADDN r11, r11, r12\n EXIT\n .data\nx: .word 1.0\n",
       1 + 1030 + 15 + 5 },
-    { "ES at 0 and 1; DBNZ at 2: taken, 8 more; at 11: taken; at 20 not; "
-      "EXIT at 21.",
+    { "ES at 0 and 1; DBNZ at 2: taken, 8 more; at 11: taken; at 20 not; EXIT at 21.",
       "ES r10, 3\n EX r11, loop\nloop: DBNZ r10, [r11]\n EXIT", 2 + 9 + 9 + 1 + 1 },
     { "Descriptors at 0, 1, 2; the addition at 3: start-up 51, the page, "
       "which holds all, 1030, 100 elements by two pipes 50.",

@@ -161,8 +161,7 @@ TEST(ray_almost_along_a_cylinder)
 /* A number whose reciprocal is not a double. */
 TEST(numbers_beyond_doubles)
 {
-    SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1\n"
-                                           "interior { ior 1e-310 } }");
+    SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1\ninterior { ior 1e-310 } }");
     struct trace_options options = { .width = 1, .height = 1, .model = prior_model };
     c205_error error = { "" };
     assert_null(trace_new(scene, &options, &error));

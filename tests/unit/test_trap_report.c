@@ -80,8 +80,7 @@ TEST(links)
           "the linked source must have no offset");
     CHECK(LINK("MPYSV [a], [b], [c]", "ADDNV [c], [b], [c]"),
           "at most two vectors from memory");
-    CHECK(DATA " ELEN b, 2\n LINKV\n MPYSV [a], o, [c]\n"
-               " ADDNV [c], o, [b]\n",
+    CHECK(DATA " ELEN b, 2\n LINKV\n MPYSV [a], o, [c]\n ADDNV [c], o, [b]\n",
           "must have the same length");
 }
 

@@ -54,8 +54,7 @@ static const char radial[] =
     " triangle { <1,0,-900>, <2,0,900>, <1,0,900> } }\n"
     "#declare First = mesh { triangle { <1,0,-.001>, <2,0,.001>, "
     "<2,0,-.001> } triangle { <1,0,-.001>, <1,0,.001>, <2,0,.001> } }\n"
-    "object { First }\n"
-    "#for (I, 0, 7) object { Fin rotate 45*I*z } #end\n";
+    "object { First }\n#for (I, 0, 7) object { Fin rotate 45*I*z } #end\n";
 
 static const char two_tubes[] =
     "#declare Tube1 = cylinder { -1.05*x, 1.05*x, .5 }\n"
@@ -81,8 +80,7 @@ static const struct factor_scene scenes[] = {
       " object { A } object { B }",
       { { "disks_equal", "A", "B", 0 } } },
     { "#declare Sphere = sphere "
-      "{ 0, .5 } #declare B = disc { .8*y, -y, 1 } object { Sphere } "
-      "object { B }",
+      "{ 0, .5 } #declare B = disc { .8*y, -y, 1 } object { Sphere } object { B }",
       { { "sphere_disk", "Sphere", "B", 0 } } },
     { "#declare A = sphere { 0, 1 } #declare B = sphere { 3*x, 1 }"
       " object { A } object { B }",
@@ -94,8 +92,7 @@ static const struct factor_scene scenes[] = {
     { "#declare Piece = cylinder { -9*y, 9*y, 1 open }\n"
       "#declare Rest = cylinder { 9*y, 900*y, 1 }\n"
       "#declare B = cylinder { -900*y, 900*y, 1 translate 2.5*x }\n"
-      "object { Piece } object { Rest } object { Rest rotate 180*z }"
-      " object { B }",
+      "object { Piece } object { Rest } object { Rest rotate 180*z } object { B }",
       { { "cylinders_equal", "Piece", "B", 0 } } },
     { "#declare Plane = mesh { triangle { 0, <0,0,.001>, <1.7,0,.001> }"
       " triangle { 0, <1.7,0,.001>, <1.7,0,0> } } object { Plane }\n" ROW("Row", "1.7",
@@ -241,7 +238,7 @@ static struct study begin(const struct factor_scene *what, enum surfaces_by by,
     return study;
 }
 
-static void end(struct study *study)
+static void study_free(struct study *study)
 {
     for (size_t i = 0; i < study->scene->primitive_count; i++)
         factor_row_free(&study->rows[i]);
@@ -266,8 +263,8 @@ static void check_case(const struct factor_case *which, const struct surfaces *s
 static void check_form(const struct factor_scene *what, enum surfaces_by by,
                        enum trace_mode mode, size_t points)
 {
-    struct study study = begin(what, by, mode, points);
-    struct study vector = begin(what, by, TRACE_VECTOR, points);
+    SCOPED_VALUE(study) study = begin(what, by, mode, points);
+    SCOPED_VALUE(study) vector = begin(what, by, TRACE_VECTOR, points);
     for (const struct factor_case *which = what->cases; which->id; which++) {
         size_t from = named(&study.surfaces, which->from);
         const struct surface *one = &study.surfaces.list[from];
@@ -276,18 +273,15 @@ static void check_form(const struct factor_scene *what, enum surfaces_by by,
         assert_memory_equal(one->factor, other->factor,
                             (study.surfaces.count + 1) * sizeof *one->factor);
     }
-    end(&study);
-    end(&vector);
 }
 
 static void check_scene(const struct factor_scene *what, enum surfaces_by by)
 {
     const char *asked = getenv("HEAT_POINTS");
     size_t points = asked ? strtoul(asked, NULL, 10) : 64;
-    struct study study = begin(what, by, TRACE_VECTOR, points);
+    SCOPED_VALUE(study) study = begin(what, by, TRACE_VECTOR, points);
     for (const struct factor_case *which = what->cases; which->id; which++)
         check_case(which, &study.surfaces);
-    end(&study);
     check_form(what, by, TRACE_SCALAR, 1 + points / 32);
     check_form(what, by, TRACE_KERNELS, 1 + points / 32);
 }

@@ -84,19 +84,15 @@ TEST(integers)
 
 TEST(recurrences)
 {
-    check_data(" RTOR fs, a\n IX a, 64\n ELEN a, 2\n"
-               " ADDNV [fs], [fs], [a]\n",
+    check_data(" RTOR fs, a\n IX a, 64\n ELEN a, 2\n ADDNV [fs], [fs], [a]\n",
                "test.s:17:2: warning: 1 element of [r11] is a result of this");
-    check_data(" RTOR fs, a\n IX a, 128\n ELEN a, 1\n"
-               " ADDNV [fs], [fs], [a]\n",
-               "");
+    check_data(" RTOR fs, a\n IX a, 128\n ELEN a, 1\n ADDNV [fs], [fs], [a]\n", "");
     check_data(" ADDNV [fs], [fs], [fs]\n", "");
     check_data(" RTOR fs, a\n IX fs, 64\n ELEN fs, 2\n ELEN a, 2\n"
                " ADDNV [fs], [fs], [a]\n",
                "");
     check_data(" RTOR fs, a\n IX a, 64\n ELEN a, 2\n ELEN fs, 2\n"
-               " ELEN ys, 2\n LINKV\n ADDNV [fs], r0, [ys]\n"
-               " MPYSV [ys], [fs], [a]\n",
+               " ELEN ys, 2\n LINKV\n ADDNV [fs], r0, [ys]\n MPYSV [ys], [fs], [a]\n",
                "warning: 1 element of a source is a result of this pair");
 }
 
@@ -182,8 +178,7 @@ TEST(how_often)
     check(LATE(31), "element 2 of [r11] is the integer 3");
     check(" .include \"core.s\"\n .data\nalias: .vector y, 3\n"
           " .vector after, 3\n .code\n descriptor r10, y, 4\n"
-          " descriptor r11, after, 3\n VTOV [r11], [r11]\n"
-          " VTOV [r11], [r10]\n EXIT\n",
+          " descriptor r11, after, 3\n VTOV [r11], [r11]\n VTOV [r11], [r10]\n EXIT\n",
           "the storage of 'y' ends at 8000C0");
 }
 
