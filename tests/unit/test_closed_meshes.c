@@ -105,7 +105,6 @@ TEST(closed)
         write_closed();
         check_closed();
     }
-    set_size(WIDTH, HEIGHT);
 }
 
 static void cross(const double a[3], const double b[3], double result[3])
@@ -152,7 +151,6 @@ TEST(symmetric)
             write_symmetric(i, middle);
             check_closed();
         }
-    set_size(WIDTH, HEIGHT);
 }
 
 /* The camera looks from the middle of a cube at one of its sides, with a ray to each
@@ -184,7 +182,6 @@ TEST(rays_to_points)
         write_whole(side, middle);
         check_closed();
     }
-    set_size(WIDTH, HEIGHT);
 }
 
 /* The rays of the first row hit points of one edge of a face, including its ends and
@@ -227,7 +224,6 @@ static void check_edges(bool outside)
             check_closed();
         }
     }
-    set_size(WIDTH, HEIGHT);
 }
 
 TEST_CALL(rays_along_edges, check_edges(false))
