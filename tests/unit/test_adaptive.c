@@ -73,8 +73,8 @@ static void look_beyond(struct camera *camera, double width, double height)
     double *middle = camera->orthographic ? camera->location : camera->direction;
     add_scaled(middle, middle, -.5 / width, camera->right);
     add_scaled(middle, middle, .5 / height, camera->up);
-    scale_by(camera->right, 1 + 1 / width);
-    scale_by(camera->up, 1 + 1 / height);
+    add_scaled(camera->right, camera->right, 1 / width, camera->right);
+    add_scaled(camera->up, camera->up, 1 / height, camera->up);
 }
 
 /* Refines the picture by the plain rule. Colours are averaged and compared before
