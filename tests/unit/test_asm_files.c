@@ -84,19 +84,13 @@ static const char sample[] = " .include \"print.s\"\n"
 
 TEST(sample)
 {
-    SCOPED(object) *object = good(sample);
-
-    assert_int_equal(object->expectation_count, EXPECT_KINDS);
-    check_disassembly(object);
-    check_object_file(object);
-}
-
-TEST(saved)
-{
     static const char path[] = "test_asm_files.tmp";
     SCOPED(object) *object = good(sample);
     c205_error error;
     size_t length;
+    assert_int_equal(object->expectation_count, EXPECT_KINDS);
+    check_disassembly(object);
+    check_object_file(object);
     assert_true(object_save(object, path, &error));
     FREED char *text = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(text);

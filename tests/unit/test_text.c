@@ -90,25 +90,21 @@ TEST(extents)
 {
     static const struct {
         const char *font, *string, *offset;
-        double low[2], high[2];
+        double extent[4]; /* the low corner, then the high one */
     } rows[] = {
-        { "cyrvetic", "C", "0", { 0, -.02102 }, { .63602, .74901 } },
-        { "cyrvetic", "@", "0", { 0, -.15102 }, { .90602, .71602 } },
-        { "cyrvetic", "CC", "0", { 0, -.02102 }, { 1.33402, .74902 } },
-        { "cyrvetic", "CC", "<.1, .05, .2>", { 0, -.02102 }, { 1.43402, .79903 } },
-        { "cyrvetic", "Crystal @", "0", { 0, -.22302 }, { 4.23602, .74907 } },
-        { "timrom", "A", "0", { 0, 0 }, { .73602, .69601 } },
-        { "timrom", "AV", "0", { 0, -.01602 }, { 1.27802, .69602 } },
-        { "timrom", "AVTo 205&gi", "0", { 0, -.21202 }, { 5.69102, .6961 } },
-        { "timrom", "WAVE Tolstoy", "0", { 0, -.21202 }, { 6.00102, .6961 } },
-        { "timrom", "\\u00c9\\u00fc", "0", { 0, 0 }, { 1.01202, .61802 } },
-        { "crystal", "CDC", "0", { 0, -.00783 }, { 1.4048, .68704 } },
-        { "crystal",
-          "205, Cyber!",
-          "<-.1, .2, 0>",
-          { 0, .00096 },
-          { 4.51564, 2.68514 } },
-        { "povlogo", "P", "0", { 0, .00194 }, { .66994, 1.00196 } },
+        { "cyrvetic", "C", "0", { 0, -.02102, .63602, .74901 } },
+        { "cyrvetic", "@", "0", { 0, -.15102, .90602, .71602 } },
+        { "cyrvetic", "CC", "0", { 0, -.02102, 1.33402, .74902 } },
+        { "cyrvetic", "CC", "<.1, .05, .2>", { 0, -.02102, 1.43402, .79903 } },
+        { "cyrvetic", "Crystal @", "0", { 0, -.22302, 4.23602, .74907 } },
+        { "timrom", "A", "0", { 0, 0, .73602, .69601 } },
+        { "timrom", "AV", "0", { 0, -.01602, 1.27802, .69602 } },
+        { "timrom", "AVTo 205&gi", "0", { 0, -.21202, 5.69102, .6961 } },
+        { "timrom", "WAVE Tolstoy", "0", { 0, -.21202, 6.00102, .6961 } },
+        { "timrom", "\\u00c9\\u00fc", "0", { 0, 0, 1.01202, .61802 } },
+        { "crystal", "CDC", "0", { 0, -.00783, 1.4048, .68704 } },
+        { "crystal", "205, Cyber!", "<-.1, .2, 0>", { 0, .00096, 4.51564, 2.68514 } },
+        { "povlogo", "P", "0", { 0, .00194, .66994, 1.00196 } },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
@@ -118,8 +114,8 @@ TEST(extents)
                                            rows[i].offset);
         extent_of(scene, low, high);
         for (int k = 0; k < 2; k++) {
-            assert_close(low[k], rows[i].low[k], WITHIN);
-            assert_close(high[k], rows[i].high[k], WITHIN);
+            assert_close(low[k], rows[i].extent[k], WITHIN);
+            assert_close(high[k], rows[i].extent[2 + k], WITHIN);
         }
         assert_close(low[2], 0, 0);
         assert_close(high[2], 1, 0);
