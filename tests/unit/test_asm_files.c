@@ -222,8 +222,7 @@ TEST(refused_files)
     check_refused("c205-object 1\nsegment 40 9999999\nend\n", "before its last word");
     check_refused("c205-object 1\nzeros 40 99999999\nend\n", "too large");
     check_refused("c205-object 1\nzeros FFFFFFFFFFC0 2\nend\n", "the last address");
-    check_refused("c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\n"
-                  "end\n",
+    check_refused("c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\nend\n",
                   "too many words");
     check_refused("c205-object 1\nregion 40 40 x\nend\n", "after it begins");
     check_refused("c205-object 1\nexpect half 0 0 0 1 x\nend\n", "number of words");

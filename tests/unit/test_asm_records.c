@@ -122,9 +122,8 @@ static const struct asm_error wrong_texts[] = {
     { " .record a\n .field b 2\n .endrecord\n", 2, 11, "the end" },
     { " .record a\n .field b, 70000000\n .endrecord\n", 2, 12,
       "a number of words from 0 to 67108864" },
-    { " .record a\n .field b, 60000000\n .field c, 60000000\n"
-      " .endrecord\n",
-      3, 12, "from 0 to 7108864" },
+    { " .record a\n .field b, 60000000\n .field c, 60000000\n .endrecord\n", 3, 12,
+      "from 0 to 7108864" },
     { " .record a\n .field b, later\n .endrecord\nlater: EXIT\n", 2, 12,
       "not defined before" },
     { " .record a\n .at -1\n .endrecord\n", 2, 6, "a position in the record" },

@@ -33,24 +33,20 @@ static const struct asm_error warnings[] = {
     { " .share\n .reg a, r5\n .endshare\n .reg b, r5\n", 0, 0, "" },
     { " .share\n .reg a, r5\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
     { " .reg a, r5\n .share x\n .reg b, r5\n .endshare\n", 3, 7, "'a'" },
-    { " .share x\n .reg a, r5\n .endshare\n"
-      " .share x\n .reg b, r5\n .endshare\n",
-      0, 0, "" },
-    { " .share x\n .reg a, r5\n .endshare\n"
-      " .share y\n .reg b, r5\n .endshare\n",
-      5, 7, "already 'a'" },
+    { " .share x\n .reg a, r5\n .endshare\n .share x\n .reg b, r5\n .endshare\n", 0, 0,
+      "" },
+    { " .share x\n .reg a, r5\n .endshare\n .share y\n .reg b, r5\n .endshare\n", 5, 7,
+      "already 'a'" },
     { " .share x\n .reg a, r5\n .endshare\n"
       " .share y\n .share x\n .reg b, r5\n .endshare\n .endshare\n",
       0, 0, "" },
     { " .share\n .share x\n .reg a, r5\n .endshare\n"
       " .share y\n .reg b, r5\n .endshare\n .endshare\n",
       6, 7, "already 'a'" },
-    { " .share\n .reg a, r5\n .share x\n .reg b, r5\n .endshare\n"
-      " .endshare\n",
-      4, 7, "already 'a'" },
-    { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n"
-      " .endshare\n",
-      0, 0, "" },
+    { " .share\n .reg a, r5\n .share x\n .reg b, r5\n .endshare\n .endshare\n", 4, 7,
+      "already 'a'" },
+    { " .share\n .reg a, r5\n .share\n .reg b, r5\n .endshare\n .endshare\n", 0, 0,
+      "" },
     /* An alias belongs to the block of the name that it refers to. */
     { " .share x\n .reg a, r5\n .endshare\n .reg b, a\n"
       " .share x\n .reg c, r5\n .endshare\n",
