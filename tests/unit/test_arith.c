@@ -208,7 +208,7 @@ static void roots(void)
 
 /* ---- Parts of a number, sign -------------------------------------------- */
 
-static void integer_parts_and_signs(void)
+static void parts(void)
 {
     UNARY(truncate, N(-1, 5), N(0, 2), 0);
     UNARY(floor, N(-1, 5), N(0, 2), 0);
@@ -246,7 +246,7 @@ static void integer_parts_and_signs(void)
     UNARY(absolute, IND | ANY, IND, INDEFINITE_FLAG);
 }
 
-static void exponent_and_pack(void)
+static void exponents(void)
 {
     int64_t least = -(INT64_C(1) << (size->format.exponent_bits - 1));
 
@@ -351,7 +351,7 @@ static c205_word any(uint64_t *seed)
 
 /* Sums and products commute. Upper and lower results hold the whole register, so that
  * their sum is the normalised result. */
-static void sums_and_products(void)
+static void laws_of_sums(void)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
 
@@ -372,7 +372,7 @@ static void sums_and_products(void)
 }
 
 /* r = root of c satisfies r^2 <= c <= (r + 1)^2, with products of the machine. */
-static void roots_and_squares(void)
+static void laws_of_roots(void)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
     c205_word step = UINT64_C(1) << format_padding(size->format);
@@ -391,18 +391,10 @@ static void roots_and_squares(void)
 
 TEST(rules)
 {
-    static void (*const rules[])(void) = { format,
-                                           sums,
-                                           products,
-                                           quotients,
-                                           roots,
-                                           integer_parts_and_signs,
-                                           exponent_and_pack,
-                                           adjust,
-                                           compare,
-                                           shift,
-                                           sums_and_products,
-                                           roots_and_squares };
+    static void (*const rules[])(void) = {
+        format,    sums,   products, quotients, roots,        parts,
+        exponents, adjust, compare,  shift,     laws_of_sums, laws_of_roots,
+    };
 
     for (size = sizes; size < sizes + COUNT(sizes); size++)
         for (size_t i = 0; i < COUNT(rules); i++)
