@@ -282,19 +282,11 @@ static bool find_and_print(const struct rt205_arguments *arguments,
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments,
-               const struct command_output *results)
+static int find_in_scene(const struct rt205_arguments *arguments,
+                         const struct command_output *results)
 {
-    struct scene *scene = cmd_read_scene(arguments);
-    c205_error error = { "" };
-    bool good;
-
-    if (!scene)
-        return CMD_FAILED;
-    good = arguments->heat.hits ? cmd_heat_hits(arguments, scene, results, &error)
-                                : find_and_print(arguments, scene, results, &error);
-    scene_free(scene);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
+    return cmd_with_scene(arguments, results,
+                          arguments->heat.hits ? cmd_heat_hits : find_and_print);
 }
 
 /* Returns the reason why some options exclude each other, or NULL. */
@@ -333,7 +325,7 @@ static int run_command_line(void *given)
     if (why)
         return cmd_usage(arguments->command, "%s", why);
     code = cmd_check_picture(arguments);
-    return code == CMD_DONE ? cmd_with_jobs(arguments, run) : code;
+    return code == CMD_DONE ? cmd_with_jobs(arguments, find_in_scene) : code;
 }
 
 static const char *points_choice(size_t number)

@@ -208,18 +208,10 @@ static bool find_and_print(const struct rt205_arguments *arguments,
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments,
-               const struct command_output *results)
+static int find_in_scene(const struct rt205_arguments *arguments,
+                         const struct command_output *results)
 {
-    struct scene *scene = cmd_read_scene(arguments);
-    c205_error error = { "" };
-    bool good;
-
-    if (!scene)
-        return CMD_FAILED;
-    good = find_and_print(arguments, scene, results, &error);
-    scene_free(scene);
-    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
+    return cmd_with_scene(arguments, results, find_and_print);
 }
 
 /* Moves a share such as 1/4 from the list of parts to the job set. No part has a name
@@ -253,7 +245,7 @@ static int run_command_line(void *given)
                          "--part cannot be combined with --tolerance: each round "
                          "depends on all units");
     arguments->trace.width = arguments->trace.height = 1;
-    return cmd_with_jobs(arguments, run);
+    return cmd_with_jobs(arguments, find_in_scene);
 }
 
 static const char *points_choice(size_t number)

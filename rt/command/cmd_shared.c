@@ -98,6 +98,20 @@ struct scene *cmd_read_scene(const struct rt205_arguments *arguments)
     return scene;
 }
 
+int cmd_with_scene(const struct rt205_arguments *arguments,
+                   const struct command_output *results, cmd_scene_function *function)
+{
+    struct scene *scene = cmd_read_scene(arguments);
+    c205_error error = { "" };
+    bool good;
+
+    if (!scene)
+        return CMD_FAILED;
+    good = function(arguments, scene, results, &error);
+    scene_free(scene);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
+}
+
 int cmd_check_picture(const struct rt205_arguments *arguments)
 {
     struct picture_error why;

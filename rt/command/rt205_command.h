@@ -228,6 +228,14 @@ int cmd_check_picture(const struct rt205_arguments *arguments);
 /* Reads the scene of the arguments. Its diagnostics go to stderr. Returns NULL
  * after reporting its errors. */
 struct scene *cmd_read_scene(const struct rt205_arguments *arguments);
+/* Reads the scene, calls the function with it, and prints its error if it fails. Returns the
+ * exit status. */
+typedef bool cmd_scene_function(const struct rt205_arguments *arguments,
+                                const struct scene *scene,
+                                const struct command_output *results,
+                                c205_error *error);
+int cmd_with_scene(const struct rt205_arguments *arguments,
+                   const struct command_output *results, cmd_scene_function *function);
 
 /* Makes Ctrl-C stop a trace, and a second Ctrl-C end the process, and shows
  * progress on stderr if that is a terminal. Both use the progress of the trace
