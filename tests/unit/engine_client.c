@@ -3,10 +3,14 @@
 
 #include "base/json.h"
 
-void talk_begin(struct talk *talk)
+struct talk talk_with(const char *text, const char *more)
 {
-    *talk = (struct talk){ .engine = engine_new() };
-    assert_non_null(talk->engine);
+    struct talk talk = { .engine = engine_new() };
+
+    assert_non_null(talk.engine);
+    if (text)
+        talk_load(&talk, text, more);
+    return talk;
 }
 
 static void forget(struct talk *talk)
@@ -16,7 +20,7 @@ static void forget(struct talk *talk)
     talk->arena = (struct arena){ 0 };
 }
 
-void talk_end(struct talk *talk)
+void talk_free(struct talk *talk)
 {
     forget(talk);
     engine_free(talk->engine);

@@ -13,8 +13,9 @@ struct talk {
     const struct json_value *reply; /* the last reply, parsed */
 };
 
-void talk_begin(struct talk *talk);
-void talk_end(struct talk *talk);
+/* Begins a conversation; with a program if the text is not NULL, loaded by talk_load. */
+struct talk talk_with(const char *text, const char *more);
+void talk_free(struct talk *talk);
 
 /* Sends raw bytes. Fails the test unless the reply is JSON whose "ok" is true or false,
  * with an "error" if it is false. */

@@ -7,18 +7,16 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/engine_client.h"
 
-/* ---- Static information
- * --------------------------------------------------------------------- */
+/* ---- Static information ---------------------------------------------------------- */
 
 TEST(about)
 {
     const struct json_value *about, *item;
     struct lessons lessons = { .count = 0 };
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(NULL, "");
     c205_error error;
     size_t i = 0;
 
-    talk_begin(&talk);
     about = talk_ask(&talk, "{'do': 'about'}");
     assert_string_equal(text_of(about, "version"), C205_VERSION);
     item = json_member_first(about, "instructions");
@@ -36,19 +34,17 @@ TEST(about)
         talk_ask(&talk, "{'do': 'grade', 'lesson': '%s', 'text': ' EXIT\\n'}",
                  lessons.items[i].name);
     lessons_free(&lessons);
-    talk_end(&talk);
 }
 
 TEST(load)
 {
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(
+        " .include \"own.inc\"\n EX r10, m\n EXIT\n .data\nx: .space 3\n",
+        ", 'defines': {'n': 7}, 'warm': true, 'files': {'own.inc': ' .equ m, n + "
+        "1\\n'}");
     const struct json_value *said;
 
-    talk_begin(&talk);
-    talk_load(&talk, " .include \"own.inc\"\n EX r10, m\n EXIT\n .data\nx: .space 3\n",
-              ", 'defines': {'n': 7}, 'warm': true, 'files': {'own.inc': ' .equ m, n + "
-              "1\\n'}");
-    assert_true(json_member_truth(talk.reply, "warm", false));
+    talk_says(&talk, "'warm': true");
     talk_says(&talk, "'lines': [2, 3]");
     talk_says(&talk, "{'name': 'm', 'label': false, 'value': 8");
     talk_says(&talk, "'contents': 'words', 'count': 3");
@@ -58,25 +54,21 @@ TEST(load)
     talk_refused(&talk, "program.s cannot be assembled: 1 error",
                  "{'do': 'load', 'text': ' EXIT\\n  ADDNX r1\\n'}");
     said = json_member_first(talk.reply, "diagnostics");
-    assert_true(number_of(said, "line") == 2);
-    assert_true(number_of(said, "column") == 3);
-    assert_true(number_of(said, "length") == 5);
+    assert_true(number_of(said, "line") == 2 && number_of(said, "column") == 3
+                && number_of(said, "length") == 5);
     talk_ask(&talk, "{'do': 'view'}");
     assert_true(number_of(talk.reply, "step") == 1);
-    talk_end(&talk);
 }
 
 /* The last instruction, and the operands of the next. */
 TEST(instructions)
 {
-    struct talk talk;
+    SCOPED_VALUE(talk) talk =
+        talk_with(" .include \"vectors.s\"\n .regs r16, a, b, z\n words a, 1.0, "
+                  "-2.0\n words b\n bits z, \"10\"\n ADDNV [a], [a], [b] ? [z]\n "
+                  "EXIT\n",
+                  AND_PRIOR);
 
-    talk_begin(&talk);
-    talk_load(&talk,
-              " .include \"vectors.s\"\n .regs r16, a, b, z\n words a, 1.0, "
-              "-2.0\n words b\n bits z, \"10\"\n ADDNV [a], [a], [b] ? [z]\n "
-              "EXIT\n",
-              AND_PRIOR);
     talk_ask(&talk, "{'do': 'breaks', 'lines': [6]}");
     talk_ask(&talk, "{'do': 'go', 'how': 'continue'}");
     talk_ask(&talk, "{'do': 'view'}");
@@ -95,16 +87,13 @@ TEST(instructions)
               "'changed': true");
     talk_says(&talk, "'kind': 'bits'");
     talk_says(&talk, "'values': '10'");
-    talk_end(&talk);
 }
 
 TEST(trap)
 {
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(" ES r10, 64\n LOD [r10], r11\n EXIT\n", "");
     double clocks;
 
-    talk_begin(&talk);
-    talk_load(&talk, " ES r10, 64\n LOD [r10], r11\n EXIT\n", "");
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     assert_string_equal(text_of(talk.reply, "why"), "trap");
     assert_non_null(strstr(text_of(talk.reply, "message"), "program.s:2"));
@@ -113,7 +102,6 @@ TEST(trap)
     talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "trap"), "unmapped-address");
     assert_true(number_of(talk.reply, "clock") == clocks);
-    talk_end(&talk);
 }
 
 /* ---- Bad requests ---------------------------------------------------------------- */
@@ -200,15 +188,13 @@ TEST(bad)
         { "{'do': 'timeline', 'file': 'x.png'}", ".kanata" },
         { "{'do': 'say', 'line': 'step\\nstep'}", "one line" },
     };
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(NULL, "");
 
-    talk_begin(&talk);
     for (size_t i = 0; i < COUNT(cases); i++)
         talk_refused(&talk, cases[i].why, "%s", cases[i].request);
     talk_load(&talk, " .data\nx: .space 4\n .code\n EXIT\n", "");
     for (size_t i = 0; i < COUNT(with_program); i++)
         talk_refused(&talk, with_program[i].why, "%s", with_program[i].request);
-    talk_end(&talk);
 }
 
 /* ---- Random requests ------------------------------------------------------------- */
@@ -275,9 +261,8 @@ static void change_byte(char *text)
 TEST(chance)
 {
     enum { ROUNDS = 3000 };
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(NULL, "");
 
-    talk_begin(&talk);
     engine_bound(talk.engine, 200000);
     for (size_t i = 0; i < ROUNDS; i++) {
         char text[4096];
@@ -290,7 +275,6 @@ TEST(chance)
             change_byte(text);
         talk_bytes(&talk, text, strlen(text));
     }
-    talk_end(&talk);
 }
 
 GROUP(set_up_model, tear_down_model);

@@ -53,12 +53,9 @@ TEST(slices)
         "{'do': 'timeline', 'most': 100",
     };
     enum { REQUESTS = COUNT(requests), ROUNDS = 50 };
-    struct talk whole, sliced;
+    SCOPED_VALUE(talk) whole = talk_with(long_program, "");
+    SCOPED_VALUE(talk) sliced = talk_with(long_program, "");
 
-    talk_begin(&whole);
-    talk_begin(&sliced);
-    talk_load(&whole, long_program, "");
-    talk_load(&sliced, long_program, "");
     talk_ask(&whole, "{'do': 'breaks', 'lines': [8]}");
     talk_ask(&sliced, "{'do': 'breaks', 'lines': [8]}");
     for (size_t i = 0; i < ROUNDS; i++) {
@@ -73,8 +70,6 @@ TEST(slices)
         talk_ask(&sliced, "{'do': 'view'}");
         assert_string_equal(sliced.text, whole.text);
     }
-    talk_end(&whole);
-    talk_end(&sliced);
 }
 
 /* A sweep and a comparison in slices give the same replies. */
@@ -86,10 +81,9 @@ TEST(other_work)
         "on\\non: IS r12, 1\\n DBNZ r10, [r11]\\n EXIT\\n'}, {'name': 'b', 'text': ' "
         "EXIT\\n'}]",
     };
-    struct talk whole, sliced;
+    SCOPED_VALUE(talk) whole = talk_with(NULL, "");
+    SCOPED_VALUE(talk) sliced = talk_with(NULL, "");
 
-    talk_begin(&whole);
-    talk_begin(&sliced);
     for (size_t i = 0; i < 2; i++) {
         size_t count = 0;
 
@@ -101,17 +95,14 @@ TEST(other_work)
         assert_string_equal(sliced.text, whole.text);
     }
     assert_non_null(strstr(whole.text, "The second takes"));
-    talk_end(&whole);
-    talk_end(&sliced);
 }
 
 /* The limit stops an endless program, which can then be continued. */
 TEST(limit)
 {
-    struct talk talk;
+    static const char text[] = " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n";
+    SCOPED_VALUE(talk) talk = talk_with(text, "");
 
-    talk_begin(&talk);
-    talk_load(&talk, " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n", "");
     for (int i = 0; i < 2; i++) {
         talk_ask(&talk, "{'do': 'go', 'how': 'end', 'limit': 100000}");
         assert_string_equal(text_of(talk.reply, "why"), "limit");
@@ -124,7 +115,6 @@ TEST(limit)
     talk_ask(&talk, "{'do': 'compare', 'texts': [{'text': 'on: BIM on\\n'}, {'text': "
                     "' EXIT'}], 'limit': 262145, 'clocks': 1}");
     talk_refused(&talk, "the clock limit is reached", "{'do': 'more', 'clocks': 1}");
-    talk_end(&talk);
 }
 
 GROUP(set_up_model, tear_down_model);

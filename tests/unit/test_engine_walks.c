@@ -9,6 +9,7 @@
 #include "tests/unit/random_walk.h"
 #include "tests/unit/plain_run.h"
 #include "tests/unit/engine_client.h"
+#include "tests/unit/saved_machine.h"
 
 /* ---- A separate machine -------------------------------------------------------- */
 
@@ -34,19 +35,17 @@ static void keep_last(void *context, const c205 *machine, const c205_event *even
 /* Runs a new machine for `steps` steps from the beginning. */
 static void fresh_run(struct fresh *fresh, const struct object *object, uint64_t steps)
 {
-    c205_error error;
     c205_stop stop;
 
-    *fresh = (struct fresh){ .machine = c205_new(prior_model, &error) };
+    *fresh = (struct fresh){ .machine = machine_with(&object->program, prior_model) };
     fresh->printer.sink = text_buffer_sink(&fresh->printed);
-    assert_true(c205_load(fresh->machine, &object->program, &error));
     assert_true(c205_listen(fresh->machine, printer_listen, &fresh->printer));
     assert_true(c205_listen(fresh->machine, keep_last, fresh));
     for (; steps > 0; steps--)
         c205_step(fresh->machine, &stop);
 }
 
-static void fresh_end(struct fresh *fresh)
+static void fresh_free(struct fresh *fresh)
 {
     c205_free(fresh->machine);
     text_buffer_free(&fresh->printed);
@@ -121,7 +120,7 @@ static void check_accounts(const struct json_value *view, const c205 *machine)
 {
     const struct json_value *reported = json_member(view, "accounts");
     const struct json_value *region = json_member_first(reported, "regions");
-    struct accounts accounts = { .model = prior_model };
+    SCOPED_VALUE(accounts) accounts = { .model = prior_model };
     c205_account all;
 
     assert_true(accounts_add(&accounts, machine));
@@ -136,7 +135,6 @@ static void check_accounts(const struct json_value *view, const c205 *machine)
         region = region->next;
     }
     assert_null(region);
-    accounts_free(&accounts);
 }
 
 static void check_vectors(const struct json_value *view, const struct object *object,
@@ -177,7 +175,7 @@ static void check_place(struct walk *walk, const char *asked)
 {
     const struct json_value *view = talk_ask(&walk->talk,
                                              "{'do': 'view', 'all-registers': true}");
-    struct fresh fresh;
+    SCOPED_VALUE(fresh) fresh;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
     if (number_of(view, "step") != (double)walk->step)
@@ -194,7 +192,6 @@ static void check_place(struct walk *walk, const char *asked)
     check_last(view, &fresh);
     check_accounts(view, fresh.machine);
     check_vectors(view, walk->plain.object, fresh.machine);
-    fresh_end(&fresh);
 }
 
 static const char *why_at(const struct walk *walk, uint64_t step)
@@ -271,25 +268,10 @@ static void go_next(struct walk *walk)
     go(walk, "next", 1, step, why_at(walk, step));
 }
 
-static void go_back_to_stop(struct walk *walk)
-{
-    uint64_t step = plain_back(&walk->plain, &walk->stops, walk->step);
-
-    go(walk, "reverse-continue", 1, step, step > 0 ? "breakpoint" : "start");
-}
-
-static void go_to_clock(struct walk *walk)
-{
-    const struct plain *plain = &walk->plain;
-    uint64_t clock = 1 + below(plain->moments[plain->end].clock);
-    uint64_t step = plain_to_clock(plain, 0, clock);
-
-    go(walk, "clock-to", clock, step, step == plain->end ? "end" : "moved");
-}
-
 static void move(struct walk *walk)
 {
-    uint64_t end = walk->plain.end, n = 1 + below(20);
+    const struct plain *plain = &walk->plain;
+    uint64_t end = plain->end, n = 1 + below(20), step;
 
     switch (below(10)) {
     case 0: go_on(walk, "continue", UINT64_C(1) << 40); break;
@@ -298,12 +280,19 @@ static void move(struct walk *walk)
         if (walk->step > 0)
             go(walk, "back", n, walk->step > n ? walk->step - n : 0, "moved");
         break;
-    case 3: go_back_to_stop(walk); break;
+    case 3:
+        step = plain_back(plain, &walk->stops, walk->step);
+        go(walk, "reverse-continue", 1, step, step > 0 ? "breakpoint" : "start");
+        break;
     case 4:
         n = below(end + 1);
         go(walk, "step-to", n, n, n == end ? "end" : "moved");
         break;
-    case 5: go_to_clock(walk); break;
+    case 5:
+        n = 1 + below(plain->moments[end].clock);
+        step = plain_to_clock(plain, 0, n);
+        go(walk, "clock-to", n, step, step == end ? "end" : "moved");
+        break;
     case 6: go(walk, "end", 1, end, "end"); break;
     case 7: go_next(walk); break;
     case 8:
@@ -328,22 +317,18 @@ static void walk_by_chance(struct walk *walk, size_t moves)
 
 static void walk_begin(struct walk *walk)
 {
-    struct text_buffer text;
-    struct diagnostics said = { 0 };
+    SCOPED_VALUE(text_buffer) text;
+    SCOPED_VALUE(diagnostics) said = { 0 };
 
     draw_walk(&random_state, &text);
-    *walk = (struct walk){ .step = 0 };
+    *walk = (struct walk){ .talk = talk_with(text.text, AND_PRIOR) };
     walk->plain = run_plainly(assemble_text("program.s", text.text, NULL, &said),
                               &random_state);
-    talk_begin(&walk->talk);
-    talk_load(&walk->talk, text.text, AND_PRIOR);
-    text_buffer_free(&text);
-    diagnostics_free(&said);
 }
 
-static void walk_end(struct walk *walk)
+static void walk_free(struct walk *walk)
 {
-    talk_end(&walk->talk);
+    talk_free(&walk->talk);
     object_free(walk->plain.object);
     free(walk->plain.moments);
 }
@@ -353,12 +338,11 @@ TEST(walks)
     enum { ROUNDS = 10, MOVES = 40 };
 
     for (size_t i = 0; i < ROUNDS; i++) {
-        struct walk walk;
+        SCOPED_VALUE(walk) walk;
 
         walk_begin(&walk);
         check_place(&walk, "load");
         walk_by_chance(&walk, MOVES);
-        walk_end(&walk);
     }
 }
 
@@ -367,22 +351,12 @@ TEST(walks)
 /* Keys of causes in tables are their names with underscores. */
 static uint64_t column_sum(const struct json_value *rows, int cause)
 {
-    char key[40];
+    const char *key = accounts_cause_columns[cause].key;
     uint64_t sum = 0;
 
-    snprintf(key, sizeof key, "%s", accounts_cause_columns[cause].key);
     for (const struct json_value *row = rows->first; row; row = row->next)
         sum += (uint64_t)number_of(row, key);
     return sum;
-}
-
-/* Returns a copy of the last reply, which the caller frees. */
-static char *copy_of_reply(const struct talk *talk)
-{
-    char *copy = malloc(strlen(talk->text) + 1);
-
-    assert_non_null(copy);
-    return strcpy(copy, talk->text);
 }
 
 static void check_same_view(struct talk *talk, const char *before)
@@ -393,7 +367,7 @@ static void check_same_view(struct talk *talk, const char *before)
 
 static void check_profile(struct walk *walk)
 {
-    struct fresh fresh;
+    SCOPED_VALUE(fresh) fresh;
     const struct json_value *rows;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
@@ -402,7 +376,6 @@ static void check_profile(struct walk *walk)
         assert_int_equal(column_sum(rows, cause),
                          clocks_of_cause(fresh.machine, (c205_cause)cause));
     }
-    fresh_end(&fresh);
 }
 
 /* The charged pieces of the timeline must adjoin each other up to the last known
@@ -412,7 +385,7 @@ static void check_timeline(struct walk *walk)
     const struct json_value *reply = talk_ask(&walk->talk,
                                               "{'do': 'timeline', 'most': 50000}");
     uint64_t clock = 0, by_cause[C205_CAUSES] = { 0 };
-    struct fresh fresh;
+    SCOPED_VALUE(fresh) fresh;
 
     assert_false(json_member_truth(reply, "full", true));
     for (const struct json_value *piece = json_member_first(reply, "charged"); piece;
@@ -430,7 +403,6 @@ static void check_timeline(struct walk *walk)
     for (int cause = 0; cause < C205_CAUSES; cause++)
         assert_int_equal(by_cause[cause],
                          clocks_of_cause(fresh.machine, (c205_cause)cause));
-    fresh_end(&fresh);
     reply = talk_ask(&walk->talk, "{'do': 'timeline', 'file': 'x.svg'}");
     assert_non_null(strstr(text_of(reply, "file"), "<svg"));
 }
@@ -442,14 +414,14 @@ TEST(replays)
     enum { ROUNDS = 10, MOVES = 6 };
 
     for (size_t i = 0; i < ROUNDS; i++) {
-        struct walk walk;
-        char *before;
+        SCOPED_VALUE(walk) walk;
 
         walk_begin(&walk);
         for (size_t k = 0; k < MOVES; k++) {
             walk_by_chance(&walk, 3);
             talk_ask(&walk.talk, "{'do': 'view'}");
-            before = copy_of_reply(&walk.talk);
+            FREED char *before = strdup(walk.talk.text);
+            assert_non_null(before);
             check_profile(&walk);
             check_same_view(&walk.talk, before);
             check_timeline(&walk);
@@ -457,24 +429,20 @@ TEST(replays)
             talk_ask(&walk.talk, "{'do': '%s', 'ms': 0}",
                      below(2) ? "profile" : "timeline");
             check_same_view(&walk.talk, before);
-            free(before);
         }
-        walk_end(&walk);
     }
 }
 
 /* After a change of a register, the profile is that of the changed run. */
 TEST(changed)
 {
-    struct talk talk;
+    SCOPED_VALUE(talk) talk =
+        talk_with("        ES r10, 100\n        EX r11, on\non:     IS r12, 1\n"
+                  "        DBNZ r10, [r11]\n        EXIT\n",
+                  AND_PRIOR);
     const struct json_value *rows, *account;
     double clocks;
 
-    talk_begin(&talk);
-    talk_load(&talk,
-              "        ES r10, 100\n        EX r11, on\non:     IS r12, 1\n"
-              "        DBNZ r10, [r11]\n        EXIT\n",
-              AND_PRIOR);
     talk_ask(&talk, "{'do': 'go', 'how': 'step', 'n': 10}");
     talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 5'}");
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
@@ -484,7 +452,6 @@ TEST(changed)
     for (; rows; rows = rows->next)
         clocks -= number_of(rows, "clocks");
     assert_true(clocks == 0);
-    talk_end(&talk);
 }
 
 /* The page shows the program's output as a text of its own. An open line in it
@@ -495,43 +462,41 @@ TEST(open_line)
                                "        EXIT r10, r0, 2\n"
                                "        EXIT\n";
     static const char *const lines[] = { "step 2", "account", "continue", "where" };
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(text, "");
 
-    talk_begin(&talk);
-    talk_load(&talk, text, "");
     for (size_t i = 0; i < COUNT(lines); i++) {
         talk_ask(&talk, "{'do': 'say', 'line': '%s'}", lines[i]);
         assert_true(*text_of(talk.reply, "text") > ' ');
     }
     talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "printed"), "9");
-    talk_end(&talk);
 }
 
 /* After a change of a register, the output is that of the changed run. */
 TEST(changed_prints)
 {
+    static const struct {
+        const char *requests[2], *printed;
+    } rows[] = {
+        { { "{'do': 'go', 'how': 'end'}", "{'do': 'go', 'how': 'step-to', 'n': 6}" },
+          "9\n8" },
+        { { "{'do': 'say', 'line': 'set r10 = 2'}", "{'do': 'go', 'how': 'step'}" },
+          "9\n8\n" },
+        { { "{'do': 'say', 'line': 'set r10 = 2'}", "{'do': 'go', 'how': 'end'}" },
+          "9\n8\n1\n" },
+    };
     static const char text[] = "        ES r10, 9\n        EX r11, on\n"
                                "on:     EXIT r10, r0, 2\n"
                                "        EXIT r0, r0, 5\n"
                                "        DBNZ r10, [r11]\n        EXIT\n";
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(text, AND_PRIOR);
 
-    talk_begin(&talk);
-    talk_load(&talk, text, AND_PRIOR);
-    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
-    talk_ask(&talk, "{'do': 'go', 'how': 'step-to', 'n': 6}");
-    talk_ask(&talk, "{'do': 'view'}");
-    assert_string_equal(text_of(talk.reply, "printed"), "9\n8");
-    talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 2'}");
-    talk_ask(&talk, "{'do': 'go', 'how': 'step'}");
-    talk_ask(&talk, "{'do': 'view'}");
-    assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n");
-    talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 2'}");
-    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
-    talk_ask(&talk, "{'do': 'view'}");
-    assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n1\n");
-    talk_end(&talk);
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        talk_ask(&talk, "%s", rows[i].requests[0]);
+        talk_ask(&talk, "%s", rows[i].requests[1]);
+        talk_ask(&talk, "{'do': 'view'}");
+        assert_string_equal(text_of(talk.reply, "printed"), rows[i].printed);
+    }
 }
 
 /* The engine keeps a million characters of output of each run. */
@@ -541,10 +506,8 @@ TEST(cut)
         "        EX r10, 70000\n        EX r11, on\n"
         "        EX r12, 100000000000000\n"
         "on:     EXIT r12, r0, 2\n        DBNZ r10, [r11]\n        EXIT\n";
-    struct talk talk;
+    SCOPED_VALUE(talk) talk = talk_with(text, "");
 
-    talk_begin(&talk);
-    talk_load(&talk, text, "");
     talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     talk_ask(&talk, "{'do': 'view'}");
     assert_true(json_member_truth(talk.reply, "printed_cut", false));
@@ -558,7 +521,6 @@ TEST(cut)
     assert_false(json_member_truth(talk.reply, "printed_cut", true));
     assert_string_equal(text_of(talk.reply, "printed"),
                         "100000000000000100000000000000");
-    talk_end(&talk);
 }
 
 GROUP(set_up_model, tear_down_model);
