@@ -2,8 +2,8 @@
  * between any two elements or by a missing page, are compared with uninterrupted runs:
  * the same state, clock and accounts. An element that is lost or done twice, or a clock
  * that is charged twice, fails here. */
-#include "tests/unit/machine_fixture.h"
 #include "tests/unit/saved_machine.h"
+#include "tests/unit/scoped_machine.h"
 
 #include "vm/machine.h"
 
@@ -192,10 +192,9 @@ static void compare_text(const char *text, const c205_model *on, uint64_t clocks
 {
     char whole[4000];
     snprintf(whole, sizeof whole, "%s%s        EXIT\n", preamble, text);
-    struct object *object = good(whole);
+    SCOPED(object) *object = good(whole);
     compare_ends(machine_with(&object->program, on), machine_with(&object->program, on),
                  clocks);
-    object_free(object);
 }
 
 TEST(long_vectors)
@@ -221,9 +220,9 @@ TEST(overwritten_instruction)
         "there:  VTOV    [r5], [r6]\n"
         "        SUMV    [r6], r8\n"
         "        EXIT\n";
-    struct object *object = good(program);
-    c205 *whole = machine_with(&object->program, slow);
-    c205 *broken = machine_with(&object->program, slow);
+    SCOPED(object) *object = good(program);
+    SCOPED(c205) *whole = machine_with(&object->program, slow);
+    SCOPED(c205) *broken = machine_with(&object->program, slow);
     c205_stop one = c205_run(whole, C205_NO_LIMIT);
     c205_stop other = run_broken(&broken, 1, true);
     assert_int_equal(c205_register(whole, 8), 0);
@@ -231,12 +230,20 @@ TEST(overwritten_instruction)
     assert_same(whole, broken);
     c205_set_pc(broken, one.pc - 64); /* executes the new instruction */
     assert_int_equal(c205_run(broken, C205_NO_LIMIT).pc, one.pc - 64);
-    c205_free(whole);
-    c205_free(broken);
-    object_free(object);
 }
 
 /* ---- The middle pixel ---------------------------------------------------- */
+
+/* Loads the code, an operand of 100 ones and the descriptor of a result, whose first
+ * element is `offset` words after that of the operand. */
+static void load_ones(struct small_machine *fixture, uint64_t offset)
+{
+    load(fixture, 300);
+    set(fixture, 1, descriptor(DATA, 100));
+    set(fixture, 2, descriptor(DATA + offset * 64, 100));
+    for (size_t i = 0; i < 100; i++)
+        put_at(fixture, DATA + i * 64, C205_ONE);
+}
 
 /* Computes c = a + a for 100 elements, then their sum. */
 static void load_sum(struct small_machine *fixture)
@@ -245,11 +252,7 @@ static void load_sum(struct small_machine *fixture)
     add(fixture, "ADDNV", F(.a = 1, .b = 1, .c = 2));
     add(fixture, "SUMV", F(.a = 2, .c = 4));
     add(fixture, "EXIT", F(.r = 0));
-    load(fixture, 300);
-    set(fixture, 1, descriptor(DATA, 100));
-    set(fixture, 2, descriptor(DATA + 200 * 64, 100));
-    for (size_t i = 0; i < 100; i++)
-        put_at(fixture, DATA + i * 64, C205_ONE);
+    load_ones(fixture, 200);
 }
 
 static void assert_doubled(const struct small_machine *fixture, size_t count)
@@ -266,7 +269,7 @@ static uint64_t charged(const struct small_machine *fixture, c205_cause cause)
 
 TEST(in_the_middle)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     load_sum(&fixture);
     c205_stop stop = c205_run(fixture.machine, 51 + 20);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
@@ -288,13 +291,12 @@ TEST(in_the_middle)
     assert_true(c205_step(fixture.machine, &stop));
     assert_doubled(&fixture, 100);
     assert_int_equal(c205_pc(fixture.machine), CODE + 64);
-    free_small_machine(&fixture);
 }
 
 /* A sum is written to its register only when it is complete. */
 TEST(result_at_the_end)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     c205_stop stop;
     load_sum(&fixture);
     assert_true(c205_step(fixture.machine, &stop));
@@ -306,26 +308,20 @@ TEST(result_at_the_end)
     assert_int_equal(get(&fixture, 4), 0);
     assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
     assert_int_equal(get(&fixture, 4), c205_from_double(200));
-    free_small_machine(&fixture);
 }
 
 /* A linked pair computes the quotients by two, plus one. At clock 113 + k,
  * k / 1.625 elements are done. */
 TEST(in_the_middle_of_a_pair)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     c205_word one_and_half = c205_from_double(1.5);
-    begin(&fixture);
     add(&fixture, "LINKV", F(.f = 0));
     add(&fixture, "DIVSV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
     add(&fixture, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 2, .b = 4, .c = 2));
-    load(&fixture, 300);
-    set(&fixture, 1, descriptor(DATA, 100));
-    set(&fixture, 2, descriptor(DATA + 200 * 64, 100));
+    load_ones(&fixture, 200);
     set(&fixture, 3, c205_from_double(2));
     set(&fixture, 4, C205_ONE);
-    for (size_t i = 0; i < 100; i++)
-        put_at(&fixture, DATA + i * 64, C205_ONE);
     c205_stop stop = c205_run(fixture.machine, 113 + 26);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
     assert_int_equal(stop.pc, CODE);
@@ -334,16 +330,13 @@ TEST(in_the_middle_of_a_pair)
     for (size_t i = 0; i < 100; i++)
         assert_int_equal(word_at(&fixture, DATA + (200 + i) * 64),
                          i < 16 ? one_and_half : 0);
-    free_small_machine(&fixture);
 }
 
 /* An element that waits for an earlier one is not counted until it is done. */
 TEST(in_the_middle_of_a_recurrence)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     uint64_t fault = 1030;
-    c205_stop stop;
-    begin(&fixture);
     add(&fixture, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
     add(&fixture, "EXIT", F(.r = 0));
     load(&fixture, 300);
@@ -354,63 +347,45 @@ TEST(in_the_middle_of_a_recurrence)
     assert_int_equal(c205_clock(fixture.machine), 51 + 20);
     assert_int_equal(word_at(&fixture, DATA + 40 * 64), c205_from_double(40));
     assert_int_equal(word_at(&fixture, DATA + 41 * 64), 0);
-    stop = run(&fixture);
-    assert_int_equal(stop.trap, C205_TRAP_NONE);
+    assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
     assert_int_equal(word_at(&fixture, DATA + 100 * 64), c205_from_double(100));
     assert_int_equal(c205_clock(fixture.machine), 51 + fault + 50 + 99 * 51);
-    free_small_machine(&fixture);
 }
 
-static uint64_t whole_time(struct small_machine *fixture)
+/* Setting the program counter abandons the instruction; its time remains. Resetting the
+ * clock does not abandon it: its first operand has already been read. */
+TEST(given_up_or_reset)
 {
-    load_sum(fixture);
-    assert_int_equal(run(fixture).trap, C205_TRAP_NONE);
-    return c205_clock(fixture->machine);
-}
-
-/* Setting the program counter abandons the instruction; its time remains. */
-TEST(given_up)
-{
-    struct small_machine fixture = make_small_machine();
-    uint64_t whole = whole_time(&fixture);
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     load_sum(&fixture);
-    c205_run(fixture.machine, 71);
-    c205_set_pc(fixture.machine, CODE);
-    assert_int_equal(c205_clock(fixture.machine), 71);
     assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
-    assert_doubled(&fixture, 100);
-    assert_int_equal(c205_clock(fixture.machine), 71 + whole);
-    free_small_machine(&fixture);
-}
-
-/* Resetting the clock does not abandon the instruction. */
-TEST(reset_clock)
-{
-    struct small_machine fixture = make_small_machine();
-    uint64_t whole = whole_time(&fixture);
-    load_sum(&fixture);
-    c205_run(fixture.machine, 71);
-    c205_reset_clock(fixture.machine);
-    put_at(&fixture, DATA, C205_MACHINE_ZERO); /* already read */
-    assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
-    assert_doubled(&fixture, 100);
-    assert_int_equal(c205_clock(fixture.machine), whole);
-    free_small_machine(&fixture);
+    uint64_t whole = c205_clock(fixture.machine);
+    for (int reset = 0; reset < 2; reset++) {
+        load_sum(&fixture);
+        c205_run(fixture.machine, 71);
+        if (reset) {
+            c205_reset_clock(fixture.machine);
+            put_at(&fixture, DATA, C205_MACHINE_ZERO);
+        } else {
+            c205_set_pc(fixture.machine, CODE);
+            assert_int_equal(c205_clock(fixture.machine), 71);
+        }
+        assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
+        assert_doubled(&fixture, 100);
+        assert_int_equal(c205_clock(fixture.machine), whole + (reset ? 0 : 71));
+    }
 }
 
 /* After the clock is reset in the middle of an instruction, the job interval timer
  * keeps its remaining time. The same holds for a machine that is restored there. */
 TEST(reset_timer)
 {
-    struct small_machine fixture = make_small_machine();
-    begin(&fixture);
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     add(&fixture, "WJTIME", F(.r = 3));
     add(&fixture, "ADDNV", F(.a = 1, .b = 1, .c = 2));
     add(&fixture, "RJTIME", F(.t = 4));
     add(&fixture, "EXIT", F(.r = 0));
-    load(&fixture, 300);
-    set(&fixture, 1, descriptor(DATA, 100));
-    set(&fixture, 2, descriptor(DATA + 200 * 64, 100));
+    load_ones(&fixture, 200);
     set(&fixture, 3, 1000);
     c205_run(fixture.machine, 71);
     assert_true(fixture.machine->resume.first > 0);
@@ -418,19 +393,17 @@ TEST(reset_timer)
     c205_reset_clock(fixture.machine);
     assert_int_equal(run(&fixture).trap, C205_TRAP_NONE);
     assert_int_equal(get(&fixture, 4), 1000 - 71 - 1);
-    free_small_machine(&fixture);
 }
 
 /* The clock limit is checked before the instruction is decoded. */
 TEST(limit_before_undefined)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     load(&fixture, 1);
     c205_stop stop = c205_run(fixture.machine, 0);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
     assert_null(stop.insn);
     assert_int_equal(run(&fixture).trap, C205_TRAP_UNDEFINED_INSTRUCTION);
-    free_small_machine(&fixture);
 }
 
 /* ---- Pages --------------------------------------------------------------- */
@@ -447,8 +420,9 @@ static void map_next_page(c205 *machine)
     assert_true(c205_write(machine, NEXT_PAGE, words, 60));
 }
 
-/* A vector across the end of a page, with other results in flight. */
-static void load_crossing(struct small_machine *fixture)
+/* A vector across the end of a page, or a short one before it, with other results in
+ * flight. */
+static void load_crossing(struct small_machine *fixture, bool short_one)
 {
     begin(fixture);
     add(fixture, "LOD", F(.r = 4, .t = 5));
@@ -458,51 +432,37 @@ static void load_crossing(struct small_machine *fixture)
     add(fixture, "ADDN", F(.r = 9, .s = 7, .t = 10));
     add(fixture, "EXIT", F(.r = 0));
     load(fixture, 300);
-    set(fixture, 1, descriptor(NEXT_PAGE - 40 * 64, 100));
+    set(fixture, 1,
+        short_one ? descriptor(DATA, 30) : descriptor(NEXT_PAGE - 40 * 64, 100));
     set(fixture, 2, descriptor(DATA, 100));
     set(fixture, 4, DATA);
     set(fixture, 6, C205_ONE);
     set(fixture, 8, NEXT_PAGE);
 }
 
-/* After the missing page is mapped, the run ends as if the page had always been
- * there. */
+/* After the missing page is mapped, the run ends as if the page had always been there.
+ * The page is missed by the vector, or by a load of a scalar after a short vector. */
 TEST(missing_page)
 {
-    struct small_machine with = make_small_machine(), without = make_small_machine();
-    load_crossing(&with);
-    load_crossing(&without);
-    map_next_page(with.machine);
-    c205_stop stop = run(&without);
-    assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
-    assert_int_equal(stop.address, NEXT_PAGE);
-    assert_int_equal(word_at(&without, DATA), 0);
-    assert_sum(without.machine);
-    assert_true(charged(&without, C205_OPERAND_WAIT) > 30); /* results in flight */
-    without.machine = replace(without.machine);
-    map_next_page(without.machine);
-    assert_int_equal(run(&without).trap, C205_TRAP_NONE);
-    assert_int_equal(run(&with).trap, C205_TRAP_NONE);
-    assert_same(with.machine, without.machine);
-    free_small_machine(&with);
-    free_small_machine(&without);
-}
-
-TEST(missing_page_of_a_scalar)
-{
-    struct small_machine with = make_small_machine(), without = make_small_machine();
-    load_crossing(&with);
-    load_crossing(&without);
-    map_next_page(with.machine);
-    set(&with, 1, descriptor(DATA, 30));
-    set(&without, 1, descriptor(DATA, 30));
-    assert_int_equal(run(&without).trap, C205_TRAP_UNMAPPED_ADDRESS);
-    map_next_page(without.machine);
-    assert_int_equal(run(&without).trap, C205_TRAP_NONE);
-    assert_int_equal(run(&with).trap, C205_TRAP_NONE);
-    assert_same(with.machine, without.machine);
-    free_small_machine(&with);
-    free_small_machine(&without);
+    for (int scalar = 0; scalar < 2; scalar++) {
+        SCOPED_VALUE(small_machine) with = make_small_machine();
+        SCOPED_VALUE(small_machine) without = make_small_machine();
+        load_crossing(&with, scalar);
+        load_crossing(&without, scalar);
+        map_next_page(with.machine);
+        c205_stop stop = run(&without);
+        assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
+        assert_int_equal(stop.address, NEXT_PAGE);
+        assert_int_equal(word_at(&without, DATA) != 0, scalar);
+        assert_sum(without.machine);
+        if (!scalar) /* results in flight */
+            assert_true(charged(&without, C205_OPERAND_WAIT) > 30);
+        without.machine = replace(without.machine);
+        map_next_page(without.machine);
+        assert_int_equal(run(&without).trap, C205_TRAP_NONE);
+        assert_int_equal(run(&with).trap, C205_TRAP_NONE);
+        assert_same(with.machine, without.machine);
+    }
 }
 
 static void set_access(struct small_machine *fixture, c205_access access)
@@ -514,7 +474,8 @@ static void set_access(struct small_machine *fixture, c205_access access)
 /* An instruction that traps when it continues stays at the same element. */
 TEST(trap_in_the_middle)
 {
-    struct small_machine broken = make_small_machine(), whole = make_small_machine();
+    SCOPED_VALUE(small_machine) broken = make_small_machine();
+    SCOPED_VALUE(small_machine) whole = make_small_machine();
     load_sum(&broken);
     load_sum(&whole);
     c205_run(broken.machine, 71);
@@ -528,14 +489,12 @@ TEST(trap_in_the_middle)
     assert_int_equal(run(&broken).trap, C205_TRAP_NONE);
     assert_int_equal(run(&whole).trap, C205_TRAP_NONE);
     assert_same(broken.machine, whole.machine);
-    free_small_machine(&broken);
-    free_small_machine(&whole);
 }
 
 /* A list of indices that its result overwrites traps before anything is done. */
 TEST(bad_index_behind_the_limit)
 {
-    struct small_machine fixture = make_small_machine();
+    SCOPED_VALUE(small_machine) fixture = make_small_machine();
     add(&fixture, "VXTOV", F(.a = 1, .b = 2, .c = 3));
     load(&fixture, 300);
     set(&fixture, 1, descriptor(DATA, 40));
@@ -547,7 +506,6 @@ TEST(bad_index_behind_the_limit)
     c205_stop stop = c205_run(fixture.machine, 69 + 2);
     assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(word_at(&fixture, DATA + 64), 0);
-    free_small_machine(&fixture);
 }
 
 /* ---- The models ---------------------------------------------------------- */
