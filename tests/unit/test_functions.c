@@ -9,6 +9,7 @@
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/exact_functions.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/saved_machine.h"
 
 #include <inttypes.h>
 #include <limits.h>
@@ -158,14 +159,11 @@ static void compute(const char *name, const char *file, const char *result)
 {
     static char program[4096];
     size_t n = both.count;
-    struct object *object;
-    c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
 
     snprintf(program, sizeof program, text, STRIP, file, n, n, n, n, n, n, n, name, n,
              n, result, n, n, name);
-    object = good(program);
-    assert_true(c205_load(machine, &object->program, &error));
+    SCOPED(object) *object = good(program);
+    SCOPED(c205) *machine = machine_with(&object->program, prior_model);
     copy_words(machine, object, "xs", both.x, true);
     copy_words(machine, object, "ys", both.y, true);
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
@@ -178,8 +176,6 @@ static void compute(const char *name, const char *file, const char *result)
     assert_int_equal(c205_register(machine, 212) << 16 >> 16,
                      object_symbol(object, result)->value);
     assert_int_equal(c205_register(machine, 210) >> 48, n);
-    object_free(object);
-    c205_free(machine);
 }
 
 static void check_forms(const char *name)
@@ -448,7 +444,7 @@ static c205_word word_below(const mpfr_t value)
 
 TEST(polynomials)
 {
-    struct object *object = good(
+    SCOPED(object) *object = good(
         "        .include \"exp.s\"\n        .include \"log.s\"\n"
         "        .include \"sin.s\"\n        .include \"atan2.s\"\n"
         "        .include \"power.s\"\n        EXIT\n");
@@ -469,7 +465,6 @@ TEST(polynomials)
             mpfr_clear(exact[k]);
         }
     }
-    object_free(object);
 }
 
 /* The factors of power.s, and their logarithms in two parts: the first 30 binary digits
@@ -477,7 +472,7 @@ TEST(polynomials)
 TEST(factors)
 {
     enum { FACTORS = 33 };
-    struct object *object = good("        .include \"power.s\"\n        EXIT\n");
+    SCOPED(object) *object = good("        .include \"power.s\"\n        EXIT\n");
     const c205_program *program = &object->program;
     uint64_t c = (uint64_t)object_symbol(object, "power.factors")->value;
     uint64_t high = (uint64_t)object_symbol(object, "power.high")->value;
@@ -500,7 +495,6 @@ TEST(factors)
         assert_int_equal(word_of(program, low + 64 * j), word_below(part));
     }
     mpfr_clears(exact, part, (mpfr_ptr)NULL);
-    object_free(object);
 }
 
 FIXTURE(begin_all)

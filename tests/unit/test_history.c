@@ -7,6 +7,8 @@
 
 #include "base/hash.h"
 
+SCOPED_BY_FREE(c205_history);
+
 enum { PROGRAMS = 50, TARGETS = 40, MAX_STEPS = 2500, CHANGES = 2 };
 static size_t jumps = 100;
 /* A change of a register at a step, made from outside. */
@@ -60,7 +62,7 @@ static bool change_at(const struct story *story, c205 *machine, uint64_t step)
  * also records the state at each target step. */
 static uint64_t run_plainly(struct story *story, bool hashes)
 {
-    c205 *machine = begin(story);
+    SCOPED(c205) *machine = begin(story);
     uint64_t step = 0;
     c205_stop stop;
     bool goes_on = true;
@@ -72,7 +74,6 @@ static uint64_t run_plainly(struct story *story, bool hashes)
         goes_on = step < MAX_STEPS && c205_step(machine, &stop);
         step += goes_on;
     }
-    c205_free(machine);
     return step;
 }
 
@@ -111,21 +112,15 @@ static void go_on_to(c205_history *history, uint64_t step)
         assert_true(c205_history_forward(history, &stop));
 }
 
-/* Moves to the end of the unchanged run, before a trap, and back. */
-static void go_before(const struct story *story, c205_history *history)
-{
-    c205_error error;
-    go_on_to(history, story->steps_before);
-    assert_true(c205_history_back(history, 0, &error));
-}
-
-/* Applies all changes. In half of the stories the history has already run without
- * them. */
+/* Applies all changes. In half of the stories the history first moves to the end of the
+ * unchanged run, before a trap, and back. */
 static void go_through(const struct story *story, c205_history *history)
 {
     c205_error error;
-    if (below(2))
-        go_before(story, history);
+    if (below(2)) {
+        go_on_to(history, story->steps_before);
+        assert_true(c205_history_back(history, 0, &error));
+    }
     for (uint64_t step = 0; step <= story->steps; step++) {
         go_on_to(history, step);
         if (change_at(story, c205_history_machine(history), step))
@@ -152,17 +147,17 @@ TEST(jumps)
     struct story story;
     for (size_t number = 0; number < PROGRAMS; number++) {
         c205_error error;
-        c205_history *history;
         make_story(&story, number);
-        history = c205_history_new(begin(&story), below(2) * below(1 << 20), &error);
+        SCOPED(c205_model) *model = story.model;
+        SCOPED(c205_history) *history = c205_history_new(begin(&story),
+                                                         below(2) * below(1 << 20),
+                                                         &error);
         assert_non_null(history);
         go_through(&story, history);
         for (size_t i = 0; i < jumps; i++)
             jump(&story, history, below(TARGETS));
         assert_true(story.change_count == 0
                     || c205_history_known(history) == story.steps);
-        c205_history_free(history);
-        c205_model_free(story.model);
     }
 }
 
@@ -172,9 +167,9 @@ TEST(jumps)
 TEST(end)
 {
     c205_error error;
-    c205_model *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
     c205 *machine = machine_from("asm/examples/dot.s", model);
-    c205_history *history = c205_history_new(machine, 1 << 20, &error);
+    SCOPED(c205_history) *history = c205_history_new(machine, 1 << 20, &error);
     c205_stop stop, again;
     uint64_t end, clock;
     while (c205_history_forward(history, &stop))
@@ -190,23 +185,23 @@ TEST(end)
     assert_false(c205_history_forward(history, &again));
     assert_same_stop(&stop, &again);
     assert_int_equal(c205_clock(c205_history_machine(history)), clock);
-    c205_history_free(history);
-    c205_model_free(model);
 }
 
 /* ---- Times ---------------------------------------------------------------- */
 
 struct heard {
-    uint64_t clock, events, vectors;
-    bool ended;
+    uint64_t clock, vectors;
+    uint64_t sums[64][C205_CAUSES]; /* of all pieces, by region and cause */
 };
 
-static uint64_t sum_of(const c205_times *times)
+static uint64_t sum_of(const c205_times *times, struct heard *heard)
 {
     uint64_t sum = 0;
     for (size_t i = 0; i < times->piece_count; i++) {
-        assert_true(times->piece[i].clocks > 0);
-        sum += times->piece[i].clocks;
+        const c205_piece *piece = &times->piece[i];
+        assert_true(piece->clocks > 0);
+        sum += piece->clocks;
+        heard->sums[piece->region][piece->cause] += piece->clocks;
     }
     return sum;
 }
@@ -249,13 +244,10 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct heard *heard = context;
     const c205_times *times = event->record;
-    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST) {
-        assert_int_equal(sum_of(times), event->clocks);
-        heard->ended = true;
+    assert_int_equal(sum_of(times, heard), event->clocks);
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
-    }
     assert_int_equal(times->arrived, heard->clock);
-    assert_int_equal(sum_of(times), event->clocks);
     assert_int_equal(times->issued, event->issued);
     assert_in_range(times->issued, times->arrived, times->arrived + event->clocks);
     assert_true(times->ready >= times->issued && times->unit_free >= times->issued);
@@ -267,39 +259,22 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
         check_constants(machine, event);
     }
     heard->clock += event->clocks;
-    heard->events++;
 }
 
-/* The sum of all pieces of a run, by cause and region, must equal its accounts. */
-struct summed {
-    uint64_t clocks[64][C205_CAUSES];
-};
-
-static void add_up(void *context, const c205 *machine, const c205_event *event)
-{
-    struct summed *summed = context;
-    (void)machine;
-    for (size_t i = 0; event->record && i < event->record->piece_count; i++) {
-        const c205_piece *piece = &event->record->piece[i];
-        summed->clocks[piece->region][piece->cause] += piece->clocks;
-    }
-}
-
-/* Runs a machine to its end. Results in flight at the end belong to no instruction. */
+/* Runs a machine to its end. Results in flight at the end belong to no instruction. The
+ * sums of all pieces must equal the accounts. */
 static uint64_t check_times(c205 *machine)
 {
     struct heard heard = { 0 };
-    struct summed summed = { { { 0 } } };
     c205_stop stop;
-    assert_true(c205_listen(machine, hear, &heard)
-                && c205_listen(machine, add_up, &summed));
+    assert_true(c205_listen(machine, hear, &heard));
     for (size_t i = 0; i < 20000 && c205_step(machine, &stop); i++) {
         assert_int_equal(c205_clock(machine), heard.clock);
         if (i % 64 != 0)
             continue;
         for (size_t k = 0; k < c205_account_count(machine); k++)
-            assert_memory_equal(c205_account_at(machine, k)->clocks, summed.clocks[k],
-                                sizeof summed.clocks[k]);
+            assert_memory_equal(c205_account_at(machine, k)->clocks, heard.sums[k],
+                                sizeof heard.sums[k]);
     }
     c205_free(machine);
     return heard.vectors;
@@ -315,15 +290,13 @@ TEST(times)
     };
     uint64_t vectors = 0;
     c205_error error;
-    c205_model *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
     for (size_t i = 0; i < COUNT(paths); i++)
         vectors += check_times(machine_from(paths[i], model));
-    c205_model_free(model);
     for (size_t number = 0; number < 400; number++) {
-        struct story story = { .program = random_program(RANDOM_SEED ^ number << 20) };
-        story.model = model_of(&story.program);
-        vectors += check_times(begin(&story));
-        c205_model_free(story.model);
+        struct random_program program = random_program(RANDOM_SEED ^ number << 20);
+        SCOPED(c205_model) *own_model = model_of(&program);
+        vectors += check_times(machine_of(&program, own_model));
     }
     assert_true(vectors > 1000);
 }
@@ -332,14 +305,13 @@ TEST(times)
 
 TEST(pages)
 {
-    struct story story = { .program = random_program(RANDOM_SEED) };
+    struct random_program program = random_program(RANDOM_SEED);
     c205_error error;
+    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    SCOPED(c205) *machine = machine_of(&program, model);
     c205_page page = { 0 };
     uint64_t from = 0;
-    c205 *machine;
     size_t count = 0;
-    story.model = c205_model_find(C205_DEFAULT_MODEL, &error);
-    machine = begin(&story);
     while (c205_next_page(machine, from, &page)) {
         bool known = false;
         for (size_t i = 0; i < RANDOM_PAGES; i++)
@@ -350,8 +322,6 @@ TEST(pages)
         count++;
     }
     assert_int_equal(count, RANDOM_PAGES);
-    c205_free(machine);
-    c205_model_free(story.model);
 }
 
 ARGUMENTS(count, words)
