@@ -36,168 +36,116 @@ enum {
     }
 #include "vm/arith.def"
 
-typedef struct binary {
+/* An operation on spans, and on single words by its rule. */
+typedef struct operation {
     const char *name;
-    lanes_binary *span;
-    arith_binary *exact;
-} binary;
-
-typedef struct unary {
-    const char *name;
-    lanes_unary *span;
-    arith_unary *exact;
-} unary;
-
-typedef struct comparison {
-    const char *name;
-    lanes_compare *span;
-    arith_relation *exact;
-} comparison;
-
-typedef struct reduction {
-    const char *name;
-    lanes_reduction *span;
-    arith_binary *step;
-} reduction;
+    enum { OF_TWO, OF_ONE, COMPARISON, REDUCTION_OF } kind;
+    union {
+        lanes_binary *of_two;
+        lanes_unary *of_one;
+        lanes_compare *compare;
+        lanes_reduction *reduce;
+    } span;
+    union {
+        arith_binary *of_two;
+        arith_unary *of_one;
+        arith_relation *compare;
+    } exact;
+} operation;
 
 /* clang-format off */
-#define WORDS(name, exact) { "lanes_" #name, lanes_##name, arith_##exact }
-#define HALVES(name, exact) { "halves_" #name, halves_##name, half_##exact }
+#define ROW(kind, of, by, span, exact) { #span, kind, { .of = span }, { .by = exact } }
+#define WORDS(kind, of, by, name, exact) ROW(kind, of, by, lanes_##name, arith_##exact)
+#define HALVES(kind, of, by, name, exact) ROW(kind, of, by, halves_##name, half_##exact)
 /* clang-format on */
 
-static const binary binaries_of_words[] = {
-#define BINARY(name, ...) WORDS(name, name),
-#define BITWISE(name) WORDS(name, name),
-#include "vm/arith.def"
-};
-static const binary binaries_of_halves[] = {
-#define BINARY(name, ...) HALVES(name, name),
-#define BITWISE(name) HALVES(name, name),
-#include "vm/arith.def"
-};
-
-/* A conversion is listed with the size of its operand. */
-static const unary unaries_of_words[] = {
-#define UNARY(name, ...) WORDS(name, name),
-#define COPY(name, ...) WORDS(name, name),
-#define CONVERSION_OF_WORDS(name) WORDS(name, name),
+static const operation of_words[] = {
+#define BINARY(name, ...) WORDS(OF_TWO, of_two, of_two, name, name),
+#define BITWISE(name) WORDS(OF_TWO, of_two, of_two, name, name),
+#define UNARY(name, ...) WORDS(OF_ONE, of_one, of_one, name, name),
+#define COPY(name, ...) WORDS(OF_ONE, of_one, of_one, name, name),
+#define CONVERSION_OF_WORDS(name) WORDS(OF_ONE, of_one, of_one, name, name),
 #define CONVERSION_OF_HALVES(name)
+/* A conversion is listed with the size of its operand. */
 #define CONVERSION(name, of, specials) CONVERSION_OF_##of(name)
+#define RELATION(name) WORDS(COMPARISON, compare, compare, name, name),
+#define REDUCTION(name, step, specials) WORDS(REDUCTION_OF, reduce, of_two, name, step),
 #include "vm/arith.def"
 #undef CONVERSION_OF_WORDS
 #undef CONVERSION_OF_HALVES
 };
-static const unary unaries_of_halves[] = {
-#define UNARY(name, ...) HALVES(name, name),
+static const operation of_halves[] = {
+#define BINARY(name, ...) HALVES(OF_TWO, of_two, of_two, name, name),
+#define BITWISE(name) HALVES(OF_TWO, of_two, of_two, name, name),
+#define UNARY(name, ...) HALVES(OF_ONE, of_one, of_one, name, name),
 #define CONVERSION_OF_WORDS(name)
-#define CONVERSION_OF_HALVES(name) WORDS(name, name),
+#define CONVERSION_OF_HALVES(name) WORDS(OF_ONE, of_one, of_one, name, name),
 #define CONVERSION(name, of, specials) CONVERSION_OF_##of(name)
+#define RELATION(name) HALVES(COMPARISON, compare, compare, name, name),
+#define REDUCTION(name, step, specials) \
+    HALVES(REDUCTION_OF, reduce, of_two, name, step),
 #include "vm/arith.def"
-};
-
-static const comparison comparisons_of_words[] = {
-#define RELATION(name) WORDS(name, name),
-#include "vm/arith.def"
-};
-static const comparison comparisons_of_halves[] = {
-#define RELATION(name) HALVES(name, name),
-#include "vm/arith.def"
-};
-
-static const reduction reductions_of_words[] = {
-#define REDUCTION(name, step, specials) WORDS(name, step),
-#include "vm/arith.def"
-};
-static const reduction reductions_of_halves[] = {
-#define REDUCTION(name, step, specials) HALVES(name, step),
-#include "vm/arith.def"
-};
-
-enum {
-    BINARIES = COUNT(binaries_of_words),
-    COMPARISONS = COUNT(comparisons_of_words),
-    REDUCTIONS = COUNT(reductions_of_words)
 };
 
 /* The operations of one size. */
 typedef struct operations {
     word_format format;
-    const binary *binaries;
-    const comparison *comparisons;
-    const reduction *reductions;
-    const unary *unaries;
-    size_t unary_count;
+    const operation *list;
+    size_t count;
 } operations;
 
 static const operations sizes[] = {
-    { { 16, 47 },
-      binaries_of_words,
-      comparisons_of_words,
-      reductions_of_words,
-      unaries_of_words,
-      COUNT(unaries_of_words) },
-    { { 8, 23 },
-      binaries_of_halves,
-      comparisons_of_halves,
-      reductions_of_halves,
-      unaries_of_halves,
-      COUNT(unaries_of_halves) },
+    { { 16, 47 }, of_words, COUNT(of_words) },
+    { { 8, 23 }, of_halves, COUNT(of_halves) },
 };
+
+/* Apply an operation of one or two operands. */
+static void apply(const operation *op, c205_word *c, const c205_word *a,
+                  const c205_word *b, size_t n, uint64_t *flags)
+{
+    if (op->kind == OF_ONE)
+        op->span.of_one(c, a, n, flags);
+    else
+        op->span.of_two(c, a, b, n, flags);
+}
+
+static c205_word apply_rule(const operation *op, c205_word a, c205_word b,
+                            uint64_t *flags)
+{
+    return op->kind == OF_ONE ? op->exact.of_one(a, flags)
+                              : op->exact.of_two(a, b, flags);
+}
 
 /* ---- Spans against words ------------------------------------------------ */
 
 /* Flags that no operation sets must be unchanged. */
 static const uint64_t other_flags = 5;
 
-static void check_rest(const char *name, const c205_word *c, size_t n, uint64_t flags,
-                       uint64_t exact_flags)
-{
-    if (flags != exact_flags)
-        fail_msg("%s, length %zu: flags %llX, not %llX", name, n,
-                 (unsigned long long)flags, (unsigned long long)exact_flags);
-    for (size_t i = 0; i < SLACK; i++)
-        assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
-}
-
-static void check_binary(const binary *op, const c205_word *a, const c205_word *b,
-                         size_t n, size_t place)
+static void check_words(const operation *op, const c205_word *a, const c205_word *b,
+                        size_t n, size_t place)
 {
     static c205_word room[LONG_LENGTH + SLACK + PLACES];
     c205_word *c = room + place;
     uint64_t flags = other_flags, exact_flags = other_flags;
 
     memset(c, 0x5A, (n + SLACK) * sizeof *c);
-    op->span(c, a, b, n, &flags);
+    apply(op, c, a, b, n, &flags);
     for (size_t i = 0; i < n; i++) {
-        c205_word exact = op->exact(a[i], b[i], &exact_flags);
+        c205_word exact = apply_rule(op, a[i], b[i], &exact_flags);
         if (c[i] != exact)
             fail_msg("%s(%016llX, %016llX) = %016llX, not %016llX; "
                      "lane %zu of %zu",
                      op->name, (unsigned long long)a[i], (unsigned long long)b[i],
                      (unsigned long long)c[i], (unsigned long long)exact, i, n);
     }
-    check_rest(op->name, c, n, flags, exact_flags);
+    if (flags != exact_flags)
+        fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
+                 (unsigned long long)flags, (unsigned long long)exact_flags);
+    for (size_t i = 0; i < SLACK; i++)
+        assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
 }
 
-static void check_unary(const unary *op, const c205_word *a, size_t n, size_t place)
-{
-    static c205_word room[LONG_LENGTH + SLACK + PLACES];
-    c205_word *c = room + place;
-    uint64_t flags = other_flags, exact_flags = other_flags;
-
-    memset(c, 0x5A, (n + SLACK) * sizeof *c);
-    op->span(c, a, n, &flags);
-    for (size_t i = 0; i < n; i++) {
-        c205_word exact = op->exact(a[i], &exact_flags);
-        if (c[i] != exact)
-            fail_msg("%s(%016llX) = %016llX, not %016llX; lane %zu of %zu", op->name,
-                     (unsigned long long)a[i], (unsigned long long)c[i],
-                     (unsigned long long)exact, i, n);
-    }
-    check_rest(op->name, c, n, flags, exact_flags);
-}
-
-static void check_comparison(const comparison *op, const c205_word *a,
+static void check_comparison(const operation *op, const c205_word *a,
                              const c205_word *b, size_t n)
 {
     uint64_t bits[BITS], expected[BITS];
@@ -205,29 +153,30 @@ static void check_comparison(const comparison *op, const c205_word *a,
     memset(bits, 0x5A, sizeof bits);
     memset(expected, 0x5A, sizeof expected);
     memset(expected, 0, (n + 63) / 64 * sizeof *expected);
-    op->span(bits, a, b, n);
+    op->span.compare(bits, a, b, n);
     for (size_t i = 0; i < n; i++)
-        expected[i / 64] |= (uint64_t)op->exact(a[i], b[i]) << (63 - i % 64);
+        expected[i / 64] |= (uint64_t)op->exact.compare(a[i], b[i]) << (63 - i % 64);
     if (memcmp(bits, expected, sizeof bits) != 0)
         fail_msg("%s, length %zu", op->name, n);
 }
 
+/* Checks the operations of two operands. */
 static void check_pairs(const operations *size, const c205_word *a, const c205_word *b,
                         size_t n, size_t place)
 {
-    size_t compared = n < LENGTH_MAX ? n : LENGTH_MAX;
-
-    for (size_t i = 0; i < BINARIES; i++)
-        check_binary(&size->binaries[i], a, b, n, place);
-    for (size_t i = 0; i < COMPARISONS; i++)
-        check_comparison(&size->comparisons[i], a, b, compared);
+    for (size_t i = 0; i < size->count; i++)
+        if (size->list[i].kind == OF_TWO)
+            check_words(&size->list[i], a, b, n, place);
+        else if (size->list[i].kind == COMPARISON)
+            check_comparison(&size->list[i], a, b, n < LENGTH_MAX ? n : LENGTH_MAX);
 }
 
 static void check_unaries(const operations *size, const c205_word *a, size_t n,
                           size_t place)
 {
-    for (size_t i = 0; i < size->unary_count; i++)
-        check_unary(&size->unaries[i], a, n, place);
+    for (size_t i = 0; i < size->count; i++)
+        if (size->list[i].kind == OF_ONE)
+            check_words(&size->list[i], a, a, n, place);
 }
 
 /* Every length; the two operands take all pairs of lane_supplies in turn. */
@@ -250,65 +199,39 @@ static void check_lengths_at(const operations *size, size_t place, uint64_t seed
 
 enum { UPON_LENGTH = 600, BELOW = 9 };
 
-struct upon {
-    const c205_word *a, *b;
-    size_t n, below;
-};
-
 /* The result begins `below` words before a copy of the operand. It must equal a
  * separate result, and the rest of the operand must be unchanged. */
-static void check_made_upon(const char *name, const struct upon *upon,
-                            const c205_word *operand, const c205_word *expected,
-                            const c205_word *room, bool same_flags)
+static void check_upon(const operation *op, const c205_word *const operands[2],
+                       size_t which, size_t n, size_t below)
 {
-    size_t n = upon->n, below = upon->below;
+    static c205_word room[UPON_LENGTH + BELOW], expected[UPON_LENGTH];
+    const c205_word *upon[2] = { operands[0], operands[1] };
+    uint64_t flags = 0, flags_upon = 0;
     size_t left = below < n ? below : n;
 
-    if (memcmp(room, expected, n * sizeof *room) != 0 || !same_flags
-        || memcmp(room + below + n - left, operand + n - left, left * sizeof *room)
+    upon[which] = memcpy(room + below, operands[which], n * sizeof *room);
+    apply(op, expected, operands[0], operands[1], n, &flags);
+    apply(op, room, upon[0], upon[1], n, &flags_upon);
+    if (memcmp(room, expected, n * sizeof *room) != 0 || flags != flags_upon
+        || memcmp(room + below + n - left, operands[which] + n - left,
+                  left * sizeof *room)
                != 0)
-        fail_msg("%s upon an operand, %zu words below, length %zu", name, below, n);
+        fail_msg("%s upon an operand, %zu words below, length %zu", op->name, below, n);
 }
 
-static void check_binary_upon(const binary *op, const struct upon *upon)
-{
-    static c205_word room[UPON_LENGTH + BELOW], expected[UPON_LENGTH];
-    c205_word *placed = room + upon->below;
-
-    for (int which = 0; which < 2; which++) {
-        const c205_word *operand = which ? upon->b : upon->a;
-        uint64_t flags = 0, flags_upon = 0;
-        memcpy(placed, operand, upon->n * sizeof *room);
-        op->span(expected, upon->a, upon->b, upon->n, &flags);
-        op->span(room, which ? upon->a : placed, which ? placed : upon->b, upon->n,
-                 &flags_upon);
-        check_made_upon(op->name, upon, operand, expected, room, flags == flags_upon);
-    }
-}
-
-static void check_unary_upon(const unary *op, const struct upon *upon)
-{
-    static c205_word room[UPON_LENGTH + BELOW], expected[UPON_LENGTH];
-    c205_word *placed = room + upon->below;
-    uint64_t flags = 0, flags_upon = 0;
-
-    memcpy(placed, upon->a, upon->n * sizeof *room);
-    op->span(expected, upon->a, upon->n, &flags);
-    op->span(room, placed, upon->n, &flags_upon);
-    check_made_upon(op->name, upon, upon->a, expected, room, flags == flags_upon);
-}
-
-static void check_upon(const operations *size, size_t n, size_t below, uint64_t *seed)
+static void check_all_upon(const operations *size, size_t n, size_t below,
+                           uint64_t *seed)
 {
     static c205_word a[UPON_LENGTH], b[UPON_LENGTH];
-    struct upon upon = { a, b, n, below };
+    const c205_word *const operands[2] = { a, b };
 
     lane_fill(a, n, lane_mostly_usual, size->format, seed);
     lane_fill(b, n, lane_or_machine_zero, size->format, seed);
-    for (size_t i = 0; i < BINARIES; i++)
-        check_binary_upon(&size->binaries[i], &upon);
-    for (size_t i = 0; i < size->unary_count; i++)
-        check_unary_upon(&size->unaries[i], &upon);
+    for (size_t i = 0; i < size->count; i++)
+        for (size_t which = 0; which < 2; which++)
+            if (size->list[i].kind == OF_TWO
+                || (size->list[i].kind == OF_ONE && which == 0))
+                check_upon(&size->list[i], operands, which, n, below);
 }
 
 TEST(upon_an_operand)
@@ -319,7 +242,7 @@ TEST(upon_an_operand)
     for (size_t i = 0; i < COUNT(sizes); i++)
         for (size_t k = 0; k < COUNT(lengths); k++)
             for (size_t below = 0; below <= BELOW; below++)
-                check_upon(&sizes[i], lengths[k], below, &seed);
+                check_all_upon(&sizes[i], lengths[k], below, &seed);
 }
 
 /* ---- Operands of all kinds ---------------------------------------------- */
@@ -423,12 +346,12 @@ TEST(operands)
 TEST(every_root_of_a_half_word)
 {
     static c205_word a[LONG_LENGTH];
-    unary square_root = HALVES(square_root, square_root);
+    operation square_root = HALVES(OF_ONE, of_one, of_one, square_root, square_root);
 
     for (int64_t c = INT64_C(1) << 22; c < INT64_C(1) << 23; c += LONG_LENGTH / 2) {
         for (int i = 0; i < LONG_LENGTH; i++)
             a[i] = format_make(half_words, i & 1, c + i / 2);
-        check_unary(&square_root, a, LONG_LENGTH, 0);
+        check_words(&square_root, a, a, LONG_LENGTH, 0);
     }
 }
 
@@ -451,7 +374,7 @@ TEST(store_masked)
     }
 }
 
-static void check_reduction(const reduction *op, supply *next, word_format f,
+static void check_reduction(const operation *op, supply *next, word_format f,
                             uint64_t seed)
 {
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
@@ -460,8 +383,8 @@ static void check_reduction(const reduction *op, supply *next, word_format f,
         c205_word accumulator = next(f, &seed), expected = accumulator;
         lane_fill(a, n, next, f, &seed);
         for (size_t i = 0; i < n; i++)
-            expected = op->step(expected, a[i], &exact_flags);
-        op->span(&accumulator, a, n, &flags);
+            expected = op->exact.of_two(expected, a[i], &exact_flags);
+        op->span.reduce(&accumulator, a, n, &flags);
         if (accumulator != expected || flags != exact_flags)
             fail_msg("%s, length %zu", op->name, n);
     }
@@ -471,7 +394,8 @@ TEST(reductions)
 {
     for (size_t i = 0; i < COUNT(sizes); i++)
         for (size_t s = 0; s < LANE_SUPPLIES; s++)
-            for (size_t r = 0; r < REDUCTIONS; r++)
-                check_reduction(&sizes[i].reductions[r], lane_supplies[s],
-                                sizes[i].format, RANDOM_SEED);
+            for (size_t r = 0; r < sizes[i].count; r++)
+                if (sizes[i].list[r].kind == REDUCTION_OF)
+                    check_reduction(&sizes[i].list[r], lane_supplies[s],
+                                    sizes[i].format, RANDOM_SEED);
 }

@@ -10,6 +10,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/random_words.h"
+#include "tests/unit/saved_machine.h"
 
 static size_t tries = 150;
 
@@ -21,7 +22,6 @@ struct plain_trial {
     c205_model *model;
     c205 *machine;
     struct line_profile *profile;
-    c205_stop stop;
 };
 
 static void put_inputs(const struct random_lesson *drawn,
@@ -45,22 +45,20 @@ static void run_plainly(const struct random_lesson *drawn,
 {
     struct asm_define defines[] = { { "n", (int64_t)test->n }, { NULL, 0 } };
     struct asm_options options = { .defines = defines };
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     c205_error error;
 
     plain->object = assemble_text("my.s", drawn->answer, &options, &errors);
     if (!plain->object)
         fail_msg("%s\n%s", errors.items[0].message, drawn->answer);
-    diagnostics_free(&errors);
     plain->model = c205_model_find(test->model, &error);
-    plain->machine = c205_new(plain->model, &error);
+    plain->machine = machine_with(&plain->object->program, plain->model);
     plain->profile = line_profile_new(plain->object);
-    assert_true(c205_load(plain->machine, &plain->object->program, &error));
     put_inputs(drawn, test, plain);
     if (test->warm)
         c205_warm(plain->machine);
     c205_listen(plain->machine, line_profile_listen, plain->profile);
-    plain->stop = c205_run(plain->machine, 100000);
+    c205_run(plain->machine, 100000);
 }
 
 static void plain_free(struct plain_trial *plain)
@@ -91,10 +89,17 @@ static void draw_goals(struct random_test *test, uint64_t clocks, enum medal med
 
 /* ---- Output ---------------------------------------------------------------- */
 
-static void check_begins(const struct random_lesson *drawn,
-                         const struct lesson_trial *trial, size_t sentence,
-                         const char *wanted)
+/* Fails unless a sentence of the verdict begins with the formatted text. */
+static void __attribute__((format(printf, 4, 5)))
+check_begins(const struct random_lesson *drawn, const struct lesson_trial *trial,
+             size_t sentence, const char *format, ...)
 {
+    char wanted[400];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(wanted, sizeof wanted, format, arguments);
+    va_end(arguments);
     if (sentence >= trial->report.count)
         fail_msg("'%s' is not said\n%s", wanted, drawn->answer);
     if (strncmp(trial->report.sentences[sentence], wanted, strlen(wanted)) != 0)
@@ -105,7 +110,7 @@ static void check_begins(const struct random_lesson *drawn,
 static void check_wrong(const struct random_lesson *drawn,
                         const struct lesson_trial *trial)
 {
-    struct text_buffer text = { 0 };
+    SCOPED_VALUE(text_buffer) text = { 0 };
     struct sink sink = text_buffer_sink(&text);
     const char *likeness = random_likeness(drawn);
 
@@ -113,39 +118,31 @@ static void check_wrong(const struct random_lesson *drawn,
     sink_put(&sink, likeness ? likeness : "");
     assert_false(trial->right);
     assert_int_equal(trial->report.count, 1);
-    check_begins(drawn, trial, 0, text.text);
+    check_begins(drawn, trial, 0, "%s", text.text);
     if (likeness)
         assert_string_equal(trial->report.sentences[0], text.text);
-    text_buffer_free(&text);
 }
 
 static void check_trap(const struct random_lesson *drawn,
                        const struct lesson_trial *trial,
                        const struct plain_trial *plain)
 {
-    char wanted[200];
-
     assert_int_equal(trial->report.count, 1);
-    snprintf(wanted, sizeof wanted,
-             "It was stopped by a trap:\nmy.s:%zu:9: error: trap "
-             "unmapped-address",
-             random_fault_line(drawn));
-    check_begins(drawn, trial, 0, wanted);
+    check_begins(drawn, trial, 0,
+                 "It was stopped by a trap:\nmy.s:%zu:9: error: trap unmapped-address",
+                 random_fault_line(drawn));
     assert_int_equal(trial->clocks, c205_clock(plain->machine));
 }
 
 static void check_loop(const struct random_lesson *drawn,
                        const struct lesson_trial *trial)
 {
-    char wanted[200];
-
     assert_int_equal(trial->report.count, 1);
-    snprintf(wanted, sizeof wanted,
-             "It had not ended after %" PRIu64
-             " clocks: look for an endless loop.  It was at line %zu: "
-             "here:   BIM     here ; fault",
-             trial->clocks, random_fault_line(drawn));
-    check_begins(drawn, trial, 0, wanted);
+    check_begins(drawn, trial, 0,
+                 "It had not ended after %" PRIu64
+                 " clocks: look for an endless loop.  It was at line %zu: "
+                 "here:   BIM     here ; fault",
+                 trial->clocks, random_fault_line(drawn));
 }
 
 /* ---- Slow texts ------------------------------------------------------------ */
@@ -163,9 +160,8 @@ static void check_cause(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain)
 {
-    struct accounts accounts = { .model = plain->model };
+    SCOPED_VALUE(accounts) accounts = { .model = plain->model };
     c205_account all;
-    char wanted[200];
     int most = 0, wait = 1;
 
     assert_true(accounts_add(&accounts, plain->machine));
@@ -181,12 +177,10 @@ static void check_cause(const struct random_lesson *drawn,
         wait = 0;
     if (wait > 0)
         most = wait;
-    snprintf(wanted, sizeof wanted, "%s is %s: %" PRIu64 " clocks, %.0f %%.  ",
-             wait > 0 ? "The longest wait" : "The largest part",
-             c205_cause_name((c205_cause)most), all.clocks[most],
-             floor(100.0 * (double)all.clocks[most] / (double)trial->clocks + 0.5));
-    check_begins(drawn, trial, 1, wanted);
-    accounts_free(&accounts);
+    check_begins(drawn, trial, 1, "%s is %s: %" PRIu64 " clocks, %.0f %%.  ",
+                 wait > 0 ? "The longest wait" : "The largest part",
+                 c205_cause_name((c205_cause)most), all.clocks[most],
+                 floor(100.0 * (double)all.clocks[most] / (double)trial->clocks + 0.5));
 }
 
 /* After `sentences` sentences, the verdict says that the loop is scalar, if that is the
@@ -219,8 +213,6 @@ static void check_lines(const struct random_lesson *drawn,
     assert_true(count < LINES);
     for (size_t i = 2;; i++) {
         const struct profile_row *row = NULL;
-        bool link;
-        char wanted[200];
 
         for (size_t k = 0; k < count; k++) {
             const struct profile_row *other = line_profile_row(plain->profile, k);
@@ -233,18 +225,19 @@ static void check_lines(const struct random_lesson *drawn,
             check_loop_reported(trial, plain, i);
             return;
         }
-        link = strstr(row->source, "; a pair");
+        bool link = strstr(row->source, "; a pair");
         reported[row - line_profile_row(plain->profile, 0)] = true;
-        snprintf(wanted, sizeof wanted,
-                 "Line %zu took %" PRIu64 " clocks, %.0f %%, in %" PRIu64 " %s%s:%s",
-                 row->number, clocks_of(row),
-                 floor(100.0 * (double)clocks_of(row) / (double)trial->clocks + 0.5),
-                 row->executions, link ? "linked pair" : "instruction",
-                 row->executions == 1 ? "" : "s",
-                 link ? "\n    MPYSV   [xs], value, [one]\n    ADDNV   [one], "
-                        "[xs], [ys]"
-                      : " ");
-        check_begins(drawn, trial, i, wanted);
+        check_begins(drawn, trial, i,
+                     "Line %zu took %" PRIu64 " clocks, %.0f %%, in %" PRIu64
+                     " %s%s:%s",
+                     row->number, clocks_of(row),
+                     floor(100.0 * (double)clocks_of(row) / (double)trial->clocks
+                           + 0.5),
+                     row->executions, link ? "linked pair" : "instruction",
+                     row->executions == 1 ? "" : "s",
+                     link ? "\n    MPYSV   [xs], value, [one]\n    ADDNV   [one], "
+                            "[xs], [ys]"
+                          : " ");
     }
 }
 
@@ -253,12 +246,12 @@ static void check_slow(const struct random_lesson *drawn,
                        const struct plain_trial *plain)
 {
     uint64_t goal = trial->test->goals[trial->medal + 1];
-    char wanted[200];
 
-    snprintf(wanted, sizeof wanted,
-             "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64 " of %s.",
-             trial->clocks, trial->clocks - goal, goal, medal_name(trial->medal + 1));
-    check_begins(drawn, trial, 0, wanted);
+    check_begins(drawn, trial, 0,
+                 "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64
+                 " of %s.",
+                 trial->clocks, trial->clocks - goal, goal,
+                 medal_name(trial->medal + 1));
     check_cause(drawn, trial, plain);
     check_lines(drawn, trial, plain);
 }
@@ -293,13 +286,6 @@ static const struct lesson_trial *trial_of(const struct lesson_verdict *verdict,
     return NULL;
 }
 
-static const struct json_value *nth(const struct json_value *value, size_t n)
-{
-    while (n-- > 0)
-        value = value->next;
-    return value;
-}
-
 static void check_texts(const struct lesson_report *report,
                         const struct json_value *object)
 {
@@ -312,8 +298,8 @@ static void check_texts(const struct lesson_report *report,
 
 static void check_json(const struct lesson_verdict *verdict)
 {
-    struct text_buffer line = { 0 };
-    struct arena arena = { 0 };
+    SCOPED_VALUE(text_buffer) line = { 0 };
+    SCOPED_VALUE(arena) arena = { 0 };
     const struct json_value *read, *test;
     c205_error error;
     struct json *json = json_open_line(&line, &error);
@@ -329,10 +315,10 @@ static void check_json(const struct lesson_verdict *verdict)
     assert_int_equal(json_member_truth(read, "passed", false), verdict->passed);
     assert_int_equal(json_member(read, "clocks")->number, verdict->clocks);
     check_texts(&verdict->report, read);
-    for (size_t i = 0; i < verdict->count; i++) {
+    test = json_member_first(read, "tests");
+    for (size_t i = 0; i < verdict->count; i++, test = test->next) {
         const struct lesson_trial *trial = &verdict->trials[i];
 
-        test = nth(json_member_first(read, "tests"), i);
         assert_string_equal(json_member_text(test, "name"), trial->test->name);
         assert_int_equal(json_member_truth(test, "right", false), trial->right);
         assert_int_equal(json_member(test, "clocks")->number, trial->clocks);
@@ -343,8 +329,6 @@ static void check_json(const struct lesson_verdict *verdict)
         else
             assert_null(json_member_first(test, "goals"));
     }
-    arena_free(&arena);
-    text_buffer_free(&line);
 }
 
 static void check_whole(const struct lesson_verdict *verdict)
@@ -393,8 +377,8 @@ static void check_drawn(struct random_lesson *drawn)
 {
     struct plain_trial plain[DRAWN_TESTS];
     enum medal medals[DRAWN_TESTS];
-    struct lesson lesson;
-    struct lesson_verdict verdict;
+    SCOPED_VALUE(lesson) lesson;
+    SCOPED_VALUE(lesson_verdict) verdict;
 
     for (size_t i = 0; i < drawn->count; i++) {
         run_plainly(drawn, &drawn->tests[i], &plain[i]);
@@ -410,8 +394,6 @@ static void check_drawn(struct random_lesson *drawn)
         check_trial(drawn, i, trial, &plain[i], medals[i]);
     }
     check_whole(&verdict);
-    lesson_verdict_free(&verdict);
-    lesson_free(&lesson);
     for (size_t i = 0; i < drawn->count; i++)
         plain_free(&plain[i]);
 }
@@ -462,9 +444,9 @@ static char *with(const char *answer, const char *old, const char *new)
 static void check_said(const struct random_lesson *drawn, const char *old,
                        const char *new, bool of_all, const char *wanted)
 {
-    struct lesson lesson;
-    struct lesson_verdict verdict;
-    char *answer = with(drawn->answer, old, new);
+    SCOPED_VALUE(lesson) lesson;
+    SCOPED_VALUE(lesson_verdict) verdict;
+    FREED char *answer = with(drawn->answer, old, new);
     const struct lesson_report *report;
 
     random_open(drawn, &lesson);
@@ -477,9 +459,6 @@ static void check_said(const struct random_lesson *drawn, const char *old,
         fail_msg("'%s' for '%s'\n%s", report->count ? report->sentences[0] : "nothing",
                  wanted, answer);
     check_json(&verdict);
-    lesson_verdict_free(&verdict);
-    lesson_free(&lesson);
-    free(answer);
 }
 
 static void draw_right_words(struct random_lesson *drawn)
@@ -492,38 +471,44 @@ static void draw_right_words(struct random_lesson *drawn)
         drawn->tests[i].has_goals = false;
 }
 
+/* A change of a correct answer and the sentence that it causes, about all tests or about
+ * the first one. "%zu" is the length of the first test minus `less`. */
+static const struct {
+    const char *old, *new;
+    bool of_all;
+    size_t less;
+    const char *wanted;
+} said[] = {
+    { "y, n\n", "z, n\ny = 5\n", true, 0,
+      "The answer cannot be assembled:\nmy.s:9:1: error: " },
+    { ".vector y, n\n", ".vector z, n\n.equ y, z\n", true, 0,
+      "The answer has no label y, which must hold results." },
+    { ".vector y,", ".halfvector y,", true, 0,
+      "Expected words at the answer's label y, but there are half words." },
+    { ".ifndef n\n", ".ifndef n\n        .endif\n        .if 1\n", true, 0,
+      "Line 5 sets n, which the tests set: put '.ifndef n' before it and '.endif' after "
+      "it." },
+    { ".vector y, n\n", ".vector y, n - 1\n", false, 1, "y has room for %zu word" },
+    { "        EXIT\n",
+      "        .if n == 5\n        EXIT\n        .else\n        NOPE\n        .endif\n",
+      false, 0, "With n = %zu the answer cannot be assembled:\nmy.s:" },
+    { "        EXIT\n", "        ES      value, 3\n        EXIT    value\n", false, 0,
+      "It ended with the status 3, not with 0." },
+};
+
 TEST(said_of_all)
 {
     struct random_lesson drawn = { 0 };
-    char wanted[200];
 
-    for (size_t i = 0; i < 10; i++) {
-        draw_right_words(&drawn);
-        check_said(&drawn, "y, n\n", "z, n\ny = 5\n", true,
-                   "The answer cannot be assembled:\nmy.s:9:1: error: ");
-        check_said(&drawn, ".vector y, n\n", ".vector z, n\n.equ y, z\n", true,
-                   "The answer has no label y, which must hold results.");
-        check_said(&drawn, ".vector y,", ".halfvector y,", true,
-                   "Expected words at the answer's label y, but there are half words.");
-        check_said(&drawn, ".ifndef n\n",
-                   ".ifndef n\n        .endif\n"
-                   "        .if 1\n",
-                   true,
-                   "Line 5 sets n, which the tests set: put '.ifndef n' "
-                   "before it and '.endif' after it.");
-        snprintf(wanted, sizeof wanted, "y has room for %zu word",
-                 drawn.tests[0].n - 1);
-        check_said(&drawn, ".vector y, n\n", ".vector y, n - 1\n", false, wanted);
-        snprintf(wanted, sizeof wanted,
-                 "With n = %zu the answer cannot be assembled:\nmy.s:",
-                 drawn.tests[0].n);
-        check_said(&drawn, "        EXIT\n",
-                   "        .if n == 5\n        EXIT\n        .else\n"
-                   "        NOPE\n        .endif\n",
-                   false, wanted);
-        check_said(&drawn, "        EXIT\n",
-                   "        ES      value, 3\n        EXIT    value\n", false,
-                   "It ended with the status 3, not with 0.");
+    for (size_t i = 0; i < 10 * COUNT(said); i++) {
+        size_t row = i % COUNT(said);
+        char wanted[200];
+
+        if (row == 0)
+            draw_right_words(&drawn);
+        snprintf(wanted, sizeof wanted, said[row].wanted,
+                 drawn.tests[0].n - said[row].less);
+        check_said(&drawn, said[row].old, said[row].new, said[row].of_all, wanted);
     }
 }
 

@@ -25,8 +25,8 @@ static bool open_with(struct lesson *lesson, const char *test, c205_error *error
 
 static void check_run(const char *test, const char *answer, const char *wanted)
 {
-    struct lesson lesson;
-    struct lesson_verdict verdict;
+    SCOPED_VALUE(lesson) lesson;
+    SCOPED_VALUE(lesson_verdict) verdict;
     const struct lesson_report *report;
     c205_error error;
 
@@ -37,8 +37,6 @@ static void check_run(const char *test, const char *answer, const char *wanted)
     assert_int_equal(report->count, wanted != NULL);
     if (wanted)
         assert_string_equal(report->sentences[0], wanted);
-    lesson_verdict_free(&verdict);
-    lesson_free(&lesson);
 }
 
 TEST(runs)
@@ -77,99 +75,92 @@ TEST(runs)
 
 /* ---- Invalid lessons ------------------------------------------------------- */
 
-static void check_notes(const char *notes, const char *wanted)
-{
-    struct lesson lesson = { 0 };
-    c205_error error = { "" };
-
-    assert_int_equal(open_with(&lesson, notes, &error), *wanted == '\0');
-    assert_string_equal(error.message, wanted);
-    lesson_free(&lesson);
-}
-
 TEST(notes)
 {
     static const char goals[] =
         "12-it/test-a.s:2: expected 'goals: gold "
         "CLOCKS, silver CLOCKS, bronze CLOCKS' in rising order, once";
+    static const char tolerance[] =
+        "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'";
+    static const char *const rows[][2] = {
+        { "; test: a\n", "" },
+        { "x: .word 1\n", "12-it/test-a.s:1: the note '; test: SENTENCE' is missing" },
+        { ";test:a\n; goals: gold 1, silver 2, bronze 3\n", "" },
+        { "; test: a\n; goals: gold 2, silver 1, bronze 3\n", goals },
+        { "; test: a\n; goals: gold 1, silver 2\n", goals },
+        { "; test: a\n; goals: gold 0, silver 2, bronze 3\n", goals },
+        { "; test: a\n; goals: gold 1, silver 2, bronze 3 4\n", goals },
+        { "; test: a\n; goals: gold 1, gold 2, bronze 3\n", goals },
+        { "; test: a\n; goals: gold 1, silver 2, bronze 3e9\n", goals },
+        { "; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n", goals },
+        { "; test: a\n; goal: gold 1, silver 2, bronze 3\n",
+          "12-it/test-a.s:2: unknown note; expected 'test:', 'goals:' or 'tolerance:'" },
+        { "; test: a\n; tolerance: y\n", tolerance },
+        { "; test: a\n; tolerance: y -1\n", tolerance },
+        { "; test: a\n; tolerance: y 1e999\n", tolerance },
+        { "; test: a\n; tolerance: y 1 2\n",
+          "12-it/test-a.s:2: expected nothing after the tolerance" },
+        { "; test: a\n; test: b\n",
+          "12-it/test-a.s:2: expected one sentence after 'test:', once" },
+    };
 
-    check_notes("; test: a\n", "");
-    check_notes("x: .word 1\n",
-                "12-it/test-a.s:1: the note '; test: SENTENCE' is missing");
-    check_notes(";test:a\n; goals: gold 1, silver 2, bronze 3\n", "");
-    check_notes("; test: a\n; goals: gold 2, silver 1, bronze 3\n", goals);
-    check_notes("; test: a\n; goals: gold 1, silver 2\n", goals);
-    check_notes("; test: a\n; goals: gold 0, silver 2, bronze 3\n", goals);
-    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3 4\n", goals);
-    check_notes("; test: a\n; goals: gold 1, gold 2, bronze 3\n", goals);
-    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3e9\n", goals);
-    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n", goals);
-    check_notes(
-        "; test: a\n; goal: gold 1, silver 2, bronze 3\n",
-        "12-it/test-a.s:2: unknown note; expected 'test:', 'goals:' or 'tolerance:'");
-    check_notes("; test: a\n; tolerance: y\n",
-                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
-    check_notes("; test: a\n; tolerance: y -1\n",
-                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
-    check_notes("; test: a\n; tolerance: y 1e999\n",
-                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
-    check_notes("; test: a\n; tolerance: y 1 2\n",
-                "12-it/test-a.s:2: expected nothing after the tolerance");
-    check_notes("; test: a\n; test: b\n",
-                "12-it/test-a.s:2: expected one sentence after 'test:', once");
-}
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED_VALUE(lesson) lesson = { 0 };
+        c205_error error = { "" };
 
-static void check_refused(const char *test, const char *wanted)
-{
-    struct lesson lesson = { 0 };
-    struct lesson_verdict verdict = { 0 };
-    static const char answer[] = "        EXIT\n";
-    c205_error error = { "" };
-
-    assert_true(open_with(&lesson, test, &error));
-    assert_false(
-        lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer), &error));
-    assert_string_equal(error.message, wanted);
-    lesson_verdict_free(&verdict);
-    lesson_free(&lesson);
+        assert_int_equal(open_with(&lesson, rows[i][0], &error), *rows[i][1] == '\0');
+        assert_string_equal(error.message, rows[i][1]);
+    }
 }
 
 TEST(refused)
 {
-    check_refused("; test: a\n", "test-a.s expects nothing");
-    check_refused("; test: a\n.word\n",
-                  "test-a.s:2:6: expected a number, a name or '(', found the "
-                  "end of the statement");
-    check_refused("; test: a\n; tolerance: y 1\nwant_x: .word 1\n",
-                  "test-a.s has a tolerance for y, but no label want_y");
-    check_refused(
-        "; test: a\nx: .word 1\n; expect: [x] = 1\n",
-        "test-a.s:3: a test cannot contain this expectation; put the expected data "
-        "at want_LABEL");
-    check_refused("; test: a\nwant_y: EXIT\n",
-                  "test-a.s: expected data at want_LABEL, not "
-                  "instructions");
-    check_refused("; test: a\nwant_: .word 1\n",
-                  "test-a.s: expected data at want_LABEL, not want_");
-    check_refused("; test: a\n .data\nx: .word 1\nwant_y:\n",
-                  "test-a.s expects nothing");
-    check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
-                  "test-a.s: unknown machine model 'x'");
-    check_refused("; test: a\n; expect: r1 = 0\n; expect-model: cdc6600\n",
-                  "test-a.s: programs cannot run on its model, which only gives times");
+    static const char answer[] = "        EXIT\n";
+    static const char *const rows[][2] = {
+        { "", "expects nothing" },
+        { ".word\n", ":2:6: expected a number, a name or '(', found the end of the "
+                     "statement" },
+        { "; tolerance: y 1\nwant_x: .word 1\n",
+          "has a tolerance for y, but no label want_y" },
+        { "x: .word 1\n; expect: [x] = 1\n",
+          ":3: a test cannot contain this expectation; put the expected data at "
+          "want_LABEL" },
+        { "want_y: EXIT\n", ": expected data at want_LABEL, not instructions" },
+        { "want_: .word 1\n", ": expected data at want_LABEL, not want_" },
+        { " .data\nx: .word 1\nwant_y:\n", "expects nothing" },
+        { "; expect: r1 = 0\n; expect-model: x\n", ": unknown machine model 'x'" },
+        { "; expect: r1 = 0\n; expect-model: cdc6600\n",
+          ": programs cannot run on its model, which only gives times" },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED_VALUE(lesson) lesson = { 0 };
+        SCOPED_VALUE(lesson_verdict) verdict = { 0 };
+        const char *wanted = rows[i][1];
+        c205_error error = { "" };
+        char test[200], message[200];
+
+        snprintf(test, sizeof test, "; test: a\n%s", rows[i][0]);
+        snprintf(message, sizeof message, "test-a.s%s%s", *wanted == ':' ? "" : " ",
+                 wanted);
+        assert_true(open_with(&lesson, test, &error));
+        assert_false(
+            lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer), &error));
+        assert_string_equal(error.message, message);
+    }
 }
 
 TEST(names)
 {
+    static const char *const first[] = { "3", "03", "first-vector" };
     struct lesson items[2] = { { 0 } };
     struct lessons lessons = { 2, items };
     c205_error error;
 
     assert_true(lesson_begin(&items[0], "03-first-vector", &error));
     assert_true(lesson_begin(&items[1], "11-sieve", &error));
-    assert_ptr_equal(lessons_find(&lessons, "3", &error), &items[0]);
-    assert_ptr_equal(lessons_find(&lessons, "03", &error), &items[0]);
-    assert_ptr_equal(lessons_find(&lessons, "first-vector", &error), &items[0]);
+    for (size_t i = 0; i < COUNT(first); i++)
+        assert_ptr_equal(lessons_find(&lessons, first[i], &error), &items[0]);
     assert_ptr_equal(lessons_find(&lessons, "11-sieve", &error), &items[1]);
     assert_null(lessons_find(&lessons, "1", &error));
     assert_null(lessons_find(&lessons, "seive", &error));
@@ -193,8 +184,8 @@ static void mutate(char *text, uint64_t *random_state)
 /* The text must be rejected or graded; both have a message. */
 static void grade_any(const char *test, const char *answer)
 {
-    struct lesson lesson = { 0 };
-    struct lesson_verdict verdict = { 0 };
+    SCOPED_VALUE(lesson) lesson = { 0 };
+    SCOPED_VALUE(lesson_verdict) verdict = { 0 };
     c205_error error = { "" };
     bool good = open_with(&lesson, test, &error)
                 && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
@@ -205,8 +196,6 @@ static void grade_any(const char *test, const char *answer)
     if (good && !verdict.passed
         && verdict.report.count + verdict.trials[0].report.count == 0)
         fail_msg("nothing is said\n%s\n%s", test, answer);
-    lesson_verdict_free(&verdict);
-    lesson_free(&lesson);
 }
 
 TEST(any)
@@ -305,7 +294,7 @@ TEST(likeness)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
-        struct arena arena = { 0 };
+        SCOPED_VALUE(arena) arena = { 0 };
         struct lesson_report report = { .kept = &arena };
         struct test_item item = { .label = "y",
                                   .contents = rows[i].contents,
@@ -321,7 +310,6 @@ TEST(likeness)
                          : !strstr(report.sentences[0], " (counted from 0).")
                                || strstr(report.sentences[0], ").  "))
             fail_msg("row %zu: %s", i, report.sentences[0]);
-        arena_free(&arena);
     }
 }
 
