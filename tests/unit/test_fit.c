@@ -11,10 +11,10 @@
 
 static c205_model *model;
 
-static void assert_near(double value, double expected)
+static void assert_near(double value, double expected, const char *what)
 {
     if (!(fabs(value - expected) < 1e-6))
-        fail_msg("%.9g is not %.9g", value, expected);
+        fail_msg("%s: %.9g is not %.9g", what, value, expected);
 }
 
 static const struct speedup_view view = { .distance = SPEEDUP_DISTANCE,
@@ -43,6 +43,40 @@ static const char *file_of(const char *text)
     return path;
 }
 
+static struct fit_run *new_run(const char *program)
+{
+    struct run_options how = small();
+    c205_error error = { "" };
+    struct fit_run *run = run_new(program, &how, &error);
+    REQUIRE(run);
+    return run;
+}
+
+/* Reads observations from a text after the heading of their table. */
+#define HEAD "name,program,machine,value,unit,uncertainty,shared,source,use\n"
+
+static void read_observations(struct observations *all, const char *rows)
+{
+    struct run_options how = small();
+    SCOPED_VALUE(diagnostics) found = { 0 };
+    char text[512];
+    snprintf(text, sizeof text, HEAD "%s", rows);
+    if (!observations_read(all, file_of(text), &how, &found))
+        fail_msg("%s", found.items[0].message);
+    remove("test_fit.csv");
+}
+
+static void read_constants(struct constants *constants, const char *rows)
+{
+    SCOPED_VALUE(diagnostics) found = { 0 };
+    char text[512];
+    snprintf(text, sizeof text, "name,machine,constants,source,least,most,why\n%s",
+             rows);
+    if (!constants_read(constants, file_of(text), &found))
+        fail_msg("%s", found.items[0].message);
+    remove("test_fit.csv");
+}
+
 /* ---- Fewer rays --------------------------------------------------------- */
 
 static double clocks_of_rows(const struct fit_run *run)
@@ -69,15 +103,14 @@ TEST(fewer_rays)
                                          .height = 125,
                                          .queue = TRACE_QUEUE,
                                          .model = model };
-        struct run_options how = small();
         struct speedup_measure all;
         c205_error error = { "" };
         char program[64];
         if (subject->paper.speedup == 0)
             continue;
         snprintf(program, sizeof program, "%s scalar", subject->name);
-        struct fit_run *run = run_new(program, &how, &error);
-        REQUIRE(run && speedup_measure(subject, &view, &options, &all, &error));
+        struct fit_run *run = new_run(program);
+        REQUIRE(speedup_measure(subject, &view, &options, &all, &error));
         assert_int_equal(run->rays, 640);
         double scaled = clocks_of_rows(run) * 25000 / 640;
         if (fabs(scaled / (double)all.total - 1) > .01)
@@ -88,105 +121,87 @@ TEST(fewer_rays)
 
 /* ---- Observations ------------------------------------------------------- */
 
-#define HEAD "name,program,machine,value,unit,uncertainty,shared,source,use\n"
-
 /* Returns the prediction for the only observation of a file. */
 static double predicted(const char *row)
 {
     SCOPED_VALUE(observations) all = { 0 };
-    struct run_options how = small();
-    struct diagnostics found = { 0 };
     c205_error error = { "" };
-    char text[512];
-    double(*clocks)[MAX_RUN_REGIONS], value;
-    snprintf(text, sizeof text, HEAD "# a remark\n\n%s\n", row);
-    if (!observations_read(&all, file_of(text), &how, &found))
-        fail_msg("%s", found.items[0].message);
+    char text[256];
+    snprintf(text, sizeof text, "# a remark\n\n%s\n", row);
+    read_observations(&all, text);
     assert_int_equal(all.count, 1);
-    clocks = calloc(all.timing_count, sizeof *clocks);
+    FREED double(*clocks)[MAX_RUN_REGIONS] = calloc(all.timing_count, sizeof *clocks);
     assert_non_null(clocks);
     for (size_t i = 0; i < all.timing_count; i++)
         assert_true(run_time(all.timings[i].run, all.timings[i].model, NULL, 0,
                              RUN_FINE, clocks[i], &error));
-    value = observation_predict(&all, &all.items[0], clocks);
-    free(clocks);
-    remove("test_fit.csv");
-    return value;
+    return observation_predict(&all, &all.items[0], clocks);
 }
 
 /* A single addition takes 51 + n / 2 clocks of 20 ns on two pipes. */
 TEST(units)
 {
-    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "cyber205-2pipe,1,ns/TIMES,1,,s,fit"),
-                1020);
-    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "cyber205-2pipe,1,clk,1,,s,compare"),
-                5100);
-    assert_near(predicted("a,vector_add.s:add LENGTH=0,eta10g,1 to 2,clk,,,s,range"),
-                5100);
-    assert_near(predicted("a,vector_add.s:add LENGTH=0,eta10g,1,ns/TIMES,1,,s,fit"),
-                357);
-    assert_near(predicted("a,vector_add.s:add LENGTH=100,"
-                          "cyber205-2pipe,1,Mflop/s,1,,\"a, b\",fit"),
-                100 / (101 * .02));
-    assert_near(predicted("a,vector_add.s:add LENGTH=100,"
-                          "cyber205-2pipe/cyber205-1pipe,1,ratio,1,,s,fit"),
-                101 / 151.);
-    assert_near(predicted("a,vector_add.s:add/add LENGTH=3,"
-                          "cyber205-2pipe,1,ratio,1,,s,fit"),
-                1);
-    assert_near(predicted("a,vector_add.s:add LENGTH=3,cyber205-2pipe,1,%,1,,s,fit"),
-                100);
+    static const struct {
+        const char *row;
+        double expected;
+    } rows[] = {
+        { "a,vector_add.s:add LENGTH=0,cyber205-2pipe,1,ns/TIMES,1,,s,fit", 1020 },
+        { "a,vector_add.s:add LENGTH=0,cyber205-2pipe,1,clk,1,,s,compare", 5100 },
+        { "a,vector_add.s:add LENGTH=0,eta10g,1 to 2,clk,,,s,range", 5100 },
+        { "a,vector_add.s:add LENGTH=0,eta10g,1,ns/TIMES,1,,s,fit", 357 },
+        { "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,Mflop/s,1,,\"a, b\",fit",
+          100 / (101 * .02) },
+        { "a,vector_add.s:add LENGTH=100,cyber205-2pipe/cyber205-1pipe,1,ratio,1,,s,fit",
+          101 / 151. },
+        { "a,vector_add.s:add/add LENGTH=3,cyber205-2pipe,1,ratio,1,,s,fit", 1 },
+        { "a,vector_add.s:add LENGTH=3,cyber205-2pipe,1,%,1,,s,fit", 100 },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++)
+        assert_near(predicted(rows[i].row), rows[i].expected, rows[i].row);
 }
 
-/* Compares the only report, as file:line:column: message. */
-static void check_found(struct diagnostics *found, const char *message)
-{
-    char text[200];
-    assert_int_equal(found->count, 1);
-    snprintf(text, sizeof text, "%s:%zu:%zu: %s", found->items[0].file,
-             found->items[0].line, found->items[0].column, found->items[0].message);
-    assert_string_equal(text, message);
-    diagnostics_free(found);
-}
-
-static void assert_refused(const char *text, const char *message)
-{
-    SCOPED_VALUE(observations) all = { 0 };
-    struct run_options how = small();
-    struct diagnostics found = { 0 };
-    assert_false(observations_read(&all, file_of(text), &how, &found));
-    check_found(&found, message);
-    remove("test_fit.csv");
-}
-
+/* Compares the only report, as line:column: message. */
 TEST(refused)
 {
-    assert_refused("", "test_fit.csv:0:0: the file has no table");
-    assert_refused("a,b,c,d,e,f,g,h,i\n", "test_fit.csv:1:1: expected another column");
-    assert_refused(HEAD "a,b\n", "test_fit.csv:2:1: fields are missing");
-    assert_refused(HEAD "a,b,c,d,e,f,g,h,i,j\n", "test_fit.csv:2:19: too many fields");
-    assert_refused(HEAD "a,b,c,d,e,f,g,h,i\n",
-                   "test_fit.csv:2:17: expected fit, compare or range");
-    assert_refused(HEAD "a,b,c,d,e,f,g,h,fit\n",
-                   "test_fit.csv:2:7: expected a positive number");
-    assert_refused(HEAD "a,b,c,1 to,e,f,,g,range\n",
-                   "test_fit.csv:2:7: expected a positive number, or LEAST to MAX");
-    assert_refused(HEAD "a,b,c,2 to 1,e,f,,g,range\n",
-                   "test_fit.csv:2:7: expected a positive number, or LEAST to MAX");
-    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,,s,fit\n",
-                   "test_fit.csv:2:33: vector_add.s has no rays");
-    assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
-                   "test_fit.csv:2:3: unknown region 'sub'");
-    assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,,s,fit\n",
-                   "test_fit.csv:2:3: unknown machine model 'cyber205-9pipe'");
-    assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,,s,fit\n",
-                   "test_fit.csv:2:33: unknown unit 'miles'");
-    assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,,s,fit\n",
-                   "test_fit.csv:2:3: 'X' does not define a constant");
-    assert_refused(HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,,s,fit\n",
-                   "test_fit.csv:2:29: the program does not define FLOPS");
+    static const char *const rows[][2] = {
+        { "", "0:0: the file has no table" },
+        { "a,b,c,d,e,f,g,h,i\n", "1:1: expected another column" },
+        { HEAD "a,b\n", "2:1: fields are missing" },
+        { HEAD "a,b,c,d,e,f,g,h,i,j\n", "2:19: too many fields" },
+        { HEAD "a,b,c,d,e,f,g,h,i\n", "2:17: expected fit, compare or range" },
+        { HEAD "a,b,c,d,e,f,g,h,fit\n", "2:7: expected a positive number" },
+        { HEAD "a,b,c,1 to,e,f,,g,range\n",
+          "2:7: expected a positive number, or LEAST to MAX" },
+        { HEAD "a,b,c,2 to 1,e,f,,g,range\n",
+          "2:7: expected a positive number, or LEAST to MAX" },
+        { HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,,s,fit\n",
+          "2:33: vector_add.s has no rays" },
+        { HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
+          "2:3: unknown region 'sub'" },
+        { HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,,s,fit\n",
+          "2:3: unknown machine model 'cyber205-9pipe'" },
+        { HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,,s,fit\n",
+          "2:33: unknown unit 'miles'" },
+        { HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,,s,fit\n",
+          "2:3: 'X' does not define a constant" },
+        { HEAD "a,stride.s,cyber205-2pipe,1,Mflop/s,1,,s,fit\n",
+          "2:29: the program does not define FLOPS" },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED_VALUE(observations) all = { 0 };
+        SCOPED_VALUE(diagnostics) found = { 0 };
+        struct run_options how = small();
+        char text[200];
+        assert_false(observations_read(&all, file_of(rows[i][0]), &how, &found));
+        assert_int_equal(found.count, 1);
+        assert_string_equal(found.items[0].file, "test_fit.csv");
+        snprintf(text, sizeof text, "%zu:%zu: %s", found.items[0].line,
+                 found.items[0].column, found.items[0].message);
+        assert_string_equal(text, rows[i][1]);
+        remove("test_fit.csv");
+    }
 }
 
 /* ---- Photons ------------------------------------------------------------ */
@@ -234,79 +249,62 @@ static double slower_swaps(const struct fit_run *run, const char *form)
     return region_clocks(run, form, &swaps[1]) - region_clocks(run, form, &swaps[0]);
 }
 
-static struct fit_run *photons(const char *program)
-{
-    struct run_options how = small();
-    c205_error error = { "" };
-    struct fit_run *run = run_new(program, &how, &error);
-    REQUIRE(run);
-    return run;
-}
-
 /* With its own random function, the scalar form swaps registers twice for each number;
  * no other code swaps. Rounding and the short logarithm change the path of hardly any
  * photon. */
 TEST(photons)
 {
-    struct fit_run *run = photons("photons.s OWN_RANF=1");
+    struct fit_run *run = new_run("photons.s OWN_RANF=1");
     double calls = slower_swaps(run, "scalar") / 2;
     if (fabs(calls / photon_draws() - 1) > .001)
         fail_msg("%g calls for %g numbers", calls, photon_draws());
-    assert_near(slower_swaps(run, "in_registers"), 0);
-    assert_near(slower_swaps(run, "vector"), 0);
+    assert_near(slower_swaps(run, "in_registers"), 0, "in_registers");
+    assert_near(slower_swaps(run, "vector"), 0, "vector");
     run_free(run);
-    run = photons("photons.s");
-    assert_near(slower_swaps(run, "scalar"), 0);
+    run = new_run("photons.s");
+    assert_near(slower_swaps(run, "scalar"), 0, "scalar");
     run_free(run);
 }
 
 /* ---- Groups and ranges -------------------------------------------------- */
 
-static void assert_group(const char *name, const char *group)
-{
-    const struct observation item = { .name = name };
-    assert_int_equal(observation_group(&item), strlen(group));
-    assert_memory_equal(name, group, strlen(group));
-}
-
 TEST(groups)
 {
-    assert_group("sphere scalar", "sphere");
-    assert_group("start-up", "start-up");
-    assert_group("photons, in registers", "photons");
-    assert_group("720 to 6600, sphere", "720 to 6600");
-    assert_true(
-        observation_same_group(&(const struct observation){ .name = "sphere scalar" },
-                               &(const struct observation){ .name = "sphere 720" }));
-    assert_false(
-        observation_same_group(&(const struct observation){ .name = "sphere scalar" },
-                               &(const struct observation){
-                                   .name = "spheres, scalar" }));
+    static const char *const rows[][2] = {
+        { "sphere scalar", "sphere" },
+        { "start-up", "start-up" },
+        { "photons, in registers", "photons" },
+        { "720 to 6600, sphere", "720 to 6600" },
+        { "sphere 720", "sphere" },
+        { "spheres, scalar", "spheres" },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        const struct observation item = { .name = rows[i][0] };
+        const struct observation sphere = { .name = rows[0][0] };
+        assert_int_equal(observation_group(&item), strlen(rows[i][1]));
+        assert_memory_equal(item.name, rows[i][1], strlen(rows[i][1]));
+        assert_int_equal(observation_same_group(&sphere, &item),
+                         strcmp(rows[i][1], "sphere") == 0);
+    }
 }
 
 TEST(ranges)
 {
+    static const double expected[][2] = { { 1.5, 3 }, { 4, 4 }, { 5, 5 } };
     SCOPED_VALUE(observations) all = { 0 };
-    struct run_options how = small();
-    struct diagnostics found = { 0 };
-    assert_true(
-        observations_read(&all,
-                          file_of(HEAD
-                                  "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,,s,"
-                                  "range\n"
-                                  "b,vector_add.s,cyber205-2pipe,4,clk,,,s,range\n"
-                                  "c,vector_add.s,cyber205-2pipe,5,clk,.3,.4,s,fit\n"),
-                          &how, &found));
+    read_observations(&all, "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,,s,range\n"
+                            "b,vector_add.s,cyber205-2pipe,4,clk,,,s,range\n"
+                            "c,vector_add.s,cyber205-2pipe,5,clk,.3,.4,s,fit\n");
+    assert_int_equal(all.count, 3);
     for (size_t i = 0; i < all.count; i++) {
-        static const double expected[][2] = { { 1.5, 3 }, { 4, 4 }, { 5, 5 } };
-        assert_near(all.items[i].least, expected[i][0]);
-        assert_near(all.items[i].most, expected[i][1]);
+        assert_near(all.items[i].least, expected[i][0], "least");
+        assert_near(all.items[i].most, expected[i][1], "most");
         assert_int_equal(all.items[i].use, i < 2 ? OBSERVATION_RANGE : OBSERVATION_FIT);
     }
-    assert_near(all.items[2].uncertainty, .3);
-    assert_near(all.items[2].shared, .4);
-    assert_near(observation_uncertainty(&all.items[2]), .5);
-    remove("test_fit.csv");
+    assert_near(all.items[2].uncertainty, .3, "uncertainty");
+    assert_near(all.items[2].shared, .4, "shared");
+    assert_near(observation_uncertainty(&all.items[2]), .5, "sum");
 }
 
 /* ---- Free constants ----------------------------------------------------- */
@@ -316,17 +314,12 @@ TEST(constants)
     static struct constants constants;
     c205_setting settings[MAX_SETTINGS];
     double places[MAX_FREE] = { .5 };
-    struct diagnostics found = { 0 };
     const struct free_constant *first = &constants.items[0];
     c205_error error;
     SCOPED(c205_model) *like = c205_model_find("eta10g", &error);
     assert_non_null(like);
-    if (!constants_read(&constants,
-                        file_of("name,machine,constants,source,least,most,why\n"
-                                "a,cyber205,latency.load swap.word,R,5,40,?\n"
-                                "b,cyber720,time.add,S,5,40,?\n"),
-                        &found))
-        fail_msg("%s", found.items[0].message);
+    read_constants(&constants, "a,cyber205,latency.load swap.word,R,5,40,?\n"
+                               "b,cyber720,time.add,S,5,40,?\n");
     assert_int_equal(constants.count, 2);
     assert_true(constant_is_of(first, model));
     assert_false(constant_is_of(&constants.items[1], model));
@@ -335,66 +328,56 @@ TEST(constants)
     assert_string_equal(c205_model_name(constants_prior(&constants, "cyber720")),
                         "cyber720-prior");
     assert_null(constants_prior(&constants, "eta10g"));
-    assert_near(constant_value(first, .5), 15 * 1.2);
-    assert_near(constant_place(first, 15 * 1.2), .5);
+    assert_near(constant_value(first, .5), 15 * 1.2, "value");
+    assert_near(constant_place(first, 15 * 1.2), .5, "place");
     assert_int_equal(constants_settings(&constants, places, model, settings), 2);
     assert_string_equal(settings[1].name, "swap.word");
-    assert_near(settings[1].value, 1.2);
+    assert_near(settings[1].value, 1.2, "swap.word");
     constants_free(&constants);
-    remove("test_fit.csv");
 }
 
-static bool is_among(const struct unidentifiable_list *unidentifiable, const char *name,
-                     const char **moved_by)
+/* Returns the free constant that moves a constant, "" if there is none, or NULL if the
+ * constant is not in the list. */
+static const char *moved_by(const struct unidentifiable_list *list, const char *name)
 {
-    for (size_t i = 0; i < unidentifiable->count; i++)
-        if (strcmp(unidentifiable->items[i].constant->name, name) == 0) {
-            assert_string_equal(unidentifiable->items[i].machine, "cyber205");
-            *moved_by = unidentifiable->items[i].moved_by
-                            ? unidentifiable->items[i].moved_by->name
-                            : "";
-            return true;
+    for (size_t i = 0; i < list->count; i++)
+        if (strcmp(list->items[i].constant->name, name) == 0) {
+            assert_string_equal(list->items[i].machine, "cyber205");
+            return list->items[i].moved_by ? list->items[i].moved_by->name : "";
         }
-    return false;
+    return NULL;
 }
 
 /* A fit to additions alone; a gather is only compared. */
 TEST(unidentifiable)
 {
+    static const char *const rows[][2] = {
+        { "startup.vadd", NULL },
+        { "stream.vadd", NULL },
+        { "machine.pipes", NULL },
+        { "clock.period", NULL },
+        { "startup.vdivide", "start-ups" },
+        { "stream.vgather", "" },
+        { "latency.store", "" },
+    };
     static struct constants constants;
     static struct unidentifiable_list unidentifiable;
     static const struct fit_change none;
     SCOPED_VALUE(observations) all = { 0 };
-    struct run_options how = small();
-    struct diagnostics found = { 0 };
     struct fit fit = { .observations = &all, .constants = &constants };
     c205_error error = { "" };
-    const char *moved_by;
-    assert_true(
-        observations_read(&all,
-                          file_of(HEAD "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,"
-                                       "clk,1,,s,fit\n"
-                                       "b,stride.s:gather,cyber205-2pipe,1,clk,1,,s,"
-                                       "compare\n"),
-                          &how, &found));
-    assert_true(
-        constants_read(&constants,
-                       file_of("name,machine,constants,source,least,most,why\n"
-                               "start-ups,cyber205,startup.vadd startup.vdivide,"
-                               "R,5,90,?\n"),
-                       &found));
+    read_observations(&all,
+                      "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,clk,1,,s,fit\n"
+                      "b,stride.s:gather,cyber205-2pipe,1,clk,1,,s,compare\n");
+    read_constants(&constants,
+                   "start-ups,cyber205,startup.vadd startup.vdivide,R,5,90,?\n");
     assert_true(unidentifiable_find(&fit, &none, &unidentifiable, &error));
-    assert_false(is_among(&unidentifiable, "startup.vadd", &moved_by));
-    assert_false(is_among(&unidentifiable, "stream.vadd", &moved_by));
-    assert_false(is_among(&unidentifiable, "machine.pipes", &moved_by));
-    assert_false(is_among(&unidentifiable, "clock.period", &moved_by));
-    assert_true(is_among(&unidentifiable, "startup.vdivide", &moved_by));
-    assert_string_equal(moved_by, "start-ups");
-    assert_true(is_among(&unidentifiable, "stream.vgather", &moved_by));
-    assert_string_equal(moved_by, "");
-    assert_true(is_among(&unidentifiable, "latency.store", &moved_by));
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        const char *found = moved_by(&unidentifiable, rows[i][0]);
+        if (!found != !rows[i][1] || (found && strcmp(found, rows[i][1]) != 0))
+            fail_msg("%s is moved by %s", rows[i][0], found ? found : "the fit");
+    }
     constants_free(&constants);
-    remove("test_fit.csv");
 }
 
 FIXTURE(find_model)

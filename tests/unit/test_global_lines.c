@@ -31,14 +31,6 @@ static struct global_lines find(const char *text, struct global_lines_options op
     return found;
 }
 
-/* The error is estimated from 16 repeats: 4.6 errors are as rare as 4 of a normal
- * distribution. */
-static void assert_estimate(const char *what, struct estimate found, double expected)
-{
-    if (!(fabs(found.value - expected) <= 4.6 * found.error + 1e-9 * fabs(expected)))
-        fail_msg("%s: %g +- %g is not %g", what, found.value, found.error, expected);
-}
-
 static void assert_exact(const struct global_lines *found)
 {
     for (size_t i = 0; i <= found->surfaces; i++) {

@@ -122,8 +122,8 @@ TEST(written_and_read)
 {
     for (size_t i = 0; i < ROUNDS; i++) {
         uint64_t seed = random_state;
-        struct text_buffer text = { 0 };
-        struct arena arena = { 0 };
+        SCOPED_VALUE(text_buffer) text = { 0 };
+        SCOPED_VALUE(arena) arena = { 0 };
         const struct json_value *tree;
         c205_error error;
 
@@ -134,8 +134,6 @@ TEST(written_and_read)
             fail_msg("%s: %s", error.message, text.text);
         check_value(tree->first, 0);
         assert_string_equal(tree->first->key, "value");
-        arena_free(&arena);
-        text_buffer_free(&text);
     }
 }
 
@@ -144,30 +142,27 @@ TEST(written_and_read)
 /* Reads a copy of exact size, so that the sanitizers detect reads after its end. */
 static bool is_read(const char *text, size_t length)
 {
-    struct arena arena = { 0 };
+    SCOPED_VALUE(arena) arena = { 0 };
     c205_error error = { "" };
-    char *copy = malloc(length + !length);
+    FREED char *copy = malloc(length + !length);
     const struct json_value *tree;
 
     memcpy(copy, text, length);
     tree = json_read(&arena, copy, length, &error);
     assert_true(tree || *error.message);
-    free(copy);
-    arena_free(&arena);
     return tree;
 }
 
 TEST(damaged)
 {
     for (size_t i = 0; i < ROUNDS; i++) {
-        struct text_buffer text = { 0 };
+        SCOPED_VALUE(text_buffer) text = { 0 };
 
         write_document(&text);
         assert_true(is_read(text.text, text.length));
         assert_false(is_read(text.text, below(text.length)));
         text.text[below(text.length)] = (char)below(256);
         is_read(text.text, text.length);
-        text_buffer_free(&text);
     }
 }
 
@@ -208,7 +203,7 @@ TEST(right_and_wrong)
         { "\"\xed\xa0\x80\"", "invalid UTF-8" },
         { "\"\xc0\x80\"", "invalid UTF-8" },
     };
-    struct arena arena = { 0 };
+    SCOPED_VALUE(arena) arena = { 0 };
     c205_error error;
 
     for (size_t i = 0; i < COUNT(right); i++)
@@ -222,7 +217,6 @@ TEST(right_and_wrong)
     }
     assert_string_equal(read_in(&arena, "\"\\ud83d\\ude00\\u00e4\"", &error)->text,
                         "\xf0\x9f\x98\x80\xc3\xa4");
-    arena_free(&arena);
 }
 
 TEST(depth)
@@ -240,7 +234,8 @@ TEST(depth)
 
 TEST(members)
 {
-    struct arena arena = { 0 };
+    static const char *const keys[] = { "a", "none", "b", "d", "e", "g" };
+    SCOPED_VALUE(arena) arena = { 0 };
     c205_error error;
     const struct json_value
         *tree = read_in(&arena,
@@ -249,12 +244,9 @@ TEST(members)
                         &error);
     int64_t value = 7;
 
-    assert_true(json_member_whole(tree, "a", &value) && value == 1);
-    assert_true(json_member_whole(tree, "none", &value) && value == 1);
-    assert_true(json_member_whole(tree, "b", &value) && value == 1);
-    assert_false(json_member_whole(tree, "d", &value) || value != 1);
-    assert_false(json_member_whole(tree, "e", &value) || value != 1);
-    assert_false(json_member_whole(tree, "g", &value) || value != 1);
+    for (size_t i = 0; i < COUNT(keys); i++) /* the last three are no integers */
+        if (json_member_whole(tree, keys[i], &value) != (i < 3) || value != 1)
+            fail_msg("%s: %lld", keys[i], (long long)value);
     assert_null(json_member(tree, "b"));
     assert_null(json_member(NULL, "b"));
     assert_null(json_member(tree->first, "b"));
@@ -264,14 +256,13 @@ TEST(members)
     assert_null(json_member_text(tree, "a"));
     assert_false(json_member_truth(tree, "f", true));
     assert_true(json_member_truth(tree, "a", true));
-    arena_free(&arena);
 }
 
 /* Output is valid UTF-8 and readable for any bytes. */
 TEST(bytes)
 {
     for (size_t i = 0; i < ROUNDS; i++) {
-        struct text_buffer line = { 0 };
+        SCOPED_VALUE(text_buffer) line = { 0 };
         c205_error error;
         struct json *json = json_open_line(&line, &error);
         char bytes[30];
@@ -283,13 +274,14 @@ TEST(bytes)
         json_text(json, "bytes", bytes);
         assert_true(json_close(json, &error));
         assert_true(is_read(line.text, line.length));
-        text_buffer_free(&line);
     }
 }
 
 /* Every code point and the values next to the range. */
 TEST(utf8)
 {
+    static const char *const outside[] = { "\xf4\x90\x80\x80", "\xe0\x9f\xbf",
+                                           "\xf0\x8f\xbf\xbf", "\x80" };
     char text[MAX_UTF8];
 
     for (unsigned long code = 0; code < 0x110000; code++) {
@@ -299,8 +291,6 @@ TEST(utf8)
         assert_int_equal(utf8_length(text, length), is_surrogate ? 0 : length);
         assert_int_equal(utf8_length(text, length - 1), 0);
     }
-    assert_int_equal(utf8_length("\xf4\x90\x80\x80", 4), 0);
-    assert_int_equal(utf8_length("\xe0\x9f\xbf", 3), 0);
-    assert_int_equal(utf8_length("\xf0\x8f\xbf\xbf", 4), 0);
-    assert_int_equal(utf8_length("\x80", 1), 0);
+    for (size_t i = 0; i < COUNT(outside); i++)
+        assert_int_equal(utf8_length(outside[i], strlen(outside[i])), 0);
 }
