@@ -19,11 +19,6 @@
 static size_t tries = 4; /* of each kind */
 static uint64_t state = RANDOM_SEED;
 
-static double some(double low, double high)
-{
-    return number_between(&state, low, high);
-}
-
 static size_t between(size_t low, size_t high)
 {
     return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
@@ -31,19 +26,10 @@ static size_t between(size_t low, size_t high)
 
 /* ---- Emission ------------------------------------------------------------- */
 
-static struct emission *begin(const struct primitive *primitive,
-                              struct emission_options options)
-{
-    c205_error error = { "" };
-    options.model = prior_model;
-    struct emission *emission = emission_new(primitive, &options, &error);
-    REQUIRE(emission);
-    return emission;
-}
-
-/* A point as the machine writes it to its planes. */
+/* A point as the machine writes it to its planes, and the numbers of these words. */
 struct emitted_point {
-    c205_word spot[3], face[3], weight, ray[3];
+    c205_word words[EMITTED_PLANES];
+    double spot[3], face[3], weight, ray[3];
 };
 
 static void run(const struct emission *emission, size_t count,
@@ -55,19 +41,24 @@ static void run(const struct emission *emission, size_t count,
     REQUIRE(emission_run(emission, choice, planes, accounts, &error));
     for (size_t i = 0; i < count; i++) {
         struct emitted_point *point = &points[i];
+        for (size_t k = 0; k < EMITTED_PLANES; k++)
+            point->words[k] = planes[k * count + i];
         for (size_t k = 0; k < 3; k++) {
-            point->spot[k] = planes[(EMITTED_SPOT + k) * count + i];
-            point->face[k] = planes[(EMITTED_FACE + k) * count + i];
-            point->ray[k] = planes[(EMITTED_RAY + k) * count + i];
+            point->spot[k] = c205_to_double(point->words[EMITTED_SPOT + k]);
+            point->face[k] = c205_to_double(point->words[EMITTED_FACE + k]);
+            point->ray[k] = c205_to_double(point->words[EMITTED_RAY + k]);
         }
-        point->weight = planes[EMITTED_WEIGHT * count + i];
+        point->weight = c205_to_double(point->words[EMITTED_WEIGHT]);
     }
 }
 
 static void emit(const struct primitive *primitive, struct emission_options options,
                  struct emission_choice choice, struct emitted_point *points)
 {
-    SCOPED(emission) *emission = begin(primitive, options);
+    c205_error error = { "" };
+    options.model = prior_model;
+    SCOPED(emission) *emission = emission_new(primitive, &options, &error);
+    REQUIRE(emission);
     run(emission, options.points, &choice, points, NULL);
 }
 
@@ -82,10 +73,14 @@ static struct emission_choice some_choice(void)
                                      .shift = between(0, 1000) };
 }
 
-static void read_vector(const c205_word words[3], double vector[3])
+/* Calls a check for random shapes, `times` for each kind. */
+static void each_shape(size_t times, void (*check)(const struct primitive *primitive))
 {
-    for (int i = 0; i < 3; i++)
-        vector[i] = c205_to_double(words[i]);
+    for (size_t i = 0; i < times * EMITTING_KINDS; i++) {
+        struct primitive primitive = draw_emitting(emitting_kinds[i % EMITTING_KINDS],
+                                                   &state);
+        check(&primitive);
+    }
 }
 
 /* ---- On the surface ------------------------------------------------------- */
@@ -131,18 +126,18 @@ static bool encloses(const struct primitive *primitive, const double spot[3],
     return in[primitive->kind](primitive, point);
 }
 
-/* Returns the number of points that are not on the surface or have the wrong side
- * up. */
-static size_t count_astray(const struct primitive *primitive,
-                           const struct emitted_point *points, size_t count)
+/* Each point must be on the surface and have the right side up. A thousandth of the
+ * points may fail: near an edge another surface may be nearer than a ten-millionth. */
+static void check_surface(const struct primitive *primitive)
 {
+    struct emission_options options = { TRACE_VECTOR, 500, POINTS, between(0, 1),
+                                        NULL };
     bool sided = !shape_is_surface(primitive);
     size_t astray = 0;
-    for (size_t i = 0; i < count; i++) {
-        double spot[3], face[3], ray[3];
-        read_vector(points[i].spot, spot);
-        read_vector(points[i].face, face);
-        read_vector(points[i].ray, ray);
+    emit(primitive, options, some_choice(), emitted[0]);
+    for (size_t i = 0; i < POINTS; i++) {
+        const double *spot = emitted[0][i].spot, *face = emitted[0][i].face;
+        const double *ray = emitted[0][i].ray;
         assert_near(dot(face, face), 1, 1e-12);
         assert_near(dot(ray, ray), 1, 1e-12);
         assert_true(dot(face, ray) > 0);
@@ -151,25 +146,10 @@ static size_t count_astray(const struct primitive *primitive,
                       && (encloses(primitive, spot, 1e-7, face)
                           || !encloses(primitive, spot, -1e-7, face)));
     }
-    return astray;
+    assert_in_range(astray, 0, POINTS / 1000);
 }
 
-/* A thousandth of the points may fail: near an edge another surface may be nearer than
- * a ten-millionth. */
-static void check_surface(enum primitive_kind kind)
-{
-    struct primitive primitive = draw_emitting(kind, &state);
-    struct emission_options options = { TRACE_VECTOR, 500, POINTS, between(0, 1),
-                                        NULL };
-    emit(&primitive, options, some_choice(), emitted[0]);
-    assert_in_range(count_astray(&primitive, emitted[0], POINTS), 0, POINTS / 1000);
-}
-
-TEST(surfaces)
-{
-    for (size_t i = 0; i < tries * EMITTING_KINDS; i++)
-        check_surface(emitting_kinds[i % EMITTING_KINDS]);
-}
+TEST_CALL(surfaces, each_shape(tries, check_surface))
 
 /* ---- Means ---------------------------------------------------------------- */
 
@@ -196,58 +176,47 @@ static void assert_mean(const struct mean *mean, double expected, double sigmas,
 
 /* The mean weight must be the area. The mean of the points, weighted, must be the
  * centroid of the surface. */
-static void check_area(enum primitive_kind kind)
+static void check_area(const struct primitive *primitive)
 {
-    struct primitive primitive = draw_emitting(kind, &state);
     struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
-    struct plain_area expected = plain_area(&primitive);
+    struct plain_area expected = plain_area(primitive);
     struct mean area = { 0 }, moments[3] = { { 0 } };
     double slack = 1e-5 * expected.area;
-    emit(&primitive, options, some_choice(), emitted[0]);
+    emit(primitive, options, some_choice(), emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
-        double spot[3], weight = c205_to_double(emitted[0][i].weight);
-        read_vector(emitted[0][i].spot, spot);
-        add_to(&area, weight);
+        const struct emitted_point *point = &emitted[0][i];
+        add_to(&area, point->weight);
         for (int k = 0; k < 3; k++)
-            add_to(&moments[k], weight * (spot[k] - expected.middle[k]));
+            add_to(&moments[k], point->weight * (point->spot[k] - expected.middle[k]));
     }
     assert_mean(&area, expected.area, 4.5, slack);
     for (int k = 0; k < 3; k++)
         assert_mean(&moments[k], 0, 4.5, slack);
 }
 
-TEST(areas)
-{
-    for (size_t i = 0; i < tries * EMITTING_KINDS; i++)
-        check_area(emitting_kinds[i % EMITTING_KINDS]);
-}
+TEST_CALL(areas, each_shape(tries, check_area))
 
-/* If all parts of a surface are alike, each weight is its area. */
-static void assert_every_weight(const struct primitive *primitive, double area)
-{
-    struct emission_options options = { TRACE_VECTOR, 100, 100, false, NULL };
-    emit(primitive, options, some_choice(), emitted[0]);
-    for (size_t i = 0; i < 100; i++)
-        assert_near(c205_to_double(emitted[0][i].weight), area, 1e-11 * area);
-}
-
-/* Areas of massprops.csv. */
+/* Areas of massprops.csv. If all parts of a surface are alike, each weight is its
+ * area. */
 TEST(exact_areas)
 {
-    struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
-                                .shape.sphere = { { .3, -.2, .5 }, 1 } };
-    struct primitive cylinder = { .kind = PRIMITIVE_CYLINDER,
-                                  .shape.cylinder = {
-                                      { 0, 0, 0 }, { 0, 2, 0 }, .5, false } };
-    struct primitive box = { .kind = PRIMITIVE_BOX,
-                             .shape.box = { { { -1, -.5, -.25 }, { 1, .5, .25 } } } };
+    static struct primitive primitives[] = {
+        { .kind = PRIMITIVE_SPHERE, .shape.sphere = { { .3, -.2, .5 }, 1 } },
+        { .kind = PRIMITIVE_CYLINDER,
+          .shape.cylinder = { { 0, 0, 0 }, { 0, 2, 0 }, .5, false } },
+        { .kind = PRIMITIVE_BOX,
+          .shape.box = { { { -1, -.5, -.25 }, { 1, .5, .25 } } } },
+    };
+    static const double areas[] = { 12.5663706143592, 7.85398163397448, 7 };
+    struct emission_options options = { TRACE_VECTOR, 100, 100, false, NULL };
     struct placement turned = placement_rotation((double[]){ 0, 0, 30 });
-    move_shape(&sphere, &placement_none);
-    move_shape(&cylinder, &placement_none);
-    move_shape(&box, &turned);
-    assert_every_weight(&sphere, 12.5663706143592);
-    assert_every_weight(&cylinder, 7.85398163397448);
-    assert_every_weight(&box, 7);
+    for (size_t k = 0; k < COUNT(areas); k++) {
+        move_shape(&primitives[k],
+                   primitives[k].kind == PRIMITIVE_BOX ? &turned : &placement_none);
+        emit(&primitives[k], options, some_choice(), emitted[0]);
+        for (size_t i = 0; i < 100; i++)
+            assert_near(emitted[0][i].weight, areas[k], 1e-11 * areas[k]);
+    }
 }
 
 /* The torus of massprops.csv, whose weights differ. */
@@ -260,7 +229,7 @@ TEST(torus_area)
     move_shape(&torus, &placement_none);
     emit(&torus, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++)
-        add_to(&area, c205_to_double(emitted[0][i].weight));
+        add_to(&area, emitted[0][i].weight);
     assert_near(area.sum / area.count, 9.86960440108936, 1e-9);
 }
 
@@ -282,36 +251,26 @@ TEST(accuracy)
         long double u = stream_word(choice.seed, choice.first + i, 0) * 0x1p-47L;
         long double t = stream_word(choice.seed, choice.first + i, 1) * 0x1p-47L;
         long double r = 2 * sqrtl(u * (1 - u));
-        const c205_word *spot = emitted[0][i].spot;
-        most = fmax(most, (double)fabsl(c205_to_double(spot[0]) - r * cosl(turn * t)));
-        most = fmax(most, (double)fabsl(c205_to_double(spot[1]) - (1 - 2 * u)));
-        most = fmax(most, (double)fabsl(c205_to_double(spot[2]) - r * sinl(turn * t)));
+        long double exact[] = { r * cosl(turn * t), 1 - 2 * u, r * sinl(turn * t) };
+        for (int k = 0; k < 3; k++)
+            most = fmax(most, (double)fabsl(emitted[0][i].spot[k] - exact[k]));
     }
     print_message("points of the unit circle: off by %.1e at most\n", most);
     assert_true(most < 3e-13);
 }
 
-/* D . n must be sqrt (1 - u), with u the third number, as the cosine law requires. */
-static void check_cosines(const struct emission_choice *choice,
-                          const struct emitted_point *points, size_t count)
+/* D . n must be sqrt (1 - u), with u the third number, as the cosine law requires. The
+ * mean of D is 2/3 n, that of D D^T is (1 + n n^T) / 4. */
+static void check_cosine_law(const struct primitive *primitive)
 {
-    for (size_t i = 0; i < count; i++) {
-        double face[3], ray[3];
-        double u = (double)stream_word(choice->seed, choice->first + i, 2) * 0x1p-47;
-        read_vector(points[i].face, face);
-        read_vector(points[i].ray, ray);
-        assert_near(dot(face, ray), sqrt(1 - u), 1e-12);
-    }
-}
-
-/* The mean of D is 2/3 n, that of D D^T is (1 + n n^T) / 4. */
-static void check_moments(const struct emitted_point *points, size_t count)
-{
+    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
+    struct emission_choice choice = some_choice();
     struct mean first[3] = { { 0 } }, second[3][3] = { { { 0 } } };
-    for (size_t i = 0; i < count; i++) {
-        double face[3], ray[3];
-        read_vector(points[i].face, face);
-        read_vector(points[i].ray, ray);
+    emit(primitive, options, choice, emitted[0]);
+    for (size_t i = 0; i < options.points; i++) {
+        const double *face = emitted[0][i].face, *ray = emitted[0][i].ray;
+        double u = (double)stream_word(choice.seed, choice.first + i, 2) * 0x1p-47;
+        assert_near(dot(face, ray), sqrt(1 - u), 1e-12);
         for (int j = 0; j < 3; j++) {
             add_to(&first[j], ray[j] - face[j] * 2 / 3);
             for (int k = 0; k <= j; k++)
@@ -326,86 +285,53 @@ static void check_moments(const struct emitted_point *points, size_t count)
     }
 }
 
-TEST(cosine_law)
-{
-    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
-    for (size_t i = 0; i < tries * EMITTING_KINDS; i++) {
-        struct primitive primitive = draw_emitting(emitting_kinds[i % EMITTING_KINDS],
-                                                   &state);
-        struct emission_choice choice = some_choice();
-        emit(&primitive, options, choice, emitted[0]);
-        check_cosines(&choice, emitted[0], options.points);
-        check_moments(emitted[0], options.points);
-    }
-}
+TEST_CALL(cosine_law, each_shape(tries, check_cosine_law))
 
 /* ---- Both forms ------------------------------------------------------------ */
 
 /* The scalar form in one call is compared with the vector form in two calls and other
  * queues. */
-static void compare_forms(enum primitive_kind kind)
+static void compare_forms(const struct primitive *primitive)
 {
-    struct primitive primitive = draw_emitting(kind, &state);
     size_t count = between(2, 3000), cut = between(1, count - 1);
     struct emission_options options = { TRACE_SCALAR, 0, count, between(0, 1), NULL };
     struct emission_choice choice = some_choice();
     choice.first %= 1048576 - count;
-    emit(&primitive, options, choice, emitted[0]);
+    emit(primitive, options, choice, emitted[0]);
     options.mode = TRACE_VECTOR;
     options.points = cut;
     options.queue = between(1, 3000);
-    emit(&primitive, options, choice, emitted[1]);
+    emit(primitive, options, choice, emitted[1]);
     options.points = count - cut;
     options.queue = between(1, 3000);
     choice.first += cut;
-    emit(&primitive, options, choice, emitted[1] + cut);
+    emit(primitive, options, choice, emitted[1] + cut);
     assert_memory_equal(emitted[0], emitted[1], count * sizeof **emitted);
 }
 
-TEST(forms)
-{
-    for (size_t i = 0; i < 2 * tries * EMITTING_KINDS; i++)
-        compare_forms(emitting_kinds[i % EMITTING_KINDS]);
-}
+TEST_CALL(forms, each_shape(2 * tries, compare_forms))
 
 /* ---- Factors --------------------------------------------------------------- */
 
-/* Returns the fraction of rays from a disc in the plane y = 0 that cross the plane y =
- * height at a point for which `within` is true. */
-static double share_through(const struct primitive *primitive, double height,
-                            bool (*within)(const double point[3]))
+/* Compares the fraction of rays from the plane y = 0 that cross the plane y = height in
+ * a disc of this radius, or, if it is 0, in the unit square. */
+static void check_share(const struct primitive *primitive, double height, double radius,
+                        double expected)
 {
     struct emission_options options = { TRACE_VECTOR, 2000, 60000, false, NULL };
     size_t through = 0;
     emit(primitive, options, some_choice(), emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
-        double spot[3], ray[3];
-        read_vector(emitted[0][i].spot, spot);
-        read_vector(emitted[0][i].ray, ray);
-        add_scaled(spot, spot, (height - spot[1]) / ray[1], ray);
-        through += within(spot);
+        const struct emitted_point *point = &emitted[0][i];
+        double spot[3];
+        add_scaled(spot, point->spot, (height - point->spot[1]) / point->ray[1],
+                   point->ray);
+        through += radius > 0
+                       ? spot[0] * spot[0] + spot[2] * spot[2] <= radius * radius
+                       : spot[0] >= 0 && spot[0] <= 1 && spot[2] >= 0 && spot[2] <= 1;
     }
-    return (double)through / (double)options.points;
-}
-
-static void assert_share(double found, double expected)
-{
-    assert_near(found, expected, 4 * sqrt(expected * (1 - expected) / 60000));
-}
-
-static bool in_square(const double point[3])
-{
-    return point[0] >= 0 && point[0] <= 1 && point[2] >= 0 && point[2] <= 1;
-}
-
-static bool in_less(const double point[3])
-{
-    return point[0] * point[0] + point[2] * point[2] <= .6 * .6;
-}
-
-static bool in_unit(const double point[3])
-{
-    return point[0] * point[0] + point[2] * point[2] <= 1;
+    assert_near((double)through / 60000, expected,
+                4 * sqrt(expected * (1 - expected) / 60000));
 }
 
 /* Factors of viewfactors.csv. */
@@ -421,9 +347,9 @@ TEST(factors)
                               .shape.disc = { { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
     move_shape(&square, &placement_none);
     move_shape(&disc, &placement_none);
-    assert_share(share_through(&square, 1, in_square), 0.1998248956984);
-    assert_share(share_through(&disc, .9, in_less), 0.1809950221376);
-    assert_share(share_through(&disc, 1, in_unit), 0.3819660112501);
+    check_share(&square, 1, 0, 0.1998248956984);
+    check_share(&disc, .9, .6, 0.1809950221376);
+    check_share(&disc, 1, 1, 0.3819660112501);
 }
 
 /* ---- Errors ----------------------------------------------------------------- */
@@ -438,27 +364,22 @@ static void assert_no_emission(const struct primitive *primitive,
         fail_msg("\"%s\" does not say \"%s\"", error.message, message);
 }
 
-static bool emits(enum primitive_kind kind)
-{
-    for (size_t i = 0; i < EMITTING_KINDS; i++)
-        if (emitting_kinds[i] == kind)
-            return true;
-    return false;
-}
-
 TEST(refused)
 {
     struct primitive primitive = { .kind = PRIMITIVE_TORUS,
                                    .line = 7,
                                    .shape.torus = { 1, 2 } };
     struct emission_options options = { TRACE_VECTOR, 10, 10, false, NULL };
+    bool emits[PRIMITIVE_KINDS] = { false };
     move_shape(&primitive, &placement_none);
     assert_no_emission(&primitive, options,
                        "the torus of line 7: a torus that intersects itself");
     primitive.kind = PRIMITIVE_PLANE;
     assert_no_emission(&primitive, options, "the plane of line 7: a plane is infinite");
+    for (size_t i = 0; i < EMITTING_KINDS; i++)
+        emits[emitting_kinds[i]] = true;
     for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
-        if (!emits((enum primitive_kind)kind) && kind != PRIMITIVE_PLANE) {
+        if (!emits[kind] && kind != PRIMITIVE_PLANE) {
             primitive.kind = (enum primitive_kind)kind;
             assert_no_emission(&primitive, options,
                                "only lines can sample its surface");
@@ -467,19 +388,18 @@ TEST(refused)
 
 TEST(options)
 {
+    static const struct {
+        struct emission_options options;
+        const char *message;
+    } rows[] = {
+        { { TRACE_KERNELS, 10, 10, false, NULL }, "scalar or vector" },
+        { { TRACE_SCALAR, 0, 0, false, NULL }, "0 points" },
+        { { TRACE_SCALAR, 0, 65536, false, NULL }, "65536 points" },
+        { { TRACE_VECTOR, 0, 10, false, NULL }, "a queue of 0 points" },
+    };
     struct primitive primitive = draw_emitting(PRIMITIVE_SPHERE, &state);
-    assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_KERNELS, 10, 10, false, NULL },
-                       "scalar or vector");
-    assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_SCALAR, 0, 0, false, NULL },
-                       "0 points");
-    assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_SCALAR, 0, 65536, false, NULL },
-                       "65536 points");
-    assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_VECTOR, 0, 10, false, NULL },
-                       "a queue of 0 points");
+    for (size_t i = 0; i < COUNT(rows); i++)
+        assert_no_emission(&primitive, rows[i].options, rows[i].message);
 }
 
 /* ---- The table -------------------------------------------------------------- */
@@ -491,7 +411,7 @@ static void check_alias(size_t count)
     size_t alias[MAX];
 
     for (size_t i = 0; i < count; i++)
-        sum += weights[i] = between(0, 4) == 0 ? 0 : some(0, 1);
+        sum += weights[i] = between(0, 4) == 0 ? 0 : number_between(&state, 0, 1);
     weights[between(0, count - 1)] += 1;
     sum += 1;
     assert_true(alias_build(weights, count, share, alias));
