@@ -24,13 +24,23 @@ static size_t some_length(size_t most)
     return length < most ? length : most;
 }
 
-static struct object *assemble(const char *name)
+/* Assembles the scalar and the vector form of a program. */
+static void assemble(const char *name, struct object *forms[2])
 {
     static const struct asm_define none[] = { { NULL, 0 } };
-    c205_error error;
-    struct object *program = program_assemble(name, none, &error);
-    REQUIRE(program);
-    return program;
+    for (int i = 0; i < 2; i++) {
+        char path[40];
+        c205_error error;
+        snprintf(path, sizeof path, "heat/%s_%s.s", name, i ? "vector" : "scalar");
+        forms[i] = program_assemble(path, none, &error);
+        REQUIRE(forms[i]);
+    }
+}
+
+static void begin(struct single_run *run, const struct object *program)
+{
+    static c205_error error;
+    single_run_begin(run, program, prior_model, &error);
 }
 
 static void end(struct single_run *run, uint64_t from, c205_word *words, size_t count)
@@ -43,9 +53,11 @@ static void end(struct single_run *run, uint64_t from, c205_word *words, size_t 
 
 /* ---- Flow to receivers ---------------------------------------------------- */
 
+enum { MAX_RAYS = 65535, MAX_RECEIVERS = 300 };
+
 struct receiving {
     size_t rays, receivers;
-    c205_word *weights, *list;
+    c205_word weights[MAX_RAYS], list[MAX_RAYS];
 };
 
 static void receive(const struct object *program, const struct receiving *given,
@@ -53,8 +65,7 @@ static void receive(const struct object *program, const struct receiving *given,
 {
     size_t receivers = given->receivers;
     struct single_run run;
-    c205_error error = { "" };
-    single_run_begin(&run, program, prior_model, &error);
+    begin(&run, program);
     single_run_word(&run, "received_rays", given->rays);
     single_run_word(&run, "received_receivers", receivers);
     single_run_room(&run, "received_weights", given->weights, given->rays);
@@ -88,30 +99,23 @@ static void check_received(const struct receiving *given, const c205_word *words
 
 TEST(received)
 {
-    struct object *forms[] = { assemble("heat/received_scalar.s"),
-                               assemble("heat/received_vector.s") };
+    static struct receiving given;
+    static c205_word words[2][2 * MAX_RECEIVERS + 1];
+    struct object *forms[2];
+    assemble("received", forms);
     for (int i = 0; i < 60; i++) {
-        struct receiving given = { .rays = some_length(65535),
-                                   .receivers = some_length(300) };
-        size_t width = 2 * given.receivers + 1;
-        c205_word *words[2];
-        given.weights = calloc(given.rays, sizeof *given.weights);
-        given.list = calloc(given.rays, sizeof *given.list);
+        given.rays = some_length(MAX_RAYS);
+        given.receivers = some_length(MAX_RECEIVERS);
         for (size_t k = 0; k < given.rays; k++) {
             given.weights[k] = c205_from_double(xorshift_real(&random_state, .1, 7));
             given.list[k] = c205_from_integer(
                 (int64_t)below(below(2) ? given.receivers : 1 + given.receivers / 9));
         }
-        for (int form = 0; form < 2; form++) {
-            words[form] = calloc(width, sizeof **words);
+        for (int form = 0; form < 2; form++)
             receive(forms[form], &given, words[form]);
-        }
         check_received(&given, words[0]);
-        assert_memory_equal(words[0], words[1], width * sizeof **words);
-        free(words[0]);
-        free(words[1]);
-        free(given.weights);
-        free(given.list);
+        assert_memory_equal(words[0], words[1],
+                            (2 * given.receivers + 1) * sizeof **words);
     }
     object_free(forms[0]);
     object_free(forms[1]);
@@ -119,11 +123,11 @@ TEST(received)
 
 /* ---- Points that stay ------------------------------------------------------- */
 
-enum { PLANES = 3, LIST_PLANES = 4, OWN = 5 };
+enum { PLANES = 3, LIST_PLANES = 4, OWN = 5, MAX_POINTS = 5000, MAX_LIST = 10000 };
 
 struct staying {
     size_t points, crossings;
-    c205_word *planes, *list;
+    c205_word planes[PLANES * MAX_POINTS], list[LIST_PLANES * MAX_LIST];
 };
 
 static void stay(const struct object *program, const struct staying *given,
@@ -131,8 +135,7 @@ static void stay(const struct object *program, const struct staying *given,
 {
     size_t count = PLANES * given->points;
     struct single_run run;
-    c205_error error = { "" };
-    single_run_begin(&run, program, prior_model, &error);
+    begin(&run, program);
     single_run_word(&run, "faces_points", given->points);
     single_run_word(&run, "faces_planes", PLANES);
     single_run_room(&run, "faces_from", given->planes, count);
@@ -146,50 +149,45 @@ static void stay(const struct object *program, const struct staying *given,
 
 /* Draws crossings near the origin or far from it, of the point's own primitive or
  * another one. */
-static void draw_crossings(const struct staying *given)
+static void draw_crossings(struct staying *given)
 {
     static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
-    for (size_t i = 0; i < given->crossings; i++) {
-        given->list[i] = c205_from_double(distances[below(6)]);
-        given->list[given->crossings + i] = c205_from_integer(
-            (int64_t)(below(2) ? OWN : below(2 * OWN)));
-        given->list[2 * given->crossings + i] = c205_from_integer(
-            (int64_t)below(given->points));
-        given->list[3 * given->crossings + i] = c205_from_integer(
-            (int64_t)(1 + below(3)));
+    c205_word *list = given->list;
+    size_t n = given->crossings;
+    for (size_t i = 0; i < n; i++) {
+        list[i] = c205_from_double(distances[below(6)]);
+        list[n + i] = c205_from_integer((int64_t)(below(2) ? OWN : below(2 * OWN)));
+        list[2 * n + i] = c205_from_integer((int64_t)below(given->points));
+        list[3 * n + i] = c205_from_integer((int64_t)(1 + below(3)));
     }
 }
 
-static bool is_near(const struct staying *given, size_t i, size_t point)
+/* Returns whether a crossing is near the point, and reads its primitive and its
+ * direction. */
+static bool is_near(const struct staying *given, size_t i, size_t point,
+                    int64_t *primitive, int64_t *sense)
 {
-    return fabs(c205_to_double(given->list[i])) < 1e-7
-           && c205_to_integer(given->list[2 * given->crossings + i]) == (int64_t)point;
+    const c205_word *word = given->list + i;
+    size_t n = given->crossings;
+    *primitive = c205_to_integer(word[n]);
+    *sense = c205_to_integer(word[3 * n]);
+    return fabs(c205_to_double(word[0])) < 1e-7
+           && c205_to_integer(word[2 * n]) == (int64_t)point;
 }
 
-static int64_t primitive_of(const struct staying *given, size_t i)
-{
-    return c205_to_integer(given->list[given->crossings + i]);
-}
-
-/* Returns the direction of the last crossing of the point's own primitive, or 0 if
- * there is none. */
-static int64_t sense_of(const struct staying *given, size_t point)
-{
-    int64_t sense = 0;
-    for (size_t i = 0; i < given->crossings; i++)
-        if (is_near(given, i, point) && primitive_of(given, i) == OWN)
-            sense = c205_to_integer(given->list[3 * given->crossings + i]);
-    return sense;
-}
-
+/* A point stays if the direction of the last crossing of its own primitive is above 0
+ * and no crossing of an earlier primitive has this direction. */
 static bool stays(const struct staying *given, size_t point)
 {
-    int64_t sense = sense_of(given, point);
+    int64_t own = 0, primitive, sense;
     for (size_t i = 0; i < given->crossings; i++)
-        if (is_near(given, i, point) && primitive_of(given, i) < OWN
-            && c205_to_integer(given->list[3 * given->crossings + i]) == sense)
+        if (is_near(given, i, point, &primitive, &sense) && primitive == OWN)
+            own = sense;
+    for (size_t i = 0; i < given->crossings; i++)
+        if (is_near(given, i, point, &primitive, &sense) && primitive < OWN
+            && sense == own)
             return false;
-    return sense > 0;
+    return own > 0;
 }
 
 static void check_staying(const struct staying *given, const c205_word *words)
@@ -208,26 +206,22 @@ static void check_staying(const struct staying *given, const c205_word *words)
 
 TEST(staying)
 {
-    struct object *forms[] = { assemble("heat/faces_scalar.s"),
-                               assemble("heat/faces_vector.s") };
+    static struct staying given;
+    static c205_word made[PLANES * MAX_POINTS + 1];
+    struct object *forms[2];
+    assemble("faces", forms);
     for (int i = 0; i < 60; i++) {
-        struct staying given = { .points = some_length(5000) };
+        given.points = some_length(MAX_POINTS);
         given.crossings = below(5) == 0   ? 0
                           : below(4) == 0 ? 4097 + below(5000)
                                           : some_length(5000);
-        size_t words = PLANES * given.points;
-        given.planes = calloc(words, sizeof *given.planes);
-        given.list = calloc(LIST_PLANES * given.crossings + 1, sizeof *given.list);
-        for (size_t k = 0; k < words; k++)
+        for (size_t k = 0; k < PLANES * given.points; k++)
             given.planes[k] = xorshift(&random_state);
         draw_crossings(&given);
         for (int form = 0; form < 2; form++) {
-            FREED c205_word *made = calloc(words + 1, sizeof *made);
             stay(forms[form], &given, made);
             check_staying(&given, made);
         }
-        free(given.planes);
-        free(given.list);
     }
     object_free(forms[0]);
     object_free(forms[1]);
@@ -235,17 +229,17 @@ TEST(staying)
 
 /* ---- Gaps ------------------------------------------------------------------ */
 
+enum { MAX_GAPS = 65534, MAX_SURFACES = 40 };
+
 /* Random ends: distances are multiples of the smallest gap. */
 struct gap_ends {
     size_t gaps, surfaces;
-    c205_word *planes; /* distances, surfaces, containing solids */
+    c205_word planes[3 * (MAX_GAPS + 1)]; /* distances, surfaces, containing solids */
 };
 
 static void make_ends(struct gap_ends *given)
 {
     size_t ends = given->gaps + 1;
-    given->planes = calloc(3 * ends, sizeof *given->planes);
-    assert_non_null(given->planes);
     for (size_t k = 0; k < ends; k++) {
         given->planes[k] = c205_from_double((double)below(5) / 4 - .5);
         given->planes[ends + k] = c205_from_integer((int64_t)below(given->surfaces));
@@ -259,8 +253,7 @@ static void count_gaps(const struct object *program, const struct gap_ends *give
 {
     size_t cells = given->surfaces * given->surfaces;
     struct single_run run;
-    c205_error error = { "" };
-    single_run_begin(&run, program, prior_model, &error);
+    begin(&run, program);
     single_run_word(&run, "gaps_count", given->gaps);
     single_run_word(&run, "gaps_surfaces", given->surfaces);
     single_run_room(&run, "gaps_ends", given->planes, 3 * (given->gaps + 1));
@@ -273,8 +266,7 @@ static void count_gaps(const struct object *program, const struct gap_ends *give
 static void check_gaps(const struct gap_ends *given, const c205_word *counts)
 {
     size_t ends = given->gaps + 1, n = given->surfaces;
-    FREED int64_t *left = calloc(n * n, sizeof *left);
-    assert_non_null(left);
+    int64_t left[MAX_SURFACES * MAX_SURFACES];
     for (size_t i = 0; i < n * n; i++)
         left[i] = c205_to_integer(counts[i]);
     for (size_t k = 0; k < given->gaps; k++) {
@@ -291,20 +283,18 @@ static void check_gaps(const struct gap_ends *given, const c205_word *counts)
 
 TEST(gaps)
 {
-    struct object *forms[] = { assemble("heat/gaps_scalar.s"),
-                               assemble("heat/gaps_vector.s") };
+    static struct gap_ends given;
+    c205_word counts[MAX_SURFACES * MAX_SURFACES];
+    struct object *forms[2];
+    assemble("gaps", forms);
     for (int i = 0; i < 60; i++) {
-        struct gap_ends given = { .gaps = i ? some_length(65534) : 65534,
-                                  .surfaces = 1 + below(40) };
-        FREED c205_word *counts = calloc(given.surfaces * given.surfaces,
-                                         sizeof *counts);
-        assert_non_null(counts);
+        given.gaps = i ? some_length(MAX_GAPS) : MAX_GAPS;
+        given.surfaces = 1 + below(MAX_SURFACES);
         make_ends(&given);
         for (size_t form = 0; form < 2; form++) {
             count_gaps(forms[form], &given, counts);
             check_gaps(&given, counts);
         }
-        free(given.planes);
     }
     object_free(forms[0]);
     object_free(forms[1]);

@@ -6,9 +6,8 @@
  *     test_kernel_registers [SCENES [SEED]]
  */
 #define SMALL_FRAMES
+#include "tests/unit/asm_helper.h"
 #include "tests/unit/random_solids.h"
-
-#include <dirent.h>
 
 #include "rt/shapes/kernels.h"
 #include "rt/layout/program.h"
@@ -39,8 +38,11 @@ static bool is_program(const struct text *kernel)
 static void check_assembled(const char *kernel, const struct asm_define *defines)
 {
     const struct text *const texts[] = { kernel_texts, shape_texts, NULL };
-    const struct asm_options how = { .defines = defines, .texts = texts };
-    struct diagnostics found = { 0 };
+    const char *const search[] = { "rt/kernels", NULL };
+    const struct asm_options how = { .defines = defines,
+                                     .texts = texts,
+                                     .search = search };
+    SCOPED_VALUE(diagnostics) found = { 0 };
     char text[100];
     snprintf(text, sizeof text, "        .include \"%s\"\n", kernel);
     SCOPED(object) *program = assemble_text("test", text, &how, &found);
@@ -101,32 +103,14 @@ TEST(formulations)
     }
 }
 
-/* The programs that the fit measures, which call routines as the kernels do. */
-TEST(fit_programs)
+static void check_fit_program(const char *path)
 {
-    static const char folder[] = "rt/study/fit/programs";
-    const char *const search[] = { "rt/kernels", NULL };
-    const struct asm_options how = { .search = search };
-    DIR *programs = opendir(folder);
-    struct dirent *entry;
-    size_t count = 0;
-    assert_non_null(programs);
-    while ((entry = readdir(programs)) != NULL) {
-        size_t length = strlen(entry->d_name);
-        struct diagnostics found = { 0 };
-        char path[400];
-        if (length < 2 || strcmp(entry->d_name + length - 2, ".s") != 0)
-            continue;
-        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        SCOPED(object) *program = assemble_file(path, &how, &found);
-        diagnostics_print(&found, stderr);
-        assert_int_equal(found.count, 0);
-        assert_non_null(program);
-        count++;
-    }
-    closedir(programs);
-    assert_true(count > 4);
+    check_assembled(path, NULL);
 }
+
+/* The programs that the fit measures, which call routines as the kernels do. */
+TEST_CALL(fit_programs,
+          assert_true(each_file("rt/study/fit/programs/*.s", check_fit_program) > 4))
 
 /* ---- Reports of runs ---------------------------------------------------- */
 
@@ -211,48 +195,38 @@ TEST(cylinders)
     traced.variant = NULL;
 }
 
+static struct scene *read_file(const char *path)
+{
+    const struct scene_options reading = { .width = COLUMNS,
+                                           .height = ROWS,
+                                           .read_raster = picture_read_raster };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    struct scene *scene = scene_read(path, &reading, &reports);
+    assert_non_null(scene);
+    return scene;
+}
+
 /* Two passes, with nearly all code that is assembled for some scenes only. */
 TEST(adaptive)
 {
     static const char path[] = "tests/scenes/together.pov";
-    const struct scene_options reading = { .width = COLUMNS,
-                                           .height = ROWS,
-                                           .read_raster = picture_read_raster };
     struct trace_options options = ON_PRIOR(.width = 3 * COLUMNS, .height = 3 * ROWS,
                                             .samples = 3, .threshold = .05,
                                             .queue = COLUMNS - 1);
-    SCOPED_VALUE(diagnostics) reports = { 0 };
-    SCOPED(scene) *scene = scene_read(path, &reading, &reports);
-    assert_non_null(scene);
+    SCOPED(scene) *scene = read_file(path);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = (enum trace_mode)mode;
         trace_watched(scene, &options, path);
     }
 }
 
-TEST(scenes)
+static void trace_file(const char *path)
 {
-    const struct scene_options options = { .width = COLUMNS,
-                                           .height = ROWS,
-                                           .read_raster = picture_read_raster };
-    DIR *folder = opendir("scenes");
-    struct dirent *entry;
-    size_t count = 0;
-    assert_non_null(folder);
-    while ((entry = readdir(folder)) != NULL) {
-        SCOPED_VALUE(diagnostics) reports = { 0 };
-        char path[300];
-        snprintf(path, sizeof path, "scenes/%s", entry->d_name);
-        if (!strstr(path, ".pov"))
-            continue;
-        SCOPED(scene) *scene = scene_read(path, &options, &reports);
-        assert_non_null(scene);
-        trace_modes(scene, COLUMNS - 1, path);
-        count++;
-    }
-    closedir(folder);
-    assert_true(count > 10);
+    SCOPED(scene) *scene = read_file(path);
+    trace_modes(scene, COLUMNS - 1, path);
 }
+
+TEST_CALL(scenes, assert_true(each_file("scenes/*.pov", trace_file) > 10))
 
 /* ---- Superfluous saves -------------------------------------------------- */
 
@@ -271,13 +245,10 @@ static struct saves {
     c205_word before[C205_REGISTERS]; /* before the instruction */
 } saves;
 
-static uint64_t address_of(c205_word descriptor)
+/* Returns the area at the address of a descriptor. */
+static struct area *area_at(c205_word descriptor)
 {
-    return descriptor & 0xFFFFFFFFFFFF;
-}
-
-static struct area *area_at(uint64_t address)
-{
+    uint64_t address = descriptor & 0xFFFFFFFFFFFF;
     for (size_t i = 0; i < saves.count; i++)
         if (saves.areas[i].address == address)
             return &saves.areas[i];
@@ -286,11 +257,11 @@ static struct area *area_at(uint64_t address)
 
 static void see_saved(c205_word to, unsigned first)
 {
-    if (area_at(address_of(to)))
+    if (area_at(to))
         return;
     assert_true(saves.count < MAX_AREAS);
     saves.areas[saves.count++] = (struct area){
-        .address = address_of(to),
+        .address = to & 0xFFFFFFFFFFFF,
         .first = first,
         .count = (unsigned)(to >> 48),
     };
@@ -311,7 +282,7 @@ static void listen_to_saves(void *context, const c205 *machine, const c205_event
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
     if (event->insn->format == C205_FORMAT_SWAP && fields->r != 0) {
-        struct area *area = area_at(address_of(saves.before[fields->r]));
+        struct area *area = area_at(saves.before[fields->r]);
         if (fields->t != 0)
             see_saved(saves.before[fields->t], fields->s);
         else if (area && area->first == fields->s)
@@ -446,14 +417,19 @@ TEST(points)
 
 /* ---- Emission ------------------------------------------------------------ */
 
-static void emit_watched(const struct primitive *primitive)
+/* A shape for each kernel. */
+TEST(emission)
 {
     static const struct emission_choice choice = { .seed = 3, .m = 10 };
-    for (int i = 0; i < 2 * TRACE_FORMS; i++) {
+    SCOPED(scene) *scene = read_text(
+        HEAD "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
+             "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
+    for (size_t i = 0; i < 2 * TRACE_FORMS * scene->primitive_count; i++) {
+        const struct primitive *primitive = &scene->primitives[i / TRACE_FORMS / 2];
         struct emission_options options = ON_PRIOR(.mode = (enum trace_mode)(
                                                        i % TRACE_FORMS),
                                                    .queue = 7, .points = 200,
-                                                   .lattice = i / TRACE_FORMS);
+                                                   .lattice = i / TRACE_FORMS % 2);
         c205_error error = { "" };
         SCOPED(emission) *emission = emission_new(primitive, &options, &error);
         SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &error)
@@ -461,16 +437,6 @@ static void emit_watched(const struct primitive *primitive)
         REQUIRE(machine);
         run_watched(emission_program(emission), machine, "emission");
     }
-}
-
-/* A shape for each kernel. */
-TEST(emission)
-{
-    SCOPED(scene) *scene = read_text(
-        HEAD "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
-             "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
-    for (size_t i = 0; i < scene->primitive_count; i++)
-        emit_watched(&scene->primitives[i]);
 }
 
 COUNT_AND_SEED(scene_count, traced.random);
