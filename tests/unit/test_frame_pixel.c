@@ -11,6 +11,8 @@
 #include "rt/view/pixel_rays.h"
 #include "rt/view/pixel_verbs.h"
 
+SCOPED_BY_FREE(debugger);
+
 static uint64_t random_state = RANDOM_SEED;
 
 static size_t some(size_t least, size_t most)
@@ -161,28 +163,39 @@ static void check_region(const struct frame_pixel *pixel,
         assert_string_not_equal(object_region(program, c205_pc(machine)), region);
 }
 
-static void check_pixels(enum trace_mode mode)
+/* Traces the next scene with random options. */
+static struct trace *some_trace(struct scene **scene, enum trace_mode mode)
 {
-    SCOPED(scene) *scene = some_scene();
     struct trace_options options = some_options(mode);
-    SCOPED(trace) *trace = run_trace(scene, &options);
-    for (size_t i = 0; i < 4; i++) {
-        struct frame_pixel pixel;
-        struct clock_stretch stretch;
-        c205_error error;
-        assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
-                                     some(0, options.height - 1), &error));
-        REQUIRE(pixel_queue_clocks(&pixel, &stretch, &error));
-        check_depth(&pixel, &stretch);
-        check_sums(&pixel, &stretch);
-        check_region(&pixel, &stretch);
-    }
+    *scene = some_scene();
+    return run_trace(*scene, &options);
+}
+
+static struct frame_pixel some_pixel(const struct trace *trace)
+{
+    const struct trace_options *how = trace_how(trace);
+    struct frame_pixel pixel;
+    c205_error error;
+    assert_true(frame_pixel_find(&pixel, trace, some(0, how->width - 1),
+                                 some(0, how->height - 1), &error));
+    return pixel;
 }
 
 TEST(queues)
 {
-    for (size_t i = 0; i < 8 * TRACE_MODES; i++)
-        check_pixels((enum trace_mode)(i % TRACE_MODES));
+    for (size_t i = 0; i < 8 * TRACE_MODES; i++) {
+        SCOPED(scene) *scene;
+        SCOPED(trace) *trace = some_trace(&scene, (enum trace_mode)(i % TRACE_MODES));
+        for (size_t k = 0; k < 4; k++) {
+            struct frame_pixel pixel = some_pixel(trace);
+            struct clock_stretch stretch;
+            c205_error error;
+            REQUIRE(pixel_queue_clocks(&pixel, &stretch, &error));
+            check_depth(&pixel, &stretch);
+            check_sums(&pixel, &stretch);
+            check_region(&pixel, &stretch);
+        }
+    }
 }
 
 /* ---- The rays ------------------------------------------------------------ */
@@ -293,17 +306,6 @@ static uint64_t label(const struct frame_pixel *pixel, const char *name)
     return symbol ? (uint64_t)symbol->value : 0;
 }
 
-/* Before a queue is shaded, the hit of its ray must be that of the picture. */
-static void check_met(const struct following *following)
-{
-    const struct frame_pixel *pixel = following->pixel;
-    bool hit = c205_to_double(ray_word(following, "met")) != 0;
-    assert_int_equal(hit, c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
-    if (hit)
-        assert_int_equal(ray_word(following, "nearest"),
-                         channel_of(pixel, CHANNEL_DEPTH));
-}
-
 /* Checks the rays where a region is left or entered, where a queue is shaded, and at
  * other steps. */
 static void check_rays(struct following *following)
@@ -328,30 +330,29 @@ static void check_rays(struct following *following)
         following->ray_count = 0;
         size_t rays = pixel_elements(pixel, machine, follow, following);
         assert_true(rays <= 1 || following->ray[0].list > 0);
-        if (rays == 1 && pc == shade && following->ray[0].list == 0
-            && trace_how(pixel->trace)->mode != TRACE_SCALAR)
-            check_met(following);
+        if (rays != 1 || pc != shade || following->ray[0].list > 0
+            || trace_how(pixel->trace)->mode == TRACE_SCALAR)
+            continue;
+        /* Before a queue is shaded, the hit of its ray must be that of the picture. */
+        bool hit = c205_to_double(ray_word(following, "met")) != 0;
+        assert_int_equal(hit, c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
+        if (hit)
+            assert_int_equal(ray_word(following, "nearest"),
+                             channel_of(pixel, CHANNEL_DEPTH));
     } while (c205_step(machine, &stop));
 }
 
 /* In scenes of a sphere and a plane, kernels find every hit; the crossing must be that
- * of the ray. */
-static void check_crossings(const struct following *following,
-                            const struct scene *scene)
-{
-    bool hit = c205_to_integer(channel_of(following->pixel, CHANNEL_ID)) != 0;
-    if (scene->primitive_count == 2 && hit
-        && trace_how(following->pixel->trace)->mode != TRACE_SCALAR)
-        assert_true(following->crossed);
-}
-
-/* Without mirrors and glass the colour of the hit is that of the pixel. */
-static void check_colour(const struct following *following)
+ * of the ray. Without mirrors and glass the colour of the hit is that of the pixel. */
+static void check_hit(const struct following *following, const struct scene *scene)
 {
     const struct frame_pixel *pixel = following->pixel;
-    if (trace_how(pixel->trace)->mode != TRACE_VECTOR
-        || c205_to_integer(channel_of(pixel, CHANNEL_ID)) == 0
-        || trace_rays(pixel->trace, RAY_REFLECTED) > 0
+    enum trace_mode mode = trace_how(pixel->trace)->mode;
+    if (c205_to_integer(channel_of(pixel, CHANNEL_ID)) == 0)
+        return;
+    if (scene->primitive_count == 2 && mode != TRACE_SCALAR)
+        assert_true(following->crossed);
+    if (mode != TRACE_VECTOR || trace_rays(pixel->trace, RAY_REFLECTED) > 0
         || trace_rays(pixel->trace, RAY_REFRACTED) > 0)
         return;
     for (int i = 0; i < 3; i++)
@@ -363,18 +364,13 @@ TEST(rays)
 {
     static struct following sum;
     for (size_t i = 0; i < 15 * TRACE_MODES; i++) {
-        SCOPED(scene) *scene = some_scene();
-        struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
-        SCOPED(trace) *trace = run_trace(scene, &options);
-        struct frame_pixel pixel;
+        SCOPED(scene) *scene;
+        SCOPED(trace) *trace = some_trace(&scene, (enum trace_mode)(i % TRACE_MODES));
+        struct frame_pixel pixel = some_pixel(trace);
         struct following following = { .pixel = &pixel };
-        c205_error error;
-        assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
-                                     some(0, options.height - 1), &error));
         check_rays(&following);
         assert_true(following.lists[0] > 0);
-        check_colour(&following);
-        check_crossings(&following, scene);
+        check_hit(&following, scene);
         for (size_t k = 0; k < 3; k++)
             sum.lists[k] += following.lists[k];
         sum.near += following.near;
@@ -408,57 +404,47 @@ static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
 }
 
 /* A debugger session moves forward and back to the queue of a pixel, and to the end. */
-static void check_session(enum trace_mode mode)
-{
-    struct scene *scene = some_scene();
-    struct trace_options options = some_options(mode);
-    struct trace *trace = run_trace(scene, &options);
-    struct text_buffer said = { 0 };
-    struct frame_pixel pixel;
-    struct debugger_setup setup = { .object = trace_program(trace),
-                                    .name = "frame",
-                                    .model = options.model,
-                                    .out = text_buffer_sink(&said),
-                                    .clocks_most = C205_NO_LIMIT,
-                                    .machine = pixel_machine,
-                                    .verbs = pixel_verbs,
-                                    .context = &pixel };
-    c205_error error;
-    char again[200];
-    assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
-                                 some(0, options.height - 1), &error));
-    struct debugger *debugger = debugger_new(&setup, &error);
-    assert_non_null(debugger);
-    obey(debugger, &said, "lane");
-    assert_non_null(strstr(said.text, "is in no current queue"));
-    obey(debugger, &said, "seek");
-    snprintf(again, sizeof again, "%s", said.text);
-    assert_true(pixel_is_made(&pixel, debugger_machine(debugger)));
-    obey(debugger, &said, "step 50");
-    obey(debugger, &said, "reverse-step 50");
-    assert_string_equal(said.text, again);
-    obey(debugger, &said, "goto 0");
-    obey(debugger, &said, "seek");
-    assert_string_equal(said.text, again);
-    obey(debugger, &said, mode == TRACE_SCALAR ? "lane dx" : "lane adx");
-    assert_non_null(strstr(said.text, "dx  "));
-    obey(debugger, &said, "continue");
-    assert_non_null(strstr(said.text, "the program has ended"));
-    check_accounts(&pixel, debugger_machine(debugger));
-    assert_int_equal(debugger_faults(debugger), 0);
-    obey(debugger, &said, "lane nothing");
-    obey(debugger, &said, "seek nothing");
-    assert_true(debugger_faults(debugger) > 0);
-    text_buffer_free(&said);
-    debugger_free(debugger);
-    trace_free(trace);
-    scene_free(scene);
-}
-
 TEST(sessions)
 {
-    for (size_t i = 0; i < 2 * TRACE_MODES; i++)
-        check_session((enum trace_mode)(i % TRACE_MODES));
+    for (size_t i = 0; i < 2 * TRACE_MODES; i++) {
+        enum trace_mode mode = (enum trace_mode)(i % TRACE_MODES);
+        SCOPED(scene) *scene;
+        SCOPED(trace) *trace = some_trace(&scene, mode);
+        SCOPED_VALUE(text_buffer) said = { 0 };
+        struct frame_pixel pixel = some_pixel(trace);
+        struct debugger_setup setup = { .object = trace_program(trace),
+                                        .name = "frame",
+                                        .model = trace_how(trace)->model,
+                                        .out = text_buffer_sink(&said),
+                                        .clocks_most = C205_NO_LIMIT,
+                                        .machine = pixel_machine,
+                                        .verbs = pixel_verbs,
+                                        .context = &pixel };
+        c205_error error;
+        char again[200];
+        SCOPED(debugger) *debugger = debugger_new(&setup, &error);
+        assert_non_null(debugger);
+        obey(debugger, &said, "lane");
+        assert_non_null(strstr(said.text, "is in no current queue"));
+        obey(debugger, &said, "seek");
+        snprintf(again, sizeof again, "%s", said.text);
+        assert_true(pixel_is_made(&pixel, debugger_machine(debugger)));
+        obey(debugger, &said, "step 50");
+        obey(debugger, &said, "reverse-step 50");
+        assert_string_equal(said.text, again);
+        obey(debugger, &said, "goto 0");
+        obey(debugger, &said, "seek");
+        assert_string_equal(said.text, again);
+        obey(debugger, &said, mode == TRACE_SCALAR ? "lane dx" : "lane adx");
+        assert_non_null(strstr(said.text, "dx  "));
+        obey(debugger, &said, "continue");
+        assert_non_null(strstr(said.text, "the program has ended"));
+        check_accounts(&pixel, debugger_machine(debugger));
+        assert_int_equal(debugger_faults(debugger), 0);
+        obey(debugger, &said, "lane nothing");
+        obey(debugger, &said, "seek nothing");
+        assert_true(debugger_faults(debugger) > 0);
+    }
 }
 
 GROUP(set_up_frames, tear_down_model);

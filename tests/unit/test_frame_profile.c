@@ -3,9 +3,8 @@
  * number of concurrent bands. A clock of another line, or one that is lost, fails
  * here. */
 #define SMALL_FRAMES
+#include "tests/unit/asm_helper.h"
 #include "tests/unit/traced_frame.h"
-
-#include <glob.h>
 
 #include "rt/picture/picture.h"
 #include "rt/view/frame_profile.h"
@@ -124,8 +123,7 @@ static char *check_frame(const struct scene *scene, struct trace_options options
     options.observers = observers;
     SCOPED(trace) *trace = run_trace(scene, &options);
     check_sums(profile, trace_accounts(trace), what);
-    char *text = table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
-    return text;
+    return table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
 }
 
 static struct scene *read_file(const char *path)
@@ -140,32 +138,23 @@ static struct scene *read_file(const char *path)
     return scene;
 }
 
-static void check_scene(const char *path, enum trace_mode mode)
+static void check_scene(const char *path)
 {
-    SCOPED(scene) *scene = read_file(path);
-    free(check_frame(scene, some_options(mode), path));
+    static size_t count;
+    const char *profiled = getenv("PROFILED");
+    bool all = profiled && strcmp(profiled, "all") == 0;
+    for (size_t mode = 0; mode < TRACE_MODES; mode++)
+        if (all || mode == count % TRACE_MODES) {
+            SCOPED(scene) *scene = read_file(path);
+            free(check_frame(scene, some_options((enum trace_mode)mode), path));
+        }
+    count++;
 }
 
 /* Each scene in one of the stages, or in all (PROFILED=all). */
-TEST(scenes)
-{
-    static const char *const patterns[] = { "scenes/*.pov", "tests/scenes/*.pov" };
-    const char *profiled = getenv("PROFILED");
-    bool all = profiled && strcmp(profiled, "all") == 0;
-    size_t count = 0;
-    for (size_t i = 0; i < 2; i++) {
-        glob_t found;
-
-        assert_int_equal(glob(patterns[i], 0, NULL, &found), 0);
-        for (size_t k = 0; k < found.gl_pathc; k++, count++) {
-            for (size_t mode = 0; mode < TRACE_MODES; mode++)
-                if (all || mode == count % TRACE_MODES)
-                    check_scene(found.gl_pathv[k], (enum trace_mode)mode);
-        }
-        globfree(&found);
-    }
-    assert_true(count > 60);
-}
+TEST_CALL(scenes, assert_true(each_file("scenes/*.pov", check_scene)
+                                  + each_file("tests/scenes/*.pov", check_scene)
+                              > 60))
 
 /* All stages, for every number of concurrent bands. */
 TEST(jobs)

@@ -116,10 +116,8 @@ static bool do_run(struct run *run)
 
 static struct run begin(bool lines, struct job_set *job_set)
 {
-    return (struct run){ .lines = lines,
-                         .jobs = 1 + (size_t)(xorshift(&seed) % 3),
-                         .seed = 7,
-                         .job_set = job_set };
+    size_t jobs = 1 + (size_t)(xorshift(&seed) % 3);
+    return (struct run){ .lines = lines, .jobs = jobs, .seed = 7, .job_set = job_set };
 }
 
 static void assert_same(const struct run *run, const struct run *other)
@@ -138,26 +136,22 @@ static struct run find_alone(bool lines)
 
 /* ---- Stopped at random ---------------------------------------------------------- */
 
-static void check_stopped(bool lines, const struct run *alone)
-{
-    struct job_set first = { .paths = paths, .path_count = 1 };
-    struct job_set second = first;
-    struct run stopped = begin(lines, &first), next = begin(lines, &second);
-    stopped.stop = 1 + (size_t)(xorshift(&seed) % (UNITS - 1));
-    assert_false(do_run(&stopped));
-    assert_non_null(strstr(stopped.error.message, "stopped after"));
-    assert_true(do_run(&next));
-    assert_true(second.kept >= stopped.stop && second.kept < UNITS);
-    assert_same(&next, alone);
-    remove(path[0]);
-}
-
 TEST(stopped)
 {
     for (int lines = 0; lines < 2; lines++) {
         struct run alone = find_alone(lines);
-        for (int i = 0; i < 3; i++)
-            check_stopped(lines, &alone);
+        for (int i = 0; i < 3; i++) {
+            struct job_set first = { .paths = paths, .path_count = 1 };
+            struct job_set second = first;
+            struct run stopped = begin(lines, &first), next = begin(lines, &second);
+            stopped.stop = 1 + (size_t)(xorshift(&seed) % (UNITS - 1));
+            assert_false(do_run(&stopped));
+            assert_non_null(strstr(stopped.error.message, "stopped after"));
+            assert_true(do_run(&next));
+            assert_true(second.kept >= stopped.stop && second.kept < UNITS);
+            assert_same(&next, &alone);
+            remove(path[0]);
+        }
     }
 }
 
