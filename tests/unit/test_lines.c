@@ -83,16 +83,6 @@ enum { SIDE = 32 };
 /* A camera whose rays have exact coordinates. */
 #define EXACT "orthographic location -8*z direction z right 4*x up 4*y"
 
-static void put_pixels(struct scene_ray list[SIDE * SIDE])
-{
-    for (size_t i = 0; i < SIDE * SIDE; i++)
-        list[i] = (struct scene_ray){
-            .origin = { ((double)(i % SIDE) + .5) / (SIDE / 4) - 2,
-                        2 - ((double)(i / SIDE) + .5) / (SIDE / 4), -8 },
-            .direction = { 0, 0, 1 },
-        };
-}
-
 /* For a mesh alone, the frame's kernel keeps the signs of products, and the kernel for
  * all crossings takes magnitudes. Truncation makes their last bits differ. */
 static bool is_word(c205_word found, c205_word expected, bool mesh)
@@ -101,22 +91,7 @@ static bool is_word(c205_word found, c205_word expected, bool mesh)
            || (mesh && fabs(c205_to_double(found) - c205_to_double(expected)) < 1e-12);
 }
 
-/* Returns whether a frame has the distance, the normal and the id of the first
- * crossing. */
-static bool is_nearest(const struct scene *scene, const struct words *words,
-                       size_t pixel, const struct ray_hit *seen)
-{
-    size_t id = (size_t)c205_to_integer(words->channel[CHANNEL_ID][pixel]);
-    bool mesh = id > 0 && scene->primitives[id - 1].kind == PRIMITIVE_MESH;
-    bool same = id == seen->primitive + 1
-                && is_word(words->channel[CHANNEL_DEPTH][pixel], seen->distance, mesh);
-    for (int i = 0; i < 3; i++)
-        same = same
-               && is_word(words->channel[CHANNEL_NORMAL_X + i][pixel], seen->normal[i],
-                          mesh);
-    return same;
-}
-
+/* A frame must have the distance, the normal and the id of the first crossing. */
 static void check_nearest(const struct scene *scene, const struct words *words,
                           size_t pixel, const struct ray_hits *found, const char *text)
 {
@@ -127,7 +102,15 @@ static void check_nearest(const struct scene *scene, const struct words *words,
                                   .normal = { zero, zero, zero } };
     const struct ray_hit *seen = first < found->first[pixel + 1] ? &found->list[first]
                                                                  : &none;
-    if (!is_nearest(scene, words, pixel, seen))
+    size_t id = (size_t)c205_to_integer(words->channel[CHANNEL_ID][pixel]);
+    bool mesh = id > 0 && scene->primitives[id - 1].kind == PRIMITIVE_MESH;
+    bool same = id == seen->primitive + 1
+                && is_word(words->channel[CHANNEL_DEPTH][pixel], seen->distance, mesh);
+    for (int i = 0; i < 3; i++)
+        same = same
+               && is_word(words->channel[CHANNEL_NORMAL_X + i][pixel], seen->normal[i],
+                          mesh);
+    if (!same)
         fail_msg("pixel %zu: not the first along its line in\n%s", pixel, text);
 }
 
@@ -139,7 +122,12 @@ TEST(nearest)
                                                 .bodies = true);
     traced.width = traced.height = SIDE;
     traced.pixels = SIDE * SIDE;
-    put_pixels(list);
+    for (size_t i = 0; i < SIDE * SIDE; i++)
+        list[i] = (struct scene_ray){
+            .origin = { ((double)(i % SIDE) + .5) / (SIDE / 4) - 2,
+                        2 - ((double)(i / SIDE) + .5) / (SIDE / 4), -8 },
+            .direction = { 0, 0, 1 },
+        };
     for (size_t i = 0; i < scene_count; i++) {
         char reason[LINE_REASON];
         write_scene(text, sizeof text, EXACT);
@@ -174,16 +162,6 @@ struct expected {
 /* Copies of a line, enough to fill pages with crossings. */
 enum { COPIES = 64 };
 
-static void check_crossing(const struct ray_hit *seen, const struct expected *expected)
-{
-    assert_float_equal(c205_to_double(seen->distance), expected->distance, 1e-12);
-    assert_int_equal(seen->primitive, expected->primitive);
-    assert_int_equal(seen->object, expected->object);
-    assert_int_equal(seen->crossing, expected->crossing);
-    assert_int_equal(seen->object_depth, expected->object_depth);
-    assert_int_equal(seen->scene_depth, expected->scene_depth);
-}
-
 static void check_form(const char *text, enum trace_mode mode, double behind,
                        size_t count, const struct expected *expected)
 {
@@ -198,47 +176,68 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
         if (found.first[i + 1] != (i + 1) * count)
             fail_msg("%zu crossings, not %zu, in\n%s", found.first[i + 1] - i * count,
                      count, text);
-        for (size_t k = 0; k < count; k++)
-            check_crossing(&found.list[i * count + k], &expected[k]);
+        for (size_t k = 0; k < count; k++) {
+            const struct ray_hit *seen = &found.list[i * count + k];
+            double distance = c205_to_double(seen->distance) - expected[k].distance;
+            if (!(fabs(distance) <= 1e-12) || seen->primitive != expected[k].primitive
+                || seen->object != expected[k].object
+                || seen->crossing != expected[k].crossing
+                || seen->object_depth != expected[k].object_depth
+                || seen->scene_depth != expected[k].scene_depth)
+                fail_msg("another crossing %zu in\n%s", k, text);
+        }
     }
 }
 
-static void check_line(const char *objects, double behind, size_t count,
-                       const struct expected *expected)
-{
-    char text[1000] = HEAD;
-    add_text(text, sizeof text, "%s", objects);
-    for (int mode = 0; mode < TRACE_MODES; mode++)
-        check_form(text, (enum trace_mode)mode, behind, count, expected);
-}
+/* The expected crossings have the members of struct expected. */
+static const struct {
+    const char *objects;
+    double behind;
+    const char *expected;
+} lines[] = {
+    /* Two solids touch. Each part of a separate union is a body; surfaces inside a merge
+     * are not reported. */
+    { "box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
+      "3 0 0 1 1 1; 5 0 0 -1 0 0; 5 1 1 1 1 1; 6 1 1 -1 0 0" },
+    { "union { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,
+      "3 0 0 1 1 1; 4 1 0 1 2 2; 5 0 0 -1 1 1; 6 1 0 -1 0 0" },
+    { "merge { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,
+      "3 0 0 1 1 1; 6 1 0 -1 0 0" },
+    { "merge { box { -1, 1 } box { -1, 1 } }", 0, "3 0 0 1 1 1; 5 0 0 -1 0 0" },
+    { "merge { box { -1, 1 } box { <-1, -1, -1.00000005>, 1 } }", 0,
+      "2.99999995 0 0 1 1 1; 5 0 0 -1 0 0" },
+    { "difference { box { -1, 1 } box { -1, 1 } }", 0, "" },
+    { "difference { box { -1, 1 } box { -.5, .5 } }", 0,
+      "3 0 0 1 1 1; 3.5 1 0 -1 0 0; 4.5 1 0 1 1 1; 5 0 0 -1 0 0" },
+    /* Open surfaces are crossed, but belong to no body. */
+    { "cylinder { -y, y, 1 open } disc { 0, z, 1 }", 0,
+      "3 0 0 0 0 0; 4 1 1 0 0 0; 5 0 0 0 0 0" },
+    { "box { -1, 1 clipped_by { plane { z, 0 } } } plane { z, 2 }", 0,
+      "3 0 0 0 0 0; 6 2 1 -1 -1 -1" },
+    /* Distances are measured from the origin; those behind it are negative. */
+    { "box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 inverse }", 8,
+      "-3 0 0 1 1 1; -2 0 0 -1 0 0; 3 1 1 -1 -1 -1; 5 1 1 1 0 0" },
+    { "box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 0,
+      "3 1 1 1 1 1; 5 1 1 -1 0 0" },
+    { "box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 2.5,
+      "-2 0 0 -1 -1 -1; 3 1 1 1 1 0; 5 1 1 -1 0 -1" },
+};
 
-#define COUNTED(...) \
-    sizeof(const struct expected[]){ __VA_ARGS__ } / sizeof(struct expected), \
-        (const struct expected[]) \
-    { \
-        __VA_ARGS__ \
+TEST(lines)
+{
+    for (size_t i = 0; i < COUNT(lines) * TRACE_MODES; i++) {
+        const char *at = lines[i / TRACE_MODES].expected;
+        struct expected list[4], *next = list;
+        char text[1000] = HEAD;
+        add_text(text, sizeof text, "%s", lines[i / TRACE_MODES].objects);
+        for (int end; *at; at += end + strspn(at + end, "; "), next++)
+            assert_int_equal(sscanf(at, "%lf %zu %zu %d %d %d%n", &next->distance,
+                                    &next->primitive, &next->object, &next->crossing,
+                                    &next->object_depth, &next->scene_depth, &end),
+                             6);
+        check_form(text, (enum trace_mode)(i % TRACE_MODES),
+                   lines[i / TRACE_MODES].behind, (size_t)(next - list), list);
     }
-
-/* Two solids touch. Each part of a separate union is a body; surfaces inside a merge
- * are not reported. */
-TEST(faces)
-{
-    check_line("box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
-               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 },
-                       { 5, 1, 1, 1, 1, 1 }, { 6, 1, 1, -1, 0, 0 }));
-    check_line("union { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,
-               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 4, 1, 0, 1, 2, 2 },
-                       { 5, 0, 0, -1, 1, 1 }, { 6, 1, 0, -1, 0, 0 }));
-    check_line("merge { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,
-               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 6, 1, 0, -1, 0, 0 }));
-    check_line("merge { box { -1, 1 } box { -1, 1 } }", 0,
-               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
-    check_line("merge { box { -1, 1 } box { <-1, -1, -1.00000005>, 1 } }", 0,
-               COUNTED({ 2.99999995, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
-    check_line("difference { box { -1, 1 } box { -1, 1 } }", 0, 0, NULL);
-    check_line("difference { box { -1, 1 } box { -.5, .5 } }", 0,
-               COUNTED({ 3, 0, 0, 1, 1, 1 }, { 3.5, 1, 0, -1, 0, 0 },
-                       { 4.5, 1, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 }));
 }
 
 /* All crossings are found, whatever their order. */
@@ -261,56 +260,32 @@ TEST(many)
         check_form(text, (enum trace_mode)mode, 0, 2 * SPHERES, expected);
 }
 
-/* Open surfaces are crossed, but belong to no body. */
-TEST(open)
-{
-    check_line("cylinder { -y, y, 1 open } disc { 0, z, 1 }", 0,
-               COUNTED({ 3, 0, 0, 0, 0, 0 }, { 4, 1, 1, 0, 0, 0 },
-                       { 5, 0, 0, 0, 0, 0 }));
-    check_line("box { -1, 1 clipped_by { plane { z, 0 } } } plane { z, 2 }", 0,
-               COUNTED({ 3, 0, 0, 0, 0, 0 }, { 6, 2, 1, -1, -1, -1 }));
-}
-
-/* Distances are measured from the origin; those behind it are negative. */
-TEST(behind)
-{
-    check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 inverse }", 8,
-               COUNTED({ -3, 0, 0, 1, 1, 1 }, { -2, 0, 0, -1, 0, 0 },
-                       { 3, 1, 1, -1, -1, -1 }, { 5, 1, 1, 1, 0, 0 }));
-    check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 0,
-               COUNTED({ 3, 1, 1, 1, 1, 1 }, { 5, 1, 1, -1, 0, 0 }));
-    check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 }", 2.5,
-               COUNTED({ -2, 0, 0, -1, -1, -1 }, { 3, 1, 1, 1, 1, 0 },
-                       { 5, 1, 1, -1, 0, -1 }));
-}
-
 /* ---- Errors -------------------------------------------------------------- */
-
-static void check_refused(const struct ray_query_options *options, const char *message)
-{
-    SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
-    c205_error error = { "" };
-    assert_null(ray_query_new(scene, options, &error));
-    assert_string_equal(error.message, message);
-}
 
 TEST(refused)
 {
-    const struct ray_query_options bad[] = {
-        { .mode = TRACE_MODES, .queue = 10 },
-        { .mode = TRACE_VECTOR, .queue = 0 },
-        { .mode = TRACE_VECTOR, .queue = 65536 },
-        { .mode = TRACE_SCALAR, .behind = -1 },
-        { .mode = TRACE_SCALAR, .behind = INFINITY },
+    static const struct {
+        struct ray_query_options options;
+        const char *message;
+    } rows[] = {
+        { { .mode = TRACE_MODES, .queue = 10 },
+          "unknown form of lines: expected scalar, vector or kernels" },
+        { { .mode = TRACE_VECTOR, .queue = 0 },
+          "the queue must be between 1 and 65535 lines" },
+        { { .mode = TRACE_VECTOR, .queue = 65536 },
+          "the queue must be between 1 and 65535 lines" },
+        { { .mode = TRACE_SCALAR, .behind = -1 },
+          "the distance behind the origins must be finite and not below 0" },
+        { { .mode = TRACE_SCALAR, .behind = INFINITY },
+          "the distance behind the origins must be finite and not below 0" },
     };
+    SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
 
-    check_refused(&bad[0], "unknown form of lines: expected scalar, vector or kernels");
-    check_refused(&bad[1], "the queue must be between 1 and 65535 lines");
-    check_refused(&bad[2], "the queue must be between 1 and 65535 lines");
-    check_refused(&bad[3],
-                  "the distance behind the origins must be finite and not below 0");
-    check_refused(&bad[4],
-                  "the distance behind the origins must be finite and not below 0");
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        c205_error error = { "" };
+        assert_null(ray_query_new(scene, &rows[i].options, &error));
+        assert_string_equal(error.message, rows[i].message);
+    }
 }
 
 TEST(no_lines)
