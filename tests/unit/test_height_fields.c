@@ -93,9 +93,12 @@ TEST(surface)
 
 /* ---- Normals ------------------------------------------------------------- */
 
-static double slope(const struct grid *grid, int x, int z, int to_x, int to_z)
+static void make_unit(double normal[3])
 {
-    return grid->heights[to_z][to_x] - grid->heights[z][x];
+    double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1]
+                         + normal[2] * normal[2]);
+    for (int i = 0; i < 3; i++)
+        normal[i] /= length;
 }
 
 /* Computes the normal as the sum of the normals of the triangles toward each pair of
@@ -103,32 +106,25 @@ static double slope(const struct grid *grid, int x, int z, int to_x, int to_z)
  * multiples of 1/32767. */
 static void normal_at(const struct grid *grid, int x, int z, double normal[3])
 {
-    double sum[3] = { 0, 0, 0 }, length;
+    double sum[3] = { 0, 0, 0 };
     for (int corner = 0; corner < 4; corner++) {
         int to_x = x + (corner & 1 ? 1 : -1), to_z = z + (corner & 2 ? 1 : -1);
         if (to_x < 0 || to_x >= grid->columns || to_z < 0 || to_z >= grid->rows)
             continue;
-        double along = (to_x - x) * slope(grid, x, z, to_x, z);
-        double up = (to_z - z) * slope(grid, x, z, x, to_z);
-        length = sqrt(along * along + up * up + 1);
+        int height = grid->heights[z][x];
+        double along = (to_x - x) * (grid->heights[z][to_x] - height);
+        double up = (to_z - z) * (grid->heights[to_z][x] - height);
+        double length = sqrt(along * along + up * up + 1);
         sum[0] -= along / length;
         sum[1] += 1 / length;
         sum[2] -= up / length;
     }
-    length = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    make_unit(sum);
     for (int i = 0; i < 3; i++)
-        normal[i] = trunc(sum[i] / length * 32767);
+        normal[i] = trunc(sum[i] * 32767);
     normal[0] *= grid->columns - 1;
     normal[1] *= 65536;
     normal[2] *= grid->rows - 1;
-}
-
-static void make_unit(double normal[3])
-{
-    double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1]
-                         + normal[2] * normal[2]);
-    for (int i = 0; i < 3; i++)
-        normal[i] /= length;
 }
 
 static void check_corner(const struct grid *grid, const double corner[3],
@@ -197,32 +193,31 @@ TEST(known_normals)
 
 /* ---- Functions ----------------------------------------------------------- */
 
-static void expect_height(const char *text, double x, double z, double height)
-{
-    SCOPED(scene) *scene = read_scene(text);
-    double met = -1;
-    assert_int_equal(field_meet(triangles_of(scene), x, z, &met), 1);
-    assert_close(met, height / 65536, 1e-8);
-}
-
 /* Heights that POV-Ray computes; the y of the function decreases as z increases. */
 TEST(functions)
 {
     static const char slanted[] = "height_field { function 5, 3 { x*.5 + y*.25 } }";
-    expect_height(slanted, 1e-9, 1e-9, 16383);
-    expect_height(slanted, 1 - 1e-9, 1e-9, 49151);
-    expect_height(slanted, .5 - 1e-9, .5 - 1e-9, 24575);
-    expect_height(slanted, 1 - 1e-9, 1 - 1e-9, 32767);
-    expect_height("height_field { function 3, 3 { z + .123456 } }", .3, .3, 8090);
+    static const struct {
+        const char *text;
+        double x, z, height;
+    } rows[] = {
+        { slanted, 1e-9, 1e-9, 16383 },
+        { slanted, 1 - 1e-9, 1e-9, 49151 },
+        { slanted, .5 - 1e-9, .5 - 1e-9, 24575 },
+        { slanted, 1 - 1e-9, 1 - 1e-9, 32767 },
+        { "height_field { function 3, 3 { z + .123456 } }", .3, .3, 8090 },
+    };
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED(scene) *scene = read_scene(rows[i].text);
+        double met = -1;
+        assert_int_equal(field_meet(triangles_of(scene), rows[i].x, rows[i].z, &met),
+                         1);
+        assert_close(met, rows[i].height / 65536, 1e-8);
+    }
     scene_free(read_with("height_field { function 3, 3 { 3*x - 1 } }", 1));
-}
-
-TEST(below_water)
-{
-    struct scene
-        *scene = read_with("height_field { function 3, 3 { x } water_level 1 }", 1);
-    assert_int_equal(scene->primitive_count, 0);
-    scene_free(scene);
+    SCOPED(scene) *below_water =
+        read_with("height_field { function 3, 3 { x } water_level 1 }", 1);
+    assert_int_equal(below_water->primitive_count, 0);
 }
 
 /* ---- Solids -------------------------------------------------------------- */
@@ -240,7 +235,7 @@ static int compare_ends(const void *a, const void *b)
 static void assert_is_closed(const struct triangles *triangles)
 {
     size_t count = 3 * triangles->count, same;
-    double(*edges)[6] = malloc(count * sizeof *edges);
+    FREED double(*edges)[6] = malloc(count * sizeof *edges);
     assert_non_null(edges);
     for (size_t i = 0; i < count; i++) {
         const struct triangle *triangle = &triangles->list[i / 3];
@@ -258,7 +253,6 @@ static void assert_is_closed(const struct triangles *triangles)
                 break;
         assert_true(same % 2 == 0);
     }
-    free(edges);
 }
 
 /* As a solid, a field is its square below the slope or the water, to any depth. */
@@ -313,11 +307,11 @@ TEST(errors)
           "expected" },
     };
 
-    for (size_t i = 0; i < COUNT(errors); i++)
+    for (size_t i = 0; i < COUNT(errors); i++) {
         assert_refused(errors[i].text, 2, errors[i].message);
-    for (size_t i = 0; i < COUNT(errors); i++)
         if (!strstr(errors[i].text, "99999"))
             assert_errors(&errors[i], 1);
+    }
 }
 
 COUNT_AND_SEED(field_count, random_state);

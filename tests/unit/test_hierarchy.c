@@ -2,6 +2,8 @@
  * bounds are compared with their rules: every region once, spheres that enclose, a
  * depth for the machine's stack. A region that is lost or outside its node fails here.
  */
+#include <math.h>
+
 #include "rt/layout/hierarchy.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
@@ -18,54 +20,33 @@ static struct bound ball(double x, double y, double z, double radius)
                            .high = { x + radius, y + radius, z + radius } };
 }
 
-static struct bound anywhere(size_t i)
-{
-    (void)i;
-    return ball(between(-9, 9), between(-9, 9), between(-9, 9), between(1e-3, 2));
-}
-
-static struct bound in_one_point(size_t i)
-{
-    (void)i;
-    return ball(1, 2, 3, 1);
-}
-
-static struct bound on_whole_numbers(size_t i)
-{
-    (void)i;
-    return ball((double)below(3), (double)below(3), (double)below(3), .5);
-}
-
-/* Sizes decrease by a constant factor, so that bins separate few of them. */
-static struct bound smaller_and_smaller(size_t i)
-{
-    double size = 1e9;
-    for (size_t k = 0; k < i % 60; k++)
-        size /= 2;
-    return ball(size, 0, 0, size / 100);
-}
-
-static struct bound far_away(size_t i)
-{
-    return ball(i % 2 ? 1e12 : -1e12, 0, (double)i, 1e3);
-}
-
-static struct bound some_without(size_t i)
-{
-    return below(4) == 0 ? bound_none : anywhere(i);
-}
-
-static struct bound all_without(size_t i)
-{
-    (void)i;
-    return bound_none;
-}
-
-static struct bound (*const kinds[])(size_t i) = {
-    anywhere, in_one_point, on_whole_numbers, smaller_and_smaller,
-    far_away, some_without, all_without,
+/* Sizes of SMALLER decrease by a constant factor, so that bins separate few of them. */
+enum kind {
+    ANYWHERE,
+    SAME_POINT,
+    WHOLE_NUMBERS,
+    SMALLER,
+    FAR,
+    SOME_MISSING,
+    MISSING,
+    KINDS
 };
-enum { KINDS = COUNT(kinds) };
+
+static struct bound draw_bound(enum kind kind, size_t i)
+{
+    double size = ldexp(1e9, -(int)(i % 60));
+    switch (kind) {
+    case SAME_POINT: return ball(1, 2, 3, 1);
+    case WHOLE_NUMBERS:
+        return ball((double)below(3), (double)below(3), (double)below(3), .5);
+    case SMALLER: return ball(size, 0, 0, size / 100);
+    case FAR: return ball(i % 2 ? 1e12 : -1e12, 0, (double)i, 1e3);
+    case SOME_MISSING: return below(4) == 0 ? bound_none : draw_bound(ANYWHERE, i);
+    case MISSING: return bound_none;
+    default:
+        return ball(between(-9, 9), between(-9, 9), between(-9, 9), between(1e-3, 2));
+    }
+}
 
 /* ---- Rules for every hierarchy ------------------------------------------- */
 
@@ -91,19 +72,10 @@ static void check_loose(const struct hierarchy *hierarchy, const struct bound *b
                     || bound_is_none(&bounds[hierarchy->order[i]])
                            == (i < hierarchy->loose));
     for (size_t i = 1; i < hierarchy->loose; i++) {
-        const size_t *order = &hierarchy->order[i];
-        assert_true(bound_is_none(&bounds[order[-1]])
-                            == bound_is_none(&bounds[order[0]])
-                        ? order[-1] < order[0]
-                        : bound_is_none(&bounds[order[-1]]));
+        size_t last = hierarchy->order[i - 1], next = hierarchy->order[i];
+        bool missing = bound_is_none(&bounds[last]);
+        assert_true(missing == bound_is_none(&bounds[next]) ? last < next : missing);
     }
-}
-
-static void check_encloses(const struct bound *whole, const struct bound *part)
-{
-    assert_true(bound_reach(part, whole->center) <= whole->radius * (1 + 1e-12));
-    for (int k = 0; k < 3; k++)
-        assert_true(whole->low[k] <= part->low[k] && part->high[k] <= whole->high[k]);
 }
 
 /* Checks a node and its descendants, whose regions begin at `place` of the order.
@@ -131,8 +103,14 @@ static size_t check_node(const struct hierarchy *hierarchy, const struct bound *
         assert_memory_equal(node->way, way, sizeof way);
     }
     assert_true(end > place);
-    for (size_t k = place; k < end; k++)
-        check_encloses(&node->bound, &bounds[hierarchy->order[k]]);
+    for (size_t k = place; k < end; k++) {
+        const struct bound *whole = &node->bound;
+        const struct bound *part = &bounds[hierarchy->order[k]];
+        assert_true(bound_reach(part, whole->center) <= whole->radius * (1 + 1e-12));
+        for (int j = 0; j < 3; j++)
+            assert_true(whole->low[j] <= part->low[j]
+                        && part->high[j] <= whole->high[j]);
+    }
     return end;
 }
 
@@ -154,9 +132,9 @@ TEST(random)
     FREED struct bound *bounds = malloc(MAX * sizeof *bounds);
     for (int turn = 0; turn < 300; turn++) {
         size_t count = turn % 10 ? below(40) : below(MAX);
-        size_t kind = below(KINDS), other = below(KINDS);
+        enum kind kind = (enum kind)below(KINDS), other = (enum kind)below(KINDS);
         for (size_t i = 0; i < count; i++)
-            bounds[i] = kinds[below(5) ? kind : other](i);
+            bounds[i] = draw_bound(below(5) ? kind : other, i);
         check(bounds, count);
     }
 }
@@ -171,7 +149,7 @@ TEST(nodes)
     assert_int_equal(check(bounds, 1), 0);
     assert_int_equal(check(bounds, 0), 0);
     for (size_t i = 0; i < 64; i++)
-        bounds[i] = in_one_point(i);
+        bounds[i] = draw_bound(SAME_POINT, i);
     assert_int_equal(check(bounds, 64), 0);
 }
 

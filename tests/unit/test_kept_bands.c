@@ -22,17 +22,12 @@ static char path[] = "/tmp/test_kept_bands.XXXXXX";
 
 static enum trace_order order;
 
-/* Stops after this number of calls. */
-struct patience {
-    size_t left;
-};
-
+/* Stops after the number of calls in the context. */
 static bool wait_on(void *context, size_t done, size_t all)
 {
-    struct patience *patience = context;
-    (void)done;
-    (void)all;
-    return patience->left > 0 && --patience->left > 0;
+    size_t *left = context;
+    (void)done, (void)all;
+    return *left > 0 && --*left > 0;
 }
 
 static struct trace_options how(enum trace_mode mode)
@@ -54,10 +49,7 @@ static struct trace *begin(const struct scene *scene,
 static struct trace *run(const struct scene *scene, enum trace_mode mode)
 {
     struct trace_options options = how(mode);
-    struct trace *trace = begin(scene, &options);
-    c205_error error = { "" };
-    REQUIRE(trace_run(trace, &error));
-    return trace;
+    return run_trace(scene, &options);
 }
 
 /* ---- Stopped ------------------------------------------------------------- */
@@ -75,10 +67,10 @@ static bool same_row(const struct trace *a, const struct trace *b, size_t row)
 
 static bool is_zero(const struct trace *trace, size_t row)
 {
-    for (int i = 0; i < FRAME_CHANNELS; i++)
-        for (size_t k = 0; k < WIDTH; k++)
-            if (trace_channel(trace, (enum frame_channel)i)[row * WIDTH + k])
-                return false;
+    for (size_t i = 0; i < FRAME_CHANNELS * WIDTH; i++)
+        if (trace_channel(trace,
+                          (enum frame_channel)(i / WIDTH))[row * WIDTH + i % WIDTH])
+            return false;
     return true;
 }
 
@@ -87,25 +79,23 @@ static bool is_zero(const struct trace *trace, size_t row)
 static size_t check_stopped(const struct scene *scene, const struct trace *whole,
                             enum trace_mode mode, size_t jobs, size_t patience)
 {
-    struct patience waiting = { patience };
     struct trace_options options = how(mode);
     c205_error error = { "" };
     size_t same = 0, done;
     options.jobs = jobs;
     options.progress = wait_on;
-    options.context = &waiting;
+    options.context = &patience;
     SCOPED(trace) *trace = begin(scene, &options);
     if (!trace_run(trace, &error))
         assert_non_null(strstr(error.message, "stopped after"));
-    assert_int_equal(waiting.left == 0, trace_rows_done(trace) < TALL);
+    assert_int_equal(patience == 0, trace_rows_done(trace) < TALL);
+    done = trace_rows_done(trace);
     for (size_t row = 0; row < TALL; row++) {
-        if (!is_zero(trace, row))
-            if (!same_row(trace, whole, row))
-                fail_msg("%d row %zu done %zu bands %zu", mode, row,
-                         trace_rows_done(trace), trace_bands_done(trace));
+        if (!is_zero(trace, row) && !same_row(trace, whole, row))
+            fail_msg("%d row %zu done %zu bands %zu", mode, row, done,
+                     trace_bands_done(trace));
         same += same_row(trace, whole, row);
     }
-    done = trace_rows_done(trace);
     assert_int_equal(same, done);
     assert_true(done >= ROWS * trace_bands_done(trace));
     return done;

@@ -28,15 +28,6 @@ static bool go_on(void *context, size_t done, size_t pixels)
     return true;
 }
 
-static size_t pixels_there(const struct band *band, size_t width)
-{
-    size_t count = band->rows * width, there = 0;
-    const c205_word *ids = band->words + (size_t)CHANNEL_ID * count;
-    for (size_t i = 0; i < count; i++)
-        there += c205_to_integer(ids[i]) != 0;
-    return there;
-}
-
 static void keep_rows(struct shown *shown, const struct trace *trace,
                       const struct band *band)
 {
@@ -60,13 +51,15 @@ static void look(void *context, const struct trace *trace,
     size_t width = trace_how(trace)->width;
     SCOPED_VALUE(band) band;
     assert_true(band_look(tracer, &band));
-    size_t there = pixels_there(&band, width);
+    size_t count = band.rows * width, there = 0;
+    for (size_t i = 0; i < count; i++)
+        there += c205_to_integer(band.words[(size_t)CHANNEL_ID * count + i]) != 0;
     if (trace_how(trace)->jobs == 1 && band.first_row == shown->last_row)
         assert_true(band.accounts.clocks >= shown->clocks);
     shown->clocks = done ? 0 : band.accounts.clocks;
     shown->last_row = band.first_row;
     shown->under_way += !done;
-    shown->some += !done && there > 0 && there < band.rows * width;
+    shown->some += !done && there > 0 && there < count;
     if (done)
         keep_rows(shown, trace, &band);
 }
