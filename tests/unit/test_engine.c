@@ -106,6 +106,10 @@ TEST(trap)
 
 /* ---- Bad requests ---------------------------------------------------------------- */
 
+#define LOAD "{'do': 'load', 'text': ' EXIT', "
+#define SWEEP_FROM "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': "
+#define COMPARE "{'do': 'compare', 'texts': "
+
 TEST(bad)
 {
     static const struct {
@@ -124,46 +128,33 @@ TEST(bad)
         { "{'do': 'say', 'line': 'why'}", "no program is loaded" },
         { "{'do': 'load'}", "'text' is missing" },
         { "{'do': 'load', 'text': 1}", "'text' is not a string" },
-        { "{'do': 'load', 'text': ' EXIT', 'model': 'cray'}", "cray" },
-        { "{'do': 'load', 'text': ' EXIT', 'model': 'a/b'}", "built-in" },
-        { "{'do': 'load', 'text': ' EXIT', 'model': 'cdc6600'}", "only gives times" },
-        { "{'do': 'load', 'text': ' EXIT', 'warm': 1}", "true or false" },
-        { "{'do': 'load', 'text': ' EXIT', 'defines': [1]}", "names with integers" },
-        { "{'do': 'load', 'text': ' EXIT', 'defines': {'n': 0.5}}",
-          "names with integers" },
-        { "{'do': 'load', 'text': ' EXIT', 'defines': {'n': 5}}",
-          "'n' is defined, and not used" },
+        { LOAD "'model': 'cray'}", "cray" },
+        { LOAD "'model': 'a/b'}", "built-in" },
+        { LOAD "'model': 'cdc6600'}", "only gives times" },
+        { LOAD "'warm': 1}", "true or false" },
+        { LOAD "'defines': [1]}", "names with integers" },
+        { LOAD "'defines': {'n': 0.5}}", "names with integers" },
+        { LOAD "'defines': {'n': 5}}", "'n' is defined, and not used" },
         { "{'do': 'load', 'text': ' ES r1, n\\n EXIT', 'defines': {'n': 5, 'm': 5}}",
           "'m' is defined, and not used" },
-        { "{'do': 'load', 'text': ' EXIT', 'defines': {'r5': 5}}",
-          "cannot be assembled: 1 error" },
-        { "{'do': 'load', 'text': ' EXIT', 'defines': {'a b': 5}}",
-          "cannot be assembled: 1 error" },
-        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': 9}",
-          "'n' is defined, and not used" },
+        { LOAD "'defines': {'r5': 5}}", "cannot be assembled: 1 error" },
+        { LOAD "'defines': {'a b': 5}}", "cannot be assembled: 1 error" },
+        { SWEEP_FROM "1, 'to': 9}", "'n' is defined, and not used" },
         { "{'do': 'sweep', 'text': ' ES r1, n\\n EXIT', 'constant': 'n', 'from': 1, "
           "'to': 9, 'defines': {'m': 3}}",
           "'m' is defined, and not used" },
-        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': 9, "
-          "'warm': 'yes'}",
-          "'warm' must be true or false" },
-        { "{'do': 'compare', 'texts': [{'text': ' EXIT'}, {'text': ' ES r1, n\\n "
-          "EXIT'}], 'defines': {'n': 1, 'm': 2}}",
+        { SWEEP_FROM "1, 'to': 9, 'warm': 'yes'}", "'warm' must be true or false" },
+        { COMPARE "[{'text': ' EXIT'}, {'text': ' ES r1, n\\n EXIT'}], 'defines': "
+                  "{'n': 1, 'm': 2}}",
           "'m' is defined, and not used" },
-        { "{'do': 'load', 'text': ' EXIT', 'files': {'n': 1}}", "names with strings" },
+        { LOAD "'files': {'n': 1}}", "names with strings" },
         { "{'do': 'sweep', 'constant': 'n', 'from': 1, 'to': 9}", "'text' is missing" },
-        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 9, 'to': 1}",
-          "the range" },
-        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': 9, "
-          "'points': 1}",
-          "2 to 1000" },
-        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': "
-          "99999999, 'step': 1}",
-          "2 to 1000" },
-        { "{'do': 'compare', 'texts': [{'text': ' EXIT'}]}", "two programs" },
-        { "{'do': 'compare', 'texts': [7, 8]}", "'text' is missing" },
-        { "{'do': 'compare', 'texts': [{'text': ' EXIT'}, {'text': ' LOD [r2], r3\\n "
-          "EXIT'}]}",
+        { SWEEP_FROM "9, 'to': 1}", "the range" },
+        { SWEEP_FROM "1, 'to': 9, 'points': 1}", "2 to 1000" },
+        { SWEEP_FROM "1, 'to': 99999999, 'step': 1}", "2 to 1000" },
+        { COMPARE "[{'text': ' EXIT'}]}", "two programs" },
+        { COMPARE "[7, 8]}", "'text' is missing" },
+        { COMPARE "[{'text': ' EXIT'}, {'text': ' LOD [r2], r3\\n EXIT'}]}",
           "program.s: trap" },
         { "{'do': 'grade', 'lesson': 'none', 'text': ''}", "" },
     };

@@ -117,20 +117,16 @@ struct grid_box {
     int low[3], high[3];
 };
 
-static bool has_cell(const struct grid_box *box, const int cell[3])
-{
-    bool inside = true;
-    for (int k = 0; k < 3; k++)
-        inside = inside && box->low[k] <= cell[k] && cell[k] < box->high[k];
-    return inside;
-}
-
 static size_t first_with(const struct grid_box *boxes, const int cell[3])
 {
-    size_t i = 0;
-    while (i < BOXES && !has_cell(&boxes[i], cell))
-        i++;
-    return i;
+    for (size_t i = 0; i < BOXES; i++) {
+        bool inside = true;
+        for (int k = 0; k < 3; k++)
+            inside = inside && boxes[i].low[k] <= cell[k] && cell[k] < boxes[i].high[k];
+        if (inside)
+            return i;
+    }
+    return BOXES;
 }
 
 /* Counts the exposed faces of cells. A cell belongs to the first box that contains

@@ -79,13 +79,15 @@ static void read_constants(struct constants *constants, const char *rows)
 
 /* ---- Fewer rays --------------------------------------------------------- */
 
-static double clocks_of_rows(const struct fit_run *run)
+/* Returns the clocks of a region, or of all. */
+static double clocks_of(const struct fit_run *run, const char *region,
+                        const c205_setting *setting)
 {
     bool chosen[MAX_RUN_REGIONS];
     double clocks[MAX_RUN_REGIONS], sum = 0;
     c205_error error = { "" };
-    assert_true(run_select(run, "", chosen, &error));
-    REQUIRE(run_time(run, model, NULL, 0, RUN_FINE, clocks, &error));
+    assert_true(run_select(run, region, chosen, &error));
+    REQUIRE(run_time(run, model, setting, setting != NULL, RUN_FINE, clocks, &error));
     for (size_t i = 0; i < run->region_count; i++)
         if (chosen[i])
             sum += clocks[i];
@@ -112,7 +114,7 @@ TEST(fewer_rays)
         struct fit_run *run = new_run(program);
         REQUIRE(speedup_measure(subject, &view, &options, &all, &error));
         assert_int_equal(run->rays, 640);
-        double scaled = clocks_of_rows(run) * 25000 / 640;
+        double scaled = clocks_of(run, "", NULL) * 25000 / 640;
         if (fabs(scaled / (double)all.total - 1) > .01)
             fail_msg("%s: %g clocks, scaled %g", program, (double)all.total, scaled);
         run_free(run);
@@ -227,26 +229,12 @@ static double photon_draws(void)
     return draws;
 }
 
-static double region_clocks(const struct fit_run *run, const char *region,
-                            const c205_setting *setting)
-{
-    bool chosen[MAX_RUN_REGIONS];
-    double clocks[MAX_RUN_REGIONS];
-    c205_error error = { "" };
-    assert_true(run_select(run, region, chosen, &error));
-    REQUIRE(run_time(run, model, setting, 1, RUN_FINE, clocks, &error));
-    for (size_t i = 0; i < run->region_count; i++)
-        if (chosen[i])
-            return clocks[i];
-    return 0;
-}
-
 /* Returns the increase of a form's clocks if SWAP takes one clock more. */
 static double slower_swaps(const struct fit_run *run, const char *form)
 {
     static const c205_setting swaps[] = { { "latency.swap", 15 },
                                           { "latency.swap", 16 } };
-    return region_clocks(run, form, &swaps[1]) - region_clocks(run, form, &swaps[0]);
+    return clocks_of(run, form, &swaps[1]) - clocks_of(run, form, &swaps[0]);
 }
 
 /* With its own random function, the scalar form swaps registers twice for each number;

@@ -77,19 +77,12 @@ static uint64_t run_plainly(struct story *story, bool hashes)
     return step;
 }
 
-/* Every second program has a loop. */
-static struct random_program draw_program(size_t number)
-{
-    uint64_t seed = RANDOM_SEED + (number << 16);
-    struct random_program program = random_program(seed);
-    while (number % 2 == 1 && !program.loop)
-        program = random_program(++seed);
-    return program;
-}
-
 static void make_story(struct story *story, size_t number)
 {
-    *story = (struct story){ .program = draw_program(number) };
+    uint64_t seed = RANDOM_SEED + (number << 16);
+    *story = (struct story){ .program = random_program(seed) };
+    while (number % 2 == 1 && !story->program.loop) /* every second one has a loop */
+        story->program = random_program(++seed);
     story->model = model_of(&story->program);
     story->steps_before = story->steps = run_plainly(story, false);
     story->change_count = number % (CHANGES + 1);
@@ -206,18 +199,6 @@ static uint64_t sum_of(const c205_times *times, struct heard *heard)
     return sum;
 }
 
-/* Phases must adjoin each other, from the issue to the result. */
-static void check_phases(const c205_times *times)
-{
-    uint64_t at = times->issued;
-    for (size_t i = 0; i < times->phase_count; i++) {
-        assert_int_equal(times->phase[i].begin, at);
-        assert_true(times->phase[i].end > at);
-        at = times->phase[i].end;
-    }
-    assert_int_equal(at, times->ready);
-}
-
 static uint64_t constant_of(const c205 *machine, const char *kind,
                             const c205_insn *insn)
 {
@@ -227,17 +208,6 @@ static uint64_t constant_of(const c205 *machine, const char *kind,
     constant = c205_model_lookup(c205_machine_model(machine), name);
     assert_non_null(constant);
     return (uint64_t)constant->value;
-}
-
-/* Checks the times of a scalar instruction; SWAP takes longer than its constant. */
-static void check_constants(const c205 *machine, const c205_event *event)
-{
-    const c205_times *times = event->record;
-    uint64_t ready = times->issued + constant_of(machine, "latency", event->insn);
-    assert_true(event->insn->timing == C205_TIMING_swap ? times->ready >= ready
-                                                        : times->ready == ready);
-    assert_int_equal(times->unit_free,
-                     times->issued + constant_of(machine, "busy", event->insn));
 }
 
 static void hear(void *context, const c205 *machine, const c205_event *event)
@@ -252,11 +222,22 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     assert_in_range(times->issued, times->arrived, times->arrived + event->clocks);
     assert_true(times->ready >= times->issued && times->unit_free >= times->issued);
     if (c205_unit_is_vector(event->insn->unit)) {
-        check_phases(times);
+        /* Phases must adjoin each other, from the issue to the result. */
+        uint64_t at = times->issued;
+        for (size_t i = 0; i < times->phase_count; at = times->phase[i++].end) {
+            assert_int_equal(times->phase[i].begin, at);
+            assert_true(times->phase[i].end > at);
+        }
+        assert_int_equal(at, times->ready);
         heard->vectors++;
     } else {
+        /* SWAP takes longer than its constant. */
+        uint64_t ready = times->issued + constant_of(machine, "latency", event->insn);
         assert_int_equal(times->phase_count, 0);
-        check_constants(machine, event);
+        assert_true(event->insn->timing == C205_TIMING_swap ? times->ready >= ready
+                                                            : times->ready == ready);
+        assert_int_equal(times->unit_free,
+                         times->issued + constant_of(machine, "busy", event->insn));
     }
     heard->clock += event->clocks;
 }

@@ -123,28 +123,6 @@ static void check_wrong(const struct random_lesson *drawn,
         assert_string_equal(trial->report.sentences[0], text.text);
 }
 
-static void check_trap(const struct random_lesson *drawn,
-                       const struct lesson_trial *trial,
-                       const struct plain_trial *plain)
-{
-    assert_int_equal(trial->report.count, 1);
-    check_begins(drawn, trial, 0,
-                 "It was stopped by a trap:\nmy.s:%zu:9: error: trap unmapped-address",
-                 random_fault_line(drawn));
-    assert_int_equal(trial->clocks, c205_clock(plain->machine));
-}
-
-static void check_loop(const struct random_lesson *drawn,
-                       const struct lesson_trial *trial)
-{
-    assert_int_equal(trial->report.count, 1);
-    check_begins(drawn, trial, 0,
-                 "It had not ended after %" PRIu64
-                 " clocks: look for an endless loop.  It was at line %zu: "
-                 "here:   BIM     here ; fault",
-                 trial->clocks, random_fault_line(drawn));
-}
-
 /* ---- Slow texts ------------------------------------------------------------ */
 
 static uint64_t clocks_of(const struct profile_row *row)
@@ -241,34 +219,28 @@ static void check_lines(const struct random_lesson *drawn,
     }
 }
 
-static void check_slow(const struct random_lesson *drawn,
-                       const struct lesson_trial *trial,
-                       const struct plain_trial *plain)
-{
-    uint64_t goal = trial->test->goals[trial->medal + 1];
-
-    check_begins(drawn, trial, 0,
-                 "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64
-                 " of %s.",
-                 trial->clocks, trial->clocks - goal, goal,
-                 medal_name(trial->medal + 1));
-    check_cause(drawn, trial, plain);
-    check_lines(drawn, trial, plain);
-}
-
 static void check_right(const struct random_lesson *drawn,
                         const struct lesson_trial *trial,
                         const struct plain_trial *plain, enum medal medal)
 {
+    uint64_t goal;
+
     if (!trial->right)
         fail_msg("%s\n%s", trial->report.sentences[0], drawn->answer);
     assert_int_equal(trial->clocks, c205_clock(plain->machine));
     assert_int_equal(trial->medal, trial->test->has_goals ? medal : MEDAL_NONE);
     assert_int_equal(trial->passed, !trial->test->has_goals || medal);
-    if (trial->test->has_goals && medal != MEDAL_GOLD)
-        check_slow(drawn, trial, plain);
-    else
+    if (!trial->test->has_goals || medal == MEDAL_GOLD) {
         assert_int_equal(trial->report.count, 0);
+        return;
+    }
+    goal = trial->test->goals[medal + 1];
+    check_begins(drawn, trial, 0,
+                 "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64
+                 " of %s.",
+                 trial->clocks, trial->clocks - goal, goal, medal_name(medal + 1));
+    check_cause(drawn, trial, plain);
+    check_lines(drawn, trial, plain);
 }
 
 /* ---- Verdicts -------------------------------------------------------------- */
@@ -363,11 +335,21 @@ static void check_trial(const struct random_lesson *drawn, size_t index,
 {
     bool faulty = index == drawn->faulty;
 
-    if (faulty && drawn->fault == FAULT_TRAP)
-        check_trap(drawn, trial, plain);
-    else if (faulty && drawn->fault == FAULT_LOOP)
-        check_loop(drawn, trial);
-    else if (faulty && random_count_wrong(drawn) > 0)
+    if (faulty && drawn->fault == FAULT_TRAP) {
+        assert_int_equal(trial->report.count, 1);
+        check_begins(
+            drawn, trial, 0,
+            "It was stopped by a trap:\nmy.s:%zu:9: error: trap unmapped-address",
+            random_fault_line(drawn));
+        assert_int_equal(trial->clocks, c205_clock(plain->machine));
+    } else if (faulty && drawn->fault == FAULT_LOOP) {
+        assert_int_equal(trial->report.count, 1);
+        check_begins(drawn, trial, 0,
+                     "It had not ended after %" PRIu64
+                     " clocks: look for an endless loop.  It was at line %zu: "
+                     "here:   BIM     here ; fault",
+                     trial->clocks, random_fault_line(drawn));
+    } else if (faulty && random_count_wrong(drawn) > 0)
         check_wrong(drawn, trial);
     else
         check_right(drawn, trial, plain, medal);
@@ -512,7 +494,4 @@ TEST(said_of_all)
     }
 }
 
-ARGUMENTS(argc, argv)
-{
-    tries = argument(argc, argv, 1, share_of(tries));
-}
+COUNT_AND_SEED(tries, random_state);
