@@ -40,24 +40,11 @@ static void put_formula(FILE *text, uint64_t *random, int depth)
             fputc(*form, text);
 }
 
-static char *formula_by_chance(uint64_t *random)
-{
-    enum { DEPTH = 4 };
-    char *formula = NULL;
-    size_t length;
-    FILE *text = open_memstream(&formula, &length);
-
-    assert_non_null(text);
-    put_formula(text, random, DEPTH);
-    fclose(text);
-    return formula;
-}
-
 /* The value of a function must be that of its body with the parameters declared as
  * names, bit for bit. Later declarations do not change it. */
 TEST(by_chance)
 {
-    enum { FORMULAS = 500 };
+    enum { FORMULAS = 500, DEPTH = 4 };
     static const char frame[] =
         "#declare K = -.75;\n#declare F = function(a, b, c) { %s }\n"
         "#declare a = 2.5; #declare b = -1.25; #declare c = .5;\n"
@@ -66,7 +53,12 @@ TEST(by_chance)
     uint64_t random = RANDOM_SEED;
 
     for (int i = 0; i < FORMULAS; i++) {
-        FREED char *formula = formula_by_chance(&random);
+        FREED char *formula = NULL;
+        size_t length;
+        FILE *file = open_memstream(&formula, &length);
+        assert_non_null(file);
+        put_formula(file, &random, DEPTH);
+        fclose(file);
         size_t room = sizeof frame + 2 * strlen(formula);
         FREED char *text = malloc(room);
         assert_non_null(text);

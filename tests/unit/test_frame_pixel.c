@@ -267,17 +267,6 @@ static void keep_point(struct following *following, const struct pixel_element *
     }
 }
 
-/* A reflected or refracted ray begins at an earlier hit. */
-static void check_origin(const struct following *following)
-{
-    const c205_word origin[] = { ray_word(following, "aox"), ray_word(following, "aoy"),
-                                 ray_word(following, "aoz") };
-    bool found = false;
-    for (size_t i = 0; i < following->point_count; i++)
-        found |= memcmp(following->points[i], origin, sizeof origin) == 0;
-    assert_true(found);
-}
-
 static void follow(void *context, const struct pixel_element *element)
 {
     struct following *following = context;
@@ -287,9 +276,17 @@ static void follow(void *context, const struct pixel_element *element)
             following->ray_count = 0;
         following->ray[following->ray_count++] = *element;
         following->lists[element->list < 2 ? element->list : 2]++;
-        if (element->list > 0 && strcmp(element->vector, "adz") == 0
-            && trace_how(following->pixel->trace)->mode == TRACE_VECTOR)
-            check_origin(following);
+        if (element->list == 0 || strcmp(element->vector, "adz") != 0
+            || trace_how(following->pixel->trace)->mode != TRACE_VECTOR)
+            return;
+        /* A reflected or refracted ray begins at an earlier hit. */
+        const c205_word origin[] = { ray_word(following, "aox"),
+                                     ray_word(following, "aoy"),
+                                     ray_word(following, "aoz") };
+        bool found = false;
+        for (size_t i = 0; i < following->point_count; i++)
+            found |= memcmp(following->points[i], origin, sizeof origin) == 0;
+        assert_true(found);
         return;
     }
     *(element->group == PIXEL_NEAR ? &following->near : &following->hits) += 1;

@@ -57,25 +57,19 @@ static struct trace_options some_options(enum trace_mode mode)
 
 /* ---- Sums ---------------------------------------------------------------- */
 
-static c205_account sum_of(const struct line_profile *profile, const char *region)
+static void check_region(const struct line_profile *profile,
+                         const c205_account *account, const char *what)
 {
-    c205_account sum = { .name = region };
+    c205_account sum = { .name = account->name };
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         const struct profile_row *row = line_profile_row(profile, i);
-        if (strcmp(row->region, region) != 0)
+        if (strcmp(row->region, account->name) != 0)
             continue;
         sum.instructions += row->executions;
         sum.elements += row->elements;
         for (int cause = 0; cause < C205_CAUSES; cause++)
             sum.clocks[cause] += row->clocks[cause];
     }
-    return sum;
-}
-
-static void check_region(const struct line_profile *profile,
-                         const c205_account *account, const char *what)
-{
-    c205_account sum = sum_of(profile, account->name);
     for (int cause = 0; cause < C205_CAUSES; cause++)
         if (sum.clocks[cause] != account->clocks[cause])
             fail_msg("%s: %s of '%s' is %llu line by line, %llu in all", what,

@@ -7,6 +7,7 @@
 
 #include "tests/oracle/chance.h"
 #include "tests/unit/asm_helper.h"
+#include "tests/unit/scene_reading.h"
 
 enum { TRIES = 300, ROWS = 12, COLUMNS = 5, TEXT = 8000 };
 
@@ -102,15 +103,6 @@ static void draw_table(struct random_table *table, bool headed)
     }
 }
 
-static void write_file(const char *text)
-{
-    FILE *file = fopen(path, "wb");
-
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 static struct object *include_file(const char *wishes, struct diagnostics *errors)
 {
     char program[300];
@@ -126,26 +118,21 @@ static struct object *include_file(const char *wishes, struct diagnostics *error
 static void check_words(const struct random_table *table, const char *wishes,
                         size_t column)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = include_file(wishes, &errors);
+    SCOPED_VALUE(diagnostics) errors = { 0 };
+    SCOPED(object) *object = include_file(wishes, &errors);
     uint64_t at = 0x800000;
 
     if (!object)
         fail_msg("%s, of\n%s", errors.items[0].message, table->text);
-    diagnostics_free(&errors);
-    for (size_t row = 0; row < table->rows; row++) {
-        for (size_t i = 0; i < table->columns; i++) {
-            if (column && column != i + 1)
-                continue;
-            if (word_of(&object->program, at) != table->words[row][i]) {
-                fail_msg("row %zu, column %zu%s of\n%s", row, i + 1, wishes,
-                         table->text);
-            }
-            at += 64;
-        }
+    for (size_t k = 0; k < table->rows * table->columns; k++) {
+        size_t row = k / table->columns, i = k % table->columns;
+        if (column && column != i + 1)
+            continue;
+        if (word_of(&object->program, at) != table->words[row][i])
+            fail_msg("row %zu, column %zu%s of\n%s", row, i + 1, wishes, table->text);
+        at += 64;
     }
     assert_int_equal(object_symbol(object, "count")->value, (at - 0x800000) / 64);
-    object_free(object);
 }
 
 TEST(tables)
@@ -158,7 +145,7 @@ TEST(tables)
         size_t column;
 
         draw_table(&table, headed);
-        write_file(table.text);
+        write_bytes(path, table.text, strlen(table.text));
         check_words(&table, table.integers ? ", integers" : "", 0);
         column = below(&state, table.columns) + 1;
         snprintf(wishes, sizeof wishes, ", %zu%s", column,
@@ -198,9 +185,9 @@ TEST(faults)
     };
 
     for (size_t i = 0; i < COUNT(cases); i++) {
-        struct diagnostics errors = { 0 };
+        SCOPED_VALUE(diagnostics) errors = { 0 };
 
-        write_file(cases[i].text);
+        write_bytes(path, cases[i].text, strlen(cases[i].text));
         assert_null(include_file(cases[i].wishes, &errors));
         if (errors.count != 1 || errors.items[0].line != cases[i].line
             || errors.items[0].column != cases[i].column
@@ -209,7 +196,6 @@ TEST(faults)
                      errors.items[0].line, errors.items[0].column,
                      errors.items[0].message);
         }
-        diagnostics_free(&errors);
     }
     remove(path);
 }

@@ -255,26 +255,6 @@ static struct area *area_at(c205_word descriptor)
     return NULL;
 }
 
-static void see_saved(c205_word to, unsigned first)
-{
-    if (area_at(to))
-        return;
-    assert_true(saves.count < MAX_AREAS);
-    saves.areas[saves.count++] = (struct area){
-        .address = to & 0xFFFFFFFFFFFF,
-        .first = first,
-        .count = (unsigned)(to >> 48),
-    };
-}
-
-static void see_restored(struct area *area, const c205 *machine)
-{
-    for (unsigned i = 0; i < area->count; i++) {
-        unsigned k = area->first + i;
-        area->changed[k] |= saves.before[k] != c205_register(machine, k);
-    }
-}
-
 static void listen_to_saves(void *context, const c205 *machine, const c205_event *event)
 {
     const c205_fields *fields = &event->fields;
@@ -282,11 +262,19 @@ static void listen_to_saves(void *context, const c205 *machine, const c205_event
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
     if (event->insn->format == C205_FORMAT_SWAP && fields->r != 0) {
-        struct area *area = area_at(saves.before[fields->r]);
-        if (fields->t != 0)
-            see_saved(saves.before[fields->t], fields->s);
-        else if (area && area->first == fields->s)
-            see_restored(area, machine);
+        c205_word to = saves.before[fields->t != 0 ? fields->t : fields->r];
+        struct area *area = area_at(to);
+        if (fields->t != 0 && !area) {
+            assert_true(saves.count < MAX_AREAS);
+            saves.areas[saves.count++] = (struct area){
+                .address = to & 0xFFFFFFFFFFFF,
+                .first = fields->s,
+                .count = (unsigned)(to >> 48),
+            };
+        }
+        bool restores = fields->t == 0 && area && area->first == fields->s;
+        for (unsigned k = fields->s; restores && k < area->first + area->count; k++)
+            area->changed[k] |= saves.before[k] != c205_register(machine, k);
     }
     for (unsigned k = 0; k < C205_REGISTERS; k++)
         saves.before[k] = c205_register(machine, k);
@@ -330,20 +318,6 @@ TEST(nothing_is_saved_in_vain)
 
 /* ---- Random scenes ---------------------------------------------------- */
 
-static void write_scene(char *text, size_t size)
-{
-    text[0] = '\0';
-    add_text(text, size,
-             "#version 3.7; global_settings { assumed_gamma 1 "
-             "max_trace_level 3 }\nbackground { rgb <.2, .3, .5> }\n"
-             "light_source { <%.1f, 8, -7>, .7 }\n"
-             "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
-             "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
-             between(-7, 7), between(2, 6), between(-2, 2), between(-2, 2));
-    for (size_t i = 1 + below(2); i > 0; i--)
-        add_solid(text, size, below(3));
-}
-
 TEST(random_solids)
 {
     static char text[100000];
@@ -354,7 +328,16 @@ TEST(random_solids)
         traced.historical = below(3) == 0;
         traced.no_bounds = below(4) == 0;
         traced.visible = (enum visible)below(CSG_METHODS);
-        write_scene(text, sizeof text);
+        text[0] = '\0';
+        add_text(text, sizeof text,
+                 "#version 3.7; global_settings { assumed_gamma 1 "
+                 "max_trace_level 3 }\nbackground { rgb <.2, .3, .5> }\n"
+                 "light_source { <%.1f, 8, -7>, .7 }\n"
+                 "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
+                 "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
+                 between(-7, 7), between(2, 6), between(-2, 2), between(-2, 2));
+        for (size_t k = 1 + below(2); k > 0; k--)
+            add_solid(text, sizeof text, below(3));
         SCOPED(scene) *scene = read_text(text);
         trace_modes(scene, queues[below(3)], text);
     }
