@@ -93,24 +93,19 @@ static void check_last(const struct json_value *view, const struct fresh *fresh)
     assert_string_equal(text_of(last, "mnemonic"), fresh->last.insn->mnemonic);
 }
 
-static uint64_t clocks_of(const struct json_value *causes, const char *name)
-{
-    uint64_t sum = 0;
-
-    for (const struct json_value *item = causes ? causes->first : NULL; item;
-         item = item->next)
-        if (strcmp(text_of(item, "cause"), name) == 0)
-            sum += (uint64_t)number_of(item, "clocks");
-    return sum;
-}
-
 static void check_causes(const struct json_value *owner, const c205_account *account)
 {
     const struct json_value *causes = json_member(owner, "causes");
 
-    for (int i = 0; i < C205_CAUSES; i++)
-        assert_int_equal(clocks_of(causes, c205_cause_name((c205_cause)i)),
-                         account->clocks[i]);
+    for (int i = 0; i < C205_CAUSES; i++) {
+        const struct json_value *item = causes ? causes->first : NULL;
+        uint64_t sum = 0;
+
+        for (; item; item = item->next)
+            if (strcmp(text_of(item, "cause"), c205_cause_name((c205_cause)i)) == 0)
+                sum += (uint64_t)number_of(item, "clocks");
+        assert_int_equal(sum, account->clocks[i]);
+    }
     assert_true(number_of(owner, "clocks") == (double)accounts_clocks(account));
     assert_true(number_of(owner, "instructions") == (double)account->instructions);
     assert_true(number_of(owner, "elements") == (double)account->elements);
@@ -348,17 +343,6 @@ TEST(walks)
 
 /* ---- Profiles and timelines ------------------------------------------------------ */
 
-/* Keys of causes in tables are their names with underscores. */
-static uint64_t column_sum(const struct json_value *rows, int cause)
-{
-    const char *key = accounts_cause_columns[cause].key;
-    uint64_t sum = 0;
-
-    for (const struct json_value *row = rows->first; row; row = row->next)
-        sum += (uint64_t)number_of(row, key);
-    return sum;
-}
-
 static void check_same_view(struct talk *talk, const char *before)
 {
     talk_ask(talk, "{'do': 'view'}");
@@ -368,13 +352,16 @@ static void check_same_view(struct talk *talk, const char *before)
 static void check_profile(struct walk *walk)
 {
     SCOPED_VALUE(fresh) fresh;
-    const struct json_value *rows;
+    const struct json_value *rows, *row;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
     rows = json_member(talk_ask(&walk->talk, "{'do': 'profile'}"), "lines");
     for (int cause = 0; cause < C205_CAUSES; cause++) {
-        assert_int_equal(column_sum(rows, cause),
-                         clocks_of_cause(fresh.machine, (c205_cause)cause));
+        uint64_t sum = 0;
+
+        for (row = rows->first; row; row = row->next)
+            sum += (uint64_t)number_of(row, accounts_cause_columns[cause].key);
+        assert_int_equal(sum, clocks_of_cause(fresh.machine, (c205_cause)cause));
     }
 }
 

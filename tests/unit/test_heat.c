@@ -61,23 +61,13 @@ TEST(no_spread)
     assert_int_equal(random_of("sphere { 0, 1 }", &request, true), 64);
 }
 
-/* A number that differs in its last bit makes another run. */
-static void check_number(const struct heat *one, const struct heat *other,
-                         double *number)
-{
-    double kept = *number;
-    *number = nextafter(kept, INFINITY);
-    assert_false(heat_is_same(one, other));
-    *number = kept;
-    assert_true(heat_is_same(one, other));
-}
-
 TEST(same)
 {
     static const char *const warm[] = { "default=300" };
     SCOPED(scene) *scene = read_scene(balls);
     struct heat_request request = usual();
-    struct heat one, other;
+    SCOPED_VALUE(heat) one;
+    SCOPED_VALUE(heat) other;
     request.smooth = request.exchange = true;
     request.temperatures = warm;
     request.temperature_count = 1;
@@ -85,13 +75,21 @@ TEST(same)
     find(scene, &request, &other);
     struct surface *last = &other.surfaces.list[1];
     assert_true(heat_is_same(&one, &other));
-    check_number(&one, &other, &last->area.value);
-    check_number(&one, &other, &last->factor[0].value);
-    check_number(&one, &other, &last->factor[2].error);
-    check_number(&one, &other, &last->smooth[0]);
-    check_number(&one, &other, &other.thermal.exchange.radiosity[1]);
-    check_number(&one, &other, &other.thermal.exchange.irradiation[1]);
-    check_number(&one, &other, &other.thermal.exchange.flow[1]);
+    double *const numbers[] = { &last->area.value,
+                                &last->factor[0].value,
+                                &last->factor[2].error,
+                                &last->smooth[0],
+                                &other.thermal.exchange.radiosity[1],
+                                &other.thermal.exchange.irradiation[1],
+                                &other.thermal.exchange.flow[1] };
+    for (size_t i = 0; i < COUNT(numbers); i++) {
+        /* A number that differs in its last bit makes another run. */
+        double kept = *numbers[i];
+        *numbers[i] = nextafter(kept, INFINITY);
+        assert_false(heat_is_same(&one, &other));
+        *numbers[i] = kept;
+        assert_true(heat_is_same(&one, &other));
+    }
     last->count[2]++;
     assert_false(heat_is_same(&one, &other));
     last->count[2]--;
@@ -99,8 +97,6 @@ TEST(same)
     assert_false(heat_is_same(&one, &other));
     last->tried--;
     assert_true(heat_is_same(&one, &other));
-    heat_free(&one);
-    heat_free(&other);
 }
 
 GROUP(set_up_model, tear_down_model);

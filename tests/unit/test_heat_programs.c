@@ -24,17 +24,13 @@ static size_t some_length(size_t most)
     return length < most ? length : most;
 }
 
-/* Assembles the scalar and the vector form of a program. */
-static void assemble(const char *name, struct object *forms[2])
+static struct object *assemble(const char *name)
 {
     static const struct asm_define none[] = { { NULL, 0 } };
-    for (int i = 0; i < 2; i++) {
-        char path[40];
-        c205_error error;
-        snprintf(path, sizeof path, "heat/%s_%s.s", name, i ? "vector" : "scalar");
-        forms[i] = program_assemble(path, none, &error);
-        REQUIRE(forms[i]);
-    }
+    c205_error error;
+    struct object *program = program_assemble(name, none, &error);
+    REQUIRE(program);
+    return program;
 }
 
 static void begin(struct single_run *run, const struct object *program)
@@ -101,8 +97,9 @@ TEST(received)
 {
     static struct receiving given;
     static c205_word words[2][2 * MAX_RECEIVERS + 1];
-    struct object *forms[2];
-    assemble("received", forms);
+    SCOPED(object) *scalar = assemble("heat/received_scalar.s");
+    SCOPED(object) *vector = assemble("heat/received_vector.s");
+    const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
         given.rays = some_length(MAX_RAYS);
         given.receivers = some_length(MAX_RECEIVERS);
@@ -117,8 +114,6 @@ TEST(received)
         assert_memory_equal(words[0], words[1],
                             (2 * given.receivers + 1) * sizeof **words);
     }
-    object_free(forms[0]);
-    object_free(forms[1]);
 }
 
 /* ---- Points that stay ------------------------------------------------------- */
@@ -208,8 +203,9 @@ TEST(staying)
 {
     static struct staying given;
     static c205_word made[PLANES * MAX_POINTS + 1];
-    struct object *forms[2];
-    assemble("faces", forms);
+    SCOPED(object) *scalar = assemble("heat/faces_scalar.s");
+    SCOPED(object) *vector = assemble("heat/faces_vector.s");
+    const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
         given.points = some_length(MAX_POINTS);
         given.crossings = below(5) == 0   ? 0
@@ -223,8 +219,6 @@ TEST(staying)
             check_staying(&given, made);
         }
     }
-    object_free(forms[0]);
-    object_free(forms[1]);
 }
 
 /* ---- Gaps ------------------------------------------------------------------ */
@@ -285,8 +279,9 @@ TEST(gaps)
 {
     static struct gap_ends given;
     c205_word counts[MAX_SURFACES * MAX_SURFACES];
-    struct object *forms[2];
-    assemble("gaps", forms);
+    SCOPED(object) *scalar = assemble("heat/gaps_scalar.s");
+    SCOPED(object) *vector = assemble("heat/gaps_vector.s");
+    const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
         given.gaps = i ? some_length(MAX_GAPS) : MAX_GAPS;
         given.surfaces = 1 + below(MAX_SURFACES);
@@ -296,8 +291,6 @@ TEST(gaps)
             check_gaps(&given, counts);
         }
     }
-    object_free(forms[0]);
-    object_free(forms[1]);
 }
 
 GROUP(set_up_model, tear_down_model);

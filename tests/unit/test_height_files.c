@@ -86,6 +86,12 @@ static const struct known_file known_files[] = {
              "\x00\x00\x11IDATx\x01\x01\x06\x00\xf9\xff\x00\x01 \x00\x34P\x01"
              "\x43\x00\xa6\x63~\xb7\x9a"),
       { 0, 256, 512, 768, 1024, 1280 } },
+    /* The palette contains each colour twice; the second palette is the image's own. */
+    { FILE_OF("gif", "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
+                     "\x02\0\x82"
+                     "aaaaaabbbbbbccccccdddddd"
+                     "\x03\x05\x08\x21\x38\x54\x09\0;"),
+      { 0, 256, 512, 768, 1024, 1280 } },
     { FILE_OF("bmp", "BM\x4e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x03\0\0\0\x02\0\0"
                      "\0\x01\0\x18\0\0\0\0\0\x18\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
                      "\0\0\0\0\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff\0\0\0"
@@ -113,20 +119,6 @@ TEST(kinds)
 {
     for (size_t i = 0; i < COUNT(known_files); i++)
         check_file(&known_files[i]);
-}
-
-/* The palette contains each colour twice; the second palette is the image's own. */
-TEST(tables)
-{
-    static const struct known_file own_table = {
-        FILE_OF("gif", "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
-                       "\x02\0\x82"
-                       "aaaaaabbbbbbccccccdddddd"
-                       "\x03\x05\x08\x21\x38\x54\x09\0;"),
-        { 0, 256, 512, 768, 1024, 1280 }
-    };
-
-    check_file(&own_table);
 }
 
 /* A truncated file causes one error or is accepted. PNG is skipped: for a broken file
@@ -184,9 +176,9 @@ TEST(large_file)
 /* Without the library adapter only PGM can be read. */
 TEST(no_adapter)
 {
-    struct diagnostics reports = { 0 };
     for (size_t i = 0; i < COUNT(known_files); i++) {
         const struct known_file *file = &known_files[i];
+        SCOPED_VALUE(diagnostics) reports = { 0 };
         bool own = *file->word == 'p' && file->word[1] != 'n';
         field_keep(file->bytes, file->count);
         SCOPED(scene) *scene = field_read(file->word, "", &reading_options, &reports);
@@ -194,8 +186,6 @@ TEST(no_adapter)
         assert_int_equal(reports.errors, !own);
         if (!own)
             assert_non_null(strstr(reports.items->message, "are supported here"));
-        diagnostics_free(&reports);
-        memset(&reports, 0, sizeof reports);
     }
 }
 

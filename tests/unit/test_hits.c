@@ -91,21 +91,6 @@ static int strikes(const double o[3], const double d[3], const double words[WORD
     return from < to;
 }
 
-static void check(const struct bundle *bundle, const c205_word *reported)
-{
-    for (size_t i = 0; i < bundle->rays; i++) {
-        int expected = 0;
-        for (size_t k = 0; k < bundle->cylinders && expected != 1; k++) {
-            int one = strikes(bundle->origin[i], bundle->direction[i],
-                              bundle->words[k]);
-            expected = one == 0 ? expected : one;
-        }
-        if (expected >= 0 && c205_to_integer(reported[i]) != expected)
-            fail_msg("ray %zu of %zu, %zu cylinders: told %d, not %d", i, bundle->rays,
-                     bundle->cylinders, (int)c205_to_integer(reported[i]), expected);
-    }
-}
-
 static void run(const struct bundle *bundle, const char *form, size_t queue,
                 c205_word *reported)
 {
@@ -141,7 +126,18 @@ TEST(rays)
     for (int i = 0; i < 60; i++) {
         draw(&bundle);
         run(&bundle, "heat/hits_scalar.s", 1, scalar);
-        check(&bundle, scalar);
+        for (size_t ray = 0; ray < bundle.rays; ray++) {
+            int expected = 0;
+            for (size_t k = 0; k < bundle.cylinders && expected != 1; k++) {
+                int one = strikes(bundle.origin[ray], bundle.direction[ray],
+                                  bundle.words[k]);
+                expected = one == 0 ? expected : one;
+            }
+            if (expected >= 0 && c205_to_integer(scalar[ray]) != expected)
+                fail_msg("ray %zu of %zu, %zu cylinders: told %d, not %d", ray,
+                         bundle.rays, bundle.cylinders,
+                         (int)c205_to_integer(scalar[ray]), expected);
+        }
         run(&bundle, "heat/hits_vector.s", queues[(size_t)i % COUNT(queues)], vector);
         assert_memory_equal(scalar, vector, bundle.rays * sizeof *scalar);
     }
@@ -178,7 +174,8 @@ TEST(scene)
     c205_error error;
     SCOPED(factors) *factors = factors_new(scene, &options, &error);
     SCOPED_VALUE(factor_row) row;
-    struct hits vector, scalar;
+    SCOPED_VALUE(hits) vector;
+    SCOPED_VALUE(hits) scalar;
     assert_non_null(factors);
     assert_true(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     find(scene, "Burner", TRACE_VECTOR, 77, &vector);
@@ -190,8 +187,6 @@ TEST(scene)
     assert_int_equal(vector.struck, scalar.struck);
     assert_memory_equal(&vector.factor, &scalar.factor, sizeof vector.factor);
     assert_true(scalar.accounts.clocks > vector.accounts.clocks);
-    hits_free(&vector);
-    hits_free(&scalar);
 }
 
 static void refuses(const char *text, const char *from, const char *message)

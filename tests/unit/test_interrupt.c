@@ -17,19 +17,6 @@ static bool *divided;
 
 /* ---- Slices -------------------------------------------------------------- */
 
-static void check_stop(const c205 *machine, const c205_stop *stop, uint64_t limit)
-{
-    assert_sum(machine);
-    assert_int_equal(stop->pc, c205_pc(machine));
-    if (!machine->resume.interrupted) {
-        assert_true(c205_clock(machine) >= limit);
-        return;
-    }
-    assert_int_equal(c205_clock(machine), limit);
-    assert_true(c205_unit_is_vector(stop->insn->unit));
-    divided[stop->insn - c205_insns] |= machine->resume.first > 0;
-}
-
 /* Runs a machine to its end in slices of `clocks`. If `saving` is set, it is saved and
  * restored after each. */
 static c205_stop run_broken(c205 **machine, uint64_t clocks, bool saving)
@@ -40,7 +27,15 @@ static c205_stop run_broken(c205 **machine, uint64_t clocks, bool saving)
         stop = c205_run(*machine, limit);
         if (stop.trap != C205_TRAP_CLOCK_LIMIT)
             return stop;
-        check_stop(*machine, &stop, limit);
+        assert_sum(*machine);
+        assert_int_equal(stop.pc, c205_pc(*machine));
+        if ((*machine)->resume.interrupted) {
+            assert_int_equal(c205_clock(*machine), limit);
+            assert_true(c205_unit_is_vector(stop.insn->unit));
+            divided[stop.insn - c205_insns] |= (*machine)->resume.first > 0;
+        } else {
+            assert_true(c205_clock(*machine) >= limit);
+        }
         if (saving)
             *machine = replace(*machine);
     }

@@ -31,25 +31,6 @@ static void add_camera(char *text, size_t size)
              between(-.3, .3));
 }
 
-static void check_orders(const char *text)
-{
-    SCOPED(scene) *scene = read_text(text);
-    struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = WIDTH,
-                                            .height = HEIGHT, .samples = among(1, 5));
-    SCOPED(trace) *scalar = run_trace(scene, &options);
-    options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
-    options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
-    options.queue = among(1, 300);
-    options.band = among(1, 900);
-    options.jobs = among(1, 2);
-    SCOPED(trace) *other = run_trace(scene, &options);
-    assert_int_equal(trace_samples(scalar), trace_samples(other));
-    if (trace_checksum(scalar) != trace_checksum(other))
-        fail_msg("%s by %s, queue %zu, band %zu, samples %zu: another frame of\n%s",
-                 trace_mode_name(options.mode), order_name(options.order),
-                 options.queue, options.band, options.samples, text);
-}
-
 TEST(random)
 {
     for (size_t i = 0; i < share_of(10); i++) {
@@ -57,7 +38,22 @@ TEST(random)
         add_camera(text, sizeof text);
         FREED struct words *words = plain_frame(text);
         check_paper_stage(text, words);
-        check_orders(text);
+        SCOPED(scene) *scene = read_text(text);
+        struct trace_options options = ON_PRIOR(.mode = TRACE_SCALAR, .width = WIDTH,
+                                                .height = HEIGHT,
+                                                .samples = among(1, 5));
+        SCOPED(trace) *scalar = run_trace(scene, &options);
+        options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
+        options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
+        options.queue = among(1, 300);
+        options.band = among(1, 900);
+        options.jobs = among(1, 2);
+        SCOPED(trace) *other = run_trace(scene, &options);
+        assert_int_equal(trace_samples(scalar), trace_samples(other));
+        if (trace_checksum(scalar) != trace_checksum(other))
+            fail_msg("%s by %s, queue %zu, band %zu, samples %zu: another frame of\n%s",
+                     trace_mode_name(options.mode), order_name(options.order),
+                     options.queue, options.band, options.samples, text);
     }
 }
 
