@@ -12,6 +12,8 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
+static c205_error error; /* of the last call that failed */
+
 static uint64_t seed = 1;
 
 static const struct factors_options usual = {
@@ -20,7 +22,6 @@ static const struct factors_options usual = {
 
 static struct factors *begin(const struct scene *scene, struct factors_options options)
 {
-    c205_error error = { "" };
     options.seed = seed;
     options.model = prior_model;
     struct factors *factors = factors_new(scene, &options, &error);
@@ -30,7 +31,6 @@ static struct factors *begin(const struct scene *scene, struct factors_options o
 
 static struct factor_row find(const struct factors *factors, size_t primitive)
 {
-    c205_error error = { "" };
     struct factor_row row;
     uint64_t sum = 0;
     REQUIRE(factors_find(factors, &primitive, 1, &row, &error));
@@ -318,7 +318,6 @@ static void count_halves(const struct packet_programs *programs,
                                             .points = half.points / 2,
                                             .lattice = half.lattice,
                                             .model = half.model };
-    c205_error error = { "" };
     struct heat_source *source = source_new(programs->scene, choice.primitive, &emits,
                                             &error);
     struct packet packet;
@@ -340,7 +339,6 @@ TEST(pieces)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
     struct packet_programs programs = { .scene = scene, .options = usual };
-    c205_error error = { "" };
     uint64_t counts[3] = { 0, 0, 0 };
     programs.options.points = 65536;
     programs.options.repeats = 2;
@@ -364,7 +362,6 @@ TEST(refused)
     SCOPED(scene) *scene = read_scene("plane { y, 0 } sphere { 0, 1 }");
     SCOPED(factors) *factors = begin(scene, usual);
     struct factor_row row;
-    c205_error error = { "" };
     assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     assert_non_null(strstr(error.message, "a plane is infinite"));
     options.repeats = 1;

@@ -9,6 +9,8 @@
 
 #include <math.h>
 
+static c205_error error; /* of the last call that failed */
+
 static c205_model *model;
 
 static void assert_near(double value, double expected, const char *what)
@@ -46,7 +48,6 @@ static const char *file_of(const char *text)
 static struct fit_run *new_run(const char *program)
 {
     struct run_options how = small();
-    c205_error error = { "" };
     struct fit_run *run = run_new(program, &how, &error);
     REQUIRE(run);
     return run;
@@ -85,7 +86,6 @@ static double clocks_of(const struct fit_run *run, const char *region,
 {
     bool chosen[MAX_RUN_REGIONS];
     double clocks[MAX_RUN_REGIONS], sum = 0;
-    c205_error error = { "" };
     assert_true(run_select(run, region, chosen, &error));
     REQUIRE(run_time(run, model, setting, setting != NULL, RUN_FINE, clocks, &error));
     for (size_t i = 0; i < run->region_count; i++)
@@ -106,7 +106,6 @@ TEST(fewer_rays)
                                          .queue = TRACE_QUEUE,
                                          .model = model };
         struct speedup_measure all;
-        c205_error error = { "" };
         char program[64];
         if (subject->paper.speedup == 0)
             continue;
@@ -127,7 +126,6 @@ TEST(fewer_rays)
 static double predicted(const char *row)
 {
     SCOPED_VALUE(observations) all = { 0 };
-    c205_error error = { "" };
     char text[256];
     snprintf(text, sizeof text, "# a remark\n\n%s\n", row);
     read_observations(&all, text);
@@ -303,7 +301,6 @@ TEST(constants)
     c205_setting settings[MAX_SETTINGS];
     double places[MAX_FREE] = { .5 };
     const struct free_constant *first = &constants.items[0];
-    c205_error error;
     SCOPED(c205_model) *like = c205_model_find("eta10g", &error);
     assert_non_null(like);
     read_constants(&constants, "a,cyber205,latency.load swap.word,R,5,40,?\n"
@@ -353,7 +350,6 @@ TEST(unidentifiable)
     static const struct fit_change none;
     SCOPED_VALUE(observations) all = { 0 };
     struct fit fit = { .observations = &all, .constants = &constants };
-    c205_error error = { "" };
     read_observations(&all,
                       "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,clk,1,,s,fit\n"
                       "b,stride.s:gather,cyber205-2pipe,1,clk,1,,s,compare\n");
@@ -370,7 +366,6 @@ TEST(unidentifiable)
 
 FIXTURE(find_model)
 {
-    c205_error error;
     model = c205_model_find("cyber205-2pipe", &error);
     return !model;
 }

@@ -11,6 +11,8 @@
 #include "rt/view/pixel_rays.h"
 #include "rt/view/pixel_verbs.h"
 
+static c205_error error; /* of the last call that failed */
+
 SCOPED_BY_FREE(debugger);
 
 static uint64_t random_state = RANDOM_SEED;
@@ -67,7 +69,6 @@ static struct scene *some_scene(void)
 /* Returns the band's machine at an instruction boundary near the clock. */
 static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
 {
-    c205_error error;
     c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
     c205_stop stop;
     assert_non_null(machine);
@@ -118,7 +119,6 @@ static void check_sums(const struct frame_pixel *pixel,
                        const struct clock_stretch *stretch)
 {
     SCOPED_VALUE(timeline) timeline = { .from = stretch->from, .to = stretch->to };
-    c205_error error;
     SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
     SCOPED(c205) *before = machine_at(pixel, stretch->from);
     SCOPED(c205) *after = machine_at(pixel, stretch->to);
@@ -148,7 +148,6 @@ static void check_region(const struct frame_pixel *pixel,
     const struct object *program = trace_program(pixel->trace);
     const char *region = regions[some(0, 2)];
     struct clock_stretch stretch = *queue;
-    c205_error error;
     c205_stop stop;
     if (!pixel_region_clocks(pixel, region, &stretch, &error))
         return;
@@ -175,7 +174,6 @@ static struct frame_pixel some_pixel(const struct trace *trace)
 {
     const struct trace_options *how = trace_how(trace);
     struct frame_pixel pixel;
-    c205_error error;
     assert_true(frame_pixel_find(&pixel, trace, some(0, how->width - 1),
                                  some(0, how->height - 1), &error));
     return pixel;
@@ -189,7 +187,6 @@ TEST(queues)
         for (size_t k = 0; k < 4; k++) {
             struct frame_pixel pixel = some_pixel(trace);
             struct clock_stretch stretch;
-            c205_error error;
             REQUIRE(pixel_queue_clocks(&pixel, &stretch, &error));
             check_depth(&pixel, &stretch);
             check_sums(&pixel, &stretch);
@@ -312,7 +309,6 @@ static void check_rays(struct following *following)
     uint64_t shade = label(pixel, "shade");
     uint64_t shaded = label(pixel, "shade_store_colours");
     const char *region = "";
-    c205_error error;
     SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
     c205_stop stop;
     do {
@@ -388,7 +384,6 @@ static void obey(struct debugger *debugger, struct text_buffer *said, const char
 
 static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
 {
-    c205_error error;
     SCOPED(c205) *plain = trace_machine(pixel->trace, pixel->band, &error);
     assert_int_equal(c205_run(plain, C205_NO_LIMIT).trap, C205_TRAP_NONE);
     assert_int_equal(c205_account_count(plain), c205_account_count(machine));
@@ -417,7 +412,6 @@ TEST(sessions)
                                         .machine = pixel_machine,
                                         .verbs = pixel_verbs,
                                         .context = &pixel };
-        c205_error error;
         char again[200];
         SCOPED(debugger) *debugger = debugger_new(&setup, &error);
         assert_non_null(debugger);

@@ -7,6 +7,8 @@
 
 #include "base/hash.h"
 
+static c205_error error; /* of the last call that failed */
+
 SCOPED_BY_FREE(c205_history);
 
 enum { PROGRAMS = 50, TARGETS = 40, MAX_STEPS = 2500, CHANGES = 2 };
@@ -37,7 +39,6 @@ static bool add_to_hash(void *context, const void *bytes, size_t count)
 static uint64_t hash_of(const c205 *machine)
 {
     uint64_t hash = HASH_START;
-    c205_error error;
     assert_true(c205_save(machine, add_to_hash, &hash, &error));
     return hash;
 }
@@ -109,7 +110,6 @@ static void go_on_to(c205_history *history, uint64_t step)
  * unchanged run, before a trap, and back. */
 static void go_through(const struct story *story, c205_history *history)
 {
-    c205_error error;
     if (below(2)) {
         go_on_to(history, story->steps_before);
         assert_true(c205_history_back(history, 0, &error));
@@ -124,7 +124,6 @@ static void go_through(const struct story *story, c205_history *history)
 static void jump(const struct story *story, c205_history *history, size_t target)
 {
     uint64_t step = story->target[target];
-    c205_error error;
     if (step < c205_history_step(history))
         assert_true(c205_history_back(history, step, &error));
     else
@@ -139,7 +138,6 @@ TEST(jumps)
 {
     struct story story;
     for (size_t number = 0; number < PROGRAMS; number++) {
-        c205_error error;
         make_story(&story, number);
         SCOPED(c205_model) *model = story.model;
         SCOPED(c205_history) *history = c205_history_new(begin(&story),
@@ -159,7 +157,6 @@ TEST(jumps)
 /* A program that has ended does not continue, but can move backward. */
 TEST(end)
 {
-    c205_error error;
     SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
     c205 *machine = machine_from("asm/examples/dot.s", model);
     SCOPED(c205_history) *history = c205_history_new(machine, 1 << 20, &error);
@@ -270,7 +267,6 @@ TEST(times)
         "asm/examples/sieve.s",        "tests/programs/swap.s"
     };
     uint64_t vectors = 0;
-    c205_error error;
     SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
     for (size_t i = 0; i < COUNT(paths); i++)
         vectors += check_times(machine_from(paths[i], model));
@@ -287,7 +283,6 @@ TEST(times)
 TEST(pages)
 {
     struct random_program program = random_program(RANDOM_SEED);
-    c205_error error;
     SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
     SCOPED(c205) *machine = machine_of(&program, model);
     c205_page page = { 0 };

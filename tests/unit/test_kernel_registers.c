@@ -20,6 +20,8 @@
 #include "tests/oracle/register_owners.h"
 #include "vm/text.h"
 
+static c205_error error; /* of the last call that failed */
+
 enum { COLUMNS = 8, ROWS = 6 };
 static size_t scene_count = 8;
 
@@ -118,7 +120,6 @@ static void run_watched(const struct object *program, c205 *machine, const char 
 {
     SCOPED(register_owners) *owners = register_owners_new(program);
     struct sink sink = stream_sink(stderr);
-    c205_error error = { "" };
     assert_non_null(owners);
     assert_int_equal(c205_loaded_program(machine),
                      c205_program_hash(&program->program));
@@ -133,7 +134,6 @@ static void run_watched(const struct object *program, c205 *machine, const char 
 static void trace_watched(const struct scene *scene,
                           const struct trace_options *options, const char *what)
 {
-    c205_error error = { "" };
     SCOPED(trace) *trace = trace_new(scene, options, &error);
     SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
     if (!machine)
@@ -152,7 +152,6 @@ static void follow_lines(const struct scene *scene, size_t queue, const char *wh
 
     draw_camera_lines(&traced.random, scene, list, LINES);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
-        c205_error error = { "" };
         options.mode = (enum trace_mode)mode;
         SCOPED(ray_query) *lines = ray_query_new(scene, &options, &error);
         SCOPED(c205) *machine = lines ? ray_query_machine(lines, list, LINES, &error)
@@ -296,7 +295,6 @@ TEST(nothing_is_saved_in_vain)
                                             .height = 4 * ROWS, .queue = 1);
     SCOPED(scene) *scene = read_text(text);
     for (int historical = 0; historical < 2; historical++) {
-        c205_error error = { "" };
         memset(&saves, 0, sizeof saves);
         options.historical = historical;
         SCOPED(trace) *trace = trace_new(scene, &options, &error);
@@ -363,7 +361,6 @@ TEST(roots)
         const struct asm_define defines[] = { { "QUEUE", 7 },
                                               { "FALSI", options.falsi },
                                               { NULL, 0 } };
-        c205_error error = { "" };
         struct root_search *search = roots_new(polynomials, POLYNOMIALS, &options,
                                                &error);
         SCOPED(object) *program = program_assemble(options.mode == TRACE_SCALAR
@@ -390,7 +387,6 @@ TEST(points)
             .points = 500,
             .coordinates = STREAM_DRAWS,
         };
-        c205_error error = { "" };
         SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
         c205 *machine = maker ? point_maker_load(maker, &choice, &error) : NULL;
         REQUIRE(machine);
@@ -413,7 +409,6 @@ TEST(emission)
                                                        i % TRACE_FORMS),
                                                    .queue = 7, .points = 200,
                                                    .lattice = i / TRACE_FORMS % 2);
-        c205_error error = { "" };
         SCOPED(emission) *emission = emission_new(primitive, &options, &error);
         SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &error)
                                          : NULL;
