@@ -404,30 +404,27 @@ TEST(options)
 
 /* ---- The table -------------------------------------------------------------- */
 
-static void check_alias(size_t count)
-{
-    enum { MAX = 50 };
-    double weights[MAX], share[MAX], found[MAX] = { 0 }, sum = 0;
-    size_t alias[MAX];
-
-    for (size_t i = 0; i < count; i++)
-        sum += weights[i] = between(0, 4) == 0 ? 0 : number_between(&state, 0, 1);
-    weights[between(0, count - 1)] += 1;
-    sum += 1;
-    assert_true(alias_build(weights, count, share, alias));
-    for (size_t i = 0; i < count; i++) {
-        assert_true(share[i] >= 0 && share[i] <= 1 && alias[i] < count);
-        found[i] += share[i];
-        found[alias[i]] += 1 - share[i];
-    }
-    for (size_t i = 0; i < count; i++)
-        assert_near(found[i] / (double)count, weights[i] / sum, 1e-13);
-}
-
 TEST(alias)
 {
-    for (size_t i = 0; i < 100 * tries; i++)
-        check_alias(between(1, 50));
+    for (size_t i = 0; i < 100 * tries; i++) {
+        size_t count = between(1, 50);
+        enum { MAX = 50 };
+        double weights[MAX], share[MAX], found[MAX] = { 0 }, sum = 0;
+        size_t alias[MAX];
+
+        for (size_t k = 0; k < count; k++)
+            sum += weights[k] = between(0, 4) == 0 ? 0 : number_between(&state, 0, 1);
+        weights[between(0, count - 1)] += 1;
+        sum += 1;
+        assert_true(alias_build(weights, count, share, alias));
+        for (size_t k = 0; k < count; k++) {
+            assert_true(share[k] >= 0 && share[k] <= 1 && alias[k] < count);
+            found[k] += share[k];
+            found[alias[k]] += 1 - share[k];
+        }
+        for (size_t k = 0; k < count; k++)
+            assert_near(found[k] / (double)count, weights[k] / sum, 1e-13);
+    }
 }
 
 /* ---- Clocks of a point ------------------------------------------------------ */

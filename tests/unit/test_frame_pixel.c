@@ -248,22 +248,6 @@ static void check_same(struct following *following, const struct pixel_element *
         assert_int_equal(c205_to_integer(element->word), lane);
 }
 
-static void keep_point(struct following *following, const struct pixel_element *element)
-{
-    static const char *const names[] = { "px", "py", "pz" };
-    static const char *const colours[] = { "red", "green", "blue" };
-    for (size_t i = 0; following->shaded && i < 3; i++) {
-        if (strcmp(element->vector, names[i]) == 0)
-            following->points[following->point_count][i] = element->word;
-        if (strcmp(element->vector, colours[i]) == 0 && element->list == 0)
-            following->colour[i] = element->word;
-    }
-    if (following->shaded && strcmp(element->vector, "pz") == 0) {
-        following->point_count++;
-        assert_true(following->point_count < MAX_POINTS);
-    }
-}
-
 static void follow(void *context, const struct pixel_element *element)
 {
     struct following *following = context;
@@ -290,7 +274,18 @@ static void follow(void *context, const struct pixel_element *element)
     check_same(following, element);
     if (element->group == PIXEL_HITS) {
         assert_true(c205_to_double(ray_word(following, "met")) != 0);
-        keep_point(following, element);
+        static const char *const names[] = { "px", "py", "pz" };
+        static const char *const colours[] = { "red", "green", "blue" };
+        for (size_t i = 0; following->shaded && i < 3; i++) {
+            if (strcmp(element->vector, names[i]) == 0)
+                following->points[following->point_count][i] = element->word;
+            if (strcmp(element->vector, colours[i]) == 0 && element->list == 0)
+                following->colour[i] = element->word;
+        }
+        if (following->shaded && strcmp(element->vector, "pz") == 0) {
+            following->point_count++;
+            assert_true(following->point_count < MAX_POINTS);
+        }
     }
 }
 

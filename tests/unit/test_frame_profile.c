@@ -80,19 +80,6 @@ static void check_region(const struct line_profile *profile,
     assert_int_equal(sum.elements, account->elements);
 }
 
-/* Equal sums imply that no line is in a region that the accounts lack. */
-static void check_sums(const struct line_profile *profile,
-                       const struct accounts *accounts, const char *what)
-{
-    uint64_t clocks = 0;
-    for (size_t i = 0; i < accounts->count; i++)
-        check_region(profile, &accounts->items[i], what);
-    for (size_t i = 0; i < line_profile_count(profile); i++)
-        for (int cause = 0; cause < C205_CAUSES; cause++)
-            clocks += line_profile_row(profile, i)->clocks[cause];
-    assert_int_equal(clocks, accounts->clocks);
-}
-
 /* ---- Frames -------------------------------------------------------------- */
 
 static char *table_text_of(const struct line_profile *profile, struct profile_view view)
@@ -116,7 +103,15 @@ static char *check_frame(const struct scene *scene, struct trace_options options
     const struct observer *const observers[] = { &observer, NULL };
     options.observers = observers;
     SCOPED(trace) *trace = run_trace(scene, &options);
-    check_sums(profile, trace_accounts(trace), what);
+    /* Equal sums imply that no line is in a region that the accounts lack. */
+    const struct accounts *accounts = trace_accounts(trace);
+    uint64_t clocks = 0;
+    for (size_t i = 0; i < accounts->count; i++)
+        check_region(profile, &accounts->items[i], what);
+    for (size_t i = 0; i < line_profile_count(profile); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            clocks += line_profile_row(profile, i)->clocks[cause];
+    assert_int_equal(clocks, accounts->clocks);
     return table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
 }
 

@@ -381,20 +381,6 @@ static bool is_integer(c205_word word, int64_t *integer)
     return true;
 }
 
-static void check_quotient(size_t i)
-{
-    int64_t x, y;
-    bool good = is_integer(both.x[i], &x) & is_integer(both.y[i], &y);
-    c205_word quotient = good && y ? c205_from_integer(x / y) : C205_INDEFINITE;
-    c205_word rest = good && y ? c205_from_integer(x % y) : C205_INDEFINITE;
-
-    if (both.number[i] != quotient || both.rest[i] != rest || both.other[i] != rest) {
-        fail_msg("%" PRId64 " / %" PRId64 " is %016" PRIX64 ", remains %016" PRIX64
-                 " of numbers, %016" PRIX64 " of vectors",
-                 x, y, both.number[i], both.rest[i], both.other[i]);
-    }
-}
-
 TEST(quotients)
 {
     both.count = tries;
@@ -419,8 +405,19 @@ TEST(quotients)
     }
     compute("divide", "vectors");
     check_forms("divide");
-    for (size_t i = 0; i < tries; i++)
-        check_quotient(i);
+    for (size_t i = 0; i < tries; i++) {
+        int64_t x, y;
+        bool good = is_integer(both.x[i], &x) & is_integer(both.y[i], &y);
+        c205_word quotient = good && y ? c205_from_integer(x / y) : C205_INDEFINITE;
+        c205_word rest = good && y ? c205_from_integer(x % y) : C205_INDEFINITE;
+
+        if (both.number[i] != quotient || both.rest[i] != rest
+            || both.other[i] != rest) {
+            fail_msg("%" PRId64 " / %" PRId64 " is %016" PRIX64 ", remains %016" PRIX64
+                     " of numbers, %016" PRIX64 " of vectors",
+                     x, y, both.number[i], both.rest[i], both.other[i]);
+        }
+    }
 }
 
 /* ---- Constants ----------------------------------------------------------- */

@@ -142,21 +142,6 @@ static void stay(const struct object *program, const struct staying *given,
     end(&run, made, words, count + 1);
 }
 
-/* Draws crossings near the origin or far from it, of the point's own primitive or
- * another one. */
-static void draw_crossings(struct staying *given)
-{
-    static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
-    c205_word *list = given->list;
-    size_t n = given->crossings;
-    for (size_t i = 0; i < n; i++) {
-        list[i] = c205_from_double(distances[below(6)]);
-        list[n + i] = c205_from_integer((int64_t)(below(2) ? OWN : below(2 * OWN)));
-        list[2 * n + i] = c205_from_integer((int64_t)below(given->points));
-        list[3 * n + i] = c205_from_integer((int64_t)(1 + below(3)));
-    }
-}
-
 /* Returns whether a crossing is near the point, and reads its primitive and its
  * direction. */
 static bool is_near(const struct staying *given, size_t i, size_t point,
@@ -213,7 +198,17 @@ TEST(staying)
                                           : some_length(5000);
         for (size_t k = 0; k < PLANES * given.points; k++)
             given.planes[k] = xorshift(&random_state);
-        draw_crossings(&given);
+        /* The crossings are near the origin or far from it, of the point's own primitive or
+         * another one. */
+        static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
+        c205_word *list = given.list;
+        size_t n = given.crossings;
+        for (size_t k = 0; k < n; k++) {
+            list[k] = c205_from_double(distances[below(6)]);
+            list[n + k] = c205_from_integer((int64_t)(below(2) ? OWN : below(2 * OWN)));
+            list[2 * n + k] = c205_from_integer((int64_t)below(given.points));
+            list[3 * n + k] = c205_from_integer((int64_t)(1 + below(3)));
+        }
         for (int form = 0; form < 2; form++) {
             stay(forms[form], &given, made);
             check_staying(&given, made);
@@ -230,17 +225,6 @@ struct gap_ends {
     size_t gaps, surfaces;
     c205_word planes[3 * (MAX_GAPS + 1)]; /* distances, surfaces, containing solids */
 };
-
-static void make_ends(struct gap_ends *given)
-{
-    size_t ends = given->gaps + 1;
-    for (size_t k = 0; k < ends; k++) {
-        given->planes[k] = c205_from_double((double)below(5) / 4 - .5);
-        given->planes[ends + k] = c205_from_integer((int64_t)below(given->surfaces));
-        given->planes[2 * ends + k] = c205_from_integer(
-            below(2) ? 0 : (int64_t)below(4) - 1);
-    }
-}
 
 static void count_gaps(const struct object *program, const struct gap_ends *given,
                        c205_word *counts)
@@ -285,7 +269,13 @@ TEST(gaps)
     for (int i = 0; i < 60; i++) {
         given.gaps = i ? some_length(MAX_GAPS) : MAX_GAPS;
         given.surfaces = 1 + below(MAX_SURFACES);
-        make_ends(&given);
+        size_t ends = given.gaps + 1;
+        for (size_t k = 0; k < ends; k++) {
+            given.planes[k] = c205_from_double((double)below(5) / 4 - .5);
+            given.planes[ends + k] = c205_from_integer((int64_t)below(given.surfaces));
+            given.planes[2 * ends + k] = c205_from_integer(
+                below(2) ? 0 : (int64_t)below(4) - 1);
+        }
         for (size_t form = 0; form < 2; form++) {
             count_gaps(forms[form], &given, counts);
             check_gaps(&given, counts);

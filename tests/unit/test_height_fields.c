@@ -60,21 +60,6 @@ static double surface(const struct grid *grid, double x, double z)
     return d + (1 - u) * (c - d) + (1 - v) * (b - d);
 }
 
-static void check_surface(const struct grid *grid, const struct triangles *triangles,
-                          double water)
-{
-    for (int i = 0; i < SAMPLES; i++) {
-        double x = between(0, 1), z = between(0, 1), met = -1;
-        double expected = surface(grid, x, z);
-        int count = field_meet(triangles, x, z, &met);
-        if (fabs(expected - water) < 1e-6)
-            continue;
-        assert_int_equal(count, expected > water);
-        if (count)
-            assert_close(met, expected, CLOSE);
-    }
-}
-
 TEST(surface)
 {
     for (size_t i = 0; i < field_count; i++) {
@@ -87,7 +72,17 @@ TEST(surface)
             continue; /* the water may cover everything */
         SCOPED(scene) *scene = field_expect(i % 2 ? "pgm" : "",
                                             water == 0 ? "" : words);
-        check_surface(&grid, triangles_of(scene), water);
+        const struct triangles *triangles = triangles_of(scene);
+        for (int k = 0; k < SAMPLES; k++) {
+            double x = between(0, 1), z = between(0, 1), met = -1;
+            double expected = surface(&grid, x, z);
+            int count = field_meet(triangles, x, z, &met);
+            if (fabs(expected - water) < 1e-6)
+                continue;
+            assert_int_equal(count, expected > water);
+            if (count)
+                assert_close(met, expected, CLOSE);
+        }
     }
 }
 
@@ -127,21 +122,6 @@ static void normal_at(const struct grid *grid, int x, int z, double normal[3])
     normal[2] *= grid->rows - 1;
 }
 
-static void check_corner(const struct grid *grid, const double corner[3],
-                         const double normal[3], double wide, double high)
-{
-    int x = (int)lround(corner[0] / wide * (grid->columns - 1));
-    int z = (int)lround(corner[2] * (grid->rows - 1));
-    double expected[3];
-    normal_at(grid, x, z, expected);
-    expected[0] /= wide;
-    expected[1] /= high;
-    make_unit(expected);
-    for (int i = 0; i < 3; i++)
-        assert_close(normal[i], expected[i], 1e-4); /* steps of rounding */
-    assert_close(corner[1], high * height_of(grid, x, z), 1e-9);
-}
-
 /* Normals in world space have length one. */
 TEST(normals)
 {
@@ -157,8 +137,18 @@ TEST(normals)
         for (size_t k = 0; k < 3 * triangles->count; k++) {
             const struct triangle *triangle = &triangles->list[k / 3];
             assert_true(triangle->smooth);
-            check_corner(&grid, triangle->corners[k % 3], triangle->normals[k % 3],
-                         wide, high);
+            const double *corner = triangle->corners[k % 3];
+            const double *normal = triangle->normals[k % 3];
+            int x = (int)lround(corner[0] / wide * (grid.columns - 1));
+            int z = (int)lround(corner[2] * (grid.rows - 1));
+            double exact[3];
+            normal_at(&grid, x, z, exact);
+            exact[0] /= wide;
+            exact[1] /= high;
+            make_unit(exact);
+            for (int j = 0; j < 3; j++)
+                assert_close(normal[j], exact[j], 1e-4); /* steps of rounding */
+            assert_close(corner[1], high * height_of(&grid, x, z), 1e-9);
         }
     }
 }

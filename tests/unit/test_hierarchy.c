@@ -61,23 +61,6 @@ static void check_order(const struct hierarchy *hierarchy, size_t count)
     }
 }
 
-/* Loose regions are those without a bound, or all regions. They come first, in the
- * scene's order. */
-static void check_loose(const struct hierarchy *hierarchy, const struct bound *bounds)
-{
-    bool all = hierarchy->loose == hierarchy->count;
-    assert_true(all == (hierarchy->node_count == 0));
-    for (size_t i = 0; i < hierarchy->count; i++)
-        assert_true(all
-                    || bound_is_none(&bounds[hierarchy->order[i]])
-                           == (i < hierarchy->loose));
-    for (size_t i = 1; i < hierarchy->loose; i++) {
-        size_t last = hierarchy->order[i - 1], next = hierarchy->order[i];
-        bool missing = bound_is_none(&bounds[last]);
-        assert_true(missing == bound_is_none(&bounds[next]) ? last < next : missing);
-    }
-}
-
 /* Checks a node and its descendants, whose regions begin at `place` of the order.
  * Returns the place after the last. */
 static size_t check_node(const struct hierarchy *hierarchy, const struct bound *bounds,
@@ -119,7 +102,18 @@ static size_t check(const struct bound *bounds, size_t count)
     SCOPED_VALUE(hierarchy) hierarchy;
     assert_true(hierarchy_build(bounds, count, &hierarchy));
     check_order(&hierarchy, count);
-    check_loose(&hierarchy, bounds);
+    /* Loose regions are those without a bound, or all regions. They come first, in the
+     * scene's order. */
+    bool all = hierarchy.loose == hierarchy.count;
+    assert_true(all == (hierarchy.node_count == 0));
+    for (size_t i = 0; i < hierarchy.count; i++)
+        assert_true(
+            all || bound_is_none(&bounds[hierarchy.order[i]]) == (i < hierarchy.loose));
+    for (size_t i = 1; i < hierarchy.loose; i++) {
+        size_t last = hierarchy.order[i - 1], next = hierarchy.order[i];
+        bool missing = bound_is_none(&bounds[last]);
+        assert_true(missing == bound_is_none(&bounds[next]) ? last < next : missing);
+    }
     if (hierarchy.node_count > 0) {
         assert_int_equal(check_node(&hierarchy, bounds, 0, hierarchy.loose, 1), count);
         assert_int_equal(hierarchy.nodes[0].next, hierarchy.node_count);

@@ -40,25 +40,6 @@ static void add_separator(struct random_table *table)
     add_blanks(table);
 }
 
-static void draw_number(struct random_table *table, c205_word *word)
-{
-    char text[60];
-    const char *end;
-
-    if (table->integers) {
-        int64_t integer = xorshift_between(&state, -1000000, 1000000);
-
-        snprintf(text, sizeof text, one_in(&state, 4) ? "%" PRId64 ".0" : "%" PRId64,
-                 integer);
-        *word = c205_from_integer(integer);
-    } else {
-        snprintf(text, sizeof text, "%.*g", (int)below(&state, 17) + 1,
-                 between(&state, -1, 1) * of_any_size(&state, 1e-30, 1e30));
-        *word = c205_from_text(text, &end);
-    }
-    add(table, text);
-}
-
 static void end_line(struct random_table *table)
 {
     static const char *const ends[] = { "\n",   "\n",     "\r\n",      " # 1, 2\n",
@@ -95,7 +76,22 @@ static void draw_table(struct random_table *table, bool headed)
     }
     for (size_t row = 0; row < table->rows; row++) {
         for (size_t i = 0; i < table->columns; i++) {
-            draw_number(table, &table->words[row][i]);
+            c205_word *word = &table->words[row][i];
+            char number[60];
+            const char *end;
+
+            if (table->integers) {
+                int64_t integer = xorshift_between(&state, -1000000, 1000000);
+
+                snprintf(number, sizeof number,
+                         one_in(&state, 4) ? "%" PRId64 ".0" : "%" PRId64, integer);
+                *word = c205_from_integer(integer);
+            } else {
+                snprintf(number, sizeof number, "%.*g", (int)below(&state, 17) + 1,
+                         between(&state, -1, 1) * of_any_size(&state, 1e-30, 1e30));
+                *word = c205_from_text(number, &end);
+            }
+            add(table, number);
             if (i + 1 < table->columns)
                 add_separator(table);
         }

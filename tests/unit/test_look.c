@@ -64,19 +64,6 @@ static void look(void *context, const struct trace *trace,
         keep_rows(shown, trace, &band);
 }
 
-static void check_same(const struct shown *shown, const struct trace *trace)
-{
-    const struct trace_options *how = trace_how(trace);
-    SCOPED_VALUE(frame) frame;
-    assert_true(frame_allocate(&frame, how->width, how->height));
-    trace_read(trace, 0, &frame);
-    for (size_t row = 0; row < how->height; row++)
-        assert_true(shown->rows[row]);
-    for (int i = 0; i < FRAME_CHANNELS; i++)
-        assert_memory_equal(frame.channel[i], shown->frame.channel[i],
-                            how->width * how->height * sizeof *frame.channel[i]);
-}
-
 static void check_looks(const struct scene *scene, enum trace_mode mode)
 {
     struct shown shown = { .done = 0 };
@@ -91,7 +78,15 @@ static void check_looks(const struct scene *scene, enum trace_mode mode)
     assert_int_equal(shown.done, trace_bands(trace));
     if (options.jobs == 1)
         assert_int_equal(shown.all, trace_accounts(trace)->clocks);
-    check_same(&shown, trace);
+    const struct trace_options *how = trace_how(trace);
+    SCOPED_VALUE(frame) frame;
+    assert_true(frame_allocate(&frame, how->width, how->height));
+    trace_read(trace, 0, &frame);
+    for (size_t row = 0; row < how->height; row++)
+        assert_true(shown.rows[row]);
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        assert_memory_equal(frame.channel[i], shown.frame.channel[i],
+                            how->width * how->height * sizeof *frame.channel[i]);
     frame_free(&shown.frame);
 }
 
