@@ -264,17 +264,24 @@ TEST(bias)
 
 /* ---- Both forms ---------------------------------------------------------------- */
 
-/* Compares the forms and queues for the second primitive. */
-static void check_forms(const char *text)
+/* Compares the forms and queues for the second primitive: a solid with an emission, and
+ * one that needs lines. */
+TEST(forms)
 {
+    static const char *const texts[] = {
+        "difference { box { -1, 1 } cylinder { -2*y, 2*y, .6 } torus { 1, .3 } }"
+        "sphere { 0, .4 scale <1, 2, 1> }",
+        "intersection { plane { x, .5 }"
+        " lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> } } sphere { 2*x, .4 }",
+    };
     static const size_t queues[] = { 1, 77, 300, 300, 65535 };
     struct factors_options options = usual;
-    SCOPED(scene) *scene = read_scene(text);
     options.points = 300;
     options.repeats = 2;
-    options.mode = TRACE_SCALAR;
-    for (int lattice = 0; lattice < 2; lattice++) {
-        options.lattice = lattice;
+    for (size_t k = 0; k < 2 * COUNT(texts); k++) {
+        SCOPED(scene) *scene = read_scene(texts[k / 2]);
+        options.mode = TRACE_SCALAR;
+        options.lattice = k % 2;
         SCOPED(factors) *factors = begin(scene, options);
         SCOPED_VALUE(factor_row) scalar = find(factors, 1);
         for (size_t i = 0; i < COUNT(queues); i++) {
@@ -293,17 +300,6 @@ static void check_forms(const char *text)
             assert_memory_equal(&row.area, &scalar.area, sizeof row.area);
         }
     }
-}
-
-/* A solid with an emission, and one that needs lines. */
-TEST(forms)
-{
-    check_forms(
-        "difference { box { -1, 1 } cylinder { -2*y, 2*y, .6 } torus { 1, .3 } }"
-        "sphere { 0, .4 scale <1, 2, 1> }");
-    check_forms("intersection { plane { x, .5 }"
-                " lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> } }"
-                " sphere { 2*x, .4 }");
 }
 
 /* ---- Errors ---------------------------------------------------------------------- */

@@ -108,23 +108,6 @@ static void add_object(void)
     add(" }\n");
 }
 
-static void make_scene(void)
-{
-    text[0] = '\0';
-    add("#version 3.7; global_settings { assumed_gamma 1 }\ncamera { %s location ",
-        among(0, 3) ? "" : "orthographic");
-    add_place(6 * any_size());
-    add(" look_at ");
-    add_place(.1 * any_size());
-    add(" angle %.1f }\nplane { y, -1 ", between(20, 60));
-    add_texture();
-    add("}\n");
-    for (size_t i = among(1, 2); i > 0; i--)
-        add_light();
-    for (size_t i = among(1, 4); i > 0; i--)
-        add_object();
-}
-
 /* Returns NULL if the form reports an error; then every form must. */
 static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
                               size_t queue, bool no_bounds, bool flat)
@@ -175,7 +158,19 @@ TEST(random_scenes)
     size_t scenes = 0;
     for (size_t i = 0; i < share_of(SCENES); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
-        make_scene();
+        text[0] = '\0';
+        add("#version 3.7; global_settings { assumed_gamma 1 }\ncamera { %s location ",
+            among(0, 3) ? "" : "orthographic");
+        add_place(6 * any_size());
+        add(" look_at ");
+        add_place(.1 * any_size());
+        add(" angle %.1f }\nplane { y, -1 ", between(20, 60));
+        add_texture();
+        add("}\n");
+        for (size_t k = among(1, 2); k > 0; k--)
+            add_light();
+        for (size_t k = among(1, 4); k > 0; k--)
+            add_object();
         SCOPED(scene) *scene = scene_read_text("test", text, &how, &reports);
         if (scene)
             check_scene(scene);

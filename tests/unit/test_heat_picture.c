@@ -66,29 +66,6 @@ static void check_color(const struct frame *frame, size_t row, size_t column,
                     < .05);
 }
 
-/* The scale is below the frame and shows no object. Its ends have the colours of the
- * extremes, and it has numbers. */
-static void check_scale(const struct frame *frame, enum heat_shown shown,
-                        const struct heat_drawn *drawn)
-{
-    static const double left[][3] = { { .02, .08, .6 }, { .01, .02, .12 } },
-                        right[][3] = { { .55, .01, .02 }, { .95, .75, .1 } },
-                        white[3] = { .9, .9, .9 };
-    bool from_zero = shown == SHOWN_FLOW && drawn->least >= 0;
-    size_t bar = 0, dots = 0;
-    assert_int_equal(frame->width, WIDTH);
-    assert_true(frame->height > HEIGHT + 20);
-    for (size_t i = WIDTH * HEIGHT; i < WIDTH * frame->height; i++) {
-        assert_true(frame->channel[CHANNEL_ID][i] == 0 && frame->value[i] == 0);
-        dots += frame->channel[CHANNEL_GREEN][i] > .85;
-        if (bar == 0 && frame->channel[CHANNEL_BLUE][i] > .015)
-            bar = i / WIDTH;
-    }
-    check_color(frame, bar, 4, from_zero ? white : left[shown]);
-    check_color(frame, bar, WIDTH - 5, right[shown]);
-    assert_true(dots > 50);
-}
-
 static void check_picture(const struct heat *heat, enum heat_shown shown,
                           const char *from, size_t number)
 {
@@ -110,7 +87,24 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
         assert_true(frame.value[i] == (double)(float)expected);
     }
     assert_true(seen[0] && seen[1] && seen[2] && seen[3]);
-    check_scale(&frame, shown, &drawn);
+    /* The scale is below the frame and shows no object. Its ends have the colours of the
+     * extremes, and it has numbers. */
+    static const double left[][3] = { { .02, .08, .6 }, { .01, .02, .12 } },
+                        right[][3] = { { .55, .01, .02 }, { .95, .75, .1 } },
+                        white[3] = { .9, .9, .9 };
+    bool from_zero = shown == SHOWN_FLOW && drawn.least >= 0;
+    size_t bar = 0, dots = 0;
+    assert_int_equal(frame.width, WIDTH);
+    assert_true(frame.height > HEIGHT + 20);
+    for (size_t k = WIDTH * HEIGHT; k < WIDTH * frame.height; k++) {
+        assert_true(frame.channel[CHANNEL_ID][k] == 0 && frame.value[k] == 0);
+        dots += frame.channel[CHANNEL_GREEN][k] > .85;
+        if (bar == 0 && frame.channel[CHANNEL_BLUE][k] > .015)
+            bar = k / WIDTH;
+    }
+    check_color(&frame, bar, 4, from_zero ? white : left[shown]);
+    check_color(&frame, bar, WIDTH - 5, right[shown]);
+    assert_true(dots > 50);
     for (size_t i = 0; i < heat->surfaces.count; i++) {
         least = fmin(least, value_of(heat, shown, number, i));
         most = fmax(most, value_of(heat, shown, number, i));

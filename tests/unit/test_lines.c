@@ -29,27 +29,11 @@ static void check(bool good, const char *reason, const char *text)
         fail_msg("%s in\n%s", reason, text);
 }
 
-static void check_queues(const struct scene *scene, const char *text,
-                         struct ray_query_options options, const struct scene_ray *list,
-                         const struct ray_hits *scalar)
-{
-    static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
-    for (size_t i = 0; i < COUNT(queues); i++) {
-        char reason[LINE_REASON];
-        options.mode = i % 2 ? TRACE_KERNELS : TRACE_VECTOR;
-        options.queue = queues[i];
-        options.packet = i == 1 ? LINES / 3 : 0;
-        options.flat = i == 2;
-        options.no_bounds = i == 3;
-        SCOPED_VALUE(ray_hits) vector = find_lines(scene, &options, list, LINES);
-        check(same_crossings(scalar, &vector, reason), reason, text);
-    }
-}
-
 /* The camera is on either side of the solids, or inside them with crossings behind
  * it. */
 static void check_solids(double z, double behind)
 {
+    static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
     static char text[1 << 18];
     struct ray_query_options options = ON_PRIOR(.normals = true, .bodies = true,
                                                 .behind = behind);
@@ -62,7 +46,15 @@ static void check_solids(double z, double behind)
     SCOPED(scene) *scene = read_text(text);
     draw_camera_lines(&traced.random, scene, list, LINES);
     SCOPED_VALUE(ray_hits) found = find_lines(scene, &options, list, LINES);
-    check_queues(scene, text, options, list, &found);
+    for (size_t i = 0; i < COUNT(queues); i++) {
+        options.mode = i % 2 ? TRACE_KERNELS : TRACE_VECTOR;
+        options.queue = queues[i];
+        options.packet = i == 1 ? LINES / 3 : 0;
+        options.flat = i == 2;
+        options.no_bounds = i == 3;
+        SCOPED_VALUE(ray_hits) vector = find_lines(scene, &options, list, LINES);
+        check(same_crossings(&found, &vector, reason), reason, text);
+    }
     check(keep_line_rules(scene, list, &found, behind, reason), reason, text);
     check(same_as_plain_lines(scene, list, &found, behind, true, reason), reason, text);
 }
