@@ -151,7 +151,8 @@ TEST(units)
         { "a,vector_add.s:add LENGTH=0,eta10g,1,ns/TIMES,1,,s,fit", 357 },
         { "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,Mflop/s,1,,\"a, b\",fit",
           100 / (101 * .02) },
-        { "a,vector_add.s:add LENGTH=100,cyber205-2pipe/cyber205-1pipe,1,ratio,1,,s,fit",
+        { "a,vector_add.s:add LENGTH=100,cyber205-2pipe/cyber205-1pipe,1,ratio,1,,s,"
+          "fit",
           101 / 151. },
         { "a,vector_add.s:add/add LENGTH=3,cyber205-2pipe,1,ratio,1,,s,fit", 1 },
         { "a,vector_add.s:add LENGTH=3,cyber205-2pipe,1,%,1,,s,fit", 100 },

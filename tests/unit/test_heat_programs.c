@@ -198,8 +198,8 @@ TEST(staying)
                                           : some_length(5000);
         for (size_t k = 0; k < PLANES * given.points; k++)
             given.planes[k] = xorshift(&random_state);
-        /* The crossings are near the origin or far from it, of the point's own primitive or
-         * another one. */
+        /* The crossings are near the origin or far from it, of the point's own primitive
+         * or another one. */
         static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
         c205_word *list = given.list;
         size_t n = given.crossings;

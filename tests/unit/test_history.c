@@ -12,7 +12,6 @@ static c205_error error; /* of the last call that failed */
 SCOPED_BY_FREE(c205_history);
 
 enum { PROGRAMS = 50, TARGETS = 40, MAX_STEPS = 2500, CHANGES = 2 };
-static size_t jumps = 100;
 /* A change of a register at a step, made from outside. */
 struct change {
     uint64_t step;
@@ -108,6 +107,8 @@ static void go_on_to(c205_history *history, uint64_t step)
 
 TEST(jumps)
 {
+    const char *wanted = getenv("HISTORY_JUMPS");
+    size_t jumps = wanted ? (size_t)strtoul(wanted, NULL, 10) : 100;
     struct story story;
     for (size_t number = 0; number < PROGRAMS; number++) {
         make_story(&story, number);
@@ -291,13 +292,4 @@ TEST(pages)
         count++;
     }
     assert_int_equal(count, RANDOM_PAGES);
-}
-
-ARGUMENTS(count, words)
-{
-    const char *wanted = getenv("HISTORY_JUMPS");
-
-    (void)count, (void)words;
-    if (wanted)
-        jumps = (size_t)strtoul(wanted, NULL, 10);
 }

@@ -21,22 +21,17 @@ struct random_table {
     char text[TEXT];
 };
 
-static void add(struct random_table *table, const char *text)
-{
-    strcat(table->text, text);
-}
-
 static void add_blanks(struct random_table *table)
 {
     static const char *const blanks[] = { "", "", " ", "\t", "  " };
 
-    add(table, blanks[below(&state, 5)]);
+    strcat(table->text, blanks[below(&state, 5)]);
 }
 
 static void add_separator(struct random_table *table)
 {
     add_blanks(table);
-    add(table, table->commas ? "," : " ");
+    strcat(table->text, table->commas ? "," : " ");
     add_blanks(table);
 }
 
@@ -46,7 +41,7 @@ static void end_line(struct random_table *table)
                                         "\n\n", "\n  \n", "\n# a, b\n" };
 
     add_blanks(table);
-    add(table, ends[below(&state, 7)]);
+    strcat(table->text, ends[below(&state, 7)]);
 }
 
 static void draw_table(struct random_table *table, bool headed)
@@ -57,9 +52,9 @@ static void draw_table(struct random_table *table, bool headed)
     table->commas = table->columns > 1 && one_in(&state, 2);
     *table->text = '\0';
     if (one_in(&state, 5))
-        add(table, "\xEF\xBB\xBF");
+        strcat(table->text, "\xEF\xBB\xBF");
     if (one_in(&state, 3))
-        add(table, "# a table\n");
+        strcat(table->text, "# a table\n");
     for (size_t i = 0; headed && i < table->columns; i++) {
         char name[40];
 
@@ -68,7 +63,7 @@ static void draw_table(struct random_table *table, bool headed)
                  : table->commas   ? "c %zu"
                                    : "\"c %zu\"",
                  i + 1);
-        add(table, name);
+        strcat(table->text, name);
         if (i + 1 < table->columns)
             add_separator(table);
         else
@@ -91,7 +86,7 @@ static void draw_table(struct random_table *table, bool headed)
                          between(&state, -1, 1) * of_any_size(&state, 1e-30, 1e30));
                 *word = c205_from_text(number, &end);
             }
-            add(table, number);
+            strcat(table->text, number);
             if (i + 1 < table->columns)
                 add_separator(table);
         }

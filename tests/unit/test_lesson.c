@@ -436,8 +436,8 @@ static void check_said(const struct random_lesson *drawn, const char *old,
     check_json(&verdict);
 }
 
-/* A change of a correct answer and the sentence that it causes, about all tests or about
- * the first one. "%zu" is the length of the first test minus `less`. */
+/* A change of a correct answer and the sentence that it causes, about all tests or
+ * about the first one. "%zu" is the length of the first test minus `less`. */
 static const struct {
     const char *old, *new;
     bool of_all;
@@ -451,8 +451,8 @@ static const struct {
     { ".vector y,", ".halfvector y,", true, 0,
       "Expected words at the answer's label y, but there are half words." },
     { ".ifndef n\n", ".ifndef n\n        .endif\n        .if 1\n", true, 0,
-      "Line 5 sets n, which the tests set: put '.ifndef n' before it and '.endif' after "
-      "it." },
+      "Line 5 sets n, which the tests set: put '.ifndef n' before it and '.endif' "
+      "after it." },
     { ".vector y, n\n", ".vector y, n - 1\n", false, 1, "y has room for %zu word" },
     { "        EXIT\n",
       "        .if n == 5\n        EXIT\n        .else\n        NOPE\n        .endif\n",

@@ -7,6 +7,7 @@
 #include "tests/unit/random_lesson.h"
 
 static size_t tries = 5000;
+static uint64_t random_state = RANDOM_SEED;
 
 /* Opens a lesson with one test. Returns false if it is rejected. */
 static bool open_with(struct lesson *lesson, const char *test, c205_error *error)
@@ -94,7 +95,8 @@ TEST(notes)
         { "; test: a\n; goals: gold 1, silver 2, bronze 3e9\n", goals },
         { "; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n", goals },
         { "; test: a\n; goal: gold 1, silver 2, bronze 3\n",
-          "12-it/test-a.s:2: unknown note; expected 'test:', 'goals:' or 'tolerance:'" },
+          "12-it/test-a.s:2: unknown note; expected 'test:', 'goals:' or "
+          "'tolerance:'" },
         { "; test: a\n; tolerance: y\n", tolerance },
         { "; test: a\n; tolerance: y -1\n", tolerance },
         { "; test: a\n; tolerance: y 1e999\n", tolerance },
@@ -171,14 +173,14 @@ TEST(names)
 
 /* ---- Any texts -------------------------------------------------------------- */
 
-static void mutate(char *text, uint64_t *random_state)
+static void mutate(char *text)
 {
     static const char bytes[] = ";:,_.0159 \n\tgnwxy\"";
     size_t length = strlen(text);
 
-    for (int64_t i = xorshift_between(random_state, 0, 3); i > 0; i--)
-        text[xorshift(random_state) % length] =
-            bytes[xorshift(random_state) % (sizeof bytes - 1)];
+    for (int64_t i = xorshift_between(&random_state, 0, 3); i > 0; i--)
+        text[xorshift(&random_state) % length] =
+            bytes[xorshift(&random_state) % (sizeof bytes - 1)];
 }
 
 /* The text must be rejected or graded; both have a message. */
@@ -219,16 +221,13 @@ TEST(any)
                                  "        ADDNV   [a], [a], [b]\n"
                                  "        ES      r5, n\n"
                                  "        EXIT    r5, r0, 2\n        EXIT\n";
-    uint64_t random_state = RANDOM_SEED;
 
     check_run(test, answer, NULL);
     for (size_t i = 0; i < tries; i++) {
         char other_test[sizeof test], other_answer[sizeof answer];
 
-        strcpy(other_test, test);
-        strcpy(other_answer, answer);
-        mutate(other_test, &random_state);
-        mutate(other_answer, &random_state);
+        mutate(strcpy(other_test, test));
+        mutate(strcpy(other_answer, answer));
         grade_any(other_test, other_answer);
     }
 }
@@ -313,7 +312,4 @@ TEST(likeness)
     }
 }
 
-ARGUMENTS(argc, argv)
-{
-    tries = argument(argc, argv, 1, share_of(tries));
-}
+COUNT_AND_SEED(tries, random_state);

@@ -187,8 +187,8 @@ static const struct {
     double behind;
     const char *expected;
 } lines[] = {
-    /* Two solids touch. Each part of a separate union is a body; surfaces inside a merge
-     * are not reported. */
+    /* Two solids touch. Each part of a separate union is a body; surfaces inside a
+     * merge are not reported. */
     { "box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
       "3 0 0 1 1 1; 5 0 0 -1 0 0; 5 1 1 1 1 1; 6 1 1 -1 0 0" },
     { "union { box { -1, 1 } box { <-1, -1, 0>, <1, 1, 2> } }", 0,
