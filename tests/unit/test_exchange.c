@@ -1,12 +1,10 @@
 /* test_exchange.c - radiative exchange of grey surfaces is compared with known cases
  * and with elimination in long doubles, over random enclosures, in both forms. A wrong
  * coefficient of the equations or a different rounding in one form fails here. */
-#include <math.h>
-
 #include "rt/heat/exchange.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/scene_reading.h"
 
 #define SIGMA 5.670374419e-8
 enum { MAX = 70 };
@@ -46,12 +44,6 @@ static void solve(const struct enclosure *enclosure, struct exchange *vector)
     assert_memory_equal(&vector->sum, &scalar.sum, sizeof(double));
 }
 
-static void assert_near(double found, double expected, double scale)
-{
-    if (!(fabs(found - expected) <= 1e-9 * scale))
-        fail_msg("%.14g is not %.14g", found, expected);
-}
-
 /* ---- Known cases: exchange.csv ---------------------------------------------- */
 
 TEST(spheres)
@@ -66,9 +58,9 @@ TEST(spheres)
     };
     SCOPED_VALUE(exchange) exchange;
     solve(&spheres, &exchange);
-    assert_near(exchange.flow[0], flow, flow);
-    assert_near(exchange.flow[1], -flow, flow);
-    assert_near(exchange.sum, 0, flow);
+    assert_close(exchange.flow[0], flow, 1e-9 * flow);
+    assert_close(exchange.flow[1], -flow, 1e-9 * flow);
+    assert_close(exchange.sum, 0, 1e-9 * flow);
 }
 
 TEST(cube)
@@ -87,8 +79,8 @@ TEST(cube)
     }
     solve(&cube, &exchange);
     for (size_t i = 0; i < 6; i++)
-        assert_near(exchange.flow[i], flows[i], 36940);
-    assert_near(exchange.sum, 0, 36940);
+        assert_close(exchange.flow[i], flows[i], 1e-9 * 36940);
+    assert_close(exchange.sum, 0, 1e-9 * 36940);
 }
 
 /* The three surfaces are the tube and two fins. Compares the emission through the
@@ -118,7 +110,7 @@ TEST(finned_bay)
             bay.factors[4 * i + 3] = fin_open;
         }
         solve(&bay, &exchange);
-        assert_near(-exchange.outside / (open * SIGMA * 2.56e10), expected[k], 1);
+        assert_close(-exchange.outside / (open * SIGMA * 2.56e10), expected[k], 1e-9);
     }
 }
 
@@ -206,15 +198,15 @@ TEST(enclosures)
                 meets += factors[j] * radiosity[j];
             out += area * factors[n] * (outside - radiosity[i]);
             all += area;
-            assert_near(exchange.radiosity[i], (double)radiosity[i], scale);
-            assert_near(exchange.irradiation[i], (double)meets, scale);
-            assert_near(exchange.flow[i], (double)(area * (radiosity[i] - meets)),
-                        scale * area);
+            assert_close(exchange.radiosity[i], (double)radiosity[i], 1e-9 * scale);
+            assert_close(exchange.irradiation[i], (double)meets, 1e-9 * scale);
+            assert_close(exchange.flow[i], (double)(area * (radiosity[i] - meets)),
+                         1e-9 * scale * area);
             if (enclosure.emissivity[i] == 0)
-                assert_near(exchange.flow[i], 0, scale * area);
+                assert_close(exchange.flow[i], 0, 1e-9 * scale * area);
         }
-        assert_near(exchange.outside, (double)out, scale * (double)all);
-        assert_near(exchange.sum, 0, 1e-3 * scale * (double)all);
+        assert_close(exchange.outside, (double)out, 1e-9 * scale * (double)all);
+        assert_close(exchange.sum, 0, 1e-12 * scale * (double)all);
     }
 }
 

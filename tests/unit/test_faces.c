@@ -31,24 +31,6 @@ static struct words *frame_of_all(const char *text)
     return words;
 }
 
-static void check_sight(const struct sight *sight)
-{
-    size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
-    FREED struct words *words;
-    char text[1024];
-    snprintf(text, sizeof text, VIEW "%s", sight->text);
-    FREED struct words *bounded = frame_of_all(text);
-    traced.no_bounds = true;
-    words = frame_of_all(text);
-    traced.no_bounds = false;
-    if (memcmp(bounded, words, sizeof *words) != 0)
-        fail_msg("bounds change the frame of\n%s", text);
-    int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
-    double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
-    if (id != sight->id || !(fabs(depth - sight->depth) <= 1e-10))
-        fail_msg("%s: primitive %lld at %.12g", sight->text, (long long)id, depth);
-}
-
 /* Boxes above and below y = 0, from z = -1 to 1. */
 #define ABOVE "box { <-1, 0, -1>, 1 } "
 #define BELOW "box { -1, <1, 0, 1> } "
@@ -152,8 +134,22 @@ static const struct sight sights[] = {
 
 TEST(sights)
 {
-    for (size_t i = 0; i < COUNT(sights); i++)
-        check_sight(&sights[i]);
+    for (size_t i = 0; i < COUNT(sights); i++) {
+        const struct sight *sight = &sights[i];
+        size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
+        char text[1024];
+        snprintf(text, sizeof text, VIEW "%s", sight->text);
+        FREED struct words *bounded = frame_of_all(text);
+        traced.no_bounds = true;
+        FREED struct words *words = frame_of_all(text);
+        traced.no_bounds = false;
+        if (memcmp(bounded, words, sizeof *words) != 0)
+            fail_msg("bounds change the frame of\n%s", text);
+        int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
+        double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
+        if (id != sight->id || !(fabs(depth - sight->depth) <= 1e-10))
+            fail_msg("%s: primitive %lld at %.12g", sight->text, (long long)id, depth);
+    }
 }
 
 GROUP(set_up_frames, tear_down_model);

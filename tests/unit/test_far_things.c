@@ -14,16 +14,7 @@ static double any_size(void)
     return among(0, 2) > 0 ? between(.5, 3) : pow(10, between(-12, 30));
 }
 
-static void add(const char *format, ...)
-{
-    char line[512];
-    va_list list;
-
-    va_start(list, format);
-    vsnprintf(line, sizeof line, format, list);
-    va_end(list);
-    add_text(text, sizeof text, "%s", line);
-}
+#define add(...) add_text(text, sizeof text, __VA_ARGS__)
 
 static void add_place(double size)
 {

@@ -66,6 +66,12 @@ static struct scene *some_scene(void)
 
 /* ---- State of the machine at a clock ------------------------------------- */
 
+static c205_word channel_of(const struct frame_pixel *pixel, enum frame_channel channel)
+{
+    return trace_channel(pixel->trace,
+                         channel)[pixel->y * trace_how(pixel->trace)->width + pixel->x];
+}
+
 /* Returns the band's machine at an instruction boundary near the clock. */
 static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
 {
@@ -94,20 +100,6 @@ static c205_word sample(const struct frame_pixel *pixel, const c205 *machine,
     return word;
 }
 
-/* The depth is stored while the ray is shaded, not before or after. */
-static void check_depth(const struct frame_pixel *pixel,
-                        const struct clock_stretch *stretch)
-{
-    const struct trace_options *how = trace_how(pixel->trace);
-    c205_word depth = trace_channel(pixel->trace,
-                                    CHANNEL_DEPTH)[pixel->y * how->width + pixel->x];
-    SCOPED(c205) *before = machine_at(pixel, stretch->from);
-    SCOPED(c205) *after = machine_at(pixel, stretch->to);
-    assert_true(c205_to_double(sample(pixel, before, CHANNEL_DEPTH)) == 0);
-    if (c205_to_double(depth) != 0)
-        assert_int_equal(sample(pixel, after, CHANNEL_DEPTH), depth);
-}
-
 static void add_causes(const c205 *machine, int64_t sign, int64_t clocks[C205_CAUSES])
 {
     for (size_t i = 0; i < c205_account_count(machine); i++)
@@ -115,15 +107,21 @@ static void add_causes(const c205 *machine, int64_t sign, int64_t clocks[C205_CA
             clocks[cause] += sign * (int64_t)c205_account_at(machine, i)->clocks[cause];
 }
 
-static void check_sums(const struct frame_pixel *pixel,
-                       const struct clock_stretch *stretch)
+/* The depth is stored while the ray is shaded, not before or after. The clocks of the
+ * timeline are those of the accounts, cause by cause. */
+static void check_queue(const struct frame_pixel *pixel,
+                        const struct clock_stretch *stretch)
 {
+    c205_word depth = channel_of(pixel, CHANNEL_DEPTH);
     SCOPED_VALUE(timeline) timeline = { .from = stretch->from, .to = stretch->to };
     SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
     SCOPED(c205) *before = machine_at(pixel, stretch->from);
     SCOPED(c205) *after = machine_at(pixel, stretch->to);
     int64_t clocks[C205_CAUSES] = { 0 };
     c205_stop stop;
+    assert_true(c205_to_double(sample(pixel, before, CHANNEL_DEPTH)) == 0);
+    if (c205_to_double(depth) != 0)
+        assert_int_equal(sample(pixel, after, CHANNEL_DEPTH), depth);
     assert_true(machine && c205_listen(machine, timeline_listen, &timeline));
     while (c205_clock(machine) < stretch->to && c205_step(machine, &stop))
         continue;
@@ -188,8 +186,7 @@ TEST(queues)
             struct frame_pixel pixel = some_pixel(trace);
             struct clock_stretch stretch;
             REQUIRE(pixel_queue_clocks(&pixel, &stretch, &error));
-            check_depth(&pixel, &stretch);
-            check_sums(&pixel, &stretch);
+            check_queue(&pixel, &stretch);
             check_region(&pixel, &stretch);
         }
     }
@@ -218,12 +215,6 @@ static c205_word ray_word(const struct following *following, const char *vector)
             return following->ray[i].word;
     fail_msg("%s is not told", vector);
     return 0;
-}
-
-static c205_word channel_of(const struct frame_pixel *pixel, enum frame_channel channel)
-{
-    return trace_channel(pixel->trace,
-                         channel)[pixel->y * trace_how(pixel->trace)->width + pixel->x];
 }
 
 /* Compares an element with the queue's vector of the same quantity. */

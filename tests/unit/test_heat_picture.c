@@ -1,15 +1,12 @@
 /* test_heat_picture.c - the pixels of pictures of flows and factors are compared with
  * the values of the surfaces seen there. A value of another surface, or a scale with
  * another unit, fails here. */
-#include <math.h>
 #include <unistd.h>
 
-#include "base/diagnostic.h"
 #include "rt/heat/color_scale.h"
 #include "rt/heat/heat_picture.h"
-#include "rt/scene/language/scene_read.h"
 #include "tests/unit/prior_model.h"
-#include "tests/unit/unit.h"
+#include "tests/unit/scene_reading.h"
 
 enum { WIDTH = 40, HEIGHT = 30 };
 static char folder[] = "/tmp/heatXXXXXX", path[sizeof folder + 10];
@@ -20,15 +17,6 @@ static const char text[] = "camera { location <0, 1, -6> look_at 0 }\n"
                            "#declare Sheet = disc { -y, y, 3 }\n"
                            "object { Ball } object { Block } object { Sheet }\n"
                            "object { Ball translate 30*z }\n";
-
-static struct scene *read_scene(void)
-{
-    const struct scene_options options = { .strict = false };
-    SCOPED_VALUE(diagnostics) reports = { 0 };
-    struct scene *scene = scene_read_text("scene", text, &options, &reports);
-    assert_non_null(scene);
-    return scene;
-}
 
 static const char *const warm[] = { "default=300", "Ball=500", "Sheet=adiabatic" };
 
@@ -117,7 +105,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
 TEST(values)
 {
     struct heat_request request = usual();
-    SCOPED(scene) *scene = read_scene();
+    SCOPED(scene) *scene = read_scene(text);
     SCOPED_VALUE(heat) heat;
     c205_error error = { "" };
     REQUIRE(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
@@ -173,7 +161,7 @@ TEST(refused)
 {
     struct heat_request request = usual();
     struct heat_look look = look_of(SHOWN_FACTOR, "Lid");
-    SCOPED(scene) *scene = read_scene();
+    SCOPED(scene) *scene = read_scene(text);
     SCOPED_VALUE(heat) heat;
     struct heat_drawn drawn;
     c205_error error = { "" };

@@ -212,35 +212,24 @@ TEST(functions)
 
 /* ---- Solids -------------------------------------------------------------- */
 
-static int compare_ends(const void *a, const void *b)
+static bool is_edge(const struct triangles *triangles, size_t i, const double *from,
+                    const double *to)
 {
-    const double *one = a, *other = b;
-    for (int i = 0; i < 6; i++)
-        if (one[i] != other[i])
-            return one[i] < other[i] ? -1 : 1;
-    return 0;
+    const double *a = triangles->list[i / 3].corners[i % 3];
+    const double *b = triangles->list[i / 3].corners[(i + 1) % 3];
+    return a[0] == from[0] && a[1] == from[1] && a[2] == from[2] && b[0] == to[0]
+           && b[1] == to[1] && b[2] == to[2];
 }
 
 /* Fails unless each edge belongs to an even number of triangles. */
 static void assert_is_closed(const struct triangles *triangles)
 {
-    size_t count = 3 * triangles->count, same;
-    FREED double(*edges)[6] = malloc(count * sizeof *edges);
-    assert_non_null(edges);
-    for (size_t i = 0; i < count; i++) {
-        const struct triangle *triangle = &triangles->list[i / 3];
-        double there[6], back[6];
-        memcpy(there, triangle->corners[i % 3], sizeof there / 2);
-        memcpy(there + 3, triangle->corners[(i + 1) % 3], sizeof there / 2);
-        memcpy(back, there + 3, sizeof back / 2);
-        memcpy(back + 3, there, sizeof back / 2);
-        memcpy(edges[i], compare_ends(there, back) < 0 ? there : back, sizeof there);
-    }
-    qsort(edges, count, sizeof *edges, compare_ends);
-    for (size_t i = 0; i < count; i += same) {
-        for (same = 1; i + same < count; same++)
-            if (compare_ends(edges[i], edges[i + same]) != 0)
-                break;
+    for (size_t i = 0; i < 3 * triangles->count; i++) {
+        const double *from = triangles->list[i / 3].corners[i % 3];
+        const double *to = triangles->list[i / 3].corners[(i + 1) % 3];
+        size_t same = 0;
+        for (size_t k = 0; k < 3 * triangles->count; k++)
+            same += is_edge(triangles, k, from, to) || is_edge(triangles, k, to, from);
         assert_true(same % 2 == 0);
     }
 }

@@ -403,27 +403,19 @@ TEST(ways)
 
 /* ---- Sentences about all tests --------------------------------------------- */
 
-/* Returns a copy with the first occurrence of a text replaced. */
-static char *with(const char *answer, const char *old, const char *new)
-{
-    const char *at = strstr(answer, old);
-    char *text = calloc(1, strlen(answer) + strlen(new) + 1);
-
-    assert_non_null(at);
-    memcpy(text, answer, (size_t)(at - answer));
-    strcat(text, new);
-    strcat(text, at + strlen(old));
-    return text;
-}
-
+/* Grades a copy of the answer with the first occurrence of a text replaced. */
 static void check_said(const struct random_lesson *drawn, const char *old,
                        const char *new, bool of_all, const char *wanted)
 {
     SCOPED_VALUE(lesson) lesson;
     SCOPED_VALUE(lesson_verdict) verdict;
-    FREED char *answer = with(drawn->answer, old, new);
+    const char *at = strstr(drawn->answer, old);
+    char answer[sizeof drawn->answer + 200];
     const struct lesson_report *report;
 
+    assert_non_null(at);
+    snprintf(answer, sizeof answer, "%.*s%s%s", (int)(at - drawn->answer),
+             drawn->answer, new, at + strlen(old));
     random_open(drawn, &lesson);
     grade_well(&verdict, &lesson, answer);
     report = of_all ? &verdict.report : &trial_of(&verdict, drawn->tests[0].n)->report;

@@ -28,22 +28,6 @@ static bool go_on(void *context, size_t done, size_t pixels)
     return true;
 }
 
-static void keep_rows(struct shown *shown, const struct trace *trace,
-                      const struct band *band)
-{
-    struct frame part = shown->frame;
-    part.height = band->rows;
-    for (int i = 0; i < FRAME_CHANNELS; i++)
-        part.channel[i] += band->first_row * part.width;
-    trace_read_band(trace, band, &part);
-    for (size_t row = 0; row < band->rows; row++) {
-        assert_false(shown->rows[band->first_row + row]);
-        shown->rows[band->first_row + row] = true;
-    }
-    shown->all = trace_accounts(trace)->clocks + band->accounts.clocks;
-    shown->done++;
-}
-
 static void look(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done)
 {
@@ -60,8 +44,19 @@ static void look(void *context, const struct trace *trace,
     shown->last_row = band.first_row;
     shown->under_way += !done;
     shown->some += !done && there > 0 && there < count;
-    if (done)
-        keep_rows(shown, trace, &band);
+    if (done) {
+        struct frame part = shown->frame;
+        part.height = band.rows;
+        for (int k = 0; k < FRAME_CHANNELS; k++)
+            part.channel[k] += band.first_row * part.width;
+        trace_read_band(trace, &band, &part);
+        for (size_t row = 0; row < band.rows; row++) {
+            assert_false(shown->rows[band.first_row + row]);
+            shown->rows[band.first_row + row] = true;
+        }
+        shown->all = trace_accounts(trace)->clocks + band.accounts.clocks;
+        shown->done++;
+    }
 }
 
 static void check_looks(const struct scene *scene, enum trace_mode mode)
