@@ -3,17 +3,15 @@
  * the picture, and the band under a debugger with one that runs alone. A ray in another
  * lane, or a queue with other clocks, fails here. */
 #define SMALL_FRAMES
+#include "tests/unit/debugger_session.h"
 #include "tests/unit/traced_frame.h"
 
-#include "asm/debug/debugger.h"
 #include "asm/timeline/timeline.h"
 #include "rt/view/pixel_clocks.h"
 #include "rt/view/pixel_rays.h"
 #include "rt/view/pixel_verbs.h"
 
 static c205_error error; /* of the last call that failed */
-
-SCOPED_BY_FREE(debugger);
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -361,13 +359,6 @@ TEST(rays)
 
 /* ---- Debugger sessions --------------------------------------------------- */
 
-static void obey(struct debugger *debugger, struct text_buffer *said, const char *line)
-{
-    text_buffer_free(said);
-    *said = (struct text_buffer){ 0 };
-    assert_true(debugger_obey(debugger, line));
-}
-
 static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
 {
     SCOPED(c205) *plain = trace_machine(pixel->trace, pixel->band, &error);
@@ -388,39 +379,41 @@ TEST(sessions)
         enum trace_mode mode = (enum trace_mode)(i % TRACE_MODES);
         SCOPED(scene) *scene;
         SCOPED(trace) *trace = some_trace(&scene, mode);
-        SCOPED_VALUE(text_buffer) said = { 0 };
+        const struct line_said lines[] = {
+            { "lane", "is in no current queue" },
+            { mode == TRACE_SCALAR ? "lane dx" : "lane adx", "dx  " },
+            { "continue", "the program has ended" },
+        };
+        struct debug_session session = { .object = NULL };
         struct frame_pixel pixel = some_pixel(trace);
         struct debugger_setup setup = { .object = trace_program(trace),
                                         .name = "frame",
                                         .model = trace_how(trace)->model,
-                                        .out = text_buffer_sink(&said),
+                                        .out = text_buffer_sink(&session.said),
                                         .clocks_most = C205_NO_LIMIT,
                                         .machine = pixel_machine,
                                         .verbs = pixel_verbs,
                                         .context = &pixel };
         char again[200];
-        SCOPED(debugger) *debugger = debugger_new(&setup, &error);
-        assert_non_null(debugger);
-        obey(debugger, &said, "lane");
-        assert_non_null(strstr(said.text, "is in no current queue"));
-        obey(debugger, &said, "seek");
-        snprintf(again, sizeof again, "%s", said.text);
-        assert_true(pixel_is_made(&pixel, debugger_machine(debugger)));
-        obey(debugger, &said, "step 50");
-        obey(debugger, &said, "reverse-step 50");
-        assert_string_equal(said.text, again);
-        obey(debugger, &said, "goto 0");
-        obey(debugger, &said, "seek");
-        assert_string_equal(said.text, again);
-        obey(debugger, &said, mode == TRACE_SCALAR ? "lane dx" : "lane adx");
-        assert_non_null(strstr(said.text, "dx  "));
-        obey(debugger, &said, "continue");
-        assert_non_null(strstr(said.text, "the program has ended"));
-        check_accounts(&pixel, debugger_machine(debugger));
-        assert_int_equal(debugger_faults(debugger), 0);
-        obey(debugger, &said, "lane nothing");
-        obey(debugger, &said, "seek nothing");
-        assert_true(debugger_faults(debugger) > 0);
+        session.debugger = debugger_new(&setup, &error);
+        assert_non_null(session.debugger);
+        session_check(&session, lines, 1);
+        session_obey(&session, "seek");
+        snprintf(again, sizeof again, "%s", session.said.text);
+        assert_true(pixel_is_made(&pixel, debugger_machine(session.debugger)));
+        session_obey(&session, "step 50");
+        session_obey(&session, "reverse-step 50");
+        assert_string_equal(session.said.text, again);
+        session_obey(&session, "goto 0");
+        session_obey(&session, "seek");
+        assert_string_equal(session.said.text, again);
+        session_check(&session, lines + 1, 2);
+        check_accounts(&pixel, debugger_machine(session.debugger));
+        assert_int_equal(debugger_faults(session.debugger), 0);
+        session_obey(&session, "lane nothing");
+        session_obey(&session, "seek nothing");
+        assert_true(debugger_faults(session.debugger) > 0);
+        session_end(&session);
     }
 }
 
