@@ -4,30 +4,30 @@
 
 #include <unistd.h>
 
-static char path[64];
+char field_path[64];
 
 int field_begin(STATE)
 {
-    snprintf(path, sizeof path, "/tmp/rt205-heights-%ld", (long)getpid());
+    snprintf(field_path, sizeof field_path, "/tmp/rt205-heights-%ld", (long)getpid());
     return 0;
 }
 
 int field_end(STATE)
 {
-    remove(path);
+    remove(field_path);
     return 0;
 }
 
 void field_keep(const char *bytes, size_t count)
 {
-    write_bytes(path, bytes, count);
+    write_bytes(field_path, bytes, count);
 }
 
 struct scene *field_read(const char *words, const char *modifiers,
                          const struct scene_options *how, struct diagnostics *reports)
 {
     char text[1000];
-    snprintf(text, sizeof text, "height_field { %s \"%s\" %s }", words, path,
+    snprintf(text, sizeof text, "height_field { %s \"%s\" %s }", words, field_path,
              modifiers);
     return read_versioned("test.pov", text, how, reports);
 }

@@ -1,5 +1,5 @@
-/* field_reading.h - writes files for a height_field and locates the triangles that it
- * becomes.
+/* field_reading.h - writes image files for a test, and locates the triangles that a
+ * height_field of such a file becomes.
  */
 #ifndef TESTS_FIELD_READING_H
 #define TESTS_FIELD_READING_H
@@ -8,6 +8,7 @@
 #include "tests/unit/scene_reading.h"
 
 /* Fixtures: the file has a unique name and is removed afterwards. */
+extern char field_path[64];
 int field_begin(void **state);
 int field_end(void **state);
 /* Writes these bytes to the file. */

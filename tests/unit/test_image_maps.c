@@ -2,9 +2,7 @@
  * 3.7's pictures of the same bytes, and the words of an image_map with its fields. A
  * wrong gamma, channel order or place of a report fails here. */
 #include "rt/shapes/primitive.h"
-#include "tests/unit/scene_reading.h"
-
-#include <unistd.h>
+#include "tests/unit/field_reading.h"
 
 #define SEEN 6e-5 /* POV-Ray's pictures have four decimals */
 
@@ -12,20 +10,13 @@
 
 #define OLD_VERSION "#version 3.6; global_settings { assumed_gamma 1 }"
 
-static char path[64];
-
-static void keep(const char *bytes, size_t count)
-{
-    write_bytes(path, bytes, count);
-}
-
 /* Reads a sphere with the image map of `words`; the text `before` precedes it. */
 static struct scene *read_image(const char *before, const char *words,
                                 struct diagnostics *reports)
 {
     char text[1000];
     snprintf(text, sizeof text, "%s sphere { 0, 1 pigment { image_map { ", before);
-    snprintf(text + strlen(text), sizeof text - strlen(text), words, path);
+    snprintf(text + strlen(text), sizeof text - strlen(text), words, field_path);
     strcat(text, " } } }");
     return read_versioned("test.pov", text, &with_images, reports);
 }
@@ -181,7 +172,7 @@ TEST(kinds)
     for (size_t i = 0; i < COUNT(known_files); i++) {
         const struct known_file *file = &known_files[i];
         char words[20];
-        keep(file->bytes, file->count);
+        field_keep(file->bytes, file->count);
         snprintf(words, sizeof words, "%s \"%%s\"", file->word);
         expect_light("#version 3.7;", words, file->light);
         expect_light("", "\"%s\"", file->light);
@@ -193,14 +184,14 @@ TEST(gammas)
 {
     static const double working[SHADES] = { 0,     .0717, .0750, .2592,
                                             .4981, .7792, .9797, 1 };
-    keep(FILE_OF("P5\n8 1\n255\n" GREYS));
+    field_keep(FILE_OF("P5\n8 1\n255\n" GREYS));
     expect_light("", "\"%s\" gamma srgb", as_srgb);
     expect_light("", "\"%s\" gamma 2.2", to_the_2_2);
     expect_light("global_settings { assumed_gamma 2.2 }", "\"%s\"", as_they_are);
-    keep(FILE_OF(GREY_PNG_1));
+    field_keep(FILE_OF(GREY_PNG_1));
     expect_light("", "\"%s\" gamma 2.2", grey_png_2_2);
     expect_light("", "\"%s\" gamma srgb", grey_png);
-    keep(FILE_OF(COLOR_PNG));
+    field_keep(FILE_OF(COLOR_PNG));
     expect_light("", "\"%s\" gamma 1", as_they_are);
     expect_light("global_settings { assumed_gamma 2.2 }", "\"%s\"", working);
     expect_light(OLD_VERSION, "\"%s\"", as_they_are);
@@ -223,7 +214,7 @@ static void expect_map(const char *words, enum image_mapping mapping,
 
 TEST(words)
 {
-    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     expect_map("\"%s\"", IMAGE_PLANAR, IMAGE_NEAREST, false, false);
     expect_map("ppm \"%s\" map_type 0 once", IMAGE_PLANAR, IMAGE_NEAREST, true, true);
     expect_map("<1, -1, 0> ppm \"%s\" map_type 1 once interpolate 2", IMAGE_SPHERICAL,
@@ -239,14 +230,14 @@ TEST(words)
 /* One table is kept per file and gamma. */
 TEST(tables)
 {
-    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     SCOPED(scene) *scene =
         read_format("#declare P = pigment { image_map { \"%s\" } }\n"
                     "sphere { 0, 1 pigment { P } }\n"
                     "sphere { 0, 1 pigment { image_map { ppm \"%s\" once } } }\n"
                     "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }\n"
                     "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
-                    path, path, path, path);
+                    field_path, field_path, field_path, field_path);
     assert_int_equal(scene->image_count, 2);
     for (size_t i = 0; i < 4; i++)
         assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);
@@ -261,9 +252,9 @@ static void expect_report(const char *words, const char *message)
 
 TEST(reports)
 {
-    keep(FILE_OF(CLEAR_PNG));
+    field_keep(FILE_OF(CLEAR_PNG));
     expect_report("png \"%s\"", "a transparent image is drawn opaque");
-    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     expect_report("\"%s\" filter all .5", "a transparent image is drawn opaque");
     expect_report("\"%s\" transmit 3, .5", "a transparent image is drawn opaque");
     expect_report("\"%s\" map_type 7", "'map_type 7'");
@@ -293,9 +284,9 @@ TEST(sky)
 {
     for (size_t planar = 0; planar < 2; planar++) {
         char text[200];
-        keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+        field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
         snprintf(text, sizeof text,
-                 "sky_sphere { pigment { image_map { \"%s\" %s once } } }", path,
+                 "sky_sphere { pigment { image_map { \"%s\" %s once } } }", field_path,
                  planar ? "" : "map_type 1");
         SCOPED(scene) *scene = read_with(text, planar);
         assert_int_equal(scene->sky.kind, PIGMENT_IMAGE);
@@ -316,17 +307,18 @@ TEST(faults)
     };
 
     assert_errors(errors, COUNT(errors));
-    keep(FILE_OF("P6\n8 1\n255\n" COLORS));
+    field_keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     expect_fault("png \"%s\"", 5, "not an image of the kind 'png'");
-    expect_fault("\"%s\" interpolate 1", 4 + strlen(path),
+    expect_fault("\"%s\" interpolate 1", 4 + strlen(field_path),
                  "'interpolate' must be 2, 3 or 4");
-    expect_fault("\"%s\" gamma 0", 4 + strlen(path), "must be above 0");
-    expect_fault("\"%s\" wibble", 4 + strlen(path), "expected a keyword of image_map");
-    keep("", 0);
+    expect_fault("\"%s\" gamma 0", 4 + strlen(field_path), "must be above 0");
+    expect_fault("\"%s\" wibble", 4 + strlen(field_path),
+                 "expected a keyword of image_map");
+    field_keep("", 0);
     expect_fault("\"%s\"", 1, "the file is empty");
-    keep(FILE_OF("P6\n8 1\n255\n"));
+    field_keep(FILE_OF("P6\n8 1\n255\n"));
     expect_fault("\"%s\"", 1, "the file ends after 0 of 24 samples");
-    keep(FILE_OF("P6\n9999 9999\n255\n"));
+    field_keep(FILE_OF("P6\n9999 9999\n255\n"));
     expect_fault("\"%s\"", 1, "more than 8388608 pixels");
 }
 
@@ -338,13 +330,13 @@ TEST(limit)
     SCOPED_VALUE(diagnostics) reports = { 0 };
     int head = sprintf(bytes, "P5\n%d %d\n255\n", SIDE, SIDE);
 
-    keep(bytes, (size_t)head + PIXELS);
+    field_keep(bytes, (size_t)head + PIXELS);
     free(bytes);
     scene_free(expect_reports("", "\"%s\"", 0, ""));
     snprintf(text, sizeof text,
              "sphere { 0, 1 pigment { image_map { \"%s\" } } }\n"
              "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
-             path, path);
+             field_path, field_path);
     assert_null(read_versioned("test.pov", text, &with_images, &reports));
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items->line, 2);
@@ -357,28 +349,17 @@ TEST(limit)
 TEST(many)
 {
     char text[300];
-    keep(FILE_OF("P5\n8 1\n255\n" GREYS));
+    field_keep(FILE_OF("P5\n8 1\n255\n" GREYS));
     snprintf(text, sizeof text,
              "#for (I, 1, 1000) sphere { 0, 1 pigment { image_map { \"%s\" "
              "gamma I } } } #end\n"
              "sphere { 0, 1 pigment { image_map { \"%s\" gamma 9 } } }",
-             path, path);
+             field_path, field_path);
     scene_free(read_scene(text));
     snprintf(text + strlen(text), sizeof text - strlen(text),
-             " box { 0, 1 pigment { image_map { \"%s\" gamma .5 } } }", path);
-    assert_error(text, &with_images, 2, 87 + strlen(path), "more than 1000 images");
+             " box { 0, 1 pigment { image_map { \"%s\" gamma .5 } } }", field_path);
+    assert_error(text, &with_images, 2, 87 + strlen(field_path),
+                 "more than 1000 images");
 }
 
-FIXTURE(name_path)
-{
-    snprintf(path, sizeof path, "/tmp/rt205-images-%ld", (long)getpid());
-    return 0;
-}
-
-FIXTURE(remove_path)
-{
-    remove(path);
-    return 0;
-}
-
-GROUP(name_path, remove_path);
+GROUP(field_begin, field_end);
