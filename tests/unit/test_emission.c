@@ -115,15 +115,11 @@ static bool meets(const struct primitive *primitive, const double spot[3],
 static bool encloses(const struct primitive *primitive, const double spot[3],
                      double above, const double face[3])
 {
-    static enclose_point *const in[PRIMITIVE_KINDS] = {
-#define SHAPE(KIND, name, ...) in_##name,
-#include "rt/shapes/shapes.def"
-    };
     double point[3];
 
     add_scaled(point, spot, above, face);
     transform_point(&primitive->to_local, point);
-    return in[primitive->kind](primitive, point);
+    return plain_encloses(primitive, point);
 }
 
 /* Each point must be on the surface and have the right side up. A thousandth of the

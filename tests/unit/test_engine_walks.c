@@ -349,22 +349,6 @@ static void check_same_view(struct talk *talk, const char *before)
     assert_string_equal(talk->text, before);
 }
 
-static void check_profile(struct walk *walk)
-{
-    SCOPED_VALUE(fresh) fresh;
-    const struct json_value *rows, *row;
-
-    fresh_run(&fresh, walk->plain.object, walk->step);
-    rows = json_member(talk_ask(&walk->talk, "{'do': 'profile'}"), "lines");
-    for (int cause = 0; cause < C205_CAUSES; cause++) {
-        uint64_t sum = 0;
-
-        for (row = rows->first; row; row = row->next)
-            sum += (uint64_t)number_of(row, accounts_cause_columns[cause].key);
-        assert_int_equal(sum, clocks_of_cause(fresh.machine, (c205_cause)cause));
-    }
-}
-
 /* The charged pieces of the timeline must adjoin each other up to the last known
  * step. */
 static void check_timeline(struct walk *walk)
@@ -409,7 +393,19 @@ TEST(replays)
             talk_ask(&walk.talk, "{'do': 'view'}");
             FREED char *before = strdup(walk.talk.text);
             assert_non_null(before);
-            check_profile(&walk);
+            SCOPED_VALUE(fresh) fresh;
+            const struct json_value *rows, *row;
+
+            fresh_run(&fresh, walk.plain.object, walk.step);
+            rows = json_member(talk_ask(&walk.talk, "{'do': 'profile'}"), "lines");
+            for (int cause = 0; cause < C205_CAUSES; cause++) {
+                uint64_t sum = 0;
+
+                for (row = rows->first; row; row = row->next)
+                    sum += (uint64_t)number_of(row, accounts_cause_columns[cause].key);
+                assert_int_equal(sum,
+                                 clocks_of_cause(fresh.machine, (c205_cause)cause));
+            }
             check_same_view(&walk.talk, before);
             check_timeline(&walk);
             check_same_view(&walk.talk, before);

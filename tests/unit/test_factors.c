@@ -129,21 +129,6 @@ static size_t first_with(const struct grid_box *boxes, const int cell[3])
     return BOXES;
 }
 
-/* Counts the exposed faces of cells. A cell belongs to the first box that contains
- * it. */
-static void count_faces(const struct grid_box *boxes, double faces[BOXES])
-{
-    for (int i = 0; i < SIDE * SIDE * SIDE; i++)
-        for (int face = 0; face < 6; face++) {
-            const int cell[3] = { i % SIDE, i / SIDE % SIDE, i / SIDE / SIDE };
-            int next[3] = { cell[0], cell[1], cell[2] };
-            size_t owner = first_with(boxes, cell);
-            next[face / 2] += face % 2 ? 1 : -1;
-            if (owner < BOXES && first_with(boxes, next) == BOXES)
-                faces[owner]++;
-        }
-}
-
 static char *draw_crowd(struct grid_box *boxes, uint64_t *random)
 {
     size_t length;
@@ -175,7 +160,17 @@ TEST(crowds)
         FREED char *text = draw_crowd(boxes, &random);
         SCOPED(scene) *scene = read_scene(text);
         SCOPED(factors) *factors = begin(scene, options);
-        count_faces(boxes, faces);
+        /* Counts the exposed faces of cells. A cell belongs to the first box that
+         * contains it. */
+        for (int k = 0; k < SIDE * SIDE * SIDE; k++)
+            for (int face = 0; face < 6; face++) {
+                const int cell[3] = { k % SIDE, k / SIDE % SIDE, k / SIDE / SIDE };
+                int next[3] = { cell[0], cell[1], cell[2] };
+                size_t owner = first_with(boxes, cell);
+                next[face / 2] += face % 2 ? 1 : -1;
+                if (owner < BOXES && first_with(boxes, next) == BOXES)
+                    faces[owner]++;
+            }
         for (size_t i = 0; i < BOXES; i++) {
             SCOPED_VALUE(factor_row) row = find(factors, i);
             if (fabs(row.area.value - faces[i]) > 8 * row.area.error + 1e-9)

@@ -122,22 +122,6 @@ TEST(fewer_rays)
 
 /* ---- Observations ------------------------------------------------------- */
 
-/* Returns the prediction for the only observation of a file. */
-static double predicted(const char *row)
-{
-    SCOPED_VALUE(observations) all = { 0 };
-    char text[256];
-    snprintf(text, sizeof text, "# a remark\n\n%s\n", row);
-    read_observations(&all, text);
-    assert_int_equal(all.count, 1);
-    FREED double(*clocks)[MAX_RUN_REGIONS] = calloc(all.timing_count, sizeof *clocks);
-    assert_non_null(clocks);
-    for (size_t i = 0; i < all.timing_count; i++)
-        assert_true(run_time(all.timings[i].run, all.timings[i].model, NULL, 0,
-                             RUN_FINE, clocks[i], &error));
-    return observation_predict(&all, &all.items[0], clocks);
-}
-
 /* A single addition takes 51 + n / 2 clocks of 20 ns on two pipes. */
 TEST(units)
 {
@@ -158,8 +142,21 @@ TEST(units)
         { "a,vector_add.s:add LENGTH=3,cyber205-2pipe,1,%,1,,s,fit", 100 },
     };
 
-    for (size_t i = 0; i < COUNT(rows); i++)
-        assert_near(predicted(rows[i].row), rows[i].expected, rows[i].row);
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        SCOPED_VALUE(observations) all = { 0 };
+        char text[256];
+        snprintf(text, sizeof text, "# a remark\n\n%s\n", rows[i].row);
+        read_observations(&all, text);
+        assert_int_equal(all.count, 1);
+        FREED double(*clocks)[MAX_RUN_REGIONS] = calloc(all.timing_count,
+                                                        sizeof *clocks);
+        assert_non_null(clocks);
+        for (size_t k = 0; k < all.timing_count; k++)
+            assert_true(run_time(all.timings[k].run, all.timings[k].model, NULL, 0,
+                                 RUN_FINE, clocks[k], &error));
+        assert_near(observation_predict(&all, &all.items[0], clocks), rows[i].expected,
+                    rows[i].row);
+    }
 }
 
 /* Compares the only report, as line:column: message. */

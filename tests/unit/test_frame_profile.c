@@ -82,17 +82,6 @@ static void check_region(const struct line_profile *profile,
 
 /* ---- Frames -------------------------------------------------------------- */
 
-static char *table_text_of(const struct line_profile *profile, struct profile_view view)
-{
-    SCOPED(table) *table = line_profile_table(profile, view, false);
-    char *text = NULL;
-    size_t size;
-    FILE *file = open_memstream(&text, &size);
-    assert_true(table && file && table_write(table, TABLE_CSV, file));
-    fclose(file);
-    return text;
-}
-
 /* Compares the profile with the accounts. Returns the listing, which the caller
  * frees. */
 static char *check_frame(const struct scene *scene, struct trace_options options,
@@ -112,7 +101,16 @@ static char *check_frame(const struct scene *scene, struct trace_options options
         for (int cause = 0; cause < C205_CAUSES; cause++)
             clocks += line_profile_row(profile, i)->clocks[cause];
     assert_int_equal(clocks, accounts->clocks);
-    return table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
+    SCOPED(table) *table = line_profile_table(profile,
+                                              (struct profile_view){ PROFILE_HOTTEST,
+                                                                     true },
+                                              false);
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    assert_true(table && file && table_write(table, TABLE_CSV, file));
+    fclose(file);
+    return text;
 }
 
 static struct scene *read_file(const char *path)

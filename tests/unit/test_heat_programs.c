@@ -170,20 +170,6 @@ static bool stays(const struct staying *given, size_t point)
     return own > 0;
 }
 
-static void check_staying(const struct staying *given, const c205_word *words)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < given->points; i++) {
-        if (!stays(given, i))
-            continue;
-        for (size_t k = 0; k < PLANES; k++)
-            assert_true(words[k * given->points + kept]
-                        == given->planes[k * given->points + i]);
-        kept++;
-    }
-    assert_int_equal(c205_to_integer(words[PLANES * given->points]), kept);
-}
-
 TEST(staying)
 {
     static struct staying given;
@@ -211,7 +197,16 @@ TEST(staying)
         }
         for (int form = 0; form < 2; form++) {
             stay(forms[form], &given, made);
-            check_staying(&given, made);
+            size_t kept = 0;
+            for (size_t point = 0; point < given.points; point++) {
+                if (!stays(&given, point))
+                    continue;
+                for (size_t plane = 0; plane < PLANES; plane++)
+                    assert_true(made[plane * given.points + kept]
+                                == given.planes[plane * given.points + point]);
+                kept++;
+            }
+            assert_int_equal(c205_to_integer(made[PLANES * given.points]), kept);
         }
     }
 }
@@ -241,24 +236,6 @@ static void count_gaps(const struct object *program, const struct gap_ends *give
     end(&run, address, counts, cells);
 }
 
-static void check_gaps(const struct gap_ends *given, const c205_word *counts)
-{
-    size_t ends = given->gaps + 1, n = given->surfaces;
-    int64_t left[MAX_SURFACES * MAX_SURFACES];
-    for (size_t i = 0; i < n * n; i++)
-        left[i] = c205_to_integer(counts[i]);
-    for (size_t k = 0; k < given->gaps; k++) {
-        const c205_word *end = given->planes + k;
-        double length = fabs(c205_to_double(end[1]) - c205_to_double(end[0]));
-        size_t from = (size_t)c205_to_integer(end[ends]);
-        size_t to = (size_t)c205_to_integer(end[ends + 1]);
-        if (length >= .25 && c205_to_integer(end[2 * ends]) == 0)
-            left[from * n + to]--;
-    }
-    for (size_t i = 0; i < n * n; i++)
-        assert_int_equal(left[i], 0);
-}
-
 TEST(gaps)
 {
     static struct gap_ends given;
@@ -278,7 +255,20 @@ TEST(gaps)
         }
         for (size_t form = 0; form < 2; form++) {
             count_gaps(forms[form], &given, counts);
-            check_gaps(&given, counts);
+            size_t n = given.surfaces;
+            int64_t left[MAX_SURFACES * MAX_SURFACES];
+            for (size_t cell = 0; cell < n * n; cell++)
+                left[cell] = c205_to_integer(counts[cell]);
+            for (size_t k = 0; k < given.gaps; k++) {
+                const c205_word *end = given.planes + k;
+                double length = fabs(c205_to_double(end[1]) - c205_to_double(end[0]));
+                size_t from = (size_t)c205_to_integer(end[ends]);
+                size_t to = (size_t)c205_to_integer(end[ends + 1]);
+                if (length >= .25 && c205_to_integer(end[2 * ends]) == 0)
+                    left[from * n + to]--;
+            }
+            for (size_t cell = 0; cell < n * n; cell++)
+                assert_int_equal(left[cell], 0);
         }
     }
 }

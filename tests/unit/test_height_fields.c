@@ -20,25 +20,21 @@ struct grid {
     int heights[MAX_GRID][MAX_GRID]; /* [z][x] */
 };
 
-static struct grid random_grid(void)
+/* Draws a field and writes it as a text image, whose rows are in descending z. */
+static struct grid draw_grid(void)
 {
     struct grid grid = { .columns = (int)between(2, MAX_GRID + 1),
                          .rows = (int)between(2, MAX_GRID + 1) };
+    char text[2000];
+    int end = sprintf(text, "P2\n# random\n%d %d 65535", grid.columns, grid.rows);
     for (int z = 0; z < grid.rows; z++)
         for (int x = 0; x < grid.columns; x++)
             grid.heights[z][x] = (int)between(0, 65536);
-    return grid;
-}
-
-/* Writes the field as a text image. The rows of an image are in descending z. */
-static void keep_grid(const struct grid *grid)
-{
-    char text[2000];
-    int end = sprintf(text, "P2\n# random\n%d %d 65535", grid->columns, grid->rows);
-    for (int z = grid->rows - 1; z >= 0; z--)
-        for (int x = 0; x < grid->columns; x++)
-            end += sprintf(text + end, "\n%d", grid->heights[z][x]);
+    for (int z = grid.rows - 1; z >= 0; z--)
+        for (int x = 0; x < grid.columns; x++)
+            end += sprintf(text + end, "\n%d", grid.heights[z][x]);
     field_keep(text, (size_t)end);
+    return grid;
 }
 
 static double height_of(const struct grid *grid, int x, int z)
@@ -63,10 +59,9 @@ static double surface(const struct grid *grid, double x, double z)
 TEST(surface)
 {
     for (size_t i = 0; i < field_count; i++) {
-        struct grid grid = random_grid();
+        struct grid grid = draw_grid();
         double water = i % 3 ? between(-.2, .8) : 0;
         char words[50];
-        keep_grid(&grid);
         snprintf(words, sizeof words, "water_level %.9f", water);
         if (water > surface(&grid, .5, .5))
             continue; /* the water may cover everything */
@@ -126,10 +121,9 @@ static void normal_at(const struct grid *grid, int x, int z, double normal[3])
 TEST(normals)
 {
     for (size_t i = 0; i < field_count; i++) {
-        struct grid grid = random_grid();
+        struct grid grid = draw_grid();
         double wide = between(.5, 2), high = between(1, 4000);
         char words[80];
-        keep_grid(&grid);
         snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide, high);
         SCOPED(scene) *scene = field_expect("", words);
         const struct triangles *triangles = triangles_of(scene);
