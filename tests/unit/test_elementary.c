@@ -54,17 +54,17 @@ static double draw(double least, double most)
     return xorshift(&state) % 2 == 0 ? x : -x;
 }
 
-/* Returns the exact value, rounded; `of_two` is NULL for a function of x alone. */
-static double rounded(of_one *of_one, of_two *of_two, double x, double y)
+/* Returns the exact value, rounded; `two` is NULL for a function of x alone. */
+static double rounded(of_one *one, of_two *two, double x, double y)
 {
     mpfr_t value, a, b;
     mpfr_inits2(EXACT, value, a, b, (mpfr_ptr)0);
     mpfr_set_d(a, x, MPFR_RNDN);
     mpfr_set_d(b, y, MPFR_RNDN);
-    if (of_two)
-        of_two(value, a, b, MPFR_RNDN);
+    if (two)
+        two(value, a, b, MPFR_RNDN);
     else
-        of_one(value, a, MPFR_RNDN);
+        one(value, a, MPFR_RNDN);
     /* A value nearly halfway between two doubles is rounded as a tie, as elementary.h
      * specifies. */
     mpfr_prec_round(value, 53 + 40, MPFR_RNDN);

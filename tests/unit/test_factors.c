@@ -251,9 +251,9 @@ TEST(bias)
             squares += row.factor[1].value * row.factor[1].value;
         }
         double mean = sum / SEEDS;
-        double error = sqrt((squares / SEEDS - mean * mean) / (SEEDS - 1));
-        if (!(fabs(mean - 0.1809950221376) <= 4 * error))
-            fail_msg("the mean of %d seeds is %.7g +- %.2g", SEEDS, mean, error);
+        double deviation = sqrt((squares / SEEDS - mean * mean) / (SEEDS - 1));
+        if (!(fabs(mean - 0.1809950221376) <= 4 * deviation))
+            fail_msg("the mean of %d seeds is %.7g +- %.2g", SEEDS, mean, deviation);
     }
 }
 

@@ -20,15 +20,6 @@ static size_t some(size_t least, size_t most)
     return (size_t)xorshift_between(&random_state, (int64_t)least, (int64_t)most);
 }
 
-static struct trace_options some_options(enum trace_mode mode)
-{
-    size_t width = some(3, 15);
-    return (struct trace_options)ON_PRIOR(.mode = mode, .width = width,
-                                          .height = some(3, 12), .queue = some(1, 80),
-                                          .band = width * some(2, 6),
-                                          .order = (enum trace_order)some(0, 2));
-}
-
 /* Returns the scenes in turn. */
 static struct scene *some_scene(void)
 {
@@ -161,7 +152,11 @@ static void check_region(const struct frame_pixel *pixel,
 /* Traces the next scene with random options. */
 static struct trace *some_trace(struct scene **scene, enum trace_mode mode)
 {
-    struct trace_options options = some_options(mode);
+    size_t width = some(3, 15);
+    struct trace_options options = ON_PRIOR(.mode = mode, .width = width,
+                                            .height = some(3, 12), .queue = some(1, 80),
+                                            .band = width * some(2, 6),
+                                            .order = (enum trace_order)some(0, 2));
     *scene = some_scene();
     return run_trace(*scene, &options);
 }

@@ -73,26 +73,6 @@ static void receive(const struct object *program, const struct receiving *given,
     end(&run, sums, words, 2 * receivers + 1);
 }
 
-static void check_received(const struct receiving *given, const c205_word *words)
-{
-    double all = 0;
-    for (size_t r = 0; r < given->receivers; r++) {
-        double sum = 0;
-        int64_t count = 0;
-        for (size_t i = 0; i < given->rays; i++)
-            if (c205_to_integer(given->list[i]) == (int64_t)r) {
-                sum += c205_to_double(given->weights[i]);
-                count++;
-            }
-        assert_int_equal(c205_to_integer(words[given->receivers + 1 + r]), count);
-        if (!(fabs(c205_to_double(words[r]) - sum) <= 1e-12 * sum))
-            fail_msg("receiver %zu gets %.15g, not %.15g", r, c205_to_double(words[r]),
-                     sum);
-        all += sum;
-    }
-    assert_true(fabs(c205_to_double(words[given->receivers]) - all) <= 1e-12 * all);
-}
-
 TEST(received)
 {
     static struct receiving given;
@@ -110,7 +90,21 @@ TEST(received)
         }
         for (int form = 0; form < 2; form++)
             receive(forms[form], &given, words[form]);
-        check_received(&given, words[0]);
+        double all = 0;
+        for (size_t r = 0; r < given.receivers; r++) {
+            double sum = 0, found = c205_to_double(words[0][r]);
+            int64_t count = 0;
+            for (size_t k = 0; k < given.rays; k++)
+                if (c205_to_integer(given.list[k]) == (int64_t)r) {
+                    sum += c205_to_double(given.weights[k]);
+                    count++;
+                }
+            assert_int_equal(c205_to_integer(words[0][given.receivers + 1 + r]), count);
+            if (!(fabs(found - sum) <= 1e-12 * sum))
+                fail_msg("receiver %zu gets %.15g, not %.15g", r, found, sum);
+            all += sum;
+        }
+        assert_close(c205_to_double(words[0][given.receivers]), all, 1e-12 * all);
         assert_memory_equal(words[0], words[1],
                             (2 * given.receivers + 1) * sizeof **words);
     }

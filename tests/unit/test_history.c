@@ -180,18 +180,6 @@ struct heard {
     uint64_t sums[64][C205_CAUSES]; /* of all pieces, by region and cause */
 };
 
-static uint64_t sum_of(const c205_times *times, struct heard *heard)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < times->piece_count; i++) {
-        const c205_piece *piece = &times->piece[i];
-        assert_true(piece->clocks > 0);
-        sum += piece->clocks;
-        heard->sums[piece->region][piece->cause] += piece->clocks;
-    }
-    return sum;
-}
-
 static uint64_t constant_of(const c205 *machine, const char *kind,
                             const c205_insn *insn)
 {
@@ -207,7 +195,14 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct heard *heard = context;
     const c205_times *times = event->record;
-    assert_int_equal(sum_of(times, heard), event->clocks);
+    uint64_t sum = 0;
+    for (size_t i = 0; i < times->piece_count; i++) {
+        const c205_piece *piece = &times->piece[i];
+        assert_true(piece->clocks > 0);
+        sum += piece->clocks;
+        heard->sums[piece->region][piece->cause] += piece->clocks;
+    }
+    assert_int_equal(sum, event->clocks);
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     assert_int_equal(times->arrived, heard->clock);

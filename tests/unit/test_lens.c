@@ -18,24 +18,19 @@
 
 /* ---- All forms ----------------------------------------------------------- */
 
-static void add_camera(char *text, size_t size)
-{
-    bool orthographic = among(0, 3) == 0;
-    add_text(text, size,
-             "camera { %s location <%.3f, %.3f, -5> %s\n"
-             "  aperture %.3f blur_samples %zu focal_point <%.2f, 0, %.2f>\n"
-             "  look_at 0 rotate %.1f*z translate %.2f*x }\n",
-             orthographic ? "orthographic" : "", between(-1, 1), between(-1, 2),
-             orthographic ? "right 4*x up 3*y" : "angle 42", between(-2, 2),
-             among(2, 17), between(-1, 1), between(-4, 6), between(-20, 20),
-             between(-.3, .3));
-}
-
 TEST(random)
 {
     for (size_t i = 0; i < share_of(10); i++) {
         char text[2000] = LIGHTS THINGS;
-        add_camera(text, sizeof text);
+        bool orthographic = among(0, 3) == 0;
+        add_text(text, sizeof text,
+                 "camera { %s location <%.3f, %.3f, -5> %s\n"
+                 "  aperture %.3f blur_samples %zu focal_point <%.2f, 0, %.2f>\n"
+                 "  look_at 0 rotate %.1f*z translate %.2f*x }\n",
+                 orthographic ? "orthographic" : "", between(-1, 1), between(-1, 2),
+                 orthographic ? "right 4*x up 3*y" : "angle 42", between(-2, 2),
+                 among(2, 17), between(-1, 1), between(-4, 6), between(-20, 20),
+                 between(-.3, .3));
         FREED struct words *words = plain_frame(text);
         check_paper_stage(text, words);
         SCOPED(scene) *scene = read_text(text);

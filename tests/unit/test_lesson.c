@@ -24,22 +24,6 @@ struct plain_trial {
     struct line_profile *profile;
 };
 
-static void put_inputs(const struct random_lesson *drawn,
-                       const struct random_test *test, struct plain_trial *plain)
-{
-    const struct asm_symbol *x = object_symbol(plain->object, "x");
-    unsigned width = random_width(drawn);
-
-    for (size_t i = 0; i < test->n; i++) {
-        uint64_t at = (uint64_t)x->value + i * width;
-        c205_word word;
-
-        assert_true(c205_read(plain->machine, at / 64 * 64, &word, 1));
-        word |= test->x[i] >> at % 64;
-        c205_write(plain->machine, at / 64 * 64, &word, 1);
-    }
-}
-
 static void run_plainly(const struct random_lesson *drawn,
                         const struct random_test *test, struct plain_trial *plain)
 {
@@ -54,7 +38,17 @@ static void run_plainly(const struct random_lesson *drawn,
     plain->model = c205_model_find(test->model, &error);
     plain->machine = machine_with(&plain->object->program, plain->model);
     plain->profile = line_profile_new(plain->object);
-    put_inputs(drawn, test, plain);
+    const struct asm_symbol *x = object_symbol(plain->object, "x");
+    unsigned width = random_width(drawn);
+
+    for (size_t i = 0; i < test->n; i++) {
+        uint64_t at = (uint64_t)x->value + i * width;
+        c205_word word;
+
+        assert_true(c205_read(plain->machine, at / 64 * 64, &word, 1));
+        word |= test->x[i] >> at % 64;
+        c205_write(plain->machine, at / 64 * 64, &word, 1);
+    }
     if (test->warm)
         c205_warm(plain->machine);
     c205_listen(plain->machine, line_profile_listen, plain->profile);
@@ -70,22 +64,6 @@ static void plain_free(struct plain_trial *plain)
 }
 
 /* ---- Goals ----------------------------------------------------------------- */
-
-/* Sets the goals so that these clocks get this medal, often with no clock to spare. */
-static void draw_goals(struct random_test *test, uint64_t clocks, enum medal medal)
-{
-    uint64_t below_it = clocks - 1, above_it = clocks;
-
-    for (int i = (int)medal; i > MEDAL_NONE; i--) {
-        above_it += below(2) * below(100);
-        test->goals[i] = above_it;
-    }
-    for (int i = (int)medal + 1; i < MEDALS; i++) {
-        if (below(2))
-            below_it -= below(below_it);
-        test->goals[i] = below_it;
-    }
-}
 
 /* ---- Output ---------------------------------------------------------------- */
 
@@ -358,7 +336,20 @@ static void check_drawn(struct random_lesson *drawn)
     for (size_t i = 0; i < drawn->count; i++) {
         run_plainly(drawn, &drawn->tests[i], &plain[i]);
         medals[i] = (enum medal)below(MEDALS);
-        draw_goals(&drawn->tests[i], c205_clock(plain[i].machine), medals[i]);
+        /* The goals are so that these clocks get this medal, often with no clock to
+         * spare. */
+        struct random_test *test = &drawn->tests[i];
+        uint64_t above_it = c205_clock(plain[i].machine), below_it = above_it - 1;
+
+        for (int k = (int)medals[i]; k > MEDAL_NONE; k--) {
+            above_it += below(2) * below(100);
+            test->goals[k] = above_it;
+        }
+        for (int k = (int)medals[i] + 1; k < MEDALS; k++) {
+            if (below(2))
+                below_it -= below(below_it);
+            test->goals[k] = below_it;
+        }
     }
     random_open(drawn, &lesson);
     grade_well(&verdict, &lesson, drawn->answer);

@@ -186,7 +186,7 @@ static const struct {
     const char *objects;
     double behind;
     const char *expected;
-} lines[] = {
+} cases[] = {
     /* Two solids touch. Each part of a separate union is a body; surfaces inside a
      * merge are not reported. */
     { "box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
@@ -217,18 +217,20 @@ static const struct {
 
 TEST(lines)
 {
-    for (size_t i = 0; i < COUNT(lines) * TRACE_MODES; i++) {
-        const char *at = lines[i / TRACE_MODES].expected;
+    for (size_t i = 0; i < COUNT(cases) * TRACE_MODES; i++) {
+        const char *at = cases[i / TRACE_MODES].expected;
         struct expected list[4], *next = list;
         char text[1000] = HEAD;
-        add_text(text, sizeof text, "%s", lines[i / TRACE_MODES].objects);
-        for (int end; *at; at += end + strspn(at + end, "; "), next++)
+        add_text(text, sizeof text, "%s", cases[i / TRACE_MODES].objects);
+        for (int end; *at; at += strspn(at, "; "), next++) {
             assert_int_equal(sscanf(at, "%lf %zu %zu %d %d %d%n", &next->distance,
                                     &next->primitive, &next->object, &next->crossing,
                                     &next->object_depth, &next->scene_depth, &end),
                              6);
+            at += end;
+        }
         check_form(text, (enum trace_mode)(i % TRACE_MODES),
-                   lines[i / TRACE_MODES].behind, (size_t)(next - list), list);
+                   cases[i / TRACE_MODES].behind, (size_t)(next - list), list);
     }
 }
 

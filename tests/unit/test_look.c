@@ -59,32 +59,6 @@ static void look(void *context, const struct trace *trace,
     }
 }
 
-static void check_looks(const struct scene *scene, enum trace_mode mode)
-{
-    struct shown shown = { .done = 0 };
-    struct trace_options options = ON_PRIOR(.mode = mode, .queue = among(1, 500),
-                                            .width = among(20, WIDTH),
-                                            .height = among(10, HEIGHT),
-                                            .band = among(1, 400), .jobs = among(1, 3),
-                                            .progress = go_on, .look = look,
-                                            .context = &shown);
-    assert_true(frame_allocate(&shown.frame, options.width, options.height));
-    SCOPED(trace) *trace = run_trace(scene, &options);
-    assert_int_equal(shown.done, trace_bands(trace));
-    if (options.jobs == 1)
-        assert_int_equal(shown.all, trace_accounts(trace)->clocks);
-    const struct trace_options *how = trace_how(trace);
-    SCOPED_VALUE(frame) frame;
-    assert_true(frame_allocate(&frame, how->width, how->height));
-    trace_read(trace, 0, &frame);
-    for (size_t row = 0; row < how->height; row++)
-        assert_true(shown.rows[row]);
-    for (int i = 0; i < FRAME_CHANNELS; i++)
-        assert_memory_equal(frame.channel[i], shown.frame.channel[i],
-                            how->width * how->height * sizeof *frame.channel[i]);
-    frame_free(&shown.frame);
-}
-
 TEST(bands)
 {
     static const char *const gammas[] = { "1", "2.2" };
@@ -99,7 +73,29 @@ TEST(bands)
                      between(.2, 1));
         }
         SCOPED(scene) *scene = read_text(text);
-        check_looks(scene, (enum trace_mode)(i % TRACE_MODES));
+        enum trace_mode mode = (enum trace_mode)(i % TRACE_MODES);
+        struct shown shown = { .done = 0 };
+        struct trace_options options = ON_PRIOR(.mode = mode, .queue = among(1, 500),
+                                                .width = among(20, WIDTH),
+                                                .height = among(10, HEIGHT),
+                                                .band = among(1, 400),
+                                                .jobs = among(1, 3), .progress = go_on,
+                                                .look = look, .context = &shown);
+        assert_true(frame_allocate(&shown.frame, options.width, options.height));
+        SCOPED(trace) *trace = run_trace(scene, &options);
+        assert_int_equal(shown.done, trace_bands(trace));
+        if (options.jobs == 1)
+            assert_int_equal(shown.all, trace_accounts(trace)->clocks);
+        const struct trace_options *how = trace_how(trace);
+        SCOPED_VALUE(frame) frame;
+        assert_true(frame_allocate(&frame, how->width, how->height));
+        trace_read(trace, 0, &frame);
+        for (size_t row = 0; row < how->height; row++)
+            assert_true(shown.rows[row]);
+        for (int k = 0; k < FRAME_CHANNELS; k++)
+            assert_memory_equal(frame.channel[k], shown.frame.channel[k],
+                                how->width * how->height * sizeof *frame.channel[k]);
+        frame_free(&shown.frame);
     }
 }
 
