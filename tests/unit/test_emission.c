@@ -15,6 +15,7 @@
 #include "tests/unit/emitting_shapes.h"
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
 
 static size_t tries = 4; /* of each kind */
 static uint64_t state = RANDOM_SEED;
@@ -193,38 +194,24 @@ static void check_area(const struct primitive *primitive)
 TEST_CALL(areas, each_shape(tries, check_area))
 
 /* Areas of massprops.csv. If all parts of a surface are alike, each weight is its
- * area. */
+ * area. The weights of a torus differ. */
 TEST(exact_areas)
 {
-    static struct primitive primitives[] = {
-        { .kind = PRIMITIVE_SPHERE, .shape.sphere = { { .3, -.2, .5 }, 1 } },
-        { .kind = PRIMITIVE_CYLINDER,
-          .shape.cylinder = { { 0, 0, 0 }, { 0, 2, 0 }, .5, false } },
-        { .kind = PRIMITIVE_BOX,
-          .shape.box = { { { -1, -.5, -.25 }, { 1, .5, .25 } } } },
-    };
     static const double areas[] = { 12.5663706143592, 7.85398163397448, 7 };
     struct emission_options options = { TRACE_VECTOR, 100, 100, false, NULL };
-    struct placement turned = placement_rotation((double[]){ 0, 0, 30 });
+    struct emission_options lattice = { TRACE_VECTOR, 2000, 16384, true, NULL };
+    struct mean area = { 0 };
+    SCOPED(scene) *scene = read_scene(
+        "sphere { <.3,-.2,.5>, 1 } cylinder { 0, 2*y, .5 }"
+        "box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z } torus { 1, .25 }");
     for (size_t k = 0; k < COUNT(areas); k++) {
-        move_shape(&primitives[k],
-                   primitives[k].kind == PRIMITIVE_BOX ? &turned : &placement_none);
-        emit(&primitives[k], options, some_choice(), emitted[0]);
+        emit(&scene->primitives[k], options, some_choice(), emitted[0]);
         for (size_t i = 0; i < 100; i++)
             assert_near(emitted[0][i].weight, areas[k], 1e-11 * areas[k]);
     }
-}
-
-/* The torus of massprops.csv, whose weights differ. */
-TEST(torus_area)
-{
-    struct primitive torus = { .kind = PRIMITIVE_TORUS, .shape.torus = { 1, .25 } };
-    struct emission_options options = { TRACE_VECTOR, 2000, 16384, true, NULL };
-    struct emission_choice choice = { .seed = 1, .m = 14 };
-    struct mean area = { 0 };
-    move_shape(&torus, &placement_none);
-    emit(&torus, options, choice, emitted[0]);
-    for (size_t i = 0; i < options.points; i++)
+    emit(&scene->primitives[3], lattice, (struct emission_choice){ .seed = 1, .m = 14 },
+         emitted[0]);
+    for (size_t i = 0; i < lattice.points; i++)
         add_to(&area, emitted[0][i].weight);
     assert_near(area.sum / area.count, 9.86960440108936, 1e-9);
 }
@@ -235,14 +222,12 @@ TEST(torus_area)
  * doubles. */
 TEST(accuracy)
 {
-    struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
-                                .shape.sphere = { { 0, 0, 0 }, 1 } };
+    SCOPED(scene) *scene = read_scene("sphere { 0, 1 }");
     struct emission_options options = { TRACE_VECTOR, 2000, 20000, false, NULL };
     struct emission_choice choice = some_choice();
     static const long double turn = 6.283185307179586476925286766559L;
     double most = 0;
-    move_shape(&sphere, &placement_none);
-    emit(&sphere, options, choice, emitted[0]);
+    emit(scene->primitives, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
         long double u = stream_word(choice.seed, choice.first + i, 0) * 0x1p-47L;
         long double t = stream_word(choice.seed, choice.first + i, 1) * 0x1p-47L;
@@ -333,19 +318,11 @@ static void check_share(const struct primitive *primitive, double height, double
 /* Factors of viewfactors.csv. */
 TEST(factors)
 {
-    struct triangle halves[2] = {
-        { .corners = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 } } },
-        { .corners = { { 0, 0, 0 }, { 1, 0, 1 }, { 1, 0, 0 } } },
-    };
-    struct primitive square = { .kind = PRIMITIVE_MESH,
-                                .shape.mesh.triangles = { 2, halves } };
-    struct primitive disc = { .kind = PRIMITIVE_DISC,
-                              .shape.disc = { { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
-    move_shape(&square, &placement_none);
-    move_shape(&disc, &placement_none);
-    check_share(&square, 1, 0, 0.1998248956984);
-    check_share(&disc, .9, .6, 0.1809950221376);
-    check_share(&disc, 1, 1, 0.3819660112501);
+    SCOPED(scene) *scene = read_scene(
+        "mesh { triangle { 0, z, x + z } triangle { 0, x + z, x } } disc { 0, y, 1 }");
+    check_share(&scene->primitives[0], 1, 0, 0.1998248956984);
+    check_share(&scene->primitives[1], .9, .6, 0.1809950221376);
+    check_share(&scene->primitives[1], 1, 1, 0.3819660112501);
 }
 
 /* ---- Errors ----------------------------------------------------------------- */
