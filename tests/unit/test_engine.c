@@ -12,7 +12,7 @@
 TEST(about)
 {
     const struct json_value *about, *item;
-    struct lessons lessons = { .count = 0 };
+    SCOPED_VALUE(lessons) lessons = { .count = 0 };
     SCOPED_VALUE(talk) talk = talk_with(NULL, "");
     c205_error error;
     size_t i = 0;
@@ -33,7 +33,6 @@ TEST(about)
     for (i = 0; i < lessons.count; i++)
         talk_ask(&talk, "{'do': 'grade', 'lesson': '%s', 'text': ' EXIT\\n'}",
                  lessons.items[i].name);
-    lessons_free(&lessons);
 }
 
 TEST(load)

@@ -299,37 +299,17 @@ TEST(forms)
 
 /* ---- Errors ---------------------------------------------------------------------- */
 
-/* Counts the rays of a repeat in two halves. */
-static void count_halves(const struct packet_programs *programs,
-                         struct packet_choice choice, uint64_t *counts)
-{
-    struct factors_options half = programs->options;
-    const struct emission_options emits = { .mode = half.mode,
-                                            .queue = half.queue,
-                                            .points = half.points / 2,
-                                            .lattice = half.lattice,
-                                            .model = half.model };
-    struct heat_source *source = source_new(programs->scene, choice.primitive, &emits,
-                                            &error);
-    struct packet packet;
-    assert_non_null(source);
-    for (size_t i = 0; i < 2; i++) {
-        choice.first = i * emits.points;
-        assert_true(packet_begin(&packet, programs));
-        assert_true(packet_run(programs, source, &choice, &packet, &error));
-        for (size_t j = 0; j < packet_receivers(programs); j++)
-            counts[j] += (uint64_t)c205_to_integer(packet.counts[j]);
-        packet_free(&packet);
-    }
-    source_free(source);
-}
-
 /* A repeat of more points than a vector holds: its rays do not depend on where it is
  * cut. */
 TEST(pieces)
 {
     SCOPED(scene) *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
     struct packet_programs programs = { .scene = scene, .options = usual };
+    const struct emission_options half = { .mode = usual.mode,
+                                           .queue = usual.queue,
+                                           .points = 32768,
+                                           .lattice = usual.lattice,
+                                           .model = prior_model };
     uint64_t counts[3] = { 0, 0, 0 };
     programs.options.points = 65536;
     programs.options.repeats = 2;
@@ -338,8 +318,19 @@ TEST(pieces)
     SCOPED(factors) *factors = begin(scene, programs.options);
     SCOPED_VALUE(factor_row) row = find(factors, 1);
     assert_true(packet_programs_begin(&programs, &error));
-    for (size_t k = 0; k < 2; k++)
-        count_halves(&programs, (struct packet_choice){ 1, k, 0 }, counts);
+    struct heat_source *source = source_new(scene, 1, &half, &error);
+    assert_non_null(source);
+    for (size_t i = 0; i < 4; i++) { /* the halves of two repeats */
+        struct packet_choice choice = { 1, i / 2, i % 2 * half.points };
+        struct packet packet;
+        assert_true(packet_begin(&packet, &programs));
+        assert_true(packet_run(&programs, source, &choice, &packet, &error));
+        assert_int_equal(packet_receivers(&programs), COUNT(counts));
+        for (size_t j = 0; j < COUNT(counts); j++)
+            counts[j] += (uint64_t)c205_to_integer(packet.counts[j]);
+        packet_free(&packet);
+    }
+    source_free(source);
     assert_int_equal(row.tried, 2 * 65536);
     assert_int_equal(row.receivers, 3);
     assert_memory_equal(row.count, counts, sizeof counts);

@@ -8,6 +8,7 @@
 #include "rt/heat/hits.h"
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
+#include "tests/oracle/plain_shapes.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
@@ -57,11 +58,6 @@ static void draw(struct bundle *bundle)
                                          : xorshift_real(&chance, .2, 3);
         words[7] = radius * radius;
     }
-}
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /* Intersects the side with the slab between the discs. Returns 1 for a hit, 0 for a

@@ -326,12 +326,12 @@ TEST(faults)
 TEST(limit)
 {
     enum { SIDE = 2100, PIXELS = SIDE * SIDE };
-    char *bytes = calloc(1, 100 + PIXELS), text[400];
+    FREED char *bytes = calloc(1, 100 + PIXELS);
+    char text[400];
     SCOPED_VALUE(diagnostics) reports = { 0 };
     int head = sprintf(bytes, "P5\n%d %d\n255\n", SIDE, SIDE);
 
     field_keep(bytes, (size_t)head + PIXELS);
-    free(bytes);
     scene_free(expect_reports("", "\"%s\"", 0, ""));
     snprintf(text, sizeof text,
              "sphere { 0, 1 pigment { image_map { \"%s\" } } }\n"

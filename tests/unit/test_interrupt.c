@@ -2,6 +2,7 @@
  * between any two elements or by a missing page, are compared with uninterrupted runs:
  * the same state, clock and accounts. An element that is lost or done twice, or a clock
  * that is charged twice, fails here. */
+#include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
 #include "tests/unit/scoped_machine.h"
 
@@ -9,8 +10,7 @@
 
 #define F(...) ((c205_fields){ __VA_ARGS__ })
 
-static c205_model *model; /* two pipes */
-static c205_model *slow;  /* one element or bit per clock, cheap faults */
+static c205_model *slow; /* one element or bit per clock, cheap faults */
 
 /* per row of the instruction table: interrupted between elements */
 static bool *divided;
@@ -65,7 +65,7 @@ static void compare_file(const char *path)
 {
     compare_ends(machine_from(path, slow), machine_from(path, slow), 1);
     compare_ends(machine_from(path, slow), machine_from(path, slow), SAVED);
-    compare_ends(machine_from(path, model), machine_from(path, model), 7);
+    compare_ends(machine_from(path, prior_model), machine_from(path, prior_model), 7);
 }
 
 TEST(rows)
@@ -176,7 +176,7 @@ static const char *const long_programs[] = {
 TEST(long_vectors)
 {
     for (size_t i = 0; i < 2 * COUNT(long_programs); i++) {
-        const c205_model *on = i % 2 ? slow : model;
+        const c205_model *on = i % 2 ? slow : prior_model;
         char whole[4000];
         snprintf(whole, sizeof whole, "%s%s        EXIT\n", preamble,
                  long_programs[i / 2]);
@@ -494,7 +494,6 @@ TEST(bad_index_behind_the_limit)
 FIXTURE(find_models)
 {
     c205_error error;
-    model = c205_model_find("cyber205-2pipe-prior", &error);
     slow = c205_model_parse("slow",
                             "title one element a clock\n"
                             "like cyber205-1pipe-prior\n"
@@ -502,15 +501,14 @@ FIXTURE(find_models)
                             "page_fault.clocks 1 clk R\n",
                             &error);
     divided = calloc(c205_insn_count, sizeof *divided);
-    return model && slow && divided ? 0 : -1;
+    return set_up_model(test_state) || !slow || !divided;
 }
 
 FIXTURE(drop_models)
 {
-    c205_model_free(model);
     c205_model_free(slow);
     free(divided);
-    return 0;
+    return tear_down_model(test_state);
 }
 
 GROUP(find_models, drop_models);
