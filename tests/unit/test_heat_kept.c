@@ -13,7 +13,7 @@
 #include "tests/unit/scene_reading.h"
 
 enum { SHARES = 3, REPEATS = 6, PRIMITIVES = 3, UNITS = REPEATS * PRIMITIVES };
-enum { WORDS = 256 };
+enum { WORDS = 512 };
 
 static uint64_t seed = 1;
 static char path[SHARES][40];
@@ -35,16 +35,11 @@ struct run {
     c205_error error;
 };
 
-static void put(struct run *run, const void *value)
+static void put(struct run *run, const void *value, size_t size)
 {
-    assert_true(run->count < WORDS);
-    memcpy(&run->words[run->count++], value, sizeof run->words[0]);
-}
-
-static void put_estimate(struct run *run, struct estimate estimate)
-{
-    put(run, &estimate.value);
-    put(run, &estimate.error);
+    assert_true(run->count + size / sizeof run->words[0] <= WORDS);
+    memcpy(&run->words[run->count], value, size);
+    run->count += size / sizeof run->words[0];
 }
 
 static bool tell(void *context, size_t done, size_t all)
@@ -70,13 +65,11 @@ static bool run_rays(struct run *run, const struct scene *scene)
     assert_int_equal(factors_units(factors, PRIMITIVES), UNITS);
     for (size_t i = 0; good && i < PRIMITIVES; i++) {
         run->clocks += rows[i].accounts.clocks;
-        put_estimate(run, rows[i].area);
-        put(run, &rows[i].sent);
-        put(run, &rows[i].accounts.clocks);
-        for (size_t j = 0; j < rows[i].receivers; j++) {
-            put_estimate(run, rows[i].factor[j]);
-            put(run, &rows[i].count[j]);
-        }
+        put(run, &rows[i].area, sizeof rows[i].area);
+        put(run, &rows[i].sent, sizeof rows[i].sent);
+        put(run, &rows[i].accounts.clocks, sizeof rows[i].accounts.clocks);
+        put(run, rows[i].factor, rows[i].receivers * sizeof *rows[i].factor);
+        put(run, rows[i].count, rows[i].receivers * sizeof *rows[i].count);
         factor_row_free(&rows[i]);
     }
     return good;
@@ -95,12 +88,9 @@ static bool run_lines(struct run *run, const struct scene *scene)
         return false;
     assert_int_equal(found.units, UNITS);
     run->clocks = found.accounts.clocks;
-    put(run, &found.accounts.clocks);
-    for (size_t i = 0; i <= PRIMITIVES; i++)
-        for (size_t j = 0; j <= PRIMITIVES; j++) {
-            uint64_t count = global_lines_count(&found, i, j);
-            put(run, &count);
-        }
+    put(run, &found.accounts.clocks, sizeof found.accounts.clocks);
+    put(run, found.ends,
+        UNITS * (PRIMITIVES + 1) * (PRIMITIVES + 1) * sizeof *found.ends);
     global_lines_free(&found);
     return true;
 }

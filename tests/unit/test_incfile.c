@@ -180,13 +180,8 @@ TEST(faults)
 
         write_bytes(path, cases[i].text, strlen(cases[i].text));
         assert_null(include_file(cases[i].wishes, &errors));
-        if (errors.count != 1 || errors.items[0].line != cases[i].line
-            || errors.items[0].column != cases[i].column
-            || !strstr(errors.items[0].message, cases[i].message)) {
-            fail_msg("case %zu: %zu errors, %zu:%zu: %s", i, errors.count,
-                     errors.items[0].line, errors.items[0].column,
-                     errors.items[0].message);
-        }
+        assert_one_error(&errors, cases[i].text, cases[i].line, cases[i].column,
+                         cases[i].message);
     }
     remove(path);
 }

@@ -141,41 +141,33 @@ static void trace_watched(const struct scene *scene,
     run_watched(trace_program(trace), machine, what);
 }
 
-/* Traces all crossings along lines in all forms. */
-static void follow_lines(const struct scene *scene, size_t queue, const char *what)
-{
-    enum { LINES = 20 };
-    struct ray_query_options options = ON_PRIOR(.queue = queue, .normals = true,
-                                                .bodies = true, .behind = 1,
-                                                .no_bounds = traced.no_bounds);
-    struct scene_ray list[LINES];
-
-    draw_camera_lines(&traced.random, scene, list, LINES);
-    for (int mode = 0; mode < TRACE_MODES; mode++) {
-        options.mode = (enum trace_mode)mode;
-        SCOPED(ray_query) *lines = ray_query_new(scene, &options, &error);
-        SCOPED(c205) *machine = lines ? ray_query_machine(lines, list, LINES, &error)
-                                      : NULL;
-        if (!machine)
-            fail_msg("%s: %s", what, error.message);
-        run_watched(ray_query_program(lines), machine, what);
-    }
-}
-
-/* Traces in all modes with the current no_bounds, historical, variant and visible. */
+/* Traces a frame and all crossings along lines in all modes, with the current no_bounds,
+ * historical, variant and visible. */
 static void trace_modes(const struct scene *scene, size_t queue, const char *what)
 {
+    enum { LINES = 20 };
     struct trace_options options = ON_PRIOR(.width = COLUMNS, .height = ROWS,
                                             .queue = queue,
                                             .historical = traced.historical,
                                             .variant = traced.variant,
                                             .visible = traced.visible,
                                             .no_bounds = traced.no_bounds);
+    struct ray_query_options along = ON_PRIOR(.queue = queue, .normals = true,
+                                              .bodies = true, .behind = 1,
+                                              .no_bounds = traced.no_bounds);
+    struct scene_ray list[LINES];
+
+    draw_camera_lines(&traced.random, scene, list, LINES);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
-        options.mode = (enum trace_mode)mode;
+        options.mode = along.mode = (enum trace_mode)mode;
         trace_watched(scene, &options, what);
+        SCOPED(ray_query) *lines = ray_query_new(scene, &along, &error);
+        SCOPED(c205) *machine = lines ? ray_query_machine(lines, list, LINES, &error)
+                                      : NULL;
+        if (!machine)
+            fail_msg("%s: %s", what, error.message);
+        run_watched(ray_query_program(lines), machine, what);
     }
-    follow_lines(scene, queue, what);
 }
 
 TEST(cylinders)
