@@ -72,21 +72,26 @@ static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
     return machine;
 }
 
+static uint64_t label(const struct frame_pixel *pixel, const char *name)
+{
+    const struct asm_symbol *symbol = object_symbol(trace_program(pixel->trace), name);
+    return symbol ? (uint64_t)symbol->value : 0;
+}
+
+static c205_word memory_word(const c205 *machine, uint64_t address)
+{
+    c205_word word;
+    assert_true(c205_read(machine, address, &word, 1));
+    return word;
+}
+
 static c205_word sample(const struct frame_pixel *pixel, const c205 *machine,
                         enum frame_channel channel)
 {
-    const struct object *program = trace_program(pixel->trace);
-    const char *const names[] = { "scene_frame", "scene_pixels" };
-    c205_word word, values[2];
-    for (size_t i = 0; i < 2; i++)
-        assert_true(c205_read(machine,
-                              (uint64_t)object_symbol(program, names[i])->value,
-                              &values[i], 1));
-    assert_true(
-        c205_read(machine,
-                  values[0] + 64 * ((uint64_t)channel * values[1] + pixel->place),
-                  &word, 1));
-    return word;
+    c205_word frame = memory_word(machine, label(pixel, "scene_frame"));
+    c205_word pixels = memory_word(machine, label(pixel, "scene_pixels"));
+    return memory_word(machine,
+                       frame + 64 * ((uint64_t)channel * pixels + pixel->place));
 }
 
 static void add_causes(const c205 *machine, int64_t sign, int64_t clocks[C205_CAUSES])
@@ -271,12 +276,6 @@ static void follow(void *context, const struct pixel_element *element)
             assert_true(following->point_count < MAX_POINTS);
         }
     }
-}
-
-static uint64_t label(const struct frame_pixel *pixel, const char *name)
-{
-    const struct asm_symbol *symbol = object_symbol(trace_program(pixel->trace), name);
-    return symbol ? (uint64_t)symbol->value : 0;
 }
 
 /* Checks the rays where a region is left or entered, where a queue is shaded, and at

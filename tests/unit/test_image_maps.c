@@ -10,15 +10,13 @@
 
 #define OLD_VERSION "#version 3.6; global_settings { assumed_gamma 1 }"
 
-/* Reads a sphere with the image map of `words`; the text `before` precedes it. */
-static struct scene *read_image(const char *before, const char *words,
-                                struct diagnostics *reports)
+/* Returns a sphere with the image map of `words`; the text `before` precedes it. */
+static const char *image_text(const char *before, const char *words)
 {
-    char text[1000];
+    static char text[1000];
     snprintf(text, sizeof text, "%s sphere { 0, 1 pigment { image_map { ", before);
     snprintf(text + strlen(text), sizeof text - strlen(text), words, field_path);
-    strcat(text, " } } }");
-    return read_versioned("test.pov", text, &with_images, reports);
+    return strcat(text, " } } }");
 }
 
 /* Reads an image map that must cause `count` reports, the first of which contains
@@ -27,7 +25,8 @@ static struct scene *expect_reports(const char *before, const char *words, size_
                                     const char *message)
 {
     SCOPED_VALUE(diagnostics) reports = { 0 };
-    struct scene *scene = read_image(before, words, &reports);
+    struct scene *scene = read_versioned("test.pov", image_text(before, words),
+                                         &with_images, &reports);
     if (!scene || reports.count != count
         || (count > 0 && !strstr(reports.items->message, message))) {
         diagnostics_print(&reports, stderr);
@@ -39,15 +38,8 @@ static struct scene *expect_reports(const char *before, const char *words, size_
 
 static void expect_fault(const char *words, size_t column, const char *message)
 {
-    SCOPED_VALUE(diagnostics) reports = { 0 };
-    struct scene *scene = read_image("", words, &reports);
-    if (scene || reports.count != 1
-        || reports.items->column
-               != column + sizeof "sphere { 0, 1 pigment { image_map { "
-        || !strstr(reports.items->message, message)) {
-        diagnostics_print(&reports, stderr);
-        fail_msg("not '%s' at %zu", message, column);
-    }
+    assert_error(image_text("", words), &with_images, 1,
+                 column + sizeof "sphere { 0, 1 pigment { image_map { ", message);
 }
 
 static const struct image_map *map_of(const struct scene *scene)
