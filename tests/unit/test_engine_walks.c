@@ -310,15 +310,16 @@ static void walk_by_chance(struct walk *walk, size_t moves)
     }
 }
 
-static void walk_begin(struct walk *walk)
+static struct walk new_walk(void)
 {
     SCOPED_VALUE(text_buffer) text;
     SCOPED_VALUE(diagnostics) said = { 0 };
 
     draw_walk(&random_state, &text);
-    *walk = (struct walk){ .talk = talk_with(text.text, AND_PRIOR) };
-    walk->plain = run_plainly(assemble_text("program.s", text.text, NULL, &said),
-                              &random_state);
+    struct walk walk = { .talk = talk_with(text.text, AND_PRIOR) };
+    walk.plain = run_plainly(assemble_text("program.s", text.text, NULL, &said),
+                             &random_state);
+    return walk;
 }
 
 static void walk_free(struct walk *walk)
@@ -333,9 +334,8 @@ TEST(walks)
     enum { ROUNDS = 10, MOVES = 40 };
 
     for (size_t i = 0; i < ROUNDS; i++) {
-        SCOPED_VALUE(walk) walk;
+        SCOPED_VALUE(walk) walk = new_walk();
 
-        walk_begin(&walk);
         check_place(&walk, "load");
         walk_by_chance(&walk, MOVES);
     }
@@ -385,9 +385,8 @@ TEST(replays)
     enum { ROUNDS = 10, MOVES = 6 };
 
     for (size_t i = 0; i < ROUNDS; i++) {
-        SCOPED_VALUE(walk) walk;
+        SCOPED_VALUE(walk) walk = new_walk();
 
-        walk_begin(&walk);
         for (size_t k = 0; k < MOVES; k++) {
             walk_by_chance(&walk, 3);
             talk_ask(&walk.talk, "{'do': 'view'}");

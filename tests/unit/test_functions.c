@@ -6,7 +6,6 @@
  */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/oracle/chance.h"
-#include "tests/unit/asm_helper.h"
 #include "tests/unit/exact_functions.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"

@@ -6,8 +6,6 @@
  */
 #include "rt/heat/global_lines.h"
 
-#include <math.h>
-
 #include "tests/random.h"
 #include "tests/unit/heat_steps.h"
 #include "tests/unit/prior_model.h"

@@ -7,8 +7,6 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-#include <math.h>
-
 static uint64_t random_state = RANDOM_SEED + 31;
 
 static size_t below(size_t most)

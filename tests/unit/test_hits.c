@@ -3,8 +3,6 @@
  * that one form misses, or a part that is not a solid cylinder and is accepted, fails
  * here.
  */
-#include <math.h>
-
 #include "rt/heat/hits.h"
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"

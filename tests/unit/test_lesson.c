@@ -8,7 +8,6 @@
 #include "base/accounts.h"
 #include "base/json_read.h"
 #include "tests/unit/draw.h"
-#include "tests/unit/asm_helper.h"
 #include "tests/unit/random_words.h"
 #include "tests/unit/saved_machine.h"
 

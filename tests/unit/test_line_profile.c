@@ -2,7 +2,6 @@
  * with the machine's accounts, cause by cause, over all examples and test programs. A
  * clock that is lost or belongs to another line fails here. */
 #include "asm/line_profile.h"
-#include "tests/unit/asm_helper.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
 
