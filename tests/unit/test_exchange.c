@@ -48,7 +48,7 @@ static void solve(const struct enclosure *enclosure, struct exchange *vector)
 
 TEST(spheres)
 {
-    const double pi = acos(-1), flow = 25842.18560027;
+    double pi = acos(-1), flow = 25842.18560027;
     const struct enclosure spheres = {
         .count = 2,
         .area = { 4 * pi, 16 * pi },
@@ -180,7 +180,7 @@ static void eliminate(const struct enclosure *enclosure, long double radiosity[M
 TEST(enclosures)
 {
     uint64_t random = RANDOM_SEED + 17;
-    const double scale = SIGMA * 1.6e13;
+    double scale = SIGMA * 1.6e13;
     for (int turn = 0; turn < 40; turn++) {
         struct enclosure enclosure;
         draw(&enclosure, &random);
