@@ -7,14 +7,6 @@
 /* The middle ray is the z axis, starting at z = -5; a light is on it. */
 #define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
 
-/* The hit of the middle ray: the id of the primitive, from 1 (0: none), and the
- * distance. */
-struct sight {
-    const char *text;
-    int64_t id;
-    double depth;
-};
-
 static struct words *frame_of_all(const char *text)
 {
     SCOPED(scene) *scene = read_text(text);
@@ -41,7 +33,13 @@ static struct words *frame_of_all(const char *text)
     "box { <-1, 0, -2>, 2 matrix <1, 0, 0, 0, 1, 0, 0, " slope ", 1, " \
     "0, 0, 0> } "
 
-static const struct sight sights[] = {
+/* The hit of the middle ray: the id of the primitive, from 1 (0: none), and the
+ * distance. */
+static const struct {
+    const char *text;
+    int64_t id;
+    double depth;
+} sights[] = {
     /* Faces that coincide. k_delta is between 5e-8 and 2e-7: faces 5e-8 apart coincide,
      * faces 2e-7 apart do not. */
     { "difference { box { -1, 1 } box { -1, 1 } }", 0, 0 },
@@ -135,10 +133,9 @@ static const struct sight sights[] = {
 TEST(sights)
 {
     for (size_t i = 0; i < COUNT(sights); i++) {
-        const struct sight *sight = &sights[i];
         size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
         char text[1024];
-        snprintf(text, sizeof text, VIEW "%s", sight->text);
+        snprintf(text, sizeof text, VIEW "%s", sights[i].text);
         FREED struct words *bounded = frame_of_all(text);
         traced.no_bounds = true;
         FREED struct words *words = frame_of_all(text);
@@ -147,8 +144,9 @@ TEST(sights)
             fail_msg("bounds change the frame of\n%s", text);
         int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
         double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
-        if (id != sight->id || !(fabs(depth - sight->depth) <= 1e-10))
-            fail_msg("%s: primitive %lld at %.12g", sight->text, (long long)id, depth);
+        if (id != sights[i].id || !(fabs(depth - sights[i].depth) <= 1e-10))
+            fail_msg("%s: primitive %lld at %.12g", sights[i].text, (long long)id,
+                     depth);
     }
 }
 

@@ -42,11 +42,6 @@ static uint64_t hash_of(const c205 *machine)
     return hash;
 }
 
-static c205 *begin(const struct story *story)
-{
-    return machine_of(&story->program, story->model);
-}
-
 static bool change_at(const struct story *story, c205 *machine, uint64_t step)
 {
     bool changed = false;
@@ -62,7 +57,7 @@ static bool change_at(const struct story *story, c205 *machine, uint64_t step)
  * also records the state at each target step. */
 static uint64_t run_plainly(struct story *story, bool hashes)
 {
-    SCOPED(c205) *machine = begin(story);
+    SCOPED(c205) *machine = machine_of(&story->program, story->model);
     uint64_t step = 0;
     c205_stop stop;
     bool goes_on = true;
@@ -113,7 +108,8 @@ TEST(jumps)
     for (size_t number = 0; number < PROGRAMS; number++) {
         make_story(&story, number);
         SCOPED(c205_model) *model = story.model;
-        SCOPED(c205_history) *history = c205_history_new(begin(&story),
+        SCOPED(c205_history) *history = c205_history_new(machine_of(&story.program,
+                                                                    story.model),
                                                          below(2) * below(1 << 20),
                                                          &error);
         assert_non_null(history);

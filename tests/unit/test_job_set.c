@@ -152,25 +152,6 @@ TEST(shares)
     }
 }
 
-/* A process ends in a random unit while its other thread is working. */
-static void kill_one(void)
-{
-    struct bench bench = new_bench(MAX);
-    bench.last = between(0, MAX - 1);
-    pid_t child = fork();
-    int status;
-
-    assert_true(child >= 0);
-    if (child == 0) {
-        struct job_set job_set = { .paths = paths, .path_count = 1 };
-        c205_error error;
-        do_job_set(&job_set, &bench, 2, &error);
-        _exit(1);
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    assert_true(WIFSIGNALED(status));
-}
-
 TEST(killed)
 {
     struct bench whole = new_bench(MAX);
@@ -179,9 +160,20 @@ TEST(killed)
     size_t kept = 0;
     assert_true(do_job_set(&alone, &whole, 1, &error));
     for (int i = 0; i < KILLS; i++) {
-        struct bench bench = new_bench(MAX);
+        struct bench bench = new_bench(MAX), killed = new_bench(MAX);
         struct job_set job_set = { .paths = paths, .path_count = 1 };
-        kill_one();
+        killed.last = between(0, MAX - 1);
+        pid_t child = fork();
+        int status;
+
+        /* The process ends in a random unit while its other thread is working. */
+        assert_true(child >= 0);
+        if (child == 0) {
+            do_job_set(&job_set, &killed, 2, &error);
+            _exit(1);
+        }
+        assert_int_equal(waitpid(child, &status, 0), child);
+        assert_true(WIFSIGNALED(status));
         assert_true(do_job_set(&job_set, &bench, 2, &error));
         assert_all_taken(&bench, true);
         assert_int_equal(bench.sum, whole.sum);
