@@ -188,15 +188,11 @@ TEST(others)
     }
 }
 
-FIXTURE(set_up)
+FIXTURE(name_paths)
 {
-    bool good = true;
-    for (size_t i = 0; i < SHARES; i++) {
-        strcpy(path[i], "/tmp/test_heat_kept.XXXXXX");
-        int file = mkstemp(path[i]);
-        good = good && file >= 0 && close(file) == 0 && remove(path[i]) == 0;
-    }
-    return !good || set_up_model(test_state);
+    for (size_t i = 0; i < SHARES; i++)
+        snprintf(path[i], sizeof path[i], "/tmp/rt205-kept-%ld-%zu", (long)getpid(), i);
+    return set_up_model(test_state);
 }
 
 ARGUMENTS(argc, argv)
@@ -204,4 +200,4 @@ ARGUMENTS(argc, argv)
     seed = argument(argc, argv, 1, seed);
 }
 
-GROUP(set_up, tear_down_model);
+GROUP(name_paths, tear_down_model);

@@ -9,7 +9,7 @@
 #include "tests/unit/scene_reading.h"
 
 enum { WIDTH = 40, HEIGHT = 30 };
-static char folder[] = "/tmp/heatXXXXXX", path[sizeof folder + 10];
+static char path[40];
 
 static const char text[] = "camera { location <0, 1, -6> look_at 0 }\n"
                            "#declare Ball = sphere { -1.2*x, .8 }\n"
@@ -181,18 +181,10 @@ TEST(refused)
     assert_non_null(strstr(error.message, "missing"));
 }
 
-FIXTURE(make_folder)
+FIXTURE(name_path)
 {
-    if (!mkdtemp(folder))
-        return 1;
-    snprintf(path, sizeof path, "%s/heat.exr", folder);
+    snprintf(path, sizeof path, "/tmp/rt205-heat-%ld.exr", (long)getpid());
     return set_up_model(test_state);
 }
 
-FIXTURE(remove_folder)
-{
-    rmdir(folder);
-    return tear_down_model(test_state);
-}
-
-GROUP(make_folder, remove_folder);
+GROUP(name_path, tear_down_model);
