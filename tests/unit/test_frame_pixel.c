@@ -353,19 +353,6 @@ TEST(rays)
 
 /* ---- Debugger sessions --------------------------------------------------- */
 
-static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
-{
-    SCOPED(c205) *plain = trace_machine(pixel->trace, pixel->band, &error);
-    assert_int_equal(c205_run(plain, C205_NO_LIMIT).trap, C205_TRAP_NONE);
-    assert_int_equal(c205_account_count(plain), c205_account_count(machine));
-    for (size_t i = 0; i < c205_account_count(plain); i++)
-        assert_memory_equal(c205_account_at(plain, i)->clocks,
-                            c205_account_at(machine, i)->clocks,
-                            sizeof c205_account_at(plain, i)->clocks);
-    if (trace_bands(pixel->trace) == 1)
-        assert_int_equal(c205_clock(machine), trace_accounts(pixel->trace)->clocks);
-}
-
 /* A debugger session moves forward and back to the queue of a pixel, and to the end. */
 TEST(sessions)
 {
@@ -402,7 +389,16 @@ TEST(sessions)
         session_obey(&session, "seek");
         assert_string_equal(session.said.text, again);
         session_check(&session, lines + 1, 2);
-        check_accounts(&pixel, debugger_machine(session.debugger));
+        const c205 *machine = debugger_machine(session.debugger);
+        SCOPED(c205) *plain = trace_machine(pixel.trace, pixel.band, &error);
+        assert_int_equal(c205_run(plain, C205_NO_LIMIT).trap, C205_TRAP_NONE);
+        assert_int_equal(c205_account_count(plain), c205_account_count(machine));
+        for (size_t k = 0; k < c205_account_count(plain); k++)
+            assert_memory_equal(c205_account_at(plain, k)->clocks,
+                                c205_account_at(machine, k)->clocks,
+                                sizeof c205_account_at(plain, k)->clocks);
+        if (trace_bands(pixel.trace) == 1)
+            assert_int_equal(c205_clock(machine), trace_accounts(pixel.trace)->clocks);
         assert_int_equal(debugger_faults(session.debugger), 0);
         session_obey(&session, "lane nothing");
         session_obey(&session, "seek nothing");

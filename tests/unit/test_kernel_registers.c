@@ -27,16 +27,6 @@ static size_t scene_count = 8;
 
 /* ---- Records of the assembler ------------------------------------------- */
 
-/* Some programs have their entry in a file of points/. */
-static bool is_program(const struct text *kernel)
-{
-    for (const char *const *line = kernel->lines; *line; line++)
-        if (strstr(*line, "        .entry ")
-            || strstr(*line, "        .include \"points/points_"))
-            return true;
-    return false;
-}
-
 static void check_assembled(const char *kernel, const struct asm_define *defines)
 {
     const struct text *const texts[] = { kernel_texts, shape_texts, NULL };
@@ -74,7 +64,12 @@ TEST(assembled)
     };
     size_t programs = 0;
     for (const struct text *kernel = kernel_texts; kernel->name; kernel++) {
-        if (!is_program(kernel))
+        /* Some programs have their entry in a file of points/. */
+        bool is_program = false;
+        for (const char *const *line = kernel->lines; *line; line++)
+            is_program |= strstr(*line, "        .entry ")
+                          || strstr(*line, "        .include \"points/points_");
+        if (!is_program)
             continue;
         programs++;
         for (size_t i = 0; i < COUNT(switches); i++) {

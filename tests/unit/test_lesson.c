@@ -84,22 +84,6 @@ check_begins(const struct random_lesson *drawn, const struct lesson_trial *trial
                  drawn->answer);
 }
 
-static void check_wrong(const struct random_lesson *drawn,
-                        const struct lesson_trial *trial)
-{
-    SCOPED_VALUE(text_buffer) text = { 0 };
-    struct sink sink = text_buffer_sink(&text);
-    const char *likeness = random_likeness(drawn);
-
-    random_mismatch(drawn, random_count_wrong(drawn), &sink);
-    sink_put(&sink, likeness ? likeness : "");
-    assert_false(trial->right);
-    assert_int_equal(trial->report.count, 1);
-    check_begins(drawn, trial, 0, "%s", text.text);
-    if (likeness)
-        assert_string_equal(trial->report.sentences[0], text.text);
-}
-
 /* ---- Slow texts ------------------------------------------------------------ */
 
 static uint64_t clocks_of(const struct profile_row *row)
@@ -319,9 +303,19 @@ static void check_trial(const struct random_lesson *drawn, size_t index,
                      " clocks: look for an endless loop.  It was at line %zu: "
                      "here:   BIM     here ; fault",
                      trial->clocks, random_fault_line(drawn));
-    } else if (faulty && random_count_wrong(drawn) > 0)
-        check_wrong(drawn, trial);
-    else
+    } else if (faulty && random_count_wrong(drawn) > 0) {
+        SCOPED_VALUE(text_buffer) text = { 0 };
+        struct sink sink = text_buffer_sink(&text);
+        const char *likeness = random_likeness(drawn);
+
+        random_mismatch(drawn, random_count_wrong(drawn), &sink);
+        sink_put(&sink, likeness ? likeness : "");
+        assert_false(trial->right);
+        assert_int_equal(trial->report.count, 1);
+        check_begins(drawn, trial, 0, "%s", text.text);
+        if (likeness)
+            assert_string_equal(trial->report.sentences[0], text.text);
+    } else
         check_right(drawn, trial, plain, medal);
 }
 
