@@ -47,6 +47,10 @@ TEST(rows)
             && insn->operation != C205_OPERATION_copy)
             fail_msg("%s: bits, but %s", insn->mnemonic, rule);
     }
+    assert_string_equal(c205_insn_named("AdDnVx", 5)->mnemonic, "ADDNV");
+    assert_null(c205_insn_named("ADDNVX", 6));
+    assert_null(c205_insn_named("ADD", 3));
+    assert_null(c205_insn_named("", 0));
     assert_string_equal(c205_unit_name(C205_UNIT_DIVIDE), "divide");
     assert_string_equal(c205_timing_name(C205_TIMING_vlink), "vlink");
     assert_string_equal(c205_format_name(C205_FORMAT_SIEVE), "SIEVE");
@@ -110,14 +114,6 @@ TEST(relative)
     word = encoded("IBXLT", f);
     assert_true(word == UINT64_C(0xB300020109080304));
     assert_int_equal(decoded("IBXLT", word).immediate, 0);
-}
-
-TEST(names)
-{
-    assert_string_equal(c205_insn_named("AdDnVx", 5)->mnemonic, "ADDNV");
-    assert_null(c205_insn_named("ADDNVX", 6));
-    assert_null(c205_insn_named("ADD", 3));
-    assert_null(c205_insn_named("", 0));
 }
 
 TEST(no_overlap)
