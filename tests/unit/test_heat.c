@@ -49,13 +49,9 @@ TEST(rounds)
     assert_int_equal(random_of(balls, &request, false), 1024);
     request.tolerance = .5;
     assert_int_equal(random_of(balls, &request, true), 16);
-}
-
-/* All rays of an isolated ball go to the environment in every repeat. A spread of zero
- * must not end the rounds early. */
-TEST(no_spread)
-{
-    struct heat_request request = usual();
+    /* All rays of an isolated ball go to the environment in every repeat. A spread of
+     * zero must not end the rounds early. */
+    request = usual();
     request.tolerance = .01;
     request.limit = 1000;
     assert_int_equal(random_of("sphere { 0, 1 }", &request, true), 64);

@@ -46,12 +46,6 @@ static struct trace *begin(const struct scene *scene,
     return trace;
 }
 
-static struct trace *run(const struct scene *scene, enum trace_mode mode)
-{
-    struct trace_options options = how(mode);
-    return run_trace(scene, &options);
-}
-
 /* ---- Stopped ------------------------------------------------------------- */
 
 /* Compares a row with that of another frame, or with zeros if it is NULL. */
@@ -99,7 +93,8 @@ static void check_stops(const char *text, bool rows)
 {
     SCOPED(scene) *scene = read_text(text);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
-        SCOPED(trace) *whole = run(scene, (enum trace_mode)mode);
+        struct trace_options options = how((enum trace_mode)mode);
+        SCOPED(trace) *whole = run_trace(scene, &options);
         size_t done = 0;
         assert_int_equal(trace_rows_done(whole), TALL);
         assert_int_equal(trace_bands_done(whole), trace_bands(whole));
@@ -168,7 +163,8 @@ static void check_planted(const struct scene *scene, const struct trace *whole,
 TEST(planted)
 {
     SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1 }");
-    SCOPED(trace) *whole = run(scene, TRACE_VECTOR);
+    struct trace_options options = how(TRACE_VECTOR);
+    SCOPED(trace) *whole = run_trace(scene, &options);
     check_planted(scene, whole, 1, ROWS, true);
     check_planted(scene, whole, 1, ROWS - 1, false);
     check_planted(scene, whole, 1, ROWS + 1, false);
