@@ -234,17 +234,6 @@ static void change_value(char *text, size_t size)
     snprintf(text, size, "%s", copy);
 }
 
-static void change_byte(char *text)
-{
-    size_t length = strlen(text), i = below(length + 1);
-
-    switch (below(3)) {
-    case 0: text[i] = (char)(i < length ? 1 + below(255) : 0); break;
-    case 1: memmove(text + i, text + i + (i < length), length - i + 1); break;
-    default: text[i] = '\0';
-    }
-}
-
 TEST(chance)
 {
     enum { ROUNDS = 3000 };
@@ -258,8 +247,17 @@ TEST(chance)
         for (size_t n = below(3); n > 0; n--)
             change_value(text, sizeof text);
         talk_quote(text);
-        if (below(3) == 0)
-            change_byte(text);
+        if (below(3) == 0) {
+            size_t length = strlen(text), at = below(length + 1);
+
+            switch (below(3)) {
+            case 0: text[at] = (char)(at < length ? 1 + below(255) : 0); break;
+            case 1:
+                memmove(text + at, text + at + (at < length), length - at + 1);
+                break;
+            default: text[at] = '\0';
+            }
+        }
         talk_bytes(&talk, text, strlen(text));
     }
 }

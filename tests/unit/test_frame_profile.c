@@ -57,29 +57,6 @@ static struct trace_options some_options(enum trace_mode mode)
 
 /* ---- Sums ---------------------------------------------------------------- */
 
-static void check_region(const struct line_profile *profile,
-                         const c205_account *account, const char *what)
-{
-    c205_account sum = { .name = account->name };
-    for (size_t i = 0; i < line_profile_count(profile); i++) {
-        const struct profile_row *row = line_profile_row(profile, i);
-        if (strcmp(row->region, account->name) != 0)
-            continue;
-        sum.instructions += row->executions;
-        sum.elements += row->elements;
-        for (int cause = 0; cause < C205_CAUSES; cause++)
-            sum.clocks[cause] += row->clocks[cause];
-    }
-    for (int cause = 0; cause < C205_CAUSES; cause++)
-        if (sum.clocks[cause] != account->clocks[cause])
-            fail_msg("%s: %s of '%s' is %llu line by line, %llu in all", what,
-                     c205_cause_name((c205_cause)cause), account->name,
-                     (unsigned long long)sum.clocks[cause],
-                     (unsigned long long)account->clocks[cause]);
-    assert_int_equal(sum.instructions, account->instructions);
-    assert_int_equal(sum.elements, account->elements);
-}
-
 /* ---- Frames -------------------------------------------------------------- */
 
 /* Compares the profile with the accounts. Returns the listing, which the caller
@@ -95,8 +72,27 @@ static char *check_frame(const struct scene *scene, struct trace_options options
     /* Equal sums imply that no line is in a region that the accounts lack. */
     const struct accounts *accounts = trace_accounts(trace);
     uint64_t clocks = 0;
-    for (size_t i = 0; i < accounts->count; i++)
-        check_region(profile, &accounts->items[i], what);
+    for (size_t i = 0; i < accounts->count; i++) {
+        const c205_account *account = &accounts->items[i];
+        c205_account sum = { .name = account->name };
+        for (size_t k = 0; k < line_profile_count(profile); k++) {
+            const struct profile_row *row = line_profile_row(profile, k);
+            if (strcmp(row->region, account->name) != 0)
+                continue;
+            sum.instructions += row->executions;
+            sum.elements += row->elements;
+            for (int cause = 0; cause < C205_CAUSES; cause++)
+                sum.clocks[cause] += row->clocks[cause];
+        }
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            if (sum.clocks[cause] != account->clocks[cause])
+                fail_msg("%s: %s of '%s' is %llu line by line, %llu in all", what,
+                         c205_cause_name((c205_cause)cause), account->name,
+                         (unsigned long long)sum.clocks[cause],
+                         (unsigned long long)account->clocks[cause]);
+        assert_int_equal(sum.instructions, account->instructions);
+        assert_int_equal(sum.elements, account->elements);
+    }
     for (size_t i = 0; i < line_profile_count(profile); i++)
         for (int cause = 0; cause < C205_CAUSES; cause++)
             clocks += line_profile_row(profile, i)->clocks[cause];

@@ -42,11 +42,6 @@ static void expect_fault(const char *words, size_t column, const char *message)
                  column + sizeof "sphere { 0, 1 pigment { image_map { ", message);
 }
 
-static const struct image_map *map_of(const struct scene *scene)
-{
-    return &scene->primitives->pigment.image;
-}
-
 /* ---- Samples ------------------------------------------------------------- */
 
 /* Images of one row with 0, 10, 11, 64, 128, 200, 250, 255 of 255, or the same
@@ -149,7 +144,7 @@ static void expect_light(const char *before, const char *words,
                          const double light[SHADES])
 {
     SCOPED(scene) *scene = expect_reports(before, words, 0, "");
-    const struct image_table *table = map_of(scene)->table;
+    const struct image_table *table = scene->primitives->pigment.image.table;
     assert_int_equal(table->width, SHADES);
     assert_int_equal(table->height, 1);
     for (size_t i = 0; i < 3 * SHADES; i++) {
@@ -196,7 +191,7 @@ static void expect_map(const char *words, enum image_mapping mapping,
                        enum image_sampling sampling, bool once, bool clear)
 {
     SCOPED(scene) *scene = expect_reports("", words, 0, "");
-    const struct image_map *map = map_of(scene);
+    const struct image_map *map = &scene->primitives->pigment.image;
     assert_int_equal(map->mapping, mapping);
     assert_int_equal(map->sampling, sampling);
     assert_int_equal(map->once, once);

@@ -179,19 +179,23 @@ static void check_unaries(const operations *size, const c205_word *a, size_t n,
             check_words(&size->list[i], a, a, n, place);
 }
 
-/* Every length; the two operands take all pairs of lane_supplies in turn. */
-static void check_lengths_at(const operations *size, size_t place, uint64_t seed)
+/* Every place and length; the two operands take all pairs of lane_supplies in turn. */
+static void check_lengths(const operations *size, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];
     size_t turns = LANE_SUPPLIES;
 
-    for (size_t n = 0; n <= LENGTH_MAX; n++) {
-        c205_word *placed_a = a + place;
-        c205_word *placed_b = b + 3 * place % PLACES;
-        lane_fill(placed_a, n, lane_supplies[n % turns], size->format, &seed);
-        lane_fill(placed_b, n, lane_supplies[n / turns % turns], size->format, &seed);
-        check_pairs(size, placed_a, placed_b, n, 5 * place % PLACES);
-        check_unaries(size, placed_a, n, 5 * place % PLACES);
+    for (size_t place = 0; place < PLACES; place++) {
+        c205_word *placed_a = a + place, *placed_b = b + 3 * place % PLACES;
+        uint64_t random = seed + place;
+
+        for (size_t n = 0; n <= LENGTH_MAX; n++) {
+            lane_fill(placed_a, n, lane_supplies[n % turns], size->format, &random);
+            lane_fill(placed_b, n, lane_supplies[n / turns % turns], size->format,
+                      &random);
+            check_pairs(size, placed_a, placed_b, n, 5 * place % PLACES);
+            check_unaries(size, placed_a, n, 5 * place % PLACES);
+        }
     }
 }
 
@@ -275,15 +279,6 @@ static void check_supplies(const operations *size, uint64_t seed)
 }
 
 /* Close operands cause cancellation, quotients near 1 and sums near 0. */
-static c205_word close_to(word_format f, c205_word a, uint64_t *seed)
-{
-    uint64_t shift = xorshift(seed) % 7;
-    int32_t e = format_exponent(f, a) + (int32_t)(xorshift(seed) % 3);
-    int64_t c = format_coefficient(f, a) + (int64_t)shift - 3;
-
-    return format_make(f, e, shift & 1 ? -c : c);
-}
-
 static void check_close_operands(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
@@ -291,8 +286,14 @@ static void check_close_operands(const operations *size, uint64_t seed)
     for (int round = 0; round < ROUNDS; round++) {
         lane_fill(a, LONG_LENGTH, round & 1 ? lane_sparse : lane_near, size->format,
                   &seed);
-        for (size_t i = 0; i < LONG_LENGTH; i++)
-            b[i] = close_to(size->format, a[i], &seed);
+        for (size_t i = 0; i < LONG_LENGTH; i++) {
+            uint64_t shift = xorshift(&seed) % 7;
+            int32_t e = format_exponent(size->format, a[i])
+                        + (int32_t)(xorshift(&seed) % 3);
+            int64_t c = format_coefficient(size->format, a[i]) + (int64_t)shift - 3;
+
+            b[i] = format_make(size->format, e, shift & 1 ? -c : c);
+        }
         check_pairs(size, a, b, LONG_LENGTH, 0);
     }
 }
@@ -321,12 +322,6 @@ static void check_unary_operands(const operations *size, uint64_t seed)
                   size->format, &seed);
         check_unaries(size, a, LONG_LENGTH, 0);
     }
-}
-
-static void check_lengths(const operations *size, uint64_t seed)
-{
-    for (size_t place = 0; place < PLACES; place++)
-        check_lengths_at(size, place, seed + place);
 }
 
 TEST(operands)

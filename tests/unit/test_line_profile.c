@@ -82,37 +82,6 @@ static const struct profile_row *row_of(const struct line_profile *profile,
     return NULL;
 }
 
-/* Each cause has a column of its own name. */
-static void check_columns(const struct line_profile *profile)
-{
-    enum { BEFORE = 5 };
-    static const struct profile_view view = { PROFILE_AS_WRITTEN, false };
-    SCOPED(table) *table = line_profile_table(profile, view, false);
-    size_t shown = 0;
-
-    for (int cause = 0; cause < C205_CAUSES; cause++) {
-        const char *key = table_key(table, BEFORE + (size_t)cause);
-        const char *name = c205_cause_name((c205_cause)cause);
-
-        for (; *name; name++)
-            if (*name == ' ')
-                assert_int_equal(*key++, '_');
-            else if (*name != '-')
-                assert_int_equal(*key++, *name);
-    }
-    for (size_t i = 0; i < line_profile_count(profile); i++) {
-        const struct profile_row *row = line_profile_row(profile, i);
-
-        if (row->executions == 0)
-            continue;
-        for (int cause = 0; cause < C205_CAUSES; cause++)
-            assert_true(table_value(table, shown, BEFORE + (size_t)cause)
-                        == (double)row->clocks[cause]);
-        shown++;
-    }
-    assert_int_equal(shown, table_rows(table));
-}
-
 /* A macro is summed at its call, a repetition at its own lines. A vector instruction
  * has the clocks of the instructions that wait for it. Warm pages cost nothing. */
 TEST(lines)
@@ -158,7 +127,32 @@ TEST(lines)
     for (size_t i = 1; i < table_rows(table); i++)
         assert_true(table_value(table, i - 1, 1) >= table_value(table, i, 1));
     assert_true(table_value(table, 0, 1) > 40);
-    check_columns(profile);
+    /* Each cause has a column of its own name. */
+    enum { BEFORE = 5 };
+    static const struct profile_view view = { PROFILE_AS_WRITTEN, false };
+    SCOPED(table) *columns = line_profile_table(profile, view, false);
+    size_t shown = 0;
+
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        const char *key = table_key(columns, BEFORE + (size_t)cause);
+        const char *name = c205_cause_name((c205_cause)cause);
+
+        for (; *name; name++)
+            if (*name == ' ')
+                assert_int_equal(*key++, '_');
+            else if (*name != '-')
+                assert_int_equal(*key++, *name);
+    }
+    for (size_t i = 0; i < line_profile_count(profile); i++) {
+        row = line_profile_row(profile, i);
+        if (row->executions == 0)
+            continue;
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            assert_true(table_value(columns, shown, BEFORE + (size_t)cause)
+                        == (double)row->clocks[cause]);
+        shown++;
+    }
+    assert_int_equal(shown, table_rows(columns));
 }
 
 GROUP(set_up_model, tear_down_model);
