@@ -54,23 +54,6 @@ struct receiving {
     c205_word weights[MAX_RAYS], list[MAX_RAYS];
 };
 
-static void receive(const struct object *program, const struct receiving *given,
-                    c205_word *words)
-{
-    size_t receivers = given->receivers;
-    struct single_run run;
-    begin(&run, program);
-    single_run_word(&run, "received_rays", given->rays);
-    single_run_word(&run, "received_receivers", receivers);
-    single_run_room(&run, "received_weights", given->weights, given->rays);
-    single_run_room(&run, "received_list", given->list, given->rays);
-    uint64_t sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
-    layout_word(&run.layout, "received_counts", sums + 64 * (receivers + 1));
-    single_run_room(&run, "received_room", NULL, given->rays);
-    single_run_room(&run, "received_places", NULL, receivers);
-    end(&run, sums, words, 2 * receivers + 1);
-}
-
 TEST(received)
 {
     static struct receiving given;
@@ -86,10 +69,23 @@ TEST(received)
             given.list[k] = c205_from_integer(
                 (int64_t)below(below(2) ? given.receivers : 1 + given.receivers / 9));
         }
-        for (int form = 0; form < 2; form++)
-            receive(forms[form], &given, words[form]);
+        size_t receivers = given.receivers;
+        for (int form = 0; form < 2; form++) {
+            struct single_run run;
+            begin(&run, forms[form]);
+            single_run_word(&run, "received_rays", given.rays);
+            single_run_word(&run, "received_receivers", receivers);
+            single_run_room(&run, "received_weights", given.weights, given.rays);
+            single_run_room(&run, "received_list", given.list, given.rays);
+            uint64_t sums = single_run_room(&run, "received_sums", NULL,
+                                            2 * receivers + 1);
+            layout_word(&run.layout, "received_counts", sums + 64 * (receivers + 1));
+            single_run_room(&run, "received_room", NULL, given.rays);
+            single_run_room(&run, "received_places", NULL, receivers);
+            end(&run, sums, words[form], 2 * receivers + 1);
+        }
         double all = 0;
-        for (size_t r = 0; r < given.receivers; r++) {
+        for (size_t r = 0; r < receivers; r++) {
             double sum = 0, found = c205_to_double(words[0][r]);
             int64_t count = 0;
             for (size_t k = 0; k < given.rays; k++)
@@ -97,14 +93,13 @@ TEST(received)
                     sum += c205_to_double(given.weights[k]);
                     count++;
                 }
-            assert_int_equal(c205_to_integer(words[0][given.receivers + 1 + r]), count);
+            assert_int_equal(c205_to_integer(words[0][receivers + 1 + r]), count);
             if (!(fabs(found - sum) <= 1e-12 * sum))
                 fail_msg("receiver %zu gets %.15g, not %.15g", r, found, sum);
             all += sum;
         }
-        assert_close(c205_to_double(words[0][given.receivers]), all, 1e-12 * all);
-        assert_memory_equal(words[0], words[1],
-                            (2 * given.receivers + 1) * sizeof **words);
+        assert_close(c205_to_double(words[0][receivers]), all, 1e-12 * all);
+        assert_memory_equal(words[0], words[1], (2 * receivers + 1) * sizeof **words);
     }
 }
 
@@ -116,23 +111,6 @@ struct staying {
     size_t points, crossings;
     c205_word planes[PLANES * MAX_POINTS], list[LIST_PLANES * MAX_LIST];
 };
-
-static void stay(const struct object *program, const struct staying *given,
-                 c205_word *words)
-{
-    size_t count = PLANES * given->points;
-    struct single_run run;
-    begin(&run, program);
-    single_run_word(&run, "faces_points", given->points);
-    single_run_word(&run, "faces_planes", PLANES);
-    single_run_room(&run, "faces_from", given->planes, count);
-    uint64_t made = single_run_room(&run, "faces_made", NULL, count + 1);
-    single_run_word(&run, "faces_crossings", given->crossings);
-    single_run_room(&run, "faces_list", given->list, LIST_PLANES * given->crossings);
-    single_run_word(&run, "faces_primitive", OWN);
-    single_run_room(&run, "faces_kept", NULL, given->points);
-    end(&run, made, words, count + 1);
-}
 
 /* Returns whether a crossing is near the point, and reads its primitive and its
  * direction. */
@@ -188,7 +166,19 @@ TEST(staying)
             list[3 * n + k] = c205_from_integer((int64_t)(1 + below(3)));
         }
         for (int form = 0; form < 2; form++) {
-            stay(forms[form], &given, made);
+            size_t words = PLANES * given.points;
+            struct single_run run;
+            begin(&run, forms[form]);
+            single_run_word(&run, "faces_points", given.points);
+            single_run_word(&run, "faces_planes", PLANES);
+            single_run_room(&run, "faces_from", given.planes, words);
+            uint64_t from = single_run_room(&run, "faces_made", NULL, words + 1);
+            single_run_word(&run, "faces_crossings", given.crossings);
+            single_run_room(&run, "faces_list", given.list,
+                            LIST_PLANES * given.crossings);
+            single_run_word(&run, "faces_primitive", OWN);
+            single_run_room(&run, "faces_kept", NULL, given.points);
+            end(&run, from, made, words + 1);
             size_t kept = 0;
             for (size_t point = 0; point < given.points; point++) {
                 if (!stays(&given, point))
@@ -213,21 +203,6 @@ struct gap_ends {
     c205_word planes[3 * (MAX_GAPS + 1)]; /* distances, surfaces, containing solids */
 };
 
-static void count_gaps(const struct object *program, const struct gap_ends *given,
-                       c205_word *counts)
-{
-    size_t cells = given->surfaces * given->surfaces;
-    struct single_run run;
-    begin(&run, program);
-    single_run_word(&run, "gaps_count", given->gaps);
-    single_run_word(&run, "gaps_surfaces", given->surfaces);
-    single_run_room(&run, "gaps_ends", given->planes, 3 * (given->gaps + 1));
-    uint64_t address = single_run_room(&run, "gaps_counts", NULL, cells);
-    single_run_room(&run, "gaps_room", NULL, 3 * given->gaps);
-    single_run_number(&run, "gaps_least", 0, .25);
-    end(&run, address, counts, cells);
-}
-
 TEST(gaps)
 {
     static struct gap_ends given;
@@ -246,7 +221,16 @@ TEST(gaps)
                 below(2) ? 0 : (int64_t)below(4) - 1);
         }
         for (size_t form = 0; form < 2; form++) {
-            count_gaps(forms[form], &given, counts);
+            size_t cells = given.surfaces * given.surfaces;
+            struct single_run run;
+            begin(&run, forms[form]);
+            single_run_word(&run, "gaps_count", given.gaps);
+            single_run_word(&run, "gaps_surfaces", given.surfaces);
+            single_run_room(&run, "gaps_ends", given.planes, 3 * (given.gaps + 1));
+            uint64_t address = single_run_room(&run, "gaps_counts", NULL, cells);
+            single_run_room(&run, "gaps_room", NULL, 3 * given.gaps);
+            single_run_number(&run, "gaps_least", 0, .25);
+            end(&run, address, counts, cells);
             size_t n = given.surfaces;
             int64_t left[MAX_SURFACES * MAX_SURFACES];
             for (size_t cell = 0; cell < n * n; cell++)

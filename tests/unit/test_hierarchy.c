@@ -145,6 +145,11 @@ TEST(nodes)
     for (size_t i = 0; i < 64; i++)
         bounds[i] = draw_bound(SAME_POINT, i);
     assert_int_equal(check(bounds, 64), 0);
+    SCOPED_VALUE(hierarchy) none;
+    assert_true(hierarchy_none(5, &none));
+    assert_int_equal(none.loose, 5);
+    assert_int_equal(none.node_count, 0);
+    check_order(&none, 5);
 }
 
 /* Sizes decrease so fast that bins separate only the largest bound from the rest.
@@ -159,13 +164,4 @@ TEST(depth)
     for (size_t i = 0; i < COUNT; i++, size /= 20)
         bounds[i] = ball(size, 0, 0, size / 100);
     assert_in_range(check(bounds, COUNT), 2 * HALVED_FROM, 2 * COUNT - 5);
-}
-
-TEST(none)
-{
-    SCOPED_VALUE(hierarchy) hierarchy;
-    assert_true(hierarchy_none(5, &hierarchy));
-    assert_int_equal(hierarchy.loose, 5);
-    assert_int_equal(hierarchy.node_count, 0);
-    check_order(&hierarchy, 5);
 }

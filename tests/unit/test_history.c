@@ -72,25 +72,6 @@ static uint64_t run_plainly(struct story *story, bool hashes)
     return step;
 }
 
-static void make_story(struct story *story, size_t number)
-{
-    uint64_t seed = RANDOM_SEED + (number << 16);
-    *story = (struct story){ .program = random_program(seed) };
-    while (number % 2 == 1 && !story->program.loop) /* every second one has a loop */
-        story->program = random_program(++seed);
-    story->model = model_of(&story->program);
-    story->steps_before = story->steps = run_plainly(story, false);
-    story->change_count = number % (CHANGES + 1);
-    for (size_t i = 0; i < story->change_count; i++)
-        story->change[i] = (struct change){ below((size_t)story->steps + 1),
-                                            1 + (unsigned)below(255),
-                                            xorshift(&random_state) };
-    story->steps = run_plainly(story, false);
-    for (size_t i = 0; i < TARGETS; i++)
-        story->target[i] = below((size_t)story->steps + 1);
-    run_plainly(story, true);
-}
-
 /* ---- Jumps ---------------------------------------------------------------- */
 
 static void go_on_to(c205_history *history, uint64_t step)
@@ -106,7 +87,21 @@ TEST(jumps)
     size_t jumps = wanted ? (size_t)strtoul(wanted, NULL, 10) : 100;
     struct story story;
     for (size_t number = 0; number < PROGRAMS; number++) {
-        make_story(&story, number);
+        uint64_t seed = RANDOM_SEED + (number << 16);
+        story = (struct story){ .program = random_program(seed) };
+        while (number % 2 == 1 && !story.program.loop) /* every second one has a loop */
+            story.program = random_program(++seed);
+        story.model = model_of(&story.program);
+        story.steps_before = story.steps = run_plainly(&story, false);
+        story.change_count = number % (CHANGES + 1);
+        for (size_t k = 0; k < story.change_count; k++)
+            story.change[k] = (struct change){ below((size_t)story.steps + 1),
+                                               1 + (unsigned)below(255),
+                                               xorshift(&random_state) };
+        story.steps = run_plainly(&story, false);
+        for (size_t k = 0; k < TARGETS; k++)
+            story.target[k] = below((size_t)story.steps + 1);
+        run_plainly(&story, true);
         SCOPED(c205_model) *model = story.model;
         SCOPED(c205_history) *history = c205_history_new(machine_of(&story.program,
                                                                     story.model),

@@ -113,10 +113,8 @@ TEST(stopped)
     for (order = ORDER_ROWS; order <= ORDER_TILES; order++)
         check_stops(plain, true);
     order = ORDER_DEFAULT;
+    check_stops(mirrors, false); /* reflected rays wait in queues */
 }
-
-/* Reflected rays wait in queues. */
-TEST_CALL(stopped_with_mirrors, check_stops(mirrors, false))
 
 /* ---- Saved --------------------------------------------------------------- */
 
