@@ -45,8 +45,9 @@ static void assert_exact(const struct global_lines *found)
 /* ---- Closed forms ------------------------------------------------------------ */
 
 /* A ball in a shell sees the shell alone. The shell sees the ball in the ratio of their
- * areas. */
-TEST(shell)
+ * areas. Each disc has two sides, so the factor is half of the known one between facing
+ * sides. */
+TEST(shell_and_discs)
 {
     SCOPED_VALUE(global_lines) found =
         find("sphere { 0, .5 }"
@@ -59,18 +60,11 @@ TEST(shell)
     assert_estimate("shell to ball", global_lines_factor(&found, 2, 0), .25);
     assert_estimate("shell to shell", global_lines_factor(&found, 2, 2), .75);
     assert_estimate("outside", global_lines_factor(&found, 1, 3), 1);
-}
-
-/* Each disc has two sides, so the factor is half of the known one between facing
- * sides. */
-TEST(discs)
-{
-    SCOPED_VALUE(global_lines) found = find("disc { 0, z, 1 } disc { z, z, 1 }", usual);
-    double factor = (3 - sqrt(5)) / 2;
-    assert_exact(&found);
-    assert_estimate("disc", global_lines_area(&found, 0), 2 * acos(-1));
-    assert_estimate("discs", global_lines_factor(&found, 0, 1), factor / 2);
-    assert_estimate("none", global_lines_factor(&found, 0, 0), 0);
+    SCOPED_VALUE(global_lines) discs = find("disc { 0, z, 1 } disc { z, z, 1 }", usual);
+    assert_exact(&discs);
+    assert_estimate("disc", global_lines_area(&discs, 0), 2 * acos(-1));
+    assert_estimate("discs", global_lines_factor(&discs, 0, 1), (3 - sqrt(5)) / 4);
+    assert_estimate("none", global_lines_factor(&discs, 0, 0), 0);
 }
 
 /* Areas of massprops.csv, of surfaces that intersect. */

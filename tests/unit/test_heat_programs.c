@@ -49,38 +49,32 @@ static void end(struct single_run *run, uint64_t from, c205_word *words, size_t 
 
 enum { MAX_RAYS = 65535, MAX_RECEIVERS = 300 };
 
-struct receiving {
-    size_t rays, receivers;
-    c205_word weights[MAX_RAYS], list[MAX_RAYS];
-};
-
 TEST(received)
 {
-    static struct receiving given;
+    static c205_word weights[MAX_RAYS], list[MAX_RAYS];
     static c205_word words[2][2 * MAX_RECEIVERS + 1];
     SCOPED(object) *scalar = assemble("heat/received_scalar.s");
     SCOPED(object) *vector = assemble("heat/received_vector.s");
     const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
-        given.rays = some_length(MAX_RAYS);
-        given.receivers = some_length(MAX_RECEIVERS);
-        for (size_t k = 0; k < given.rays; k++) {
-            given.weights[k] = c205_from_double(xorshift_real(&random_state, .1, 7));
-            given.list[k] = c205_from_integer(
-                (int64_t)below(below(2) ? given.receivers : 1 + given.receivers / 9));
+        size_t rays = some_length(MAX_RAYS);
+        size_t receivers = some_length(MAX_RECEIVERS);
+        for (size_t k = 0; k < rays; k++) {
+            weights[k] = c205_from_double(xorshift_real(&random_state, .1, 7));
+            list[k] = c205_from_integer(
+                (int64_t)below(below(2) ? receivers : 1 + receivers / 9));
         }
-        size_t receivers = given.receivers;
         for (int form = 0; form < 2; form++) {
             struct single_run run;
             begin(&run, forms[form]);
-            single_run_word(&run, "received_rays", given.rays);
+            single_run_word(&run, "received_rays", rays);
             single_run_word(&run, "received_receivers", receivers);
-            single_run_room(&run, "received_weights", given.weights, given.rays);
-            single_run_room(&run, "received_list", given.list, given.rays);
+            single_run_room(&run, "received_weights", weights, rays);
+            single_run_room(&run, "received_list", list, rays);
             uint64_t sums = single_run_room(&run, "received_sums", NULL,
                                             2 * receivers + 1);
             layout_word(&run.layout, "received_counts", sums + 64 * (receivers + 1));
-            single_run_room(&run, "received_room", NULL, given.rays);
+            single_run_room(&run, "received_room", NULL, rays);
             single_run_room(&run, "received_places", NULL, receivers);
             end(&run, sums, words[form], 2 * receivers + 1);
         }
@@ -88,9 +82,9 @@ TEST(received)
         for (size_t r = 0; r < receivers; r++) {
             double sum = 0, found = c205_to_double(words[0][r]);
             int64_t count = 0;
-            for (size_t k = 0; k < given.rays; k++)
-                if (c205_to_integer(given.list[k]) == (int64_t)r) {
-                    sum += c205_to_double(given.weights[k]);
+            for (size_t k = 0; k < rays; k++)
+                if (c205_to_integer(list[k]) == (int64_t)r) {
+                    sum += c205_to_double(weights[k]);
                     count++;
                 }
             assert_int_equal(c205_to_integer(words[0][receivers + 1 + r]), count);
@@ -197,53 +191,46 @@ TEST(staying)
 
 enum { MAX_GAPS = 65534, MAX_SURFACES = 40 };
 
-/* Random ends: distances are multiples of the smallest gap. */
-struct gap_ends {
-    size_t gaps, surfaces;
-    c205_word planes[3 * (MAX_GAPS + 1)]; /* distances, surfaces, containing solids */
-};
-
+/* Ends of gaps are random; their planes are distances, which are multiples of the
+ * smallest gap, surfaces and containing solids. */
 TEST(gaps)
 {
-    static struct gap_ends given;
+    static c205_word planes[3 * (MAX_GAPS + 1)];
     c205_word counts[MAX_SURFACES * MAX_SURFACES];
     SCOPED(object) *scalar = assemble("heat/gaps_scalar.s");
     SCOPED(object) *vector = assemble("heat/gaps_vector.s");
     const struct object *const forms[] = { scalar, vector };
     for (int i = 0; i < 60; i++) {
-        given.gaps = i ? some_length(MAX_GAPS) : MAX_GAPS;
-        given.surfaces = 1 + below(MAX_SURFACES);
-        size_t ends = given.gaps + 1;
+        size_t gaps = i ? some_length(MAX_GAPS) : MAX_GAPS;
+        size_t n = 1 + below(MAX_SURFACES), cells = n * n, ends = gaps + 1;
         for (size_t k = 0; k < ends; k++) {
-            given.planes[k] = c205_from_double((double)below(5) / 4 - .5);
-            given.planes[ends + k] = c205_from_integer((int64_t)below(given.surfaces));
-            given.planes[2 * ends + k] = c205_from_integer(
-                below(2) ? 0 : (int64_t)below(4) - 1);
+            planes[k] = c205_from_double((double)below(5) / 4 - .5);
+            planes[ends + k] = c205_from_integer((int64_t)below(n));
+            planes[2 * ends + k] = c205_from_integer(below(2) ? 0
+                                                              : (int64_t)below(4) - 1);
         }
         for (size_t form = 0; form < 2; form++) {
-            size_t cells = given.surfaces * given.surfaces;
             struct single_run run;
             begin(&run, forms[form]);
-            single_run_word(&run, "gaps_count", given.gaps);
-            single_run_word(&run, "gaps_surfaces", given.surfaces);
-            single_run_room(&run, "gaps_ends", given.planes, 3 * (given.gaps + 1));
+            single_run_word(&run, "gaps_count", gaps);
+            single_run_word(&run, "gaps_surfaces", n);
+            single_run_room(&run, "gaps_ends", planes, 3 * (gaps + 1));
             uint64_t address = single_run_room(&run, "gaps_counts", NULL, cells);
-            single_run_room(&run, "gaps_room", NULL, 3 * given.gaps);
+            single_run_room(&run, "gaps_room", NULL, 3 * gaps);
             single_run_number(&run, "gaps_least", 0, .25);
             end(&run, address, counts, cells);
-            size_t n = given.surfaces;
             int64_t left[MAX_SURFACES * MAX_SURFACES];
-            for (size_t cell = 0; cell < n * n; cell++)
+            for (size_t cell = 0; cell < cells; cell++)
                 left[cell] = c205_to_integer(counts[cell]);
-            for (size_t k = 0; k < given.gaps; k++) {
-                const c205_word *end = given.planes + k;
+            for (size_t k = 0; k < gaps; k++) {
+                const c205_word *end = planes + k;
                 double length = fabs(c205_to_double(end[1]) - c205_to_double(end[0]));
                 size_t from = (size_t)c205_to_integer(end[ends]);
                 size_t to = (size_t)c205_to_integer(end[ends + 1]);
                 if (length >= .25 && c205_to_integer(end[2 * ends]) == 0)
                     left[from * n + to]--;
             }
-            for (size_t cell = 0; cell < n * n; cell++)
+            for (size_t cell = 0; cell < cells; cell++)
                 assert_int_equal(left[cell], 0);
         }
     }
