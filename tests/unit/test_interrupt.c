@@ -2,13 +2,14 @@
  * between any two elements or by a missing page, are compared with uninterrupted runs:
  * the same state, clock and accounts. An element that is lost or done twice, or a clock
  * that is charged twice, fails here. */
+#include "tests/unit/machine_fixture.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
-#include "tests/unit/scoped_machine.h"
 
 #include "vm/machine.h"
 
 #define F(...) ((c205_fields){ __VA_ARGS__ })
+#define small_machine_free free_small_machine /* for SCOPED_VALUE */
 
 static c205_model *slow; /* one element or bit per clock, cheap faults */
 
