@@ -4,7 +4,6 @@
  * word that changes after the end fails here.
  */
 #include "tests/oracle/arithmetic_oracle.h"
-#include "tests/random.h"
 #include "tests/unit/lane_operands.h"
 #include "tests/unit/unit.h"
 #include "vm/number/lanes.h"
