@@ -11,6 +11,10 @@
  *     ^#LOW:COUNT^   an integer, one of COUNT from LOW on
  *     $N[A|B..$]     one of the patterns, by N equal cases: the last pattern has all
  *                    the remaining ones; without N each pattern has one
+ *     $?CN[A|B$]     A if the condition C holds and then in one of N cases, else B; C is
+ *                    a flag of struct language, or a name if some are declared; without
+ *                    N, A if C holds
+ *     $*LOW:COUNT[A$]  A is repeated, LOW to LOW + COUNT - 1 times
  *     $f2; $v2;      an expression, a float or a vector, at most two levels deep
  *     $=N; $+N; $!N; a declared name N0, N1 ..; a new one; its declaration ends here
  *     $rule;         the rule of this name (language_rules.c)
@@ -41,7 +45,6 @@ enum language_name {
     NAME_SOLID,
     LANGUAGE_NAMES
 };
-enum { LANGUAGE_ELEMENTS = 4 }; /* of an array */
 
 struct language {
     uint64_t state;
@@ -58,10 +61,12 @@ struct language {
     bool clipping; /* the object clips: it is no mesh */
 };
 
+typedef void language_writer(struct language *draw);
+
 /* A rule is a pattern, or a function if the text depends on previous choices. */
 struct language_rule {
     const char *name;
-    void (*write_text)(struct language *draw);
+    language_writer *write_text;
     const char *pattern;
 };
 extern const struct language_rule language_rules[];
@@ -82,37 +87,10 @@ void end_image(struct language *draw);
 void open_solid_shape(struct language *draw, bool closed);
 
 /* The functions of the rules. */
-void write_color(struct language *draw);
-void write_turns(struct language *draw);
-void write_map(struct language *draw);
-void write_plain_color(struct language *draw);
-void write_pigment(struct language *draw);
-void write_clear_look(struct language *draw);
-void write_metallic(struct language *draw);
-void write_finish(struct language *draw);
-void write_ground_finish(struct language *draw);
-void write_steepness(struct language *draw);
-void write_bump_map(struct language *draw);
-void write_slopes(struct language *draw);
-void write_normal(struct language *draw);
-void write_steep_normal(struct language *draw);
-void write_texture_words(struct language *draw);
-void declare_look(struct language *draw);
-void write_component(struct language *draw);
-void open_solid(struct language *draw);
-void open_quadric(struct language *draw);
-void open_lone_triangle(struct language *draw);
-void open_mesh(struct language *draw);
-void open_net(struct language *draw);
-void open_bicubic(struct language *draw);
-void write_clip(struct language *draw);
-void write_listed_solid(struct language *draw);
-void write_great_solid(struct language *draw);
-void declare_solid(struct language *draw);
-void write_for(struct language *draw);
-void write_macro(struct language *draw);
-void write_thing(struct language *draw);
-void declare_array(struct language *draw);
-void declare_palette(struct language *draw);
+language_writer write_map, write_plain_color, write_clear_look, write_steepness,
+    write_bump_map, write_slopes, write_normal, write_steep_normal, write_component,
+    write_looking_camera, write_clip, write_listed_solid, write_great_solid, write_for,
+    write_macro, open_solid, open_quadric, open_lone_triangle, open_mesh, open_net,
+    open_bicubic, declare_array, declare_palette, declare_solid;
 
 #endif

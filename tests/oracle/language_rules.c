@@ -11,14 +11,27 @@
 #define AFTER_TURNED "location <.021, .033, -8>\ndirection <.02, .01, ^31.2:2^>\n"
 
 const struct language_rule language_rules[] = {
-    /* ---- Values ---- */
+    /* --- values --- */
+    { "name_or_number", NULL, "$?N[$=N;|^30:3^$]" },
+    { "float_leaf", NULL,
+      "$12[$?turning[I|$name_or_number;$]|$name_or_number;|$name_or_number;"
+      "|$name_or_number;"
+      "|$?List[$=List;$4[[dimension_size(List0, 1) - 1]|[^#0:4^]$]|^30:3^$]"
+      "|$?V[$=V;$[.x|.y|.z$]|^30:3^$]"
+      "|$?Color[$=Color;$[.red|.green|.blue|.gray|.transmit$]|^30:3^$]"
+      "|$[pi|true|no|on|clock|version|image_width/20|1.5e-1|2.5E+0|.5$]"
+      "|$?streams[rand(Stream)|^30:3^$]|^30:3^$]" },
     { "arrow", NULL, "~.5:2~$2[*| * $]vnormalize(<.013, .027, .041> + $v2;)" },
-    { "color", write_color, NULL },
+    { "color", NULL,
+      "$?Color3[$[|color $]$?library2[$[Red|SteelBlue|Gold|Gray60|Orange$]|$=Color;$]"
+      "$4[*(~.3:1~)|*<.6, .8, .9>|$]"
+      "|$?Palette5[$=Palette;$?turning2[[mod(I, 4)]|[^#0:4^]$]|$made_color;$]$]" },
     { "made_color", NULL,
       "$6[$[rgb |color rgb |srgb $]~.2:1~|red ~0:1~ green ~0:1~ blue ~0:1~"
       "|$[rgb |rgb |color rgb |srgb |color srgb $]@.05:1@$]" },
-    /* ---- Declarations ---- */
-    { "float", NULL, "$[#declare |#local $]$+N; = $f3;;\n$!N;" },
+    /* --- declarations --- */
+    { "declare", NULL, "$[#declare |#local $]" },
+    { "float", NULL, "$declare;$+N; = $f3;;\n$!N;" },
     { "vector", NULL, "#declare $+V; = <.1, .2, .3> + $v2;;\n$!V;" },
     { "named_color", NULL, "#declare $+Color; = $color;;\n$!Color;" },
     { "array", declare_array, NULL },
@@ -38,13 +51,18 @@ const struct language_rule language_rules[] = {
     { "look_declaration", NULL, "$4[$motion;|$solid;|$declared_look;$]" },
     { "motion", NULL, "#declare $+Motion; = transform {\n$turn;$turn;}\n$!Motion;" },
     { "solid", declare_solid, NULL },
-    { "declared_look", declare_look, NULL },
-    /* ---- Transforms ---- */
+    { "declared_look", NULL,
+      "$[$declare;$+Paint; = pigment {\n$2[$mapped;|$checker;$]}\n$!Paint;"
+      "|$declare;$+Shine; = finish {\n$5[$mirror_words;|$shine_words;$]}\n$!Shine;"
+      "|$declare;$+Look; = texture {\n$texture_words;}\n$!Look;$]" },
+    /* --- motions --- */
     { "turn", NULL,
       "$5[rotate @-90:90@|rotate ~-90:90~$[*x|*y|*z$]|scale @.6:1.2@|scale ~.7:1.1~"
       "|matrix <1, ^3-.3:.3^, 0, ^3-.3:.3^, .9, 0, 0, ^3-.3:.3^, 1, 0, ^3-.2:.2^, 0>$]\n" },
-    { "turns", write_turns, NULL },
-    /* ---- Pigments ---- */
+    /* Rotations and scales; an object at the origin stays there. */
+    { "turns", NULL,
+      "$*0:3[$?Motion5[transform { $=Motion;$[| inverse$] }\n|$turn;$]$]" },
+    /* --- pigments --- */
     /* Steps of a pattern are off the planes of the objects, where rounding would decide
      * between two of its colours. */
     { "pattern_place", NULL, "scale ^4.3:.9^\n$2[$turn;|$]" PLACE_OFF },
@@ -67,14 +85,18 @@ const struct language_rule language_rules[] = {
       "$4[rgbf <^2.4:1^, ^2.4:1^, ^2.4:1^, ~.5:.9~>|color rgbt ~.3:.9~"
       "|rgbft <^2.4:1^, ^2.4:1^, ^2.4:1^, .5, ~.1:.4~>"
       "|$color;$[ transmit .6| filter .7| filter .4 transmit .3$]$]\n" },
-    { "pigment", write_pigment, NULL },
+    { "pigment", NULL,
+      "pigment {\n$8[$?Paint[$=Paint;\n$turns;|$checker;$]|$checker;|$checker;|$mapped;"
+      "|$mapped;|$plain_color;$]}\n" },
     /* A pigment for unbounded objects.  Far away POV-Ray's gradient differs, because
      * its values are reduced modulo 1.00001 below -1. */
     { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
     /* ---- Finishes ---- */
     { "reflection", NULL,
       "$3[reflection { ^3.1:.5^ }\n|" SHARE("reflection", ".5") "$]" },
-    { "metallic", write_metallic, NULL },
+    /* Metals are not used where light is transmitted: for a checker whose colours
+     * transmit different shares, POV-Ray computes a metal differently. */
+    { "metallic", NULL, "$?metals3[$3[metallic\n|metallic ~.2:1~\n$]|$]" },
     /* A mirror that depends on the angle. */
     { "turned_mirror", NULL,
       "reflection {\nrgb <^30:.4^, ^30:.4^, ^30:.4^>, ^3.2:.9^\n"
@@ -88,9 +110,11 @@ const struct language_rule language_rules[] = {
                     ".3") "|$]"
                           "$3[phong ~.2:.9~\n$2[phong_size ~8:60~\n|$]|$]"
                           "$3[specular ~.2:.9~\n$2[roughness ~.02:.2~\n|$]|$]$metallic;" },
-    { "finish", write_finish, NULL },
-    { "ground_finish", write_ground_finish, NULL },
-    /* ---- Normals ---- */
+    { "shine_words", NULL, "$?Shine4[$=Shine;\n|$]$finish_words;" },
+    { "mirror_words", NULL, "$shine_words;$2[$turned_mirror;|$reflection;$]" },
+    { "finish", NULL, "finish {\n$5[$mirror_words;|$shine_words;$]}\n" },
+    { "ground_finish", NULL, "finish {\n$3[$mirror_words;|$shine_words;$]}\n" },
+    /* --- normals --- */
     /* Without the functions and streams of other numbers, so that the other random
      * choices do not depend on normals. */
     { "bump", NULL,
@@ -112,8 +136,10 @@ const struct language_rule language_rules[] = {
       "$.rotate <^2-60:60^, ^2-60:60^, 0>\n$." PLACE_OFF "$6[no_bump_scale\n|$]}\n" },
     { "normal", write_normal, NULL },
     { "steep_normal", write_steep_normal, NULL },
-    /* ---- Textures ---- */
-    { "texture_words", write_texture_words, NULL },
+    /* --- textures --- */
+    { "texture_words", NULL,
+      "$?Look3[$=Look;\n$3[$pigment;|$]$3[$finish;|$]|$pigment;$finish;$]"
+      "$normal;$turns;" },
     { "look", NULL,
       "$4[$pigment;$steep_normal;|$pigment;$finish;$normal;"
       "|texture {\n$texture_words;}\n$]" },
@@ -209,7 +235,10 @@ const struct language_rule language_rules[] = {
       "#range (1, 2.5)\n$sheet_thing;#break\n#else\n$shape_thing;#end\n" },
     { "defined", NULL,
       "$2[#ifdef (N0)|#ifndef (Nobody)$]\n$shape_thing;#else\n$sheet_thing;#end\n" },
-    { "thing", write_thing, NULL },
+    { "thing", NULL,
+      "$18[$?Solid[$named_thing;|$other_thing;$]|$other_thing;|$other_thing;"
+      "|$any_thing;$]" },
+    { "other_thing", NULL, "$?clear[$clear_thing;|$any_thing;$]" },
     { "macro", write_macro, NULL },
     { "any_thing", NULL,
       "$[$shape_thing;|$shape_thing;|$sheet_thing;|$sheet_thing;|$sheet_thing;"
@@ -224,6 +253,7 @@ const struct language_rule language_rules[] = {
     { "turned_camera", NULL,
       "$3[orthographic\n" AFTER_TURNED "$.right ^35:8^*x up ^34:6^*y\n"
       "|" AFTER_TURNED "$2[$width;|$]$]rotate <~-5:35~, ~-180:180~, ~-20:20~>\n" },
+    { "looking_camera", write_looking_camera, NULL },
     /* The target is below all lamps. */
     { "point_at", NULL, "point_at @-3:3@\n" },
     { "spotlight", NULL,

@@ -27,20 +27,13 @@ void declare_palette(struct language *draw)
     draw->calling = true;
 }
 
-static void write_times(struct language *draw, size_t count, const char *pattern)
-{
-    for (; count > 0; count--)
-        write_pattern(draw, pattern);
-}
-
 static void write_declarations(struct language *draw)
 {
     if (one_in(&draw->state, 3)) {
         write_text(draw, "#declare Stream = seed(^#0:1000^);\n");
         draw->streams = true;
     }
-    write_text(draw, "$float;");
-    write_times(draw, 2 + below(&draw->state, 8), "$declaration;");
+    write_text(draw, "$float;$*2:8[$declaration;$]");
 }
 
 /* ---- Settings ------------------------------------------------------------ */
@@ -92,7 +85,7 @@ static void write_fog(struct language *draw)
 /* ---- Cameras and lights -------------------------------------------------- */
 
 /* The camera looks obliquely, so that no ray is parallel to a face. */
-static void write_looking_camera(struct language *draw)
+void write_looking_camera(struct language *draw)
 {
     write_text(draw, "$5[orthographic\n|$]");
     double turn = between(&draw->state, -3.1, 3.1);
@@ -100,16 +93,6 @@ static void write_looking_camera(struct language *draw)
     write_text(
         draw, "location <%.4f, ^4-1:4^, %.4f>\n$2[$width;|$]$5[|angle ~30:48~\n$]$aim;",
         far * sin(turn), -far * cos(turn));
-}
-
-static void write_camera(struct language *draw)
-{
-    write_text(draw, "camera {\n");
-    if (one_in(&draw->state, 4))
-        write_text(draw, "$turned_camera;");
-    else
-        write_looking_camera(draw);
-    write_text(draw, "}\n");
 }
 
 /* Returns false if the rays of the lamp are parallel.  POV-Ray fades the far side of
@@ -168,13 +151,12 @@ char *language_scene_text(uint64_t seed)
     write_declarations(&draw);
     write_sky(&draw);
     write_fog(&draw);
-    write_camera(&draw);
+    write_text(&draw, "camera {\n$4[$turned_camera;|$looking_camera;$]}\n");
     for (size_t left = 1 + below(&draw.state, 3); left > 0; left--)
         write_lamp(&draw);
-    write_text(&draw, "$4[#default {\nfinish {\n$finish_words;}\n}\n|$]");
-    write_times(&draw, below(&draw.state, 4), "$look_declaration;");
-    write_text(&draw, "$2[$ground;|$]$6[$macro;|$]");
-    write_times(&draw, 2 + below(&draw.state, 5), "$thing;");
+    write_text(&draw,
+               "$4[#default {\nfinish {\n$finish_words;}\n}\n|$]"
+               "$*0:4[$look_declaration;$]$2[$ground;|$]$6[$macro;|$]$*2:5[$thing;$]");
     fclose(draw.text);
     return text_indented(words);
 }

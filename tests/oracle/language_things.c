@@ -93,12 +93,8 @@ void declare_solid(struct language *draw)
 
 void write_for(struct language *draw)
 {
-    if (one_in(&draw->state, 2)) {
-        write_text(draw, "#for (I, 0, ^#1:4^)\n");
-    } else {
-        const char *step = one_in(&draw->state, 2) ? "1" : "1.5";
-        write_text(draw, "#for (I, ^#1:3^, 0, -%s)\n", step);
-    }
+    write_text(draw, "$2[#for (I, 0, ^#1:4^)\n|$[#for (I, ^#1:3^, 0, -1)\n"
+                     "|#for (I, ^#1:3^, 0, -1.5)\n$]$]");
     draw->turning = true;
     write_text(
         draw,
@@ -127,14 +123,4 @@ void write_macro(struct language *draw)
                 : "object { Made(%.3f, (%s), <%.3f, %.3f, %.3f>) rotate 10*z }\n",
             size, share, x, y, z);
     }
-}
-
-/* The object is at a random place. */
-void write_thing(struct language *draw)
-{
-    size_t which = below(&draw->state, 18);
-    if (which == 0 && draw->names[NAME_SOLID])
-        write_text(draw, "$named_thing;");
-    else
-        write_text(draw, which < 3 && draw->clear ? "$clear_thing;" : "$any_thing;");
 }

@@ -47,98 +47,29 @@ static void write_operation(struct language *draw, const char *operation, int de
             putc(*operation, draw->text);
 }
 
-/* Prints a name if there is one, else a number. */
-static void write_float_leaf(struct language *draw)
-{
-    size_t *names = draw->names;
-    size_t kind = below(&draw->state, 12);
-    if (kind == 0 && draw->turning)
-        write_text(draw, "I");
-    else if (kind < 4 && names[NAME_FLOAT])
-        write_text(draw, "$=N;");
-    else if (kind == 4 && names[NAME_ARRAY])
-        write_text(draw, "$=List;$4[[dimension_size(List0, 1) - 1]|[^#0:%d^]$]",
-                   LANGUAGE_ELEMENTS);
-    else if (kind == 5 && names[NAME_VECTOR])
-        write_text(draw, "$=V;$[.x|.y|.z$]");
-    else if (kind == 6 && names[NAME_COLOR])
-        write_text(draw, "$=Color;$[.red|.green|.blue|.gray|.transmit$]");
-    else if (kind == 7)
-        write_text(draw,
-                   "$[pi|true|no|on|clock|version|image_width/20|1.5e-1|2.5E+0|.5$]");
-    else if (kind == 8 && draw->streams)
-        write_text(draw, "rand(Stream)");
-    else
-        write_text(draw, "^30:3^");
-}
-
 /* Arguments are in the domains of the functions.  No value grows so large that its sine
  * is inaccurate. */
 static const char *const float_patterns[] = {
-    "(# + #)",
-    "(# - #)",
-    "(# * #)",
-    "#*#",
-    "(# + # * #)",
-    "(# - # - #)",
-    "(# / (1.5 + abs(#)))",
-    "(#/2/4*3)",
-    "(-#)",
-    "(2 - -#)",
-    "(!#)",
-    "(# < #)",
-    "(# >= # | # = 1)",
-    "(# != # & # <= #)",
-    "(# > # ? # : #)",
+    /* operators */
+    "(# + #)", "(# - #)", "(# * #)", "#*#", "(# + # * #)", "(# - # - #)",
+    "(# / (1.5 + abs(#)))", "(#/2/4*3)", "(-#)", "(2 - -#)", "(!#)", "(# < #)",
+    "(# >= # | # = 1)", "(# != # & # <= #)", "(# > # ? # : #)",
     "(# < # ? # : # > # ? # : #)",
-    "abs(#)",
-    "acos(cos(#))",
-    "asin(sin(#))",
-    "acosh(1 + abs(#))",
-    "asinh(#)",
-    "atan(#)",
-    "atan2(#, .7 + abs(#))",
-    "atanh(.9*sin(#))",
+    /* functions */
+    "abs(#)", "acos(cos(#))", "asin(sin(#))", "acosh(1 + abs(#))", "asinh(#)",
+    "atan(#)", "atan2(#, .7 + abs(#))", "atanh(.9*sin(#))",
     "bitwise_and(int(mod(10*abs(#), 1e9)), 21)",
     "bitwise_or(int(mod(4*abs(#), 1e9)), 3)",
-    "bitwise_xor(int(mod(4*abs(#), 1e9)), int(mod(9*abs(#), 1e9)))",
-    "ceil(#)",
-    "cos(#)",
-    "cosh(sin(#))",
-    "degrees(#)/40",
-    "div(9*#, 2)",
-    "exp(sin(#))",
-    "floor(1.37*#)",
-    "int(2.13*#)",
-    "ln(1 + abs(#))",
-    "log(.5 + abs(#))",
-    "max(#, #)",
-    "max(#, #, #, #)",
-    "min(#, #)",
-    "min(#, #, #)",
-    "mod(#, 1.19)",
-    "pow(.2 + abs(#), sin(#))",
-    "pow(#, 2)",
-    "radians(47*#)",
-    "select(#, #, #)",
-    "select(# - 1, #, #, #)",
-    "sin(#)",
-    "sinh(cos(#))",
-    "sqrt(abs(#))",
-    "tan(sin(#))",
-    "tanh(#)",
-    "vdot(@, @)",
-    "vlength(@)",
-    "vcross(@, @).x",
-    "vrotate(@, 40*@).y",
-    "@.z",
-    "val(str(#, 0, 3))",
-    "strlen(concat(\"ab\", str(#, 3, 1)))",
-    "(asc(\"B\")/50 + #)",
-    "strcmp(\"ab\", \"b\")",
-    "(strupr(\"x\") = \"X\" ? # : 2)",
-    "<#, #, #, #>.t",
-    "<#, #>.v"
+    "bitwise_xor(int(mod(4*abs(#), 1e9)), int(mod(9*abs(#), 1e9)))", "ceil(#)",
+    "cos(#)", "cosh(sin(#))", "degrees(#)/40", "div(9*#, 2)", "exp(sin(#))",
+    "floor(1.37*#)", "int(2.13*#)", "ln(1 + abs(#))", "log(.5 + abs(#))", "max(#, #)",
+    "max(#, #, #, #)", "min(#, #)", "min(#, #, #)", "mod(#, 1.19)",
+    "pow(.2 + abs(#), sin(#))", "pow(#, 2)", "radians(47*#)", "select(#, #, #)",
+    "select(# - 1, #, #, #)", "sin(#)", "sinh(cos(#))", "sqrt(abs(#))", "tan(sin(#))",
+    "tanh(#)", "vdot(@, @)", "vlength(@)", "vcross(@, @).x", "vrotate(@, 40*@).y",
+    "@.z", "val(str(#, 0, 3))", "strlen(concat(\"ab\", str(#, 3, 1)))",
+    "(asc(\"B\")/50 + #)", "strcmp(\"ab\", \"b\")", "(strupr(\"x\") = \"X\" ? # : 2)",
+    "<#, #, #, #>.t", "<#, #>.v"
 };
 
 static void write_float(struct language *draw, int depth)
@@ -146,7 +77,7 @@ static void write_float(struct language *draw, int depth)
     size_t call = below(&draw->state, 16);
     const char *operation = "(#, #)";
     if (depth <= 0 || one_in(&draw->state, 4)) {
-        write_float_leaf(draw);
+        write_text(draw, "$float_leaf;");
         return;
     }
     if (call == 0 && draw->names[NAME_FUNCTION])
@@ -159,24 +90,15 @@ static void write_float(struct language *draw, int depth)
     write_operation(draw, operation, depth - 1);
 }
 
-static const char *const vector_patterns[] = { "<#, #, #>",
-                                               "<#, #, #>",
-                                               "(@ + @)",
-                                               "(@ - @)",
-                                               "(@*#)",
-                                               "(#*@)",
-                                               "(@/(2 + abs(#)))",
-                                               "(@*@)",
-                                               "(-@)",
-                                               "(@ + #)",
-                                               "(<#, #> + @)",
-                                               "(#*x + #*y)",
-                                               "(# > # ? @ : @)",
-                                               "vcross(@, @)",
-                                               "vrotate(@, 60*@)",
-                                               "vrotate(@, #*90*y)",
-                                               "vaxis_rotate(@, <.3, .5, -.4>, 70*#)",
-                                               "vnormalize(@ + <1.7, 2.3, 9>)" };
+static const char *const vector_patterns[] = {
+    /* operators */
+    "<#, #, #>", "<#, #, #>", "(@ + @)", "(@ - @)", "(@*#)", "(#*@)",
+    "(@/(2 + abs(#)))", "(@*@)", "(-@)", "(@ + #)", "(<#, #> + @)", "(#*x + #*y)",
+    "(# > # ? @ : @)",
+    /* functions */
+    "vcross(@, @)", "vrotate(@, 60*@)", "vrotate(@, #*90*y)",
+    "vaxis_rotate(@, <.3, .5, -.4>, 70*#)", "vnormalize(@ + <1.7, 2.3, 9>)"
+};
 
 static void write_vector(struct language *draw, int depth)
 {
@@ -198,29 +120,7 @@ void write_number(struct language *draw, double low, double high)
                    high - low);
 }
 
-/* ---- Colours ------------------------------------------------------------- */
-
-/* Prints an opaque colour with its keyword. */
-void write_color(struct language *draw)
-{
-    if (draw->names[NAME_COLOR] && one_in(&draw->state, 3)) {
-        write_text(draw, "$[|color $]");
-        if (draw->library && one_in(&draw->state, 2))
-            write_text(draw, "$[Red|SteelBlue|Gold|Gray60|Orange$]");
-        else
-            write_text(draw, "$=Color;");
-        write_text(draw, "$4[*(~.3:1~)|*<.6, .8, .9>|$]");
-    } else if (draw->names[NAME_PALETTE] && one_in(&draw->state, 5)) {
-        write_text(draw, "$=Palette;");
-        if (draw->turning && one_in(&draw->state, 2))
-            write_text(draw, "[mod(I, %d)]", LANGUAGE_ELEMENTS);
-        else
-            write_text(draw, "[^#0:%d^]", LANGUAGE_ELEMENTS);
-    } else
-        write_text(draw, "$made_color;");
-}
-
-/* ---- Patterns ------------------------------------------------------------ */
+/* --- patterns ------------------------------------------------------------- */
 
 static void expand(struct language *draw, const char *pattern, const char *end);
 
@@ -273,21 +173,71 @@ static const char *alternative_end(const char *p)
 {
     for (int open = 0; open > 0 || (*p != '|' && strncmp(p, "$]", 2) != 0); p++)
         if (*p == '$')
-            open += (p[1 + strspn(p + 1, "0123456789")] == '[') - (p[1] == ']');
+            open += (p[1 + strcspn(p + 1, "$[];|")] == '[') - (p[1] == ']');
     return p;
+}
+
+/* Lists the alternatives of the brackets at p; returns the position after them. */
+static const char *list_alternatives(const char *p, const char *alternative[16],
+                                     size_t *count)
+{
+    for (*count = 0; *p != '$'; p = alternative_end(p))
+        alternative[(*count)++] = ++p;
+    return p + 2;
 }
 
 static const char *write_choice(struct language *draw, const char *pattern)
 {
     const char *alternative[16];
     char *begin;
-    size_t cases = strtoul(pattern, &begin, 10), count = 0;
-    for (pattern = begin; *pattern != '$'; pattern = alternative_end(pattern))
-        alternative[count++] = ++pattern;
+    size_t cases = strtoul(pattern, &begin, 10), count;
+    const char *end = list_alternatives(begin, alternative, &count);
     size_t which = below(&draw->state, cases ? cases : count);
     which = which < count ? which : count - 1;
     expand(draw, alternative[which], alternative_end(alternative[which]));
-    return pattern + 2;
+    return end;
+}
+
+static bool holds(const struct language *draw, const char *name, size_t length)
+{
+    const struct {
+        const char *name;
+        bool holds;
+    } flags[] = {
+        { "clear", draw->clear },     { "library", draw->library },
+        { "metals", draw->metals },   { "streams", draw->streams },
+        { "turning", draw->turning },
+    };
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
+        if (is_word(flags[i].name, name, length))
+            return flags[i].holds;
+    for (int kind = 0; kind < LANGUAGE_NAMES; kind++)
+        if (is_word(name_of[kind], name, length))
+            return draw->names[kind] > 0;
+    abort();
+}
+
+static const char *write_condition(struct language *draw, const char *name)
+{
+    const char *alternative[16];
+    size_t length = strcspn(name, "0123456789["), count;
+    char *begin;
+    size_t cases = strtoul(name + length, &begin, 10);
+    const char *end = list_alternatives(begin, alternative, &count);
+    bool first = holds(draw, name, length) && (!cases || one_in(&draw->state, cases));
+    expand(draw, alternative[!first], alternative_end(alternative[!first]));
+    return end;
+}
+
+static const char *write_repeatedly(struct language *draw, const char *range)
+{
+    double low, high;
+    const char *pattern = read_range(range, &low, &high),
+               *end = alternative_end(pattern);
+    for (size_t left = (size_t)low + below(&draw->state, (size_t)high); left > 0;
+         left--)
+        expand(draw, pattern, end);
+    return end + 2;
 }
 
 static void write_rule(struct language *draw, const char *name, size_t length)
@@ -313,6 +263,10 @@ static const char *write_part(struct language *draw, const char *name)
     size_t length = strcspn(name, ";");
     if (*name == '.')
         return name + 1;
+    if (*name == '?')
+        return write_condition(draw, name + 1);
+    if (*name == '*')
+        return write_repeatedly(draw, name + 1);
     if (name[strspn(name, "0123456789")] == '[')
         return write_choice(draw, name);
     write_rule(draw, name, length);
