@@ -213,7 +213,7 @@ static bool is_on_triangle(const struct along *along, const struct ray_hit *seen
 {
     const struct primitive *mesh = &along->scene->primitives[seen->primitive];
     const struct triangle *triangle;
-    double point[3], edges[2][3], away[3];
+    double point[3], edges[2][3], away[3], normal[3];
     struct ray ray = ray_of(along->line);
     if (mesh->kind != PRIMITIVE_MESH)
         return seen->triangle == 0;
@@ -223,9 +223,8 @@ static bool is_on_triangle(const struct along *along, const struct ray_hit *seen
     add_scaled(away, away, -1, triangle->corners[0]);
     for (int i = 0; i < 2; i++)
         add_scaled(edges[i], triangle->corners[1 + i], -1, triangle->corners[0]);
-    double volume = away[0] * (edges[0][1] * edges[1][2] - edges[0][2] * edges[1][1])
-                    + away[1] * (edges[0][2] * edges[1][0] - edges[0][0] * edges[1][2])
-                    + away[2] * (edges[0][0] * edges[1][1] - edges[0][1] * edges[1][0]);
+    cross_product(edges[0], edges[1], normal);
+    double volume = dot(away, normal);
     return fabs(volume)
            <= 1e-5 * greatest(edges[0]) * greatest(edges[1]) * (1 + greatest(point));
 }

@@ -13,49 +13,28 @@
  * u and v, each in [0, 1]. */
 typedef void place_point(const struct primitive *primitive, size_t piece, double u,
                          double v, double point[3]);
-
-static void cross(const double a[3], const double b[3], double product[3])
-{
-    for (int i = 0; i < 3; i++)
-        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-}
+#define UNUSED __attribute__((unused))
+#define PLACE(name) \
+    static void name(const struct primitive *primitive, size_t piece UNUSED, double u, \
+                     double v, double point[3])
 
 /* ---- The kinds ------------------------------------------------------------ */
 
-static void place_sphere(const struct primitive *primitive, size_t piece, double u,
-                         double v, double point[3])
+PLACE(place_sphere)
 {
     double r = primitive->shape.sphere.radius;
     const double on[3] = { sin(TURN / 2 * u) * cos(TURN * v), cos(TURN / 2 * u),
                            sin(TURN / 2 * u) * sin(TURN * v) };
-    (void)piece;
     add_scaled(point, primitive->shape.sphere.center, r, on);
 }
 
-static void place_on_torus(double major, double radial, double axial, double u,
-                           double v, double point[3])
+PLACE(place_torus)
 {
-    double from_axis = major + radial * cos(TURN * u);
+    struct torus torus = torus_of(primitive);
+    double from_axis = torus.major + torus.radial * cos(TURN * u);
     point[0] = from_axis * cos(TURN * v);
-    point[1] = axial * sin(TURN * u);
+    point[1] = torus.axial * sin(TURN * u);
     point[2] = from_axis * sin(TURN * v);
-}
-
-static void place_torus(const struct primitive *primitive, size_t piece, double u,
-                        double v, double point[3])
-{
-    double minor = primitive->shape.torus.minor;
-    (void)piece;
-    place_on_torus(primitive->shape.torus.major, minor, minor, u, v, point);
-}
-
-static void place_elliptical_torus(const struct primitive *primitive, size_t piece,
-                                   double u, double v, double point[3])
-{
-    (void)piece;
-    place_on_torus(primitive->shape.elliptical_torus.major,
-                   primitive->shape.elliptical_torus.radial,
-                   primitive->shape.elliptical_torus.axial, u, v, point);
 }
 
 /* Sets point on the circle about a point, in the plane perpendicular to an axis. */
@@ -68,54 +47,34 @@ static void place_on_circle(const double center[3], const double axis[3], double
         if (fabs(axis[i]) < fabs(axis[least]))
             least = i;
     across[least] = 1;
-    cross(axis, across, first);
+    cross_product(axis, across, first);
     normalise(first);
-    cross(axis, first, second);
+    cross_product(axis, first, second);
     normalise(second);
     add_scaled(point, center, radius * cos(TURN * v), first);
     add_scaled(point, point, radius * sin(TURN * v), second);
 }
 
 /* Places a point on the side, or on the disc of the base or the cap. */
-static void place_on_cone(const double base[3], double base_radius, const double cap[3],
-                          double cap_radius, size_t piece, double u, double v,
-                          double point[3])
+PLACE(place_cone)
 {
+    struct round cone = round_of(primitive);
     double axis[3], center[3];
     double along = piece == 0 ? u : piece == 1 ? 0 : 1;
-    double radius = (1 - along) * base_radius + along * cap_radius;
-    add_scaled(axis, cap, -1, base);
-    add_scaled(center, base, along, axis);
+    double radius = (1 - along) * cone.base_radius + along * cone.cap_radius;
+    add_scaled(axis, cone.cap, -1, cone.base);
+    add_scaled(center, cone.base, along, axis);
     place_on_circle(center, axis, piece == 0 ? radius : radius * u, v, point);
 }
 
-static void place_cone(const struct primitive *primitive, size_t piece, double u,
-                       double v, double point[3])
-{
-    place_on_cone(primitive->shape.cone.base, primitive->shape.cone.base_radius,
-                  primitive->shape.cone.cap, primitive->shape.cone.cap_radius, piece, u,
-                  v, point);
-}
-
-static void place_cylinder(const struct primitive *primitive, size_t piece, double u,
-                           double v, double point[3])
-{
-    double radius = primitive->shape.cylinder.radius;
-    place_on_cone(primitive->shape.cylinder.base, radius, primitive->shape.cylinder.cap,
-                  radius, piece, u, v, point);
-}
-
-static void place_disc(const struct primitive *primitive, size_t piece, double u,
-                       double v, double point[3])
+PLACE(place_disc)
 {
     double hole = primitive->shape.disc.hole;
-    (void)piece;
     place_on_circle(primitive->shape.disc.center, primitive->shape.disc.normal,
                     hole + u * (primitive->shape.disc.radius - hole), v, point);
 }
 
-static void place_box(const struct primitive *primitive, size_t piece, double u,
-                      double v, double point[3])
+PLACE(place_box)
 {
     const double(*corner)[3] = primitive->shape.box.corner;
     size_t axis = piece / 2, j = (axis + 1) % 3, k = (axis + 2) % 3;
@@ -125,8 +84,7 @@ static void place_box(const struct primitive *primitive, size_t piece, double u,
     point[k] = corner[0][k] + v * (corner[1][k] - corner[0][k]);
 }
 
-static void place_mesh(const struct primitive *primitive, size_t piece, double u,
-                       double v, double point[3])
+PLACE(place_mesh)
 {
     const double(*corners)[3] =
         (const double(*)[3])primitive->shape.mesh.triangles.list[piece].corners;
@@ -136,13 +94,11 @@ static void place_mesh(const struct primitive *primitive, size_t piece, double u
                    + u * ((1 - v) * corners[1][i] + v * corners[2][i]);
 }
 
-static void place_steiner_patch(const struct primitive *primitive, size_t piece,
-                                double u, double v, double point[3])
+PLACE(place_steiner_patch)
 {
     double s = u * (1 - v), t = u * v, rest = 1 - u, sum = 0;
     const double basis[STEINER_POINTS] = { s * s,     t * t,        rest * rest,
                                            2 * s * t, 2 * t * rest, 2 * rest * s };
-    (void)piece;
     point[0] = point[1] = point[2] = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
         double share = basis[k] * primitive->shape.steiner_patch.weights[k];
@@ -165,8 +121,8 @@ static struct surface_grid grid_over(const struct primitive *primitive)
     static place_point *const places[PRIMITIVE_KINDS] = {
         [PRIMITIVE_SPHERE] = place_sphere,
         [PRIMITIVE_TORUS] = place_torus,
-        [PRIMITIVE_ELLIPTICAL_TORUS] = place_elliptical_torus,
-        [PRIMITIVE_CYLINDER] = place_cylinder,
+        [PRIMITIVE_ELLIPTICAL_TORUS] = place_torus,
+        [PRIMITIVE_CYLINDER] = place_cone,
         [PRIMITIVE_CONE] = place_cone,
         [PRIMITIVE_DISC] = place_disc,
         [PRIMITIVE_BOX] = place_box,
@@ -179,10 +135,8 @@ static struct surface_grid grid_over(const struct primitive *primitive)
         grid.pieces = 6;
     else if (primitive->kind == PRIMITIVE_MESH)
         grid.pieces = primitive->shape.mesh.triangles.count;
-    else if (primitive->kind == PRIMITIVE_CYLINDER)
-        grid.pieces = primitive->shape.cylinder.open ? 1 : 3;
-    else if (primitive->kind == PRIMITIVE_CONE)
-        grid.pieces = primitive->shape.cone.open ? 1 : 3;
+    else if (primitive->kind == PRIMITIVE_CYLINDER || primitive->kind == PRIMITIVE_CONE)
+        grid.pieces = round_of(primitive).open ? 1 : 3;
     return grid;
 }
 
@@ -203,7 +157,7 @@ static void add_cell(const struct surface_grid *grid, size_t piece, size_t i, si
         place_in_world(grid, piece, i + k % 2, j + k / 2, corner[k]);
     add_scaled(diagonals[0], corner[3], -1, corner[0]);
     add_scaled(diagonals[1], corner[2], -1, corner[1]);
-    cross(diagonals[0], diagonals[1], product);
+    cross_product(diagonals[0], diagonals[1], product);
     area = sqrt(dot(product, product)) / 2;
     sum->area += area;
     for (size_t k = 0; k < 4; k++)

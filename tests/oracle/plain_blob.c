@@ -11,13 +11,6 @@ enum { NODES = HIGHEST_DEGREE + 1 };
 
 /* ---- The field ----------------------------------------------------------- */
 
-static void own_point(const struct transform *transform, const double point[3],
-                      double own[3])
-{
-    for (int i = 0; i < 3; i++)
-        own[i] = dot(transform->rows[i], point) + transform->rows[i][3];
-}
-
 /* Computes the vector from the nearest point of the axis, or from the centre. */
 static void way_from(const struct blob_part *part, const double own[3], double way[3])
 {
@@ -44,14 +37,14 @@ static double field_at(const struct primitive *primitive, const double point[3])
     double sum = -primitive->shape.blob.threshold;
     for (size_t i = 0; i < parts->count; i++) {
         double own[3];
-        own_point(&parts->list[i].to_local, point, own);
+        to_other_space(&parts->list[i].to_local, point, own);
         double near = nearness(&parts->list[i], own);
         sum += parts->list[i].strength * near * near;
     }
     return sum;
 }
 
-bool in_blob(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_blob)
 {
     return field_at(primitive, point) > 0;
 }
@@ -65,7 +58,7 @@ static void blob_normal(const struct primitive *primitive, const double point[3]
     for (size_t i = 0; i < parts->count; i++) {
         const struct blob_part *part = &parts->list[i];
         double own[3], way[3];
-        own_point(&part->to_local, point, own);
+        to_other_space(&part->to_local, point, own);
         way_from(part, own, way);
         scale_by(way,
                  part->strength * nearness(part, own) / (part->radius * part->radius));
@@ -138,7 +131,7 @@ static void find_places(const struct primitive *primitive, const struct ray *ray
     for (size_t i = 0; i < parts->count; i++) {
         const struct blob_part *part = &parts->list[i];
         double from[3], along[3];
-        own_point(&part->to_local, ray->origin, from);
+        to_other_space(&part->to_local, ray->origin, from);
         add_scaled(from, from, -1, part->base);
         for (int k = 0; k < 3; k++)
             along[k] = dot(part->to_local.rows[k], ray->direction);
@@ -201,8 +194,7 @@ static size_t cross_between(const struct primitive *primitive, const struct ray 
     return count;
 }
 
-size_t cross_blob(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_blob)
 {
     struct places places = { 0, malloc((8 * primitive->shape.blob.parts.count + 1)
                                        * sizeof *places.at) };

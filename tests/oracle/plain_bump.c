@@ -36,28 +36,14 @@ static double height(const struct bump *bump, const double point[3])
 
 /* ---- Transforms ---------------------------------------------------------- */
 
-static void map_point(const struct transform *map, const double point[3],
-                      double there[3])
-{
-    for (int i = 0; i < 3; i++)
-        there[i] = dot(map->rows[i], point) + map->rows[i][3];
-}
-
-/* Transforms a normal back by the transposed map: n_i = the sum of map_ji n'_j. */
-static void back(const struct transform *map, const double there[3], double normal[3])
-{
-    for (int i = 0; i < 3; i++)
-        normal[i] = map->rows[0][i] * there[0] + map->rows[1][i] * there[1]
-                    + map->rows[2][i] * there[2];
-}
-
 static double triple(const double a[3], const double b[3], const double c[3])
 {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
-           + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    double product[3];
+    cross_product(b, c, product);
+    return dot(a, product);
 }
 
-/* The inverse of back, by Cramer's rule. */
+/* The inverse of transposed, by Cramer's rule. */
 static void there_from(const struct transform *map, const double normal[3],
                        double there[3])
 {
@@ -105,7 +91,7 @@ static void change(const struct bump *bump, const struct transform *space,
                    bool unscaled, const double point[3], double normal[3])
 {
     double there[3], at[3];
-    map_point(space, point, at);
+    to_other_space(space, point, at);
     there_from(space, normal, there);
     if (!unscaled)
         normalise(there);
@@ -114,7 +100,7 @@ static void change(const struct bump *bump, const struct transform *space,
         quilt(bump, at, there);
     else if (bump->pattern.kind != PIGMENT_COLOR)
         push(bump, at, there);
-    back(space, there, normal);
+    transposed(space, there, normal);
     if (!unscaled)
         normalise(normal);
 }
@@ -159,7 +145,7 @@ void plain_bumps(const struct bumps *bumps, double unit, const double point[3],
         normalise(normal);
         return;
     }
-    map_point(&bumps->to_local, point, at);
+    to_other_space(&bumps->to_local, point, at);
     there_from(&bumps->to_local, normal, there);
     if (!bumps->unscaled)
         normalise(there);
@@ -168,6 +154,6 @@ void plain_bumps(const struct bumps *bumps, double unit, const double point[3],
     for (size_t i = 0; list->average && i < list->count; i++)
         change_by(&list->entries[i], bumps->unscaled, at, there, list->entries[i].at,
                   sum);
-    back(&bumps->to_local, sum, normal);
+    transposed(&bumps->to_local, sum, normal);
     normalise(normal);
 }

@@ -55,7 +55,7 @@ static double turn_back(const struct outline *path, const double point[2], doubl
     return turn + turn_to(point, at, first);
 }
 
-bool in_lathe(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_lathe)
 {
     const struct outline *path = &primitive->shape.lathe.path;
     const double *first = path->points[0];
@@ -74,13 +74,10 @@ bool in_lathe(const struct primitive *primitive, const double point[3])
 static size_t cross_ring(const double from[2], const double to[2],
                          const struct ray *ray, struct crossing *crossing)
 {
-    double point[3], away;
-    *crossing = (struct crossing){ .normal = { 0, 1, 0 } };
-    if (ray->direction[1] == 0)
+    double point[3];
+    if (!cross_level(from[1], ray, crossing, point))
         return 0;
-    crossing->distance = (from[1] - ray->origin[1]) / ray->direction[1];
-    point_on(ray, crossing->distance, point);
-    away = hypot(point[0], point[2]);
+    double away = hypot(point[0], point[2]);
     return (away >= from[0]) != (away >= to[0]);
 }
 
@@ -118,8 +115,7 @@ static size_t cross_segment(const double from[2], const double to[2],
     return count + cross_at(from, to, (-b + root) / a, ray, &crossings[count]);
 }
 
-size_t cross_lathe(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_lathe)
 {
     const struct outline *path = &primitive->shape.lathe.path;
     size_t count = 0;

@@ -144,8 +144,7 @@ static size_t keep(struct crossing *crossings, size_t count,
     return last + 1;
 }
 
-size_t cross_mesh(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_mesh)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
     size_t count = 0;
@@ -180,7 +179,7 @@ static long count_ahead(const struct triangles *triangles, const struct ray *ray
 
 /* Returns whether a ray from the point crosses the mesh an odd number of times, as in
  * POV-Ray; any direction is used.  For a closed mesh the direction does not matter. */
-bool in_mesh(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_mesh)
 {
     enum { DIRECTIONS = 20 };
     const struct triangles *triangles = primitive->shape.mesh.solid

@@ -38,7 +38,7 @@ static bool is_round(const struct outline *path, double x, double z)
     return llround(sum / (2 * acos(-1))) % 2 != 0;
 }
 
-bool in_prism(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_prism)
 {
     return point[1] > primitive->shape.prism.low
            && point[1] < primitive->shape.prism.high
@@ -70,17 +70,11 @@ static bool cross_cap(const struct primitive *primitive, double height,
                       const struct ray *ray, struct crossing *crossing)
 {
     double point[3];
-    if (ray->direction[1] == 0)
-        return false;
-    *crossing = (struct crossing){
-        .distance = (height - ray->origin[1]) / ray->direction[1], .normal = { 0, 1, 0 }
-    };
-    point_on(ray, crossing->distance, point);
-    return is_round(&primitive->shape.prism.path, point[0], point[2]);
+    return cross_level(height, ray, crossing, point)
+           && is_round(&primitive->shape.prism.path, point[0], point[2]);
 }
 
-size_t cross_prism(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_prism)
 {
     struct edges edges = { .path = &primitive->shape.prism.path };
     double low = primitive->shape.prism.low;

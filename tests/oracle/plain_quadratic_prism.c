@@ -72,7 +72,7 @@ static bool is_round(const struct outline *path, double x, double z)
     return inside;
 }
 
-bool in_quadratic_prism(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_quadratic_prism)
 {
     return point[1] > primitive->shape.quadratic_prism.low
            && point[1] < primitive->shape.quadratic_prism.high
@@ -104,17 +104,11 @@ static size_t cross_cap(const struct primitive *primitive, double height,
                         const struct ray *ray, struct crossing *crossing)
 {
     double point[3];
-    if (ray->direction[1] == 0)
-        return 0;
-    *crossing = (struct crossing){
-        .distance = (height - ray->origin[1]) / ray->direction[1], .normal = { 0, 1, 0 }
-    };
-    point_on(ray, crossing->distance, point);
-    return is_round(&primitive->shape.quadratic_prism.path, point[0], point[2]);
+    return cross_level(height, ray, crossing, point)
+           && is_round(&primitive->shape.quadratic_prism.path, point[0], point[2]);
 }
 
-size_t cross_quadratic_prism(const struct primitive *primitive, const struct ray *ray,
-                             struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_quadratic_prism)
 {
     struct arcs arcs = { .path = &primitive->shape.quadratic_prism.path };
     struct arc arc;

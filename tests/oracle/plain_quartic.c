@@ -69,10 +69,6 @@ static size_t cross_surface(const struct along *surface,
  * Without the root, with r = (radial / axial)^2:
  *     (x^2 + z^2 + r y^2 + major^2 - radial^2)^2 = 4 major^2 (x^2 + z^2).
  */
-struct torus {
-    double major, radial, axial;
-};
-
 static struct along torus_along(const struct torus *torus,
                                 const struct along coordinate[3])
 {
@@ -103,35 +99,23 @@ static void torus_normal(const struct torus *torus, const double point[3],
     normal[2] = point[2] * (sum - 2 * torus->major * torus->major);
 }
 
-static size_t cross_any_torus(const struct torus *torus, const struct ray *ray,
-                              struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_torus)
 {
+    const struct torus torus = torus_of(primitive);
     struct centred_line line = centre(ray);
-    struct along surface = torus_along(torus, line.coordinate);
+    struct along surface = torus_along(&torus, line.coordinate);
     size_t count = cross_surface(&surface, &line, crossings);
     double point[3];
     for (size_t i = 0; i < count; i++) {
         point_on(ray, crossings[i].distance, point);
-        torus_normal(torus, point, crossings[i].normal);
+        torus_normal(&torus, point, crossings[i].normal);
     }
     return count;
 }
 
-size_t cross_torus(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_elliptical_torus)
 {
-    double minor = primitive->shape.torus.minor;
-    const struct torus torus = { primitive->shape.torus.major, minor, minor };
-    return cross_any_torus(&torus, ray, crossings);
-}
-
-size_t cross_elliptical_torus(const struct primitive *primitive, const struct ray *ray,
-                              struct crossing crossings[MAX_CROSSINGS])
-{
-    const struct torus torus = { primitive->shape.elliptical_torus.major,
-                                 primitive->shape.elliptical_torus.radial,
-                                 primitive->shape.elliptical_torus.axial };
-    return cross_any_torus(&torus, ray, crossings);
+    return cross_torus(primitive, ray, crossings);
 }
 
 /* ---- Any quartic --------------------------------------------------------- */
@@ -190,8 +174,7 @@ static void quartic_normal(const double *coefficients, const double point[3],
     }
 }
 
-size_t cross_quartic(const struct primitive *primitive, const struct ray *ray,
-                     struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_quartic)
 {
     const double *c = primitive->shape.quartic.coefficients;
     struct centred_line line = centre(ray);

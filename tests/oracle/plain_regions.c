@@ -20,33 +20,13 @@ struct crossing_list {
     struct place places[]; /* from near to far */
 };
 
-/* ---- Transforms ---------------------------------------------------------- */
-
 static void turn(const struct transform *transform, const double in[3], double out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = dot(transform->rows[i], in);
 }
 
-void to_other_space(const struct transform *transform, const double in[3],
-                    double out[3])
-{
-    turn(transform, in, out);
-    for (int i = 0; i < 3; i++)
-        out[i] += transform->rows[i][3];
-}
-
-/* Transforms a normal by the transpose of the inverse. */
-static void normal_to_world(const struct transform *to_local, const double in[3],
-                            double out[3])
-{
-    for (int i = 0; i < 3; i++)
-        out[i] = to_local->rows[0][i] * in[0] + to_local->rows[1][i] * in[1]
-                 + to_local->rows[2][i] * in[2];
-    normalise(out);
-}
-
-/* ---- Crossings ----------------------------------------------------------- */
+/* --- crossings ---------------------------------------------------------- */
 
 struct crossing_list *crossing_list_new(const struct scene *scene)
 {
@@ -247,7 +227,9 @@ static void describe(const struct crossing_list *list, const struct place *place
 {
     const double *direction = list->ray->direction;
     hit->primitive = place->primitive;
-    normal_to_world(&place->primitive->to_local, place->normal, hit->normal);
+    /* by the transpose of the inverse */
+    transposed(&place->primitive->to_local, place->normal, hit->normal);
+    normalise(hit->normal);
     double along = dot(hit->normal, direction);
     hit->entering = shape_is_surface(place->primitive) ? comes_into(list, place, along)
                                                        : solid_behind;

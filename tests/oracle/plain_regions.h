@@ -36,8 +36,4 @@ bool plain_next_hit(const struct crossing_list *list, double last, double limit,
 /* Returns whether the line is inside the region at that distance. */
 bool plain_holds(const struct crossing_list *list, double distance);
 
-/* Transforms a point. */
-void to_other_space(const struct transform *transform, const double in[3],
-                    double out[3]);
-
 #endif

@@ -13,8 +13,7 @@ static size_t quadratic(double a, double b, double c, double roots[2])
     return a != 0 ? 2 : b != 0;
 }
 
-size_t cross_sphere(const struct primitive *primitive, const struct ray *ray,
-                    struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_sphere)
 {
     const double *center = primitive->shape.sphere.center;
     double radius = primitive->shape.sphere.radius;
@@ -37,9 +36,18 @@ static void face_crossing(struct crossing *crossing, double distance, int axis)
     crossing->normal[axis] = 1;
 }
 
+bool cross_level(double height, const struct ray *ray, struct crossing *crossing,
+                 double point[3])
+{
+    if (ray->direction[1] == 0)
+        return false;
+    face_crossing(crossing, (height - ray->origin[1]) / ray->direction[1], 1);
+    point_on(ray, crossing->distance, point);
+    return true;
+}
+
 /* Intersects the intervals of the line between each pair of opposite faces. */
-size_t cross_box(const struct primitive *primitive, const struct ray *ray,
-                 struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_box)
 {
     const double(*const corner)[3] = primitive->shape.box.corner;
     crossings[0].distance = -INFINITY;
@@ -70,13 +78,15 @@ struct axial_view {
     double radius, slope;
 };
 
-static void view_along(const double base[3], const double cap[3], const struct ray *ray,
+static void view_along(const struct round *cone, const struct ray *ray,
                        struct axial_view *view)
 {
-    add_scaled(view->axis, cap, -1, base);
+    add_scaled(view->axis, cone->cap, -1, cone->base);
     view->length = sqrt(dot(view->axis, view->axis));
+    view->radius = cone->base_radius;
+    view->slope = (cone->cap_radius - cone->base_radius) / view->length;
     normalise(view->axis);
-    add_scaled(view->from, ray->origin, -1, base);
+    add_scaled(view->from, ray->origin, -1, cone->base);
     view->height = dot(view->from, view->axis);
     view->rise = dot(ray->direction, view->axis);
     add_scaled(view->from, view->from, -view->height, view->axis);
@@ -126,34 +136,21 @@ static size_t cross_disks(const struct axial_view *view, struct crossing *crossi
     return count + cross_disk(view, view->length, &crossings[count]);
 }
 
-size_t cross_cylinder(const struct primitive *primitive, const struct ray *ray,
-                      struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_cone)
 {
+    struct round cone = round_of(primitive);
     struct axial_view view;
-    view_along(primitive->shape.cylinder.base, primitive->shape.cylinder.cap, ray,
-               &view);
-    view.radius = primitive->shape.cylinder.radius;
-    view.slope = 0;
+    view_along(&cone, ray, &view);
     size_t count = cross_wall(&view, crossings);
-    return primitive->shape.cylinder.open
-               ? count
-               : count + cross_disks(&view, &crossings[count]);
+    return cone.open ? count : count + cross_disks(&view, &crossings[count]);
 }
 
-size_t cross_cone(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_cylinder)
 {
-    struct axial_view view;
-    view_along(primitive->shape.cone.base, primitive->shape.cone.cap, ray, &view);
-    view.radius = primitive->shape.cone.base_radius;
-    view.slope = (primitive->shape.cone.cap_radius - view.radius) / view.length;
-    size_t count = cross_wall(&view, crossings);
-    return primitive->shape.cone.open ? count
-                                      : count + cross_disks(&view, &crossings[count]);
+    return cross_cone(primitive, ray, crossings);
 }
 
-size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
-                   struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_plane)
 {
     const double *normal = primitive->shape.plane.normal;
     double along = dot(normal, ray->direction);
@@ -166,8 +163,7 @@ size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
 }
 
 /* Intersects the plane; the crossing counts if it is on the ring. */
-size_t cross_disc(const struct primitive *primitive, const struct ray *ray,
-                  struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_disc)
 {
     const double *normal = primitive->shape.disc.normal;
     double along = dot(normal, ray->direction), from[3], away;
@@ -195,8 +191,7 @@ static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
 
 /* Uses f(o + t d) = f(o) + t d.grad f(o) + t^2 / 2 d.H d with the constant Hessian H.
  * f(o) comes from Euler's rule for its quadratic and linear parts. */
-size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
-                     struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_quadric)
 {
     const double *c = primitive->shape.quadric.coefficients;
     double at[3], along[3], roots[2], point[3];
@@ -214,8 +209,7 @@ size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
     return count;
 }
 
-size_t plain_crossings(const struct primitive *primitive, const struct ray *ray,
-                       struct crossing crossings[MAX_CROSSINGS])
+CROSS(plain_crossings)
 {
     static cross_shape *const cross[PRIMITIVE_KINDS] = {
 #define SHAPE(KIND, name, ...) cross_##name,

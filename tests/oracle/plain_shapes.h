@@ -29,11 +29,31 @@ enum { MAX_CROSSINGS = 40 };
 typedef size_t cross_shape(const struct primitive *primitive, const struct ray *ray,
                            struct crossing crossings[MAX_CROSSINGS]);
 cross_shape plain_crossings;
+#define CROSS(name) \
+    size_t name(const struct primitive *primitive, const struct ray *ray, \
+                struct crossing crossings[MAX_CROSSINGS])
 
 /* Returns whether a point of the primitive's own space is inside.  A patch has no
  * inside, nor has a mesh without an inside_vector. */
 typedef bool enclose_point(const struct primitive *primitive, const double point[3]);
 enclose_point plain_encloses;
+#define ENCLOSE(name) \
+    bool name(const struct primitive *primitive, const double point[3])
+
+/* A cylinder is a cone with equal radii, and a torus is an elliptical one. */
+struct round {
+    const double *base, *cap;
+    double base_radius, cap_radius;
+    bool open;
+};
+struct torus {
+    double major, radial, axial;
+};
+/* Intersects the plane at a height; sets the point, too. */
+bool cross_level(double height, const struct ray *ray, struct crossing *crossing,
+                 double point[3]);
+struct round round_of(const struct primitive *primitive);
+struct torus torus_of(const struct primitive *primitive);
 
 /* Implementations: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
  * plain_prism.c, plain_quadratic_prism.c, plain_lathe.c, plain_blob.c, plain_mesh.c. */
@@ -78,6 +98,32 @@ static inline void scale_by(double a[3], double scale)
 static inline void normalise(double a[3])
 {
     scale_by(a, 1 / sqrt(dot(a, a)));
+}
+
+static inline void cross_product(const double a[3], const double b[3],
+                                 double product[3])
+{
+    for (int i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        product[i] = a[j] * b[k] - a[k] * b[j];
+    }
+}
+
+/* Transforms a point. */
+static inline void to_other_space(const struct transform *transform, const double in[3],
+                                  double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = dot(transform->rows[i], in) + transform->rows[i][3];
+}
+
+/* Transforms a normal by the transposed matrix. */
+static inline void transposed(const struct transform *transform, const double in[3],
+                              double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = transform->rows[0][i] * in[0] + transform->rows[1][i] * in[1]
+                 + transform->rows[2][i] * in[2];
 }
 
 static inline void point_on(const struct ray *ray, double distance, double point[3])

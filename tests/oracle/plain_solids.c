@@ -1,7 +1,30 @@
 /* plain_solids.c - tests whether a point is inside a primitive. */
 #include "tests/oracle/plain_shapes.h"
 
-bool in_sphere(const struct primitive *primitive, const double point[3])
+struct round round_of(const struct primitive *primitive)
+{
+    if (primitive->kind == PRIMITIVE_CONE)
+        return (struct round){ primitive->shape.cone.base, primitive->shape.cone.cap,
+                               primitive->shape.cone.base_radius,
+                               primitive->shape.cone.cap_radius,
+                               primitive->shape.cone.open };
+    double radius = primitive->shape.cylinder.radius;
+    return (struct round){ primitive->shape.cylinder.base,
+                           primitive->shape.cylinder.cap, radius, radius,
+                           primitive->shape.cylinder.open };
+}
+
+struct torus torus_of(const struct primitive *primitive)
+{
+    double minor = primitive->shape.torus.minor;
+    if (primitive->kind == PRIMITIVE_TORUS)
+        return (struct torus){ primitive->shape.torus.major, minor, minor };
+    return (struct torus){ primitive->shape.elliptical_torus.major,
+                           primitive->shape.elliptical_torus.radial,
+                           primitive->shape.elliptical_torus.axial };
+}
+
+ENCLOSE(in_sphere)
 {
     double radius = primitive->shape.sphere.radius;
     double from[3];
@@ -9,7 +32,7 @@ bool in_sphere(const struct primitive *primitive, const double point[3])
     return dot(from, from) < radius * radius;
 }
 
-bool in_box(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_box)
 {
     const double(*const corner)[3] = primitive->shape.box.corner;
     for (int i = 0; i < 3; i++)
@@ -18,13 +41,13 @@ bool in_box(const struct primitive *primitive, const double point[3])
     return true;
 }
 
-bool in_plane(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_plane)
 {
     return dot(primitive->shape.plane.normal, point) < primitive->shape.plane.distance;
 }
 
 /* The inside of a disc is a half space, as in POV-Ray. */
-bool in_disc(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_disc)
 {
     double from[3];
     add_scaled(from, point, -1, primitive->shape.disc.center);
@@ -32,61 +55,43 @@ bool in_disc(const struct primitive *primitive, const double point[3])
 }
 
 /* Returns whether a point is between the planes of the ends and nearer to the axis than
- * the radius there. */
-static bool about_axis(const double base[3], double base_radius, const double cap[3],
-                       double cap_radius, const double point[3])
+ * the radius there.  An open cylinder or cone encloses the same points as the closed one,
+ * as in POV-Ray. */
+ENCLOSE(in_cone)
 {
+    struct round cone = round_of(primitive);
     double axis[3], from[3];
-    add_scaled(axis, cap, -1, base);
-    add_scaled(from, point, -1, base);
+    add_scaled(axis, cone.cap, -1, cone.base);
+    add_scaled(from, point, -1, cone.base);
     double share = dot(from, axis) / dot(axis, axis);
-    double radius = base_radius + share * (cap_radius - base_radius);
+    double radius = cone.base_radius + share * (cone.cap_radius - cone.base_radius);
     add_scaled(from, from, -share, axis);
     return share > 0 && share < 1 && dot(from, from) < radius * radius;
 }
 
-/* An open cylinder or cone encloses the same points as the closed one, as in
- * POV-Ray. */
-bool in_cylinder(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_cylinder)
 {
-    double radius = primitive->shape.cylinder.radius;
-    return about_axis(primitive->shape.cylinder.base, radius,
-                      primitive->shape.cylinder.cap, radius, point);
-}
-
-bool in_cone(const struct primitive *primitive, const double point[3])
-{
-    return about_axis(primitive->shape.cone.base, primitive->shape.cone.base_radius,
-                      primitive->shape.cone.cap, primitive->shape.cone.cap_radius,
-                      point);
+    return in_cone(primitive, point);
 }
 
 /* A tube thicker than its ring intersects itself.  Its core, where the ellipses of both
  * sides overlap, is outside: the polynomial is positive there. */
-static bool in_ellipses(double major, double radial, double axial,
-                        const double point[3])
+ENCLOSE(in_torus)
 {
+    struct torus torus = torus_of(primitive);
     double across = hypot(point[0], point[2]);
-    double along = point[1] / axial;
-    double here = (across - major) / radial;
-    double beyond = (across + major) / radial;
+    double along = point[1] / torus.axial;
+    double here = (across - torus.major) / torus.radial;
+    double beyond = (across + torus.major) / torus.radial;
     return here * here + along * along < 1 && beyond * beyond + along * along > 1;
 }
 
-bool in_torus(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_elliptical_torus)
 {
-    double minor = primitive->shape.torus.minor;
-    return in_ellipses(primitive->shape.torus.major, minor, minor, point);
+    return in_torus(primitive, point);
 }
 
-bool in_elliptical_torus(const struct primitive *primitive, const double point[3])
-{
-    return in_ellipses(primitive->shape.elliptical_torus.major,
-                       primitive->shape.elliptical_torus.radial,
-                       primitive->shape.elliptical_torus.axial, point);
-}
-
-bool in_quadric(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_quadric)
 {
     const double *c = primitive->shape.quadric.coefficients;
     double x = point[0], y = point[1], z = point[2];
@@ -103,7 +108,7 @@ static double raised(double value, int exponent)
     return product;
 }
 
-bool in_quartic(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_quartic)
 {
     const double *c = primitive->shape.quartic.coefficients;
     double sum = 0;
@@ -115,14 +120,14 @@ bool in_quartic(const struct primitive *primitive, const double point[3])
     return sum < 0;
 }
 
-bool in_steiner_patch(const struct primitive *primitive, const double point[3])
+ENCLOSE(in_steiner_patch)
 {
     (void)primitive;
     (void)point;
     return false;
 }
 
-bool plain_encloses(const struct primitive *primitive, const double point[3])
+ENCLOSE(plain_encloses)
 {
     static enclose_point *const inside[PRIMITIVE_KINDS] = {
 #define SHAPE(KIND, name, ...) in_##name,

@@ -36,6 +36,10 @@ struct search {
 static const int first_index[STEINER_POINTS] = { 0, 1, 2, 0, 1, 0 };
 static const int second_index[STEINER_POINTS] = { 0, 1, 2, 1, 2, 2 };
 
+static const struct place corners[3] = { { { 1, 0, 0 } },
+                                         { { 0, 1, 0 } },
+                                         { { 0, 0, 1 } } };
+
 /* The polar form: it is linear in both places, and is the conic's value if they are
  * equal. */
 static long double polar(const struct conic *conic, const struct place *a,
@@ -52,14 +56,6 @@ static long double polar(const struct conic *conic, const struct place *a,
 }
 
 /* ---- The conics ---------------------------------------------------------- */
-
-static void cross_product(const double a[3], const double b[3], double result[3])
-{
-    for (int i = 0; i < 3; i++) {
-        int j = (i + 1) % 3, k = (i + 2) % 3;
-        result[i] = a[j] * b[k] - a[k] * b[j];
-    }
-}
 
 /* Computes two directions perpendicular to the ray and to each other. */
 static void plane_normals(const struct ray *ray, double normals[2][3])
@@ -112,13 +108,10 @@ static void note(struct search *search, const struct place *place)
 static void linearise(const struct conic *conic, const struct place *at,
                       long double terms[3])
 {
-    static const struct place corner[3] = { { { 1, 0, 0 } },
-                                            { { 0, 1, 0 } },
-                                            { { 0, 0, 1 } } };
-    long double last = polar(conic, at, &corner[2]);
+    long double last = polar(conic, at, &corners[2]);
     terms[0] = polar(conic, at, at);
-    terms[1] = 2 * (polar(conic, at, &corner[0]) - last);
-    terms[2] = 2 * (polar(conic, at, &corner[1]) - last);
+    terms[1] = 2 * (polar(conic, at, &corners[0]) - last);
+    terms[2] = 2 * (polar(conic, at, &corners[1]) - last);
 }
 
 static void refine(struct search *search, struct place place)
@@ -142,12 +135,11 @@ static void refine(struct search *search, struct place place)
     }
 }
 
-static bool one_sign(const struct conic *conic, const struct place corners[3])
+static bool one_sign(const struct conic *conic, const struct place of[3])
 {
     int above = 0, below = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
-        long double value = polar(conic, &corners[first_index[k]],
-                                  &corners[second_index[k]]);
+        long double value = polar(conic, &of[first_index[k]], &of[second_index[k]]);
         above += value > 0;
         below += value < 0;
     }
@@ -162,22 +154,19 @@ static struct place middle(const struct place *a, const struct place *b)
     return place;
 }
 
-static void look_within(struct search *search, const struct place corners[3],
-                        int halvings)
+static void look_within(struct search *search, const struct place of[3], int halvings)
 {
-    if (one_sign(&search->conics[0], corners) || one_sign(&search->conics[1], corners))
+    if (one_sign(&search->conics[0], of) || one_sign(&search->conics[1], of))
         return;
-    const struct place half[3] = { middle(&corners[1], &corners[2]),
-                                   middle(&corners[2], &corners[0]),
-                                   middle(&corners[0], &corners[1]) };
+    const struct place half[3] = { middle(&of[1], &of[2]), middle(&of[2], &of[0]),
+                                   middle(&of[0], &of[1]) };
     if (halvings == 0) {
         refine(search, middle(&half[0], &half[1]));
         return;
     }
     look_within(search, half, halvings - 1);
     for (int i = 0; i < 3; i++) {
-        const struct place part[3] = { corners[i], half[(i + 2) % 3],
-                                       half[(i + 1) % 3] };
+        const struct place part[3] = { of[i], half[(i + 2) % 3], half[(i + 1) % 3] };
         look_within(search, part, halvings - 1);
     }
 }
@@ -234,12 +223,8 @@ static struct crossing crossing_at(const struct primitive *primitive,
     return crossing;
 }
 
-size_t cross_steiner_patch(const struct primitive *primitive, const struct ray *ray,
-                           struct crossing crossings[MAX_CROSSINGS])
+CROSS(cross_steiner_patch)
 {
-    static const struct place corners[3] = { { { 1, 0, 0 } },
-                                             { { 0, 1, 0 } },
-                                             { { 0, 0, 1 } } };
     struct search search = { .count = 0 };
     double normals[2][3];
     plane_normals(ray, normals);
