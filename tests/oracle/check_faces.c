@@ -111,8 +111,6 @@ static struct form {
 };
 enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
-static c205_model *model;
-
 /* Returns a bit for each feature of the scene. */
 static size_t features_of(const struct scene *scene)
 {
@@ -135,7 +133,7 @@ static struct trace *assemble(const struct form *form, size_t set)
                                            .visible = form->visible,
                                            .width = WIDTH,
                                            .height = HEIGHT,
-                                           .model = model };
+                                           .model = check_model };
     c205_error error;
     struct trace *trace = trace_new(scene, &options, &error);
     if (!trace)
@@ -159,7 +157,6 @@ static void free_forms(void)
             trace_free(forms[i].trace[k]);
         c205_free(forms[i].tracer.machine);
     }
-    c205_model_free(model);
 }
 
 static void trace_form(struct form *form, const struct scene *scene,
@@ -171,7 +168,7 @@ static void trace_form(struct form *form, const struct scene *scene,
                                              &error);
     const struct band_work work = { .program = program,
                                     .layout = layout,
-                                    .model = model,
+                                    .model = check_model,
                                     .width = WIDTH,
                                     .height = HEIGHT,
                                     .tiles = form->tiles,
@@ -340,12 +337,9 @@ static struct random_scene draw(uint64_t *state, size_t number)
 
 int main(int count, char **words)
 {
-    static const struct random_check check = { .kind = "faces",
-                                               .seed = UINT64_C(0x9E3779B97F4A7C15),
-                                               .draw = draw,
-                                               .passes = passes,
-                                               .shrinks = true };
-    model = usual_model();
+    static const struct random_check check = {
+        "faces", UINT64_C(0x9E3779B97F4A7C15), draw, passes, true, NULL, 0
+    };
     int code = check_random(count, words, &check);
     free_forms();
     return code;

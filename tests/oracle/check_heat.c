@@ -23,7 +23,6 @@
 
 enum { REPEATS = 16, SIGMAS = 8 };
 
-static c205_model *model;
 static size_t pair_count; /* factors that both methods computed */
 
 static struct heat_request usual(void)
@@ -35,7 +34,7 @@ static struct heat_request usual(void)
                                   .repeats = REPEATS,
                                   .lattice = true,
                                   .seed = 1,
-                                  .model = model };
+                                  .model = check_model };
 }
 
 /* ---- Scenes -------------------------------------------------------------- */
@@ -259,13 +258,10 @@ static bool passes(struct random_scene *random, char *reason)
 
 int main(int count, char **words)
 {
-    static const struct random_check check = { .kind = "heat",
-                                               .seed = UINT64_C(0xA0761D6478BD642F),
-                                               .draw = draw,
-                                               .passes = passes };
-    model = usual_model();
+    static const struct random_check check = {
+        "heat", UINT64_C(0xA0761D6478BD642F), draw, passes, false, NULL, 0
+    };
     int code = check_random(count, words, &check);
-    c205_model_free(model);
     printf("%zu factors were found by both\n", pair_count);
     return code;
 }

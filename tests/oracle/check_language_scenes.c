@@ -48,13 +48,11 @@ enum {
     AHEAD = 8,        /* runs of POV-Ray that are started early */
     MAX_TRIALS = 400, /* trials to reduce a scene */
     MAX_SMALLER = 3,  /* scenes that are reduced */
-    REASON = 400,
+    REASON = MANY_REASON,
     PATH = 80
 };
 #define TOLERANCE .02
 #define MOVED .01 /* pixels */
-
-static c205_model *model;
 
 /* The kind of failure, which must not change while a scene is reduced. */
 enum fault { NO_FAULT, NOT_READ, NOT_BY_POVRAY, OTHER_FRAME, OTHER_PICTURE };
@@ -69,8 +67,8 @@ struct judgement {
 static bool blame(struct judgement *judgement, enum fault fault, const char *message)
 {
     judgement->fault = fault;
-    snprintf(judgement->message, REASON, "%.300s", message);
-    snprintf(judgement->reason, REASON, "%.300s", message);
+    snprintf(judgement->message, REASON, "%.500s", message);
+    snprintf(judgement->reason, REASON, "%.500s", message);
     return false;
 }
 
@@ -117,7 +115,6 @@ static struct trace_options random_form(size_t i, uint64_t *state)
     struct trace_options form = forms[i];
     form.width = WIDTH;
     form.height = HEIGHT;
-    form.model = model;
     if (form.mode != TRACE_SCALAR)
         form.queue = random_queue(state);
     if (form.jobs > 1)
@@ -128,50 +125,21 @@ static struct trace_options random_form(size_t i, uint64_t *state)
 static bool same_in_all_forms(const struct scene *scene, const struct trace *expected,
                               uint64_t state, struct judgement *judgement)
 {
-    bool good = true;
-    for (size_t i = 1; good && i < FORMS; i++) {
-        struct trace_options form = random_form(i, &state);
-        struct trace *trace = traced_in(scene, form);
-        char other[MANY_REASON];
-        good = same_frames(expected, trace, WIDTH, HEIGHT, other);
-        trace_free(trace);
-        if (good)
-            continue;
-        blame(judgement, OTHER_FRAME, "");
-        snprintf(judgement->reason, REASON,
-                 "--mode %s --queue %zu --order %s --jobs %zu (bands of %zu pixels): "
-                 "%.200s",
-                 trace_mode_name(form.mode), form.queue, order_name(form.order),
-                 form.jobs, form.band, other);
-    }
-    return good;
+    char reason[REASON] = "";
+    for (size_t i = 1; i < FORMS; i++)
+        if (!same_in_form(scene, expected, random_form(i, &state), reason))
+            return blame(judgement, OTHER_FRAME, reason);
+    return true;
 }
 
 /* ---- POV-Ray ------------------------------------------------------------- */
 
-/* A run of POV-Ray, and its input file. */
-struct sitting {
+/* Starts a run; its input file is in the current folder. */
+static struct povray *begin_run(const char *text, size_t number, const char *what)
+{
     char path[PATH];
-    struct povray *run;
-};
-
-static void begin_sitting(struct sitting *sitting, const char *text, size_t number,
-                          const char *what)
-{
-    struct picture_error error;
-    snprintf(sitting->path, PATH, "language_%zu%s.pov", number, what);
-    keep_scene(sitting->path, text);
-    sitting->run = povray_begin(sitting->path, WIDTH, HEIGHT, &error);
-    if (!sitting->run)
-        give_up(error.message);
-}
-
-static bool end_sitting(struct sitting *sitting, struct frame *picture,
-                        struct picture_error *error)
-{
-    bool good = povray_end(sitting->run, picture, error);
-    remove(sitting->path);
-    return good;
+    snprintf(path, PATH, "language_%zu%s.pov", number, what);
+    return povray_begin(path, text, WIDTH, HEIGHT);
 }
 
 /* Returns the text with the camera as it was read, moved by right and up pixels. */
@@ -232,20 +200,20 @@ static const double sides[SIDES][2] = {
 static bool find_edges(const char *text, const struct camera *camera, size_t number,
                        bool edge[PIXELS])
 {
-    struct sitting sitting[SIDES];
+    struct povray *runs[SIDES];
     struct frame picture[SIDES];
     struct picture_error error;
     bool other[PIXELS], good[SIDES], all = true;
     for (int i = 0; i < SIDES; i++) {
         char what[16], *moved = text_seen_from(text, camera, sides[i][0], sides[i][1]);
         snprintf(what, sizeof what, "_side_%d", i);
-        begin_sitting(&sitting[i], moved, number, what);
+        runs[i] = begin_run(moved, number, what);
         free(moved);
     }
     memset(edge, false, PIXELS * sizeof *edge);
     for (int i = 0; i < SIDES; i++) {
         double greatest;
-        good[i] = end_sitting(&sitting[i], &picture[i], &error);
+        good[i] = povray_end(runs[i], &picture[i], &error);
         all &= good[i];
         if (i > 0 && good[0] && good[i])
             others(&picture[0], &picture[i], other, &greatest);
@@ -311,14 +279,14 @@ static uint64_t seed_of(size_t number)
 }
 
 static void judge_scene(const char *text, const struct scene *scene, size_t number,
-                        struct sitting *sitting, struct judgement *judgement)
+                        struct povray *run, struct judgement *judgement)
 {
     struct trace_options serial = random_form(0, NULL);
     struct trace *expected = traced_in(scene, serial);
     struct picture_error error;
     struct frame theirs;
     bool good = same_in_all_forms(scene, expected, seed_of(number), judgement);
-    bool read = end_sitting(sitting, &theirs, &error);
+    bool read = povray_end(run, &theirs, &error);
     if (good && !read)
         blame(judgement, NOT_BY_POVRAY, error.message);
     else if (good)
@@ -329,15 +297,15 @@ static void judge_scene(const char *text, const struct scene *scene, size_t numb
 }
 
 /* Compares the scene with the picture of the run, which has been started. */
-static struct judgement judge(const char *text, size_t number, struct sitting *sitting)
+static struct judgement judge(const char *text, size_t number, struct povray *run)
 {
     struct judgement judgement = { .fault = NO_FAULT };
     struct picture_error error;
     struct frame theirs;
     struct scene *scene = read_text(text, &judgement);
     if (scene)
-        judge_scene(text, scene, number, sitting, &judgement);
-    else if (end_sitting(sitting, &theirs, &error))
+        judge_scene(text, scene, number, run, &judgement);
+    else if (povray_end(run, &theirs, &error))
         frame_free(&theirs);
     else
         strcat(judgement.message, " (nor does POV-Ray)");
@@ -347,9 +315,7 @@ static struct judgement judge(const char *text, size_t number, struct sitting *s
 
 static struct judgement judge_again(const char *text, size_t number)
 {
-    struct sitting sitting;
-    begin_sitting(&sitting, text, number, "_less");
-    return judge(text, number, &sitting);
+    return judge(text, number, begin_run(text, number, "_less"));
 }
 
 /* ---- Failures ------------------------------------------------------------ */
@@ -392,7 +358,7 @@ static void show(const char *text, size_t number)
 static struct waiting {
     size_t number;
     char *text; /* NULL: none */
-    struct sitting sitting;
+    struct povray *run;
 } waiting[AHEAD + 1];
 
 static struct waiting *waiting_for(const size_t *number)
@@ -409,14 +375,14 @@ static void begin_scene(size_t number)
     struct waiting *place = waiting_for(NULL);
     place->number = number;
     place->text = language_scene_text(seed_of(number));
-    begin_sitting(&place->sitting, place->text, number, "");
+    place->run = begin_run(place->text, number, "");
 }
 
 static bool check_scene(size_t number, bool first)
 {
     static size_t failed;
     struct waiting *place = waiting_for(&number);
-    struct judgement judgement = judge(place->text, number, &place->sitting);
+    struct judgement judgement = judge(place->text, number, place->run);
     if (judgement.fault)
         printf("scene %zu: %s\n", number, judgement.reason);
     if (judgement.fault && !first && failed++ < MAX_SMALLER) {
@@ -444,9 +410,6 @@ int main(int count, char **words)
 {
     if (system("command -v povray >/dev/null") != 0)
         give_up("povray is not installed");
-    model = usual_model();
     keep_image();
-    int code = check_many(count, words, check_scene, begin_scene, AHEAD);
-    c205_model_free(model);
-    return code;
+    return check_many(count, words, check_scene, begin_scene, AHEAD);
 }

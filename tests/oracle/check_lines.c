@@ -26,9 +26,7 @@
 
 enum { LINES = 40, WAYS = 3 };
 
-static c205_model *model;
-
-/* ---- Configurations ------------------------------------------------------ */
+/* --- ways ----------------------------------------------------------------- */
 
 static struct ray_query_options random_way(uint64_t *state)
 {
@@ -46,7 +44,7 @@ static struct ray_hits find_in(const struct scene *scene, struct ray_query_optio
 {
     way.normals = way.bodies = true;
     way.behind = behind;
-    way.model = model;
+    way.model = check_model;
     return find_lines(scene, &way, list, LINES);
 }
 
@@ -125,13 +123,8 @@ static bool passes(struct random_scene *sight, char *reason)
 
 int main(int count, char **words)
 {
-    static const struct random_check check = { .kind = "lines",
-                                               .seed = UINT64_C(0xA0761D6478BD642F),
-                                               .draw = draw,
-                                               .passes = passes,
-                                               .shrinks = true };
-    model = usual_model();
-    int code = check_random(count, words, &check);
-    c205_model_free(model);
-    return code;
+    static const struct random_check check = {
+        "lines", UINT64_C(0xA0761D6478BD642F), draw, passes, true, NULL, 0
+    };
+    return check_random(count, words, &check);
 }

@@ -266,10 +266,9 @@ static bool passes(struct random_scene *scene, char *reason)
 
 int main(int count, char **words)
 {
-    static const struct random_check check = { .kind = "mass",
-                                               .seed = UINT64_C(0xA0761D6478BD642F),
-                                               .draw = draw,
-                                               .passes = passes };
+    static const struct random_check check = {
+        "mass", UINT64_C(0xA0761D6478BD642F), draw, passes, false, NULL, 0
+    };
     int code = check_random(count, words, &check);
     printf("%zu solids were measured\n", measured_count);
     return code;

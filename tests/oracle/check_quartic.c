@@ -11,6 +11,8 @@
 #include "arithmetic_oracle.h"
 #include "quartic_cases.h"
 #include "quartic_rule.h"
+#include "tests/oracle/give_up.h"
+#include "tests/oracle/solid_text.h"
 #include "tests/random.h"
 
 #include <getopt.h>
@@ -23,6 +25,17 @@ enum { POLYNOMIALS = 600, MAX_SHOWN = 20 };
 
 static unsigned long shown;
 
+static void print_polynomial(const struct polynomial *polynomial)
+{
+    char text[C205_TEXT_SIZE];
+    for (int i = 0; i < 5; i++) {
+        c205_to_text(polynomial->c[i], text);
+        printf("%s,", text);
+    }
+    c205_to_text(polynomial->bound, text);
+    fputs(text, stdout);
+}
+
 static void show(const struct polynomial *polynomial,
                  const struct polynomial_roots *roots, const char *why)
 {
@@ -30,12 +43,8 @@ static void show(const struct polynomial *polynomial,
     if (shown++ >= MAX_SHOWN)
         return;
     printf("%s:\n   ", why);
-    for (int i = 0; i < 5; i++) {
-        c205_to_text(polynomial->c[i], text);
-        printf("%s,", text);
-    }
-    c205_to_text(polynomial->bound, text);
-    printf("%s\n    found", text);
+    print_polynomial(polynomial);
+    printf("\n    found");
     for (int i = 0; i < roots->count; i++) {
         c205_to_text(roots->root[i], text);
         printf(" %s", text);
@@ -45,25 +54,13 @@ static void show(const struct polynomial *polynomial,
 
 /* ---- The machine -------------------------------------------------------- */
 
-static void *allocate(size_t count, size_t size)
-{
-    void *room = calloc(count, size);
-    if (!room) {
-        fputs("check_quartic: out of memory\n", stderr);
-        exit(2);
-    }
-    return room;
-}
-
 static void solve(struct polynomial_roots *roots, const struct polynomial *polynomials,
                   size_t count, const struct roots_options *options)
 {
     c205_error error = { "" };
     struct root_search *search = roots_new(polynomials, count, options, &error);
-    if (!search || !roots_run(search, &error) || !roots_read(search, roots, &error)) {
-        fprintf(stderr, "check_quartic: %s\n", error.message);
-        exit(2);
-    }
+    if (!search || !roots_run(search, &error) || !roots_read(search, roots, &error))
+        give_up(error.message);
     roots_free(search);
 }
 
@@ -84,7 +81,7 @@ static unsigned long compare(const struct polynomial *polynomials, size_t count,
                              const struct polynomial_roots *expected,
                              const struct roots_options *options)
 {
-    struct polynomial_roots *roots = allocate(count, sizeof *roots);
+    struct polynomial_roots *roots = test_room(count * sizeof *roots);
     unsigned long differ = 0;
     solve(roots, polynomials, count, options);
     for (size_t i = 0; i < count; i++)
@@ -181,14 +178,9 @@ static int print_kind(const struct arguments *arguments)
     }
     for (size_t i = 0; i < arguments->each; i++) {
         struct polynomial polynomial;
-        char text[C205_TEXT_SIZE];
         quartic_case(&polynomial, kind, &state);
-        for (int j = 0; j < 5; j++) {
-            c205_to_text(polynomial.c[j], text);
-            printf("%s,", text);
-        }
-        c205_to_text(polynomial.bound, text);
-        puts(text);
+        print_polynomial(&polynomial);
+        putchar('\n');
     }
     return 0;
 }
@@ -196,7 +188,7 @@ static int print_kind(const struct arguments *arguments)
 static unsigned long check_all(const struct polynomial *polynomials, size_t count,
                                const struct roots_options *options)
 {
-    struct polynomial_roots *roots = allocate(count, sizeof *roots);
+    struct polynomial_roots *roots = test_room(count * sizeof *roots);
     struct tally tallies[QUARTIC_KINDS] = { { 0 } };
     struct half half;
     unsigned long wrong, differ;
@@ -221,17 +213,15 @@ static unsigned long check_all(const struct polynomial *polynomials, size_t coun
 static int check(const struct arguments *arguments)
 {
     size_t count = arguments->each * QUARTIC_KINDS;
-    struct polynomial *polynomials = allocate(count, sizeof *polynomials);
+    struct polynomial *polynomials = test_room(count * sizeof *polynomials);
     struct roots_options options = { .mode = TRACE_SCALAR,
                                      .queue = 1,
                                      .falsi = arguments->falsi };
     uint64_t state = arguments->seed;
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (!model) {
-        fprintf(stderr, "check_quartic: %s\n", error.message);
-        return 2;
-    }
+    if (!model)
+        give_up(error.message);
     options.model = model;
     for (size_t i = 0; i < count; i++)
         quartic_case(&polynomials[i], (enum quartic_kind)(i % QUARTIC_KINDS), &state);

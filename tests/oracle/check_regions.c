@@ -32,9 +32,7 @@ enum { WAYS = 5 };
  * shadows and checks.  In so small a frame the share is larger than in check_scene. */
 #define ROUNDED .01
 
-static c205_model *model;
-
-/* ---- Configurations ------------------------------------------------------ */
+/* --- ways to trace -------------------------------------------------------- */
 
 /* Tests every ray against every region, one after the other. */
 static const struct trace_options plainest = {
@@ -60,23 +58,6 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
     return way;
 }
 
-/* Appends the options of rt205 render for a configuration. */
-static void print_way(const struct trace_options *way, char *words, size_t size)
-{
-    int used = snprintf(words, size, " with --mode %s", trace_mode_name(way->mode));
-#define TELL(condition, ...) \
-    if (condition) \
-    used += snprintf(words + used, size - (size_t)used, " " __VA_ARGS__)
-    TELL(way->mode != TRACE_SCALAR, "--queue %zu", way->queue);
-    TELL(way->no_bounds, "--no-bounds");
-    TELL(way->flat, "--flat");
-    TELL(way->order, "--order %s", order_name(way->order));
-    TELL(way->visible, "--visible every");
-    TELL(way->jobs > 1, "--jobs %zu", way->jobs);
-    TELL(way->band, "(bands of %zu pixels)", way->band);
-#undef TELL
-}
-
 /* Estimates the processor time on the host in seconds. */
 static double seconds_of(const struct trace_options *way, double work)
 {
@@ -96,64 +77,22 @@ static struct trace_options some_way(uint64_t *state, const struct random_scene 
     return (struct trace_options){ .mode = TRACE_VECTOR, .queue = 77 };
 }
 
-/* ---- Frames -------------------------------------------------------------- */
+/* --- against the plain tracer --------------------------------------------- */
 
-/* A scene and the size of its frame. */
-struct sight {
-    const struct scene *scene;
-    size_t width, height;
-};
-
-static struct trace *trace_in(const struct sight *sight, struct trace_options way)
-{
-    way.width = sight->width;
-    way.height = sight->height;
-    way.model = model;
-    return traced_in(sight->scene, way);
-}
-
-static bool same_rays(const struct trace *expected, const struct trace *found,
-                      char *reason)
-{
-    for (int kind = 0; kind < RAY_KINDS; kind++) {
-        uint64_t a = trace_rays(expected, (enum ray_kind)kind);
-        uint64_t b = trace_rays(found, (enum ray_kind)kind);
-        if (a != b) {
-            snprintf(reason, MANY_REASON, "%llu %s rays, not %llu",
-                     (unsigned long long)b, ray_kind_name((enum ray_kind)kind),
-                     (unsigned long long)a);
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool same_in(const struct sight *sight, const struct trace *expected,
-                    const struct trace_options *way, char *reason)
-{
-    struct trace *found = trace_in(sight, *way);
-    bool good = same_frames(expected, found, sight->width, sight->height, reason)
-                && same_rays(expected, found, reason);
-    trace_free(found);
-    return good;
-}
-
-/* ---- Comparison with the plain tracer ------------------------------------ */
-
-static bool same_as_plain(const struct sight *sight, const struct trace *trace,
-                          enum certainty certainty, char *reason)
+static bool same_as_plain(const struct random_scene *regions, const struct scene *scene,
+                          const struct trace *trace, char *reason)
 {
     struct frame expected, found;
     bool good = true;
-    if (!plain_trace(sight->scene, sight->width, sight->height, &expected)
-        || !frame_allocate(&found, sight->width, sight->height))
+    if (!plain_trace(scene, regions->width, regions->height, &expected)
+        || !frame_allocate(&found, regions->width, regions->height))
         give_up("out of memory");
     trace_read(trace, 0, &found);
     bool *inner = inner_pixels(&expected);
     for (size_t i = 0; good && i < WITH_FRAME; i++) {
         struct comparison comparison = with_frame[i];
         comparison.share = ROUNDED;
-        if (certainty < ALL_CERTAIN && comparison.first != CHANNEL_DEPTH)
+        if (regions->certainty < ALL_CERTAIN && comparison.first != CHANNEL_DEPTH)
             continue;
         struct picture_difference is = compare_pictures(&comparison, &expected, &found,
                                                         inner);
@@ -180,21 +119,26 @@ static struct ways {
     bool plain;
 } ways;
 
+static struct trace_options sized(const struct random_scene *regions,
+                                  struct trace_options way)
+{
+    way.width = regions->width;
+    way.height = regions->height;
+    return way;
+}
+
 static bool passes(struct random_scene *regions, char *reason)
 {
     struct scene *scene = scene_of(regions->text);
-    const struct sight sight = { scene, regions->width, regions->height };
-    struct trace *expected = trace_in(&sight, plainest);
+    struct trace *expected = traced_in(scene, sized(regions, plainest));
     bool good = true;
     for (size_t i = 0; good && i < ways.count; i++)
-        if (!same_in(&sight, expected, &ways.way[i], reason)) {
-            size_t used = strlen(reason);
-            print_way(&ways.way[i], reason + used, MANY_REASON - used);
+        if (!same_in_form(scene, expected, sized(regions, ways.way[i]), reason)) {
             ways = (struct ways){ .count = 1, .way = { ways.way[i] } };
             good = false;
         }
     if (good && ways.plain && regions->certainty
-        && !same_as_plain(&sight, expected, regions->certainty, reason)) {
+        && !same_as_plain(regions, scene, expected, reason)) {
         ways.count = 0;
         good = false;
     }
@@ -215,13 +159,8 @@ static struct random_scene draw(uint64_t *state, size_t number)
 
 int main(int count, char **words)
 {
-    static const struct random_check check = { .kind = "regions",
-                                               .seed = UINT64_C(0xD1B54A32D192ED03),
-                                               .draw = draw,
-                                               .passes = passes,
-                                               .shrinks = true };
-    model = usual_model();
-    int code = check_random(count, words, &check);
-    c205_model_free(model);
-    return code;
+    static const struct random_check check = {
+        "regions", UINT64_C(0xD1B54A32D192ED03), draw, passes, true, NULL, 0
+    };
+    return check_random(count, words, &check);
 }

@@ -42,8 +42,6 @@ static const struct comparison with_povray = { "colour", CHANNEL_RED, 3,  1,
 
 #define SEED UINT64_C(0x9E3779B97F4A7C15)
 
-static c205_model *model;
-
 static uint64_t seed_of(size_t number)
 {
     return RANDOM_SEED ^ (number + 1) * SEED;
@@ -63,27 +61,12 @@ static const struct trace_options forms[] = {
 };
 enum { FORMS = sizeof forms / sizeof *forms };
 
-static struct trace *trace_in(const struct scene *scene, size_t i)
+static struct trace_options form(size_t i)
 {
     struct trace_options form = forms[i];
     form.width = WIDTH;
     form.height = HEIGHT;
-    form.model = model;
-    return traced_in(scene, form);
-}
-
-static bool same_in_all_forms(const struct scene *scene, const struct trace *expected,
-                              char *reason)
-{
-    bool good = true;
-    for (size_t i = 1; good && i < FORMS; i++) {
-        struct trace *found = trace_in(scene, i);
-        good = same_frames(expected, found, WIDTH, HEIGHT, reason);
-        trace_free(found);
-        if (!good)
-            sprintf(reason + strlen(reason), " in form %zu", i);
-    }
-    return good;
+    return form;
 }
 
 /* ---- Other tracers ------------------------------------------------------- */
@@ -118,24 +101,14 @@ static bool same_as_plain(const struct frame *plain, const struct frame *ours,
 static struct povray *runs[AHEAD + 1];
 static size_t begun, ended;
 
-static void path_of(size_t number, char path[PATH])
-{
-    snprintf(path, PATH, "standing_%zu_lifted.pov", number);
-}
-
 static void begin(size_t number)
 {
-    struct picture_error error;
     char path[PATH];
     if (standing_scene_kind(seed_of(number)) != STANDING_CLEAR)
         return;
     char *text = standing_scene_text(seed_of(number), LIFT);
-    path_of(number, path);
-    keep_scene(path, text);
-    struct povray *run = povray_begin(path, WIDTH, HEIGHT, &error);
-    if (!run)
-        give_up(error.message);
-    runs[begun++ % (AHEAD + 1)] = run;
+    snprintf(path, PATH, "standing_%zu_lifted.pov", number);
+    runs[begun++ % (AHEAD + 1)] = povray_begin(path, text, WIDTH, HEIGHT);
     free(text);
 }
 
@@ -144,13 +117,10 @@ static bool same_as_povray(size_t number, const struct frame *ours, const bool *
 {
     struct picture_error error;
     struct frame theirs;
-    char path[PATH];
     if (standing_scene_kind(seed_of(number)) != STANDING_CLEAR)
         return true;
     if (!povray_end(runs[ended++ % (AHEAD + 1)], &theirs, &error))
         give_up(error.message);
-    path_of(number, path);
-    remove(path);
     bool good = same_pictures(&with_povray, "POV-Ray", &theirs, ours, inner, reason);
     frame_free(&theirs);
     return good;
@@ -191,9 +161,10 @@ static struct random_scene draw(uint64_t *state, size_t number)
 static bool passes(struct random_scene *standing, char *reason)
 {
     struct scene *scene = scene_of(standing->text);
-    struct trace *expected = trace_in(scene, 0);
-    bool good = same_as_others(scene, expected, standing->number, reason)
-                && same_in_all_forms(scene, expected, reason);
+    struct trace *expected = traced_in(scene, form(0));
+    bool good = same_as_others(scene, expected, standing->number, reason);
+    for (size_t i = 1; good && i < FORMS; i++)
+        good = same_in_form(scene, expected, form(i), reason);
     trace_free(expected);
     scene_free(scene);
     return good;
@@ -201,14 +172,7 @@ static bool passes(struct random_scene *standing, char *reason)
 
 int main(int count, char **words)
 {
-    static const struct random_check check = { .kind = "standing",
-                                               .seed = SEED,
-                                               .draw = draw,
-                                               .passes = passes,
-                                               .begin = begin,
-                                               .ahead = AHEAD };
-    model = usual_model();
-    int code = check_random(count, words, &check);
-    c205_model_free(model);
-    return code;
+    static const struct random_check check = { "standing", SEED,  draw, passes,
+                                               false,      begin, AHEAD };
+    return check_random(count, words, &check);
 }

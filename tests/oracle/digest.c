@@ -9,7 +9,7 @@
  */
 #include "asm/assemble.h"
 #include "base/sink.h"
-#include "tests/oracle/random_program.h"
+#include "tests/oracle/random_machine.h"
 #include "vm/hash.h"
 
 #include <stdio.h>
@@ -27,27 +27,9 @@ struct digest {
     unsigned long count;
 };
 
-static void fail(const char *what)
-{
-    fprintf(stderr, "digest: %s\n", what);
-    exit(2);
-}
-
-static bool hash_bytes(void *context, const void *bytes, size_t count)
-{
-    const unsigned char *byte = bytes;
-    uint64_t *hash = context;
-    for (size_t i = 0; i < count; i++)
-        *hash = hash_word(*hash, byte[i]);
-    return true;
-}
-
 static void take(struct digest *digest, const c205 *machine, const char *name)
 {
-    uint64_t hash = HASH_BEGIN;
-    c205_error error;
-    if (!c205_save(machine, hash_bytes, &hash, &error))
-        fail(error.message);
+    uint64_t hash = machine_hash(machine);
     digest->hash = hash_word(digest->hash, hash);
     digest->count++;
     if (digest->verbose)
@@ -65,7 +47,7 @@ static void run_text(struct digest *digest, const c205_model *model, const char 
     c205 *machine = c205_new(model, &error);
     diagnostics_put(&errors, &sink);
     if (!object || !machine || !c205_load(machine, &object->program, &error))
-        fail(error.message);
+        give_up(error.message);
     c205_run(machine, CLOCKS);
     take(digest, machine, path);
     c205_free(machine);
@@ -78,7 +60,7 @@ static void run_texts(struct digest *digest, char **paths)
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
     if (!model)
-        fail(error.message);
+        give_up(error.message);
     for (; *paths; paths++)
         run_text(digest, model, *paths);
     c205_model_free(model);
@@ -99,41 +81,18 @@ static void run_on(c205 *machine)
     }
 }
 
-static void run_random(struct digest *digest, c205 *const *machines, uint64_t seed)
-{
-    struct random_program program = random_program(seed);
-    c205 *machine = machines[program.model];
-    c205_error error;
-    char name[40];
-    if (!random_load(machine, &program, &error))
-        fail(error.message);
-    run_on(machine);
-    snprintf(name, sizeof name, "seed %llu", (unsigned long long)seed);
-    take(digest, machine, name);
-}
-
 static void run_randoms(struct digest *digest, unsigned long count)
 {
-    c205_model **models = calloc(random_model_count, sizeof *models);
-    c205 **machines = calloc(random_model_count, sizeof *machines);
-    c205_error error = { "out of memory" };
-
-    if (!models || !machines)
-        fail(error.message);
-    for (size_t i = 0; i < random_model_count; i++) {
-        models[i] = c205_model_parse("random", random_models[i], &error);
-        machines[i] = models[i] ? c205_new(models[i], &error) : NULL;
-        if (!machines[i])
-            fail(error.message);
+    random_machines_begin();
+    for (unsigned long i = 0; i < count; i++) {
+        struct random_program program = random_program(FIRST_SEED + i);
+        c205 *machine = random_machine_load(&program);
+        char name[40];
+        run_on(machine);
+        snprintf(name, sizeof name, "seed %llu", (unsigned long long)program.seed);
+        take(digest, machine, name);
     }
-    for (unsigned long i = 0; i < count; i++)
-        run_random(digest, machines, FIRST_SEED + i);
-    for (size_t i = 0; i < random_model_count; i++) {
-        c205_free(machines[i]);
-        c205_model_free(models[i]);
-    }
-    free(machines);
-    free(models);
+    random_machines_end();
 }
 
 int main(int argc, char **argv)

@@ -7,6 +7,7 @@
  * vector form (rt/kernels/points).  --bare: the numbers of the generator without its
  * mixed output, by its definition; these are known to be bad.
  */
+#include "tests/oracle/give_up.h"
 #include "tests/oracle/points.h"
 
 #include <stdio.h>
@@ -17,12 +18,6 @@ enum { RAYS = 65535, WORDS = RAYS * STREAM_DRAWS };
 
 static c205_word planes[WORDS];
 static uint32_t drawn[WORDS];
-
-static void fail(const char *what)
-{
-    fprintf(stderr, "draw_words: %s\n", what);
-    exit(2);
-}
 
 static bool write_drawn(void)
 {
@@ -39,10 +34,10 @@ static void draw_by_machine(uint64_t seed)
     c205_error error = { "" };
     struct point_maker *maker = point_maker_new(&kind, &error);
     if (!maker)
-        fail(error.message);
+        give_up(error.message);
     do {
         if (!point_maker_run(maker, &choice, planes, &error))
-            fail(error.message);
+            give_up(error.message);
         for (size_t k = 0; k < WORDS; k++)
             drawn[k] = (uint32_t)(planes[k % STREAM_DRAWS * RAYS + k / STREAM_DRAWS]
                                   >> 15);
@@ -67,7 +62,7 @@ int main(int argc, char **argv)
 {
     bool bare = argc == 3 && strcmp(argv[1], "--bare") == 0;
     if (argc != 2 && !bare)
-        fail("usage: draw_words [--bare] SEED");
+        give_up("usage: draw_words [--bare] SEED");
     (bare ? draw_bare : draw_by_machine)(strtoull(argv[argc - 1], NULL, 10));
     return 0;
 }

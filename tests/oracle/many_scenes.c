@@ -9,12 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void give_up(const char *message)
-{
-    fprintf(stderr, "random scenes: %s\n", message);
-    exit(2);
-}
-
 c205_model *usual_model(void)
 {
     c205_error error;
@@ -41,14 +35,15 @@ struct scene *scene_of(const char *text)
 struct trace *traced_in(const struct scene *scene, struct trace_options options)
 {
     c205_error error;
+    options.model = check_model;
     struct trace *trace = trace_new(scene, &options, &error);
     if (!trace || !trace_run(trace, &error))
         give_up(error.message);
     return trace;
 }
 
-bool same_frames(const struct trace *expected, const struct trace *found, size_t width,
-                 size_t height, char *reason)
+static bool same_frames(const struct trace *expected, const struct trace *found,
+                        size_t width, size_t height, char *reason)
 {
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         const c205_word *a = trace_channel(expected, (enum frame_channel)i);
@@ -64,6 +59,52 @@ bool same_frames(const struct trace *expected, const struct trace *found, size_t
     return true;
 }
 
+static bool same_rays(const struct trace *expected, const struct trace *found,
+                      char *reason)
+{
+    for (int kind = 0; kind < RAY_KINDS; kind++) {
+        uint64_t a = trace_rays(expected, (enum ray_kind)kind);
+        uint64_t b = trace_rays(found, (enum ray_kind)kind);
+        if (a != b) {
+            snprintf(reason, MANY_REASON, "%llu %s rays, not %llu",
+                     (unsigned long long)b, ray_kind_name((enum ray_kind)kind),
+                     (unsigned long long)a);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Appends the options of rt205 render for a form. */
+static void print_form(const struct trace_options *form, char *words, size_t size)
+{
+    int used = snprintf(words, size, " with --mode %s", trace_mode_name(form->mode));
+#define OPTION(condition, ...) \
+    if (condition) \
+    used += snprintf(words + used, size - (size_t)used, " " __VA_ARGS__)
+    OPTION(form->mode != TRACE_SCALAR, "--queue %zu", form->queue);
+    OPTION(form->no_bounds, "--no-bounds");
+    OPTION(form->flat, "--flat");
+    OPTION(form->order, "--order %s", order_name(form->order));
+    OPTION(form->visible, "--visible every");
+    OPTION(form->jobs > 1, "--jobs %zu", form->jobs);
+    OPTION(form->band, "(bands of %zu pixels)", form->band);
+#undef OPTION
+}
+
+bool same_in_form(const struct scene *scene, const struct trace *expected,
+                  struct trace_options form, char *reason)
+{
+    struct trace *found = traced_in(scene, form);
+    bool good = same_frames(expected, found, form.width, form.height, reason)
+                && same_rays(expected, found, reason);
+    size_t used = strlen(reason);
+    if (!good)
+        print_form(&form, reason + used, MANY_REASON - used);
+    trace_free(found);
+    return good;
+}
+
 void keep_scene(const char *path, const char *text)
 {
     FILE *file = fopen(path, "w");
@@ -72,6 +113,8 @@ void keep_scene(const char *path, const char *text)
         fclose(file);
     }
 }
+
+c205_model *check_model;
 
 int check_many(int count, char **words, bool (*check)(size_t number, bool first),
                void (*begin)(size_t number), size_t ahead)
@@ -86,11 +129,13 @@ int check_many(int count, char **words, bool (*check)(size_t number, bool first)
         fprintf(stderr, "usage: %s [SCENES [OF SHARE]] [--first]\n", words[0]);
         return 2;
     }
+    check_model = usual_model();
     for (size_t i = share; i < scenes && !(first && failed); i += of) {
         for (; begin && next < scenes && next <= i + ahead * of; next += of)
             begin(next);
         check(i, first) ? passed++ : failed++;
     }
+    c205_model_free(check_model);
     printf("%zu passed, %zu failed\n", passed, failed);
     return failed > 0;
 }

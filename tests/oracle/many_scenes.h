@@ -5,29 +5,31 @@
 
 #include "rt/scene/scene.h"
 #include "rt/trace/trace.h"
+#include "tests/oracle/give_up.h"
 #include "vm/c205.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-/* Prints the message and ends the program with status 2. */
-void give_up(const char *message);
 /* Returns the model for the traces; the caller frees it. */
 c205_model *usual_model(void);
 /* Reads a scene.  After an error it prints the text and the messages, and ends the
  * program with status 2. */
 struct scene *scene_of(const char *text);
-/* Returns a finished trace. If it fails, the program ends with status 2. */
+/* Returns a finished trace on the model of check_many; gives up if it fails. */
 struct trace *traced_in(const struct scene *scene, struct trace_options options);
-/* Compares bit for bit.  Returns false and a reason of at most MANY_REASON
- * characters. */
-bool same_frames(const struct trace *expected, const struct trace *found, size_t width,
-                 size_t height, char *reason);
+/* Traces the scene with other options, in the same size.  Frames must be equal bit for
+ * bit, and numbers of rays.  Returns false and a reason of at most MANY_REASON
+ * characters, which ends with the options. */
+bool same_in_form(const struct scene *scene, const struct trace *expected,
+                  struct trace_options form, char *reason);
 /* Writes the text to a file in the current folder.  Errors are ignored, because the
  * text is also printed. */
 void keep_scene(const char *path, const char *text);
 
+/* The model of the traces, during check_many. */
+extern c205_model *check_model;
 /* Parses CHECK [SCENES [OF SHARE]] [--first] and checks the scenes 0 to SCENES - 1
  * (300), or every OF-th of them from SHARE on; first: until one fails, which is not
  * reduced.  begin, or NULL, is called for each scene, up to ahead scenes before it is

@@ -4,7 +4,6 @@
 
 #include "tests/oracle/operands.h"
 #include "tests/oracle/random_machine.h"
-#include "vm/hash.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,31 +16,6 @@ enum {
     ONE_SAVED_IN = 40,
     ONE_HEARD_IN = 10
 };
-
-/* ---- States ------------------------------------------------------------ */
-
-static bool hash_bytes(void *context, const void *bytes, size_t count)
-{
-    const unsigned char *byte = bytes;
-    uint64_t *hash = context;
-    for (size_t i = 0; i < count; i++)
-        *hash = hash_word(*hash, byte[i]);
-    return true;
-}
-
-static void save(const c205 *machine, c205_writer *write, void *context)
-{
-    c205_error error;
-    if (!c205_save(machine, write, context, &error))
-        random_machine_fail(error.message);
-}
-
-uint64_t machine_hash(const c205 *machine)
-{
-    uint64_t hash = HASH_BEGIN;
-    save(machine, hash_bytes, &hash);
-    return hash;
-}
 
 /* ---- Saved and restored ------------------------------------------------ */
 
@@ -67,11 +41,11 @@ static c205 *copy_machine(const c205 *machine)
 {
     struct bytes kept = { NULL, 0, 0 };
     c205_error error;
-    save(machine, keep_bytes, &kept);
+    random_machine_save(machine, keep_bytes, &kept);
     c205 *copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine),
                               &error);
     if (!copy)
-        random_machine_fail(error.message);
+        give_up(error.message);
     free(kept.bytes);
     return copy;
 }

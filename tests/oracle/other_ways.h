@@ -12,9 +12,6 @@
 
 #include "tests/oracle/random_program.h"
 
-/* Returns a hash of the complete state. */
-uint64_t machine_hash(const c205 *machine);
-
 /* Returns NULL if the modes agree, else the name of one that differs.  stepped is the
  * hash of a machine that ran step by step to the end of the program.  NULL: it did not
  * reach the end, and the modes are only compared with each other. */

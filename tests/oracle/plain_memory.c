@@ -1,7 +1,8 @@
 /* plain_memory.c - memory as a sparse map: a hash table of words. */
 #include "plain_memory.h"
 
-#include <stdio.h>
+#include "tests/oracle/give_up.h"
+
 #include <stdlib.h>
 
 enum { WORD_BITS = 64, FIRST_SLOTS = 1024 };
@@ -16,10 +17,8 @@ struct plain_slot {
 void *plain_room(void *items, size_t count, size_t size)
 {
     void *room = realloc(items, count * size);
-    if (!room) {
-        fprintf(stderr, "out of memory\n");
-        exit(2);
-    }
+    if (!room)
+        give_up("out of memory");
     return room;
 }
 

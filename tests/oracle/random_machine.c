@@ -15,21 +15,15 @@ static c205_word *images[RANDOM_PAGES];
 
 /* ---- Begin and end ----------------------------------------------------- */
 
-void random_machine_fail(const char *what)
-{
-    fprintf(stderr, "check_random: %s\n", what);
-    exit(2);
-}
-
 static void make_machine(size_t i)
 {
     c205_error error;
     models[i] = c205_model_parse("random", random_models[i], &error);
     if (!models[i])
-        random_machine_fail(error.message);
+        give_up(error.message);
     machines[i] = c205_new(models[i], &error);
     if (!machines[i])
-        random_machine_fail(error.message);
+        give_up(error.message);
 }
 
 void random_machines_begin(void)
@@ -59,7 +53,7 @@ c205 *random_machine_load(const struct random_program *program)
     c205 *machine = machines[program->model];
     c205_error error;
     if (!random_load(machine, program, &error))
-        random_machine_fail(error.message);
+        give_up(error.message);
     return machine;
 }
 
@@ -69,7 +63,7 @@ c205 *random_machine_load_shared(const struct random_program *program,
     c205 *machine = machines[program->model];
     c205_error error = { "out of memory" };
     if (!random_load_shared(machine, program, shared, &error))
-        random_machine_fail(error.message);
+        give_up(error.message);
     return machine;
 }
 
@@ -82,10 +76,35 @@ uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared)
         if (!shared->page[i])
             continue;
         if (!random_shared_read(machine, shared, i, words, &error))
-            random_machine_fail(error.message);
+            give_up(error.message);
         for (size_t k = 0; k < C205_PAGE_WORDS; k++)
             hash = hash_word(hash, words[k]);
     }
+    return hash;
+}
+
+/* ---- States ------------------------------------------------------------ */
+
+static bool hash_bytes(void *context, const void *bytes, size_t count)
+{
+    const unsigned char *byte = bytes;
+    uint64_t *hash = context;
+    for (size_t i = 0; i < count; i++)
+        *hash = hash_word(*hash, byte[i]);
+    return true;
+}
+
+void random_machine_save(const c205 *machine, c205_writer *write, void *context)
+{
+    c205_error error;
+    if (!c205_save(machine, write, context, &error))
+        give_up(error.message);
+}
+
+uint64_t machine_hash(const c205 *machine)
+{
+    uint64_t hash = HASH_BEGIN;
+    random_machine_save(machine, hash_bytes, &hash);
     return hash;
 }
 

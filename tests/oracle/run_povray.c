@@ -2,6 +2,8 @@
  * (run_povray.h). */
 #include "tests/oracle/run_povray.h"
 
+#include "tests/oracle/many_scenes.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -98,6 +100,7 @@ static bool fail_with_log(const struct workplace *place, struct picture_error *e
 struct povray {
     struct workplace place;
     pid_t child;
+    char text[96]; /* the file of the text, or empty */
 };
 
 static struct povray *begin(const char *scene, size_t width, size_t height,
@@ -116,10 +119,16 @@ static struct povray *begin(const char *scene, size_t width, size_t height,
     return run;
 }
 
-struct povray *povray_begin(const char *scene, size_t width, size_t height,
-                            struct picture_error *error)
+struct povray *povray_begin(const char *path, const char *text, size_t width,
+                            size_t height)
 {
-    return begin(scene, width, height, NULL, error);
+    struct picture_error error;
+    keep_scene(path, text);
+    struct povray *run = begin(path, width, height, NULL, &error);
+    if (!run)
+        give_up(error.message);
+    snprintf(run->text, sizeof run->text, "%s", path);
+    return run;
 }
 
 bool povray_end(struct povray *run, struct frame *frame, struct picture_error *error)
@@ -128,6 +137,8 @@ bool povray_end(struct povray *run, struct frame *frame, struct picture_error *e
                     ? picture_read(run->place.picture, frame, error)
                     : fail_with_log(&run->place, error);
     close_workplace(&run->place);
+    if (run->text[0])
+        remove(run->text);
     free(run);
     return good;
 }

@@ -19,12 +19,13 @@ bool run_povray(const char *scene, size_t width, size_t height,
                 const struct antialiasing *how, struct frame *frame,
                 struct picture_error *error);
 
-/* Does the same with one ray per pixel, in two steps, between which POV-Ray runs in
- * parallel.  POV-Ray mostly waits for its own threads, so several simultaneous runs
- * cost little.  povray_begin returns NULL after an error; povray_end frees the run. */
+/* Does the same for a text, with one ray per pixel, in two steps, between which POV-Ray
+ * runs in parallel.  POV-Ray mostly waits for its own threads, so several simultaneous
+ * runs cost little.  povray_begin writes the text to a file in the current folder, and
+ * gives up after an error; povray_end removes the file and frees the run. */
 struct povray;
-struct povray *povray_begin(const char *scene, size_t width, size_t height,
-                            struct picture_error *error);
+struct povray *povray_begin(const char *path, const char *text, size_t width,
+                            size_t height);
 bool povray_end(struct povray *run, struct frame *frame, struct picture_error *error);
 
 #endif

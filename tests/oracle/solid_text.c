@@ -1,16 +1,16 @@
 /* solid_text.c - builds, copies and prints solids (solid_text.h). */
 #include "tests/oracle/solid_text.h"
 
+#include "tests/oracle/give_up.h"
+
 #include <stdarg.h>
 #include <stdlib.h>
 
 void *test_room(size_t size)
 {
     void *made = calloc(1, size);
-    if (!made) {
-        fputs("out of memory\n", stderr);
-        exit(2);
-    }
+    if (!made)
+        give_up("out of memory");
     return made;
 }
 
@@ -18,10 +18,8 @@ FILE *test_text(char **words)
 {
     static size_t size;
     FILE *text = open_memstream(words, &size);
-    if (!text) {
-        fputs("out of memory\n", stderr);
-        exit(2);
-    }
+    if (!text)
+        give_up("out of memory");
     return text;
 }
 
