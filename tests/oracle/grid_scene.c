@@ -162,34 +162,17 @@ static void random_shape(uint64_t *state, char *shape)
 
 static void random_look(uint64_t *state, char *look)
 {
+    static const char *const looks[] = {
+        "pigment { rgbt <%.2f, %.2f, %.2f, .6> } interior { ior 1.3 } ",
+        "pigment { rgbf <%.2f, %.2f, %.2f, .8> } ",
+        "pigment { rgb <%.2f, %.2f, %.2f> } finish { reflection .4 } ",
+        "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 scale .5 } finish { phong .5 } ",
+        "pigment { rgb <%.2f, %.2f, %.2f> } ",
+    };
     double red = between(state, 0, 1), green = between(state, 0, 1);
     double blue = between(state, 0, 1);
-    switch (below(state, 8)) {
-    case 0:
-        solid_words(look,
-                    "pigment { rgbt <%.2f, %.2f, %.2f, .6> } "
-                    "interior { ior 1.3 } ",
-                    red, green, blue);
-        break;
-    case 1:
-        solid_words(look, "pigment { rgbf <%.2f, %.2f, %.2f, .8> } ", red, green, blue);
-        break;
-    case 2:
-        solid_words(look,
-                    "pigment { rgb <%.2f, %.2f, %.2f> } "
-                    "finish { reflection .4 } ",
-                    red, green, blue);
-        break;
-    case 3:
-        solid_words(look,
-                    "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 "
-                    "scale .5 } finish { phong .5 } ",
-                    red, green, blue);
-        break;
-    default:
-        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } ", red, green, blue);
-        break;
-    }
+    size_t which = below(state, 8);
+    solid_words(look, looks[which < 4 ? which : 4], red, green, blue);
 }
 
 static void random_motion(uint64_t *state, char *motion)
@@ -291,28 +274,20 @@ static void random_view(uint64_t *state, struct grid *scene)
     double x = s * on_grid(state), y = s * on_grid(state);
     double z = s * on_grid(state);
     bool parallel = *state % 8 == 0; /* no other choice depends on it */
-    switch (below(state, 8)) {
-    case 0: /* rays run within faces */
-    case 1:
-        solid_words(scene->view,
-                    "location <%g, %g, %g> direction 28*z right %d*x up %d*y", x, y,
-                    -5 * s, GRID_WIDTH, GRID_HEIGHT);
-        break;
-    case 2: /* rays start in faces */
-        solid_words(scene->view,
-                    "location <%g, %g, %g> direction 14*z right %d*x up %d*y", x, y, z,
-                    GRID_WIDTH, GRID_HEIGHT);
-        break;
-    default:
-        scene->aslant = true;
+    size_t which = below(state, 8);
+    scene->aslant = which > 2;
+    if (which > 2)
         solid_words(scene->view,
                     "%slocation %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
                     "right x*%d/%d angle %.2f",
                     parallel ? "orthographic " : "", s, between(state, -6, 6),
                     between(state, -4, 6), between(state, 5, 9), s, GRID_WIDTH,
                     GRID_HEIGHT, between(state, 20, 40));
-        break;
-    }
+    else /* rays start in faces, or run within them */
+        solid_words(scene->view,
+                    "location <%g, %g, %g> direction %d*z right %d*x up %d*y", x, y,
+                    which == 2 ? z : -5 * s, which == 2 ? 14 : 28, GRID_WIDTH,
+                    GRID_HEIGHT);
 }
 
 static void random_lamp(uint64_t *state, char *lamp)
@@ -354,8 +329,7 @@ static void put_on_ground(uint64_t state, struct grid *scene)
 
 static void draw_scene(uint64_t *state, struct grid *scene)
 {
-    for (int i = 0; i < 8; i++)
-        xorshift(state);
+    *state = stream_beside(*state, 1, 0);
     random_view(state, scene);
     scene->lamp_count = below(state, MAX_LAMPS + 1);
     for (size_t i = 0; i < scene->lamp_count; i++)
@@ -368,34 +342,14 @@ static void draw_scene(uint64_t *state, struct grid *scene)
     put_on_ground(*state, scene);
 }
 
-/* ---- Text ---------------------------------------------------------------- */
+/* --- in another order ----------------------------------------------------- */
 
-static void print_solid(const struct solid *solid, double scale, FILE *text)
+static char *text_of(struct grid *scene)
 {
-    if (scale != 1)
-        fprintf(text, "object {\n");
-    solid_print(solid, text);
-    if (scale != 1)
-        fprintf(text, "scale %g\n}\n", scale);
+    return solids_text("global_settings { assumed_gamma 1 max_trace_level 4 }",
+                       scene->view, scene->lamps, scene->lamp_count, scene->solids,
+                       scene->solid_count, scene->scale);
 }
-
-static char *text_of(const struct grid *scene)
-{
-    char *words;
-    FILE *text = test_text(&words);
-    fprintf(text, "#version 3.7;\nglobal_settings { assumed_gamma 1 "
-                  "max_trace_level 4 }\nbackground { rgb <.3, .4, .6> }\n");
-    fprintf(text, "camera { %s }\n", scene->view);
-    for (size_t i = 0; i < scene->lamp_count; i++)
-        fprintf(text, "%s\n", scene->lamps[i]);
-    fprintf(text, "#default { pigment { rgb .8 } }\n");
-    for (size_t i = 0; i < scene->solid_count; i++)
-        print_solid(scene->solids[i], scene->scale, text);
-    fclose(text);
-    return words;
-}
-
-/* ---- Parts in another order ---------------------------------------------- */
 
 static void shuffle(struct solid **solids, size_t count, uint64_t *state)
 {

@@ -6,6 +6,7 @@
 #include "tests/oracle/placed_solid.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { MAX_LAMPS = 3, MAX_GROUPS = 3, MAX_JOINED = 24, WORDS = SOLID_WORDS };
 
@@ -45,18 +46,20 @@ static void about(uint64_t *state, const double centre[3], double spread, double
         at[i] = centre[i] + between(state, -spread, spread);
 }
 
-static void in_cloud(uint64_t *state, const struct group *group, size_t i,
-                     struct place *place)
+#define UNUSED __attribute__((unused))
+#define PLACE(name) \
+    static void name(uint64_t *state UNUSED, const struct group *group, \
+                     size_t i UNUSED, struct place *place)
+
+PLACE(in_cloud)
 {
-    (void)i;
     about(state, group->centre, group->spread, place->at);
     place->size = of_any_size(state, .05, .7) * group->spread
                   / cbrt((double)group->count);
 }
 
 /* Places clusters at the eight corners of a cube. */
-static void in_clusters(uint64_t *state, const struct group *group, size_t i,
-                        struct place *place)
+PLACE(in_clusters)
 {
     double centre[3];
     for (int axis = 0; axis < 3; axis++)
@@ -66,47 +69,36 @@ static void in_clusters(uint64_t *state, const struct group *group, size_t i,
                   / cbrt((double)group->count);
 }
 
-static void in_row(uint64_t *state, const struct group *group, size_t i,
-                   struct place *place)
+PLACE(in_row)
 {
-    (void)state;
-    for (int axis = 0; axis < 3; axis++)
-        place->at[axis] = group->centre[axis];
+    memcpy(place->at, group->centre, sizeof place->at);
     place->at[group->side % 3] += (double)i - (double)(group->count / 2);
     place->size = group->size;
 }
 
-static void in_lattice(uint64_t *state, const struct group *group, size_t i,
-                       struct place *place)
+PLACE(in_lattice)
 {
-    (void)state;
     for (int axis = 0; axis < 3; axis++, i /= group->side)
         place->at[axis] = group->centre[axis] + (double)(i % group->side)
                           - (double)(group->side / 2);
     place->size = group->size;
 }
 
-static void in_one_point(uint64_t *state, const struct group *group, size_t i,
-                         struct place *place)
+PLACE(in_one_point)
 {
-    (void)i;
-    for (int axis = 0; axis < 3; axis++)
-        place->at[axis] = group->centre[axis];
+    memcpy(place->at, group->centre, sizeof place->at);
     place->size = of_any_size(state, .05, 1) * group->spread;
 }
 
-static void nested(uint64_t *state, const struct group *group, size_t i,
-                   struct place *place)
+PLACE(nested)
 {
     in_one_point(state, group, i, place);
     place->size = group->spread * (double)(i + 1) / (double)group->count;
 }
 
-static void tiny_and_huge(uint64_t *state, const struct group *group, size_t i,
-                          struct place *place)
+PLACE(tiny_and_huge)
 {
     double far = of_any_size(state, 1e-2, 1e4);
-    (void)i;
     about(state, group->centre, far, place->at);
     place->size = of_any_size(state, 1e-4, .4) * far;
 }
@@ -371,8 +363,7 @@ static size_t random_count(uint64_t *state)
 static void draw_scene(uint64_t *state, struct regions *scene)
 {
     struct drawing *drawing = test_room(sizeof *drawing);
-    for (int i = 0; i < 8; i++)
-        xorshift(state);
+    *state = stream_beside(*state, 1, 0);
     drawing->state = state;
     drawing->scene = scene;
     drawing->whole = one_in(state, 3);
@@ -392,31 +383,18 @@ static void draw_scene(uint64_t *state, struct regions *scene)
     free(drawing);
 }
 
-static char *text_of(const struct regions *scene)
-{
-    char *words;
-    FILE *text = test_text(&words);
-    fprintf(text, "#version 3.7;\n%s\nbackground { rgb <.3, .4, .6> }\n",
-            scene->settings);
-    fprintf(text, "camera { %s }\n", scene->view);
-    for (size_t i = 0; i < scene->lamp_count; i++)
-        fprintf(text, "%s\n", scene->lamps[i]);
-    fprintf(text, "#default { pigment { rgb .8 } }\n");
-    for (size_t i = 0; i < scene->solid_count; i++)
-        solid_print(scene->solids[i], text);
-    fclose(text);
-    return words;
-}
-
 struct random_scene many_regions(uint64_t *state)
 {
     struct regions *scene = test_room(sizeof *scene);
     draw_scene(state, scene);
-    struct random_scene made = { .text = text_of(scene),
-                                 .width = scene->width,
-                                 .height = scene->height,
-                                 .certainty = scene->certainty,
-                                 .work = work_of(scene) };
+    struct random_scene made = {
+        .text = solids_text(scene->settings, scene->view, scene->lamps,
+                            scene->lamp_count, scene->solids, scene->solid_count, 1),
+        .width = scene->width,
+        .height = scene->height,
+        .certainty = scene->certainty,
+        .work = work_of(scene)
+    };
     for (size_t i = 0; i < scene->solid_count; i++)
         solid_free(scene->solids[i]);
     free(scene);

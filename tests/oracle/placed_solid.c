@@ -18,9 +18,10 @@ void place_make_short(struct place *place)
 
 typedef void random_shape(uint64_t *state, const struct place *place,
                           struct solid *solid);
+#define SHAPE_AT(name) \
+    static void name(uint64_t *state, const struct place *place, struct solid *solid)
 
-static void random_sphere(uint64_t *state, const struct place *place,
-                          struct solid *solid)
+SHAPE_AT(random_sphere)
 {
     double x = place->at[0], y = place->at[1], z = place->at[2];
     if (one_in(state, 8)) {
@@ -35,7 +36,7 @@ static void random_sphere(uint64_t *state, const struct place *place,
     }
 }
 
-static void random_box(uint64_t *state, const struct place *place, struct solid *solid)
+SHAPE_AT(random_box)
 {
     double x = place->at[0], y = place->at[1], z = place->at[2];
     double s = place->size;
@@ -73,13 +74,12 @@ static void print_axis(uint64_t *state, const struct place *place, struct solid 
                     base[0], base[1], base[2], cap[0], cap[1], cap[2], s, open);
 }
 
-static void random_cylinder(uint64_t *state, const struct place *place,
-                            struct solid *solid)
+SHAPE_AT(random_cylinder)
 {
     print_axis(state, place, solid, false);
 }
 
-static void random_cone(uint64_t *state, const struct place *place, struct solid *solid)
+SHAPE_AT(random_cone)
 {
     print_axis(state, place, solid, true);
 }
@@ -109,8 +109,7 @@ static void random_lathe(uint64_t *state, struct solid *solid)
 }
 
 /* Makes a torus or a lathe. */
-static void random_torus(uint64_t *state, const struct place *place,
-                         struct solid *solid)
+SHAPE_AT(random_torus)
 {
     uint64_t other = stream_beside(*state, 5, 1);
     double minor = .1 + .1 * (double)below(state, 4);
@@ -122,8 +121,7 @@ static void random_torus(uint64_t *state, const struct place *place,
 }
 
 /* Half of the prisms have quadratic splines. */
-static void random_prism(uint64_t *state, const struct place *place,
-                         struct solid *solid)
+SHAPE_AT(random_prism)
 {
     uint64_t other = stream_beside(*state, 5, 1);
     solid_words(solid->shape,
@@ -135,8 +133,7 @@ static void random_prism(uint64_t *state, const struct place *place,
     move_to(state, place, solid);
 }
 
-static void random_patch(uint64_t *state, const struct place *place,
-                         struct solid *solid)
+SHAPE_AT(random_patch)
 {
     solid_words(solid->shape,
                 "steiner_patch { <-1, -1, 0>, <0, 1, 0>, <1, -1, 0>, "
@@ -146,8 +143,7 @@ static void random_patch(uint64_t *state, const struct place *place,
 }
 
 /* Makes a cone, a sphere, an open cylinder or the outside of a hyperboloid. */
-static void random_quadric(uint64_t *state, const struct place *place,
-                           struct solid *solid)
+SHAPE_AT(random_quadric)
 {
     static const char *const quadrics[] = { "<1, -1, 1>, 0, 0, 0",
                                             "<1, 1, 1>, 0, 0, -1",
@@ -157,8 +153,7 @@ static void random_quadric(uint64_t *state, const struct place *place,
     move_to(state, place, solid);
 }
 
-static void random_plane(uint64_t *state, const struct place *place,
-                         struct solid *solid)
+SHAPE_AT(random_plane)
 {
     size_t axis = below(state, 3);
     bool below_it = one_in(state, 2);
@@ -169,7 +164,7 @@ static void random_plane(uint64_t *state, const struct place *place,
 
 /* Replaces one shape in 15 by a blob.  The other shape's random numbers are drawn
  * nevertheless, so the rest of the scene does not change. */
-static void random_blob(uint64_t *state, const struct place *place, struct solid *solid)
+SHAPE_AT(random_blob)
 {
     uint64_t own = stream_beside(*state, 7, 3);
     if (!one_in(&own, 15))

@@ -60,6 +60,7 @@ static void spread(uint64_t *state, double size, char words[SOLID_WORDS])
 void beam_words(uint64_t state, const double position[3], double size,
                 char words[SOLID_WORDS])
 {
+    static const char beam[] = "%s%.99s radius %.4g falloff %.4g tightness %.3g%.99s";
     char at[SOLID_WORDS], fading[SOLID_WORDS];
     state = stream_beside(state, 5, 1);
     words[0] = '\0';
@@ -79,17 +80,12 @@ void beam_words(uint64_t state, const double position[3], double size,
         break;
     case 1: solid_words(words, " parallel%.99s%.99s", at, fading); break;
     case 2:
-        solid_words(words,
-                    " spotlight%.99s radius %.4g falloff %.4g tightness "
-                    "%.3g%.99s",
-                    at, 60 * full, between(&state, 5, 100), tightness, fading);
+        solid_words(words, beam, " spotlight", at, 60 * full, between(&state, 5, 100),
+                    tightness, fading);
         break;
     default:
-        solid_words(words,
-                    " cylinder%.99s radius %.4g falloff %.4g tightness "
-                    "%.3g%.99s",
-                    at, size * full, size * between(&state, .1, 1), tightness, fading);
-        break;
+        solid_words(words, beam, " cylinder", at, size * full,
+                    size * between(&state, .1, 1), tightness, fading);
     }
 }
 

@@ -90,3 +90,24 @@ void solid_print(const struct solid *solid, FILE *text)
     print_line(solid->motion, text);
     print_line("}", text);
 }
+
+char *solids_text(const char *settings, const char *view, char (*lamps)[SOLID_WORDS],
+                  size_t lamp_count, struct solid *const *solids, size_t count,
+                  double scale)
+{
+    char *words;
+    FILE *text = test_text(&words);
+    fprintf(text, "#version 3.7;\n%s\nbackground { rgb <.3, .4, .6> }\ncamera { %s }\n",
+            settings, view);
+    for (size_t i = 0; i < lamp_count; i++)
+        fprintf(text, "%s\n", lamps[i]);
+    fprintf(text, "#default { pigment { rgb .8 } }\n");
+    for (size_t i = 0; i < count; i++) {
+        fprintf(text, "%s", scale != 1 ? "object {\n" : "");
+        solid_print(solids[i], text);
+        if (scale != 1)
+            fprintf(text, "scale %g\n}\n", scale);
+    }
+    fclose(text);
+    return words;
+}

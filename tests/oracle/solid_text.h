@@ -36,4 +36,10 @@ void solid_free(struct solid *solid);
 /* Prints line by line; a line or a block can be removed (text_shrink.h). */
 void solid_print(const struct solid *solid, FILE *text);
 
+/* Returns the text of a scene: settings, a camera, lamps, and solids, which are scaled;
+ * the caller frees it. */
+char *solids_text(const char *settings, const char *view, char (*lamps)[SOLID_WORDS],
+                  size_t lamp_count, struct solid *const *solids, size_t count,
+                  double scale);
+
 #endif

@@ -13,30 +13,36 @@ struct stand {
     double x, y, z, size, height;
 };
 
-/* Defines the function that prints a shape with the half width s and the height h. */
-#define SHAPE(name, ...) \
+/* Defines the function that prints a shape with the half width s, the height h and a
+ * random number r. */
+#define SHAPE(name, random, ...) \
     static void name##_words(uint64_t *state, const struct stand *at, char *words) \
     { \
-        double s = at->size, h = at->height; \
-        (void)state, (void)h; \
+        double s = at->size, h = at->height, r = random; \
+        (void)state, (void)h, (void)r; \
         solid_words(words, __VA_ARGS__); \
     }
 
-SHAPE(whole_box, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -s, -s, s, h, s)
-SHAPE(cylinder, "cylinder { 0, %.9g*y, %.9g ", h, s)
-SHAPE(sphere, "sphere { %.9g*y, %.9g ", h, s)
-SHAPE(torus, "torus { %.9g, %.9g ", .7 * s, .3 * s)
-SHAPE(lathe, "lathe { linear_spline 4, <0, 0>, <%.9g, 0>, <%.9g, %.9g>, <0, %.9g> ", s,
-      .8 * s, h, h)
-SHAPE(disc, "disc { %.9g*y, y, %.9g ", (double)below(state, 2) * h, s)
-SHAPE(tube, "cylinder { %.9g*y, %.9g*y, %.9g open ", between(state, 0, .5) * h, h, s)
-
-static void box_words(uint64_t *state, const struct stand *at, char *words)
-{
-    double wide = at->size * between(state, .6, 1);
-    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -at->size, -wide,
-                at->size, at->height, wide);
-}
+SHAPE(whole_box, 0, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -s, -s, s, h, s)
+SHAPE(box, s *between(state, .6, 1), "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -s,
+      -r, s, h, r)
+SHAPE(cylinder, 0, "cylinder { 0, %.9g*y, %.9g ", h, s)
+SHAPE(sphere, 0, "sphere { %.9g*y, %.9g ", h, s)
+SHAPE(torus, 0, "torus { %.9g, %.9g ", .7 * s, .3 * s)
+SHAPE(lathe, 0, "lathe { linear_spline 4, <0, 0>, <%.9g, 0>, <%.9g, %.9g>, <0, %.9g> ",
+      s, .8 * s, h, h)
+SHAPE(disc, (double)below(state, 2), "disc { %.9g*y, y, %.9g ", r *h, s)
+SHAPE(tube, between(state, 0, .5), "cylinder { %.9g*y, %.9g*y, %.9g open ", r *h, h, s)
+SHAPE(merge, between(state, .3, .6),
+      "merge { box { <%.9g, 0, %.9g>, <0, %.9g, %.9g> } cylinder { 0, %.9g*y, %.9g } ",
+      -s, -s, h, s, between(state, .5, .9) * h, r *s)
+SHAPE(bored, between(state, .3, .8),
+      "difference { box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> } "
+      "cylinder { -1*y, %.9g*y, %.9g } ",
+      -s, -s, s, h, s, h + 1, r *s)
+SHAPE(triangle, h *(double)below(state, 2),
+      "triangle { <%.9g, %.9g, %.9g>, <%.9g, %.9g, %.9g>, <%.9g, %.9g, 0> ", -s, r, -s,
+      s, r, -s, s, r)
 
 static void cone_words(uint64_t *state, const struct stand *at, char *words)
 {
@@ -63,34 +69,7 @@ static void mesh_words(uint64_t *state, const struct stand *at, char *words)
     mesh_box_words(*state, corner, words);
 }
 
-static void merge_words(uint64_t *state, const struct stand *at, char *words)
-{
-    double s = at->size, h = at->height, r = between(state, .3, .6) * s;
-    solid_words(words,
-                "merge { box { <%.9g, 0, %.9g>, <0, %.9g, %.9g> } "
-                "cylinder { 0, %.9g*y, %.9g } ",
-                -s, -s, h, s, between(state, .5, .9) * h, r);
-}
-
-static void bored_words(uint64_t *state, const struct stand *at, char *words)
-{
-    double s = at->size, h = at->height, r = between(state, .3, .8) * s;
-    solid_words(words,
-                "difference { box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> } "
-                "cylinder { -1*y, %.9g*y, %.9g } ",
-                -s, -s, s, h, s, h + 1, r);
-}
-
-static void triangle_words(uint64_t *state, const struct stand *at, char *words)
-{
-    double y = (double)below(state, 2) * at->height;
-    solid_words(words,
-                "triangle { <%.9g, %.9g, %.9g>, <%.9g, %.9g, %.9g>, "
-                "<%.9g, %.9g, 0> ",
-                -at->size, y, -at->size, at->size, y, -at->size, at->size, y);
-}
-
-/* ---- Scenes -------------------------------------------------------------- */
+/* --- scenes --------------------------------------------------------------- */
 
 struct drawing {
     uint64_t state;
@@ -180,10 +159,8 @@ enum standing_kind standing_scene_kind(uint64_t seed)
 
 char *standing_scene_text(uint64_t seed, double lift)
 {
-    struct drawing drawing = { .state = seed };
+    struct drawing drawing = { .state = stream_beside(seed, 1, 0) };
     char *words;
-    for (int i = 0; i < 8; i++)
-        xorshift(&drawing.state);
     drawing.kind = standing_scene_kind(seed);
     drawing.text = test_text(&words);
     put_view(&drawing);
