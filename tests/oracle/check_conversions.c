@@ -35,6 +35,9 @@ static bool same_text(c205_word word, const char *expected, const char *got)
     return false;
 }
 
+/* An exact value, and one with the digits of the format. */
+static mpfr_t exact, cut;
+
 /* ---- Doubles ------------------------------------------------------------ */
 
 static double double_from_bits(uint64_t bits)
@@ -73,13 +76,9 @@ static bool from_double_agrees(const struct converters *as, uint64_t *random)
 {
     double value = random_double(random);
     char what[64];
-    mpfr_t cut;
-    mpfr_init2(cut, as->format->digits);
     mpfr_set_d(cut, value, MPFR_RNDD);
     snprintf(what, sizeof what, "from %a", value);
-    c205_word expected = oracle_word(as->format, cut);
-    mpfr_clear(cut);
-    return same_word(what, expected, as->from_double(value));
+    return same_word(what, oracle_word(as->format, cut), as->from_double(value));
 }
 
 /* Returns a word near the range of a double or far from it. */
@@ -97,11 +96,8 @@ static c205_word word_near_doubles(const struct oracle_format *format, uint64_t 
 static bool to_double_agrees(const struct converters *as, uint64_t *random)
 {
     c205_word word = word_near_doubles(as->format, random);
-    mpfr_t value;
-    mpfr_init2(value, 48);
-    oracle_value(as->format, value, word);
-    double expected = mpfr_get_d(value, MPFR_RNDN);
-    mpfr_clear(value);
+    oracle_value(as->format, exact, word);
+    double expected = mpfr_get_d(exact, MPFR_RNDN);
     double got = as->to_double(word);
     if (expected != expected ? got != got : !memcmp(&expected, &got, sizeof got))
         return true;
@@ -116,13 +112,10 @@ static bool from_integer_agrees(const struct converters *as, uint64_t *random)
     int64_t end = INT64_C(1) << random_between(random, 0, 47);
     int64_t value = random_between(random, -end, end - 1);
     char what[64];
-    mpfr_t exact;
-    mpfr_init2(exact, 48);
     mpfr_set_si(exact, value, MPFR_RNDD);
     c205_word word = c205_from_integer(value);
     oracle_value(as->format, exact, word);
     bool right = mpfr_cmp_si(exact, value) == 0 && word >> 48 == 0;
-    mpfr_clear(exact);
     snprintf(what, sizeof what, "from %" PRId64, value);
     return right || same_word(what, (c205_word)value << 16 >> 16, word);
 }
@@ -156,16 +149,13 @@ static void random_digits(const struct converters *as, uint64_t *random,
     size_t wanted = (size_t)random_between(random, 1,
                                            random_bits(random) % 2 ? 20 : DIGITS);
     mpfr_rnd_t way = random_bits(random) % 2 ? MPFR_RNDU : MPFR_RNDD;
-    mpfr_t value;
-    mpfr_init2(value, 48);
-    oracle_value(as->format, value, word_near_doubles(as->format, random));
-    mpfr_abs(value, value, MPFR_RNDD);
+    oracle_value(as->format, exact, word_near_doubles(as->format, random));
+    mpfr_abs(exact, exact, MPFR_RNDD);
     mpfr_exp_t point = 0;
-    if (mpfr_regular_p(value))
-        mpfr_get_str(digits, &point, 10, wanted, value, way);
+    if (mpfr_regular_p(exact))
+        mpfr_get_str(digits, &point, 10, wanted, exact, way);
     else
         snprintf(digits, DIGITS, "%" PRIu64, random_bits(random));
-    mpfr_clear(value);
     *exponent = point;
 }
 
@@ -221,12 +211,9 @@ static bool from_text_agrees(const struct converters *as, uint64_t *random)
     char text[TEXT];
     char *expected_end;
     const char *end;
-    mpfr_t cut;
     (random_bits(random) % 16 == 0 ? odd_text : random_text)(as, random, text);
-    mpfr_init2(cut, as->format->digits);
     mpfr_strtofr(cut, text, &expected_end, 10, MPFR_RNDD);
     c205_word expected = oracle_word(as->format, cut);
-    mpfr_clear(cut);
     c205_word got = as->from_text(text, &end);
     if (end != expected_end)
         printf("\"%s\": ends at \"%s\", not at \"%s\"\n", text, expected_end, end);
@@ -253,23 +240,18 @@ static size_t significant_digits(const char *text)
 /* Reading cuts, so the texts that read back as value are those in [value, the next
  * word).  Therefore only the smallest number of n digits that is not below value is
  * tested. */
-static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
-                            size_t digits)
+static bool fewer_digits_do(const mpfr_t value, size_t digits)
 {
     bool negative = mpfr_sgn(value) < 0;
     char shorter[64], text[128];
     mpfr_exp_t point;
-    mpfr_t back;
     if (digits < 2)
         return false;
     mpfr_get_str(shorter, &point, 10, digits - 1, value, MPFR_RNDU);
     snprintf(text, sizeof text, "%s0.%se%ld", negative ? "-" : "", shorter + negative,
              (long)point);
-    mpfr_init2(back, as->format->digits);
-    mpfr_strtofr(back, text, NULL, 10, MPFR_RNDD);
-    bool same = mpfr_equal_p(back, value) != 0;
-    mpfr_clear(back);
-    return same;
+    mpfr_strtofr(cut, text, NULL, 10, MPFR_RNDD);
+    return mpfr_equal_p(cut, value) != 0;
 }
 
 /* Reads the text by MPFR and, within its range, by the machine. */
@@ -278,11 +260,8 @@ static bool reads_back(const struct converters *as, const mpfr_t value,
 {
     char *expected_end;
     const char *end;
-    mpfr_t back;
-    mpfr_init2(back, as->format->digits);
-    mpfr_strtofr(back, text, &expected_end, 10, MPFR_RNDD);
-    bool same = *expected_end == '\0' && mpfr_equal_p(back, value);
-    mpfr_clear(back);
+    mpfr_strtofr(cut, text, &expected_end, 10, MPFR_RNDD);
+    bool same = *expected_end == '\0' && mpfr_equal_p(cut, value);
     return same && as->from_text(text, &end) == oracle_word(as->format, value)
            && *end == '\0';
 }
@@ -295,7 +274,7 @@ static bool text_is_right(const struct converters *as, c205_word word,
     if (mpfr_zero_p(value))
         return same_text(word, "0", text);
     bool back = reads_back(as, value, text);
-    bool fewer = fewer_digits_do(as, value, significant_digits(text));
+    bool fewer = fewer_digits_do(value, significant_digits(text));
     if (!back || fewer)
         printf("%016" PRIX64 ": \"%s\" %s\n", word, text,
                !back ? "does not read back" : "is not the shortest");
@@ -306,14 +285,9 @@ static bool to_text_agrees(const struct converters *as, uint64_t *random)
 {
     c205_word word = word_near_doubles(as->format, random);
     char text[C205_TEXT_SIZE];
-    mpfr_t value;
     as->to_text(word, text);
-    mpfr_init2(value, 48);
-    oracle_value(as->format, value, word);
-    bool right = memchr(text, '\0', sizeof text) != NULL
-                 && text_is_right(as, word, value, text);
-    mpfr_clear(value);
-    return right;
+    oracle_value(as->format, exact, word);
+    return memchr(text, '\0', sizeof text) && text_is_right(as, word, exact, text);
 }
 
 static bool to_hex_agrees(const struct converters *as, uint64_t *random)
@@ -348,8 +322,11 @@ const size_t conversion_count = sizeof conversions / sizeof conversions[0];
 bool check_conversion(const struct conversion *conversion, uint64_t seed, size_t cases)
 {
     uint64_t random = seed;
-    for (size_t i = 0; i < cases; i++)
-        if (!conversion->agrees(conversion->converters, &random))
-            return false;
-    return true;
+    bool good = true;
+    mpfr_init2(exact, 48);
+    mpfr_init2(cut, conversion->converters->format->digits);
+    for (size_t i = 0; good && i < cases; i++)
+        good = conversion->agrees(conversion->converters, &random);
+    mpfr_clears(exact, cut, (mpfr_ptr)NULL);
+    return good;
 }

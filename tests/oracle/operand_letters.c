@@ -5,22 +5,13 @@
 #include <ctype.h>
 #include <string.h>
 
-static int role_of_letter(char letter)
+int role_of_letter(char letter)
 {
-    switch (letter) {
-    case 'A':
-    case 'a':
-    case 'R': return ROLE_A;
-    case 'B':
-    case 'b':
-    case 'S': return ROLE_B;
-    case 'C':
-    case 'T': return ROLE_C;
-    case 'X': return ROLE_X;
-    case 'Y': return ROLE_Y;
-    case 'Z': return ROLE_Z;
-    default: return -1;
-    }
+    static const char *const letters[ROLES] = { "AaR", "BbS", "CT", "X", "Y", "Z" };
+    for (int role = 0; role < ROLES; role++)
+        if (strchr(letters[role], letter))
+            return role;
+    return -1;
 }
 
 /* Short and immediate formats have the fields R, S and T. */

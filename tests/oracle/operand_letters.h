@@ -8,6 +8,8 @@
 /* The fields R, S, T of the short formats are A, B, C. */
 enum role { ROLE_A, ROLE_B, ROLE_C, ROLE_X, ROLE_Y, ROLE_Z, ROLES };
 
+/* Returns the role of a letter of the syntax, or -1. */
+int role_of_letter(char letter);
 uint8_t *field_of_role(c205_fields *fields, const c205_insn *row, enum role role);
 
 /* Returns the letter of a role, or 0 if the row does not have it. */

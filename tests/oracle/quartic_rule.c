@@ -83,35 +83,30 @@ static void take_shores(struct half *half, const struct island *island)
     mpfr_mul_d(half->high, island->high, 1 + 0x1p-40, MPFR_RNDU);
 }
 
+/* Sets half->found to a computed root.  Returns whether it is on the island. */
+static bool take_found(struct half *half, int i)
+{
+    oracle_value(&oracle_full, half->found, half->roots->root[i]);
+    mpfr_mul_si(half->found, half->found, half->side, MPFR_RNDN);
+    return is_between(half->found, half->low, half->high);
+}
+
 static int count_found(struct half *half)
 {
     int count = 0;
-    for (int i = 0; i < half->roots->count; i++) {
-        oracle_value(&oracle_full, half->found, half->roots->root[i]);
-        mpfr_mul_si(half->found, half->found, half->side, MPFR_RNDN);
-        count += is_between(half->found, half->low, half->high);
-    }
+    for (int i = 0; i < half->roots->count; i++)
+        count += take_found(half, i);
     return count;
 }
 
-/* Returns the error of half->found, the last root examined, relative to exact root
- * i. */
-static double relative_error(struct half *half, size_t i)
-{
-    mpfr_sub(half->error, half->found, half->exact.x[i], MPFR_RNDN);
-    mpfr_div(half->error, half->error, half->exact.x[i], MPFR_RNDN);
-    return mpfr_get_d(half->error, MPFR_RNDN);
-}
-
+/* Returns the error of the computed root on the island relative to an exact root. */
 static double error_of_only_root(struct half *half, size_t exact)
 {
-    for (int i = 0; i < half->roots->count; i++) {
-        oracle_value(&oracle_full, half->found, half->roots->root[i]);
-        mpfr_mul_si(half->found, half->found, half->side, MPFR_RNDN);
-        if (is_between(half->found, half->low, half->high))
-            break;
-    }
-    double error = relative_error(half, exact);
+    for (int i = 0; i < half->roots->count && !take_found(half, i); i++)
+        continue;
+    mpfr_sub(half->error, half->found, half->exact.x[exact], MPFR_RNDN);
+    mpfr_div(half->error, half->error, half->exact.x[exact], MPFR_RNDN);
+    double error = mpfr_get_d(half->error, MPFR_RNDN);
     return error < 0 ? -error : error;
 }
 

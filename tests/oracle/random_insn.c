@@ -1,6 +1,7 @@
 /* random_insn.c - random instructions, chosen from the instruction table. */
 #include "random_parts.h"
 
+#include "tests/oracle/operand_letters.h"
 #include "tests/oracle/operands.h"
 #include "tests/oracle/reference.h"
 
@@ -207,24 +208,6 @@ static char role_of(uint64_t *random, const c205_insn *insn, char field, unsigne
     }
 }
 
-static uint8_t *field_of(c205_fields *fields, char name)
-{
-    switch (name) {
-    case 'R': return &fields->r;
-    case 'S': return &fields->s;
-    case 'T': return &fields->t;
-    case 'a':
-    case 'A': return &fields->a;
-    case 'b':
-    case 'B': return &fields->b;
-    case 'C': return &fields->c;
-    case 'X': return &fields->x;
-    case 'Y': return &fields->y;
-    case 'Z': return &fields->z;
-    default: return NULL;
-    }
-}
-
 static unsigned draw_bits_of_g(uint64_t *random, const c205_insn *insn)
 {
     unsigned legal = reference_bits_of_g(insn);
@@ -278,12 +261,14 @@ static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields 
 {
     const char *syntax = c205_format_syntax(insn->format);
     for (const char *p = syntax; *p; p++) {
-        uint8_t *field = field_of(fields, *p);
-        char role;
-        if (!field || (p > syntax && p[-1] == '+'))
+        int place = role_of_letter(*p);
+        if (place < 0 || (p > syntax && p[-1] == '+'))
             continue;
-        role = role_of(random, insn, *p, fields->g);
-        *field = (uint8_t)(role == '0' ? 0 : draw_register(random, role));
+        char role = role_of(random, insn, *p, fields->g);
+        *field_of_role(fields, insn,
+                       (enum role)place) = (uint8_t)(role == '0'
+                                                         ? 0
+                                                         : draw_register(random, role));
     }
 }
 

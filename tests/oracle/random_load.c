@@ -24,13 +24,15 @@ static void put_code(c205 *machine, const struct random_program *program)
     c205_write(machine, begin, code, CODE_WORDS);
 }
 
-static void put_data(c205 *machine, const struct random_program *program)
+/* all: also that of writable areas. */
+static void put_data(c205 *machine, const struct random_program *program, bool all)
 {
     c205_word words[MAX_AREA];
-    for (size_t i = 0; i < random_area_count; i++) {
-        program_data(program, random_areas + i, words);
-        c205_write(machine, random_areas[i].address, words, random_areas[i].words);
-    }
+    for (size_t i = 0; i < random_area_count; i++)
+        if (all || random_areas[i].access != C205_READ_WRITE) {
+            program_data(program, random_areas + i, words);
+            c205_write(machine, random_areas[i].address, words, random_areas[i].words);
+        }
 }
 
 uint64_t random_region_end(const struct random_program *program)
@@ -60,7 +62,7 @@ bool random_load(c205 *machine, const struct random_program *program, c205_error
         if (!c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
                       random_pages[i].access, error))
             return false;
-    put_data(machine, program);
+    put_data(machine, program, true);
     put_code(machine, program);
     put_registers(machine, program);
     return true;
@@ -90,16 +92,6 @@ static bool map_page(c205 *machine, size_t i, const struct random_shared *shared
                                       random_pages[i].access, error);
 }
 
-static void put_own_data(c205 *machine, const struct random_program *program)
-{
-    c205_word words[MAX_AREA];
-    for (size_t i = 0; i < random_area_count; i++)
-        if (random_areas[i].access != C205_READ_WRITE) {
-            program_data(program, random_areas + i, words);
-            c205_write(machine, random_areas[i].address, words, random_areas[i].words);
-        }
-}
-
 bool random_load_shared(c205 *machine, const struct random_program *program,
                         struct random_shared *shared, c205_error *error)
 {
@@ -113,7 +105,7 @@ bool random_load_shared(c205 *machine, const struct random_program *program,
     for (size_t i = 0; i < RANDOM_PAGES; i++)
         if (!map_page(machine, i, shared, error))
             return false;
-    put_own_data(machine, program);
+    put_data(machine, program, false);
     put_registers(machine, program);
     return true;
 }

@@ -358,25 +358,21 @@ static void preset_registers(uint64_t *random, struct random_program *program)
     for (size_t p = 0; p < POOLS; p++)
         for (unsigned i = 0; i < pools[p].count; i++) {
             unsigned number = pools[p].first + i;
-            program->registers[number] = strchr("vw", pools[p].role) && i > 0
-                                                 && one_in(random, 4)
-                                             ? near_another(random, program,
-                                                            pools[p].role, number)
-                                             : preset(random, program, pools[p].role,
-                                                      i);
+            char role = pools[p].role;
+            bool near = strchr("vw", role) && i > 0 && one_in(random, 4);
+            program->registers[number] = near ? near_another(random, program, role,
+                                                             number)
+                                              : preset(random, program, role, i);
         }
 }
 
 /* A loop starts in the first half of the program. */
 static void preset_loop(uint64_t *random, struct random_program *program)
 {
-    int64_t half = (int64_t)program->insn_count / 2;
-    program->registers[LOOP_COUNT] = (c205_word)random_between(random, 2,
-                                                               one_in(random, 3) ? 90
-                                                                                 : 25);
-    program->registers[LOOP_BEGIN] = program_address(program,
-                                                     (size_t)random_between(random, 0,
-                                                                            half));
+    int64_t half = (int64_t)program->insn_count / 2, most = one_in(random, 3) ? 90 : 25;
+    program->registers[LOOP_COUNT] = (c205_word)random_between(random, 2, most);
+    size_t first = (size_t)random_between(random, 0, half);
+    program->registers[LOOP_BEGIN] = program_address(program, first);
 }
 
 /* The table is a range of words around one of the loop.  The words stored there are
@@ -387,12 +383,10 @@ static void preset_rewrites(uint64_t *random, struct random_program *program)
     uint64_t before = WORD * (uint64_t)random_between(random, 0, 45);
     uint64_t page = code / PAGE_BITS * PAGE_BITS;
     c205_word length = (c205_word)random_between(random, 1, 6) << 48;
-    program->registers[REWRITE_LIST] = length
-                                       | IN_PAGE(3,
-                                                 5000 + random_between(random, 0, 200));
-    program->registers[REWRITE_FROM] = length
-                                       | IN_PAGE(8,
-                                                 100 + random_between(random, 0, 200));
+    int64_t list = 5000 + random_between(random, 0, 200);
+    program->registers[REWRITE_LIST] = length | IN_PAGE(3, list);
+    int64_t from = 100 + random_between(random, 0, 200);
+    program->registers[REWRITE_FROM] = length | IN_PAGE(8, from);
     program->registers[REWRITE_TABLE] = code - page < before ? page : code - before;
 }
 

@@ -178,7 +178,7 @@ static void compress(struct reference *reference, const struct vector *vector)
             store_element(reference, &vector->c, stored++, word);
     }
     use_operands(reference, vector, vector->z.length, stored);
-    set_length(reference, vector, stored);
+    set_length(reference, vector->fields->c, stored);
 }
 
 /* The length is the scan length. */
@@ -197,7 +197,7 @@ static void sieve(struct reference *reference, const struct vector *vector)
         store_element(reference, &vector->z, i, passes);
     }
     use_operands(reference, vector, length, stored);
-    set_length(reference, vector, stored);
+    set_length(reference, vector->fields->c, stored);
 }
 
 bool do_move(struct reference *reference, const struct vector *vector)

@@ -89,11 +89,10 @@ bool scan_length(struct reference *reference, const struct vector *vector,
     return false;
 }
 
-void set_length(struct reference *reference, const struct vector *vector,
-                uint64_t length)
+void set_length(struct reference *reference, unsigned number, uint64_t length)
 {
-    unsigned c = vector->fields->c;
-    write_register(reference, c, with_length(read_bits(reference, c), length));
+    write_register(reference, number,
+                   with_length(read_bits(reference, number), length));
 }
 
 /* ---- Taking operands --------------------------------------------------- */

@@ -107,12 +107,6 @@ static void make_elements(struct reference *reference, const struct vector *vect
     }
 }
 
-static void set_length_in(struct reference *reference, unsigned number, uint64_t length)
-{
-    c205_word descriptor = read_bits(reference, number);
-    write_register(reference, number, with_length(descriptor, length));
-}
-
 /* Stores a result Z after the elements, with one bit for each place. */
 static void store_order(struct reference *reference, const struct vector *vector,
                         const struct order *z)
@@ -120,7 +114,7 @@ static void store_order(struct reference *reference, const struct vector *vector
     for (uint64_t i = 0; i < z->places; i++)
         store_element(reference, &vector->z, i, z->present[i]);
     use_target(reference, &vector->z, z->places);
-    set_length_in(reference, vector->fields->z, z->places);
+    set_length(reference, vector->fields->z, z->places);
 }
 
 static void do_packed(struct reference *reference, const struct vector *vector,
@@ -136,7 +130,7 @@ static void do_packed(struct reference *reference, const struct vector *vector,
     use_target(reference, &vector->c, z.ones);
     reference->deed.elements = greater(z.ones, greater(a->ones, b->ones));
     reference->deed.results = z.ones;
-    set_length_in(reference, vector->fields->c, z.ones);
+    set_length(reference, vector->fields->c, z.ones);
     if (!z.given)
         store_order(reference, vector, &z);
     free(a->present);

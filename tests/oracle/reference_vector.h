@@ -75,8 +75,8 @@ void leave_element(struct reference *reference, const struct target *target,
  * or of B if A is a single number.  Returns false, a fault, if both are. */
 bool scan_length(struct reference *reference, const struct vector *vector,
                  uint64_t *length);
-void set_length(struct reference *reference, const struct vector *vector,
-                uint64_t length);
+/* Sets the length in the descriptor of a register. */
+void set_length(struct reference *reference, unsigned number, uint64_t length);
 
 /* Returns whether element i of a source overlaps the first `stored` elements of the
  * result, including those that the control vector excludes. */
