@@ -51,7 +51,7 @@ static void begin_trial(struct trial *trial)
     struct reference *reference = &trial->reference;
     reference_begin(reference);
     trial->machine = random_machine_load(program);
-    random_images_take(trial->machine, program, &reference->memory);
+    random_machine_memory(trial->machine, program, &reference->memory);
     reference->now.pc = program->code;
     memcpy(reference->now.registers, program->registers,
            sizeof reference->now.registers);
@@ -93,9 +93,15 @@ static void compare_registers(struct trial *trial)
     compare_words(trial, "program counter", 0, c205_pc(trial->machine), state->pc);
 }
 
-static void compare_memory(struct trial *trial, uint64_t address,
-                           const c205_word *image, size_t count)
+static const c205_word *image_at(const struct trial *trial, uint64_t address)
 {
+    return plain_words(&trial->reference.memory, address);
+}
+
+/* Compares words of one page. */
+static void compare_memory(struct trial *trial, uint64_t address, size_t count)
+{
+    const c205_word *image = image_at(trial, address);
     c205_read(trial->machine, address, scratch, count);
     if (memcmp(scratch, image, count * sizeof *scratch) == 0)
         return;
@@ -112,26 +118,23 @@ static size_t at_most(size_t count, size_t limit)
 static void compare_area(struct trial *trial, const struct random_area *area)
 {
     uint64_t margin = WORD * MARGIN;
-    uint64_t address = random_image(area->address - margin) ? area->address - margin
-                                                            : area->address;
+    uint64_t address = image_at(trial, area->address - margin) ? area->address - margin
+                                                               : area->address;
     uint64_t end = area->address + WORD * area->words + margin;
-    while (address < end && random_image(address)) {
+    while (address < end && image_at(trial, address)) {
         size_t in_page = C205_PAGE_WORDS - address / WORD % C205_PAGE_WORDS;
         size_t count = at_most((size_t)(end - address) / WORD, in_page);
-        compare_memory(trial, address, random_image(address), count);
+        compare_memory(trial, address, count);
         address += WORD * count;
     }
 }
 
-/* Copies the words that the reference stored to the images. */
-static void follow_changes(struct trial *trial)
+/* Compares the words that the reference stored. */
+static void compare_changes(struct trial *trial)
 {
     const struct plain_memory *memory = &trial->reference.memory;
-    for (size_t i = 0; i < memory->change_count; i++) {
-        uint64_t address = memory->changes[i].address;
-        *random_image(address) = plain_read(memory, address);
-        compare_memory(trial, address, random_image(address), 1);
-    }
+    for (size_t i = 0; i < memory->change_count; i++)
+        compare_memory(trial, memory->changes[i].address, 1);
 }
 
 /* Returns whether the instruction may store.  If another one changes memory, the
@@ -145,7 +148,7 @@ static bool may_store(const struct deed *deed)
 static void compare_states(struct trial *trial)
 {
     compare_registers(trial);
-    follow_changes(trial);
+    compare_changes(trial);
     if (may_store(&trial->reference.deed))
         for (size_t i = 0; i < random_area_count; i++)
             compare_area(trial, random_areas + i);
@@ -153,10 +156,8 @@ static void compare_states(struct trial *trial)
 
 static void compare_all_memory(struct trial *trial)
 {
-    for (size_t i = 0; i < RANDOM_PAGES; i++) {
-        uint64_t address = random_pages[i].address;
-        compare_memory(trial, address, random_image(address), C205_PAGE_WORDS);
-    }
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        compare_memory(trial, random_pages[i].address, C205_PAGE_WORDS);
 }
 
 /* ---- Clocks ------------------------------------------------------------ */

@@ -1,4 +1,4 @@
-/* plain_memory.h - memory as a sparse map from addresses to words.
+/* plain_memory.h - memory as pages of words.
  *
  * Written from docs/machine.md alone, for the reference interpreter.  Stores are
  * recorded until plain_commit or plain_undo, so that all stores of an instruction that
@@ -12,6 +12,7 @@
 struct plain_page {
     uint64_t number;
     c205_access access;
+    c205_word *words;
 };
 
 struct plain_change {
@@ -20,8 +21,6 @@ struct plain_change {
 };
 
 struct plain_memory {
-    struct plain_slot *slots;
-    size_t slot_count, word_count;
     struct plain_page *pages;
     size_t page_count;
     struct plain_change *changes;
@@ -31,7 +30,6 @@ struct plain_memory {
 /* Addresses are bit addresses of words.  Returns the low 48 bits of one, because the
  * others do not count. */
 uint64_t plain_address(uint64_t address);
-uint64_t plain_page_number(uint64_t address);
 
 void plain_begin(struct plain_memory *memory);
 void plain_end(struct plain_memory *memory);
@@ -41,7 +39,11 @@ void plain_map(struct plain_memory *memory, uint64_t address, size_t words,
 bool plain_is_mapped(const struct plain_memory *memory, uint64_t address);
 bool plain_is_writable(const struct plain_memory *memory, uint64_t address);
 
-/* Reads a word.  Words that were never stored are zero, mapped or not. */
+/* Returns the word at an address and those after it in the same page; NULL: there is no
+ * such page. */
+c205_word *plain_words(const struct plain_memory *memory, uint64_t address);
+/* Words that were never stored are zero, mapped or not.  A store outside of the pages,
+ * which is a fault, has no effect. */
 c205_word plain_read(const struct plain_memory *memory, uint64_t address);
 void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 

@@ -11,7 +11,6 @@ enum { WORD = 64 };
 
 static c205 **machines; /* one per model */
 static c205_model **models;
-static c205_word *images[RANDOM_PAGES];
 
 /* ---- Begin and end ----------------------------------------------------- */
 
@@ -32,8 +31,6 @@ void random_machines_begin(void)
     machines = plain_room(NULL, random_model_count, sizeof *machines);
     for (size_t i = 0; i < random_model_count; i++)
         make_machine(i);
-    for (size_t i = 0; i < RANDOM_PAGES; i++)
-        images[i] = plain_room(NULL, C205_PAGE_WORDS, sizeof **images);
 }
 
 void random_machines_end(void)
@@ -42,8 +39,6 @@ void random_machines_end(void)
         c205_free(machines[i]);
         c205_model_free(models[i]);
     }
-    for (size_t i = 0; i < RANDOM_PAGES; i++)
-        free(images[i]);
     free(machines);
     free(models);
 }
@@ -108,35 +103,22 @@ uint64_t machine_hash(const c205 *machine)
     return hash;
 }
 
-/* ---- Images ------------------------------------------------------------ */
-
-c205_word *random_image(uint64_t address)
-{
-    for (size_t i = 0; i < RANDOM_PAGES; i++)
-        if (plain_page_number(random_pages[i].address) == plain_page_number(address))
-            return images[i] + address / WORD % C205_PAGE_WORDS;
-    return NULL;
-}
+/* ---- Memory ------------------------------------------------------------ */
 
 /* Copies the words from an address to another, of one page or more. */
 static void take_words(const c205 *machine, struct plain_memory *memory,
                        uint64_t address, uint64_t end)
 {
-    for (; address < end; address += WORD) {
-        c205_word *word = random_image(address);
-        c205_read(machine, address, word, 1);
-        plain_store(memory, address, *word);
-    }
+    for (; address < end; address += WORD)
+        c205_read(machine, address, plain_words(memory, address), 1);
 }
 
-void random_images_take(const c205 *machine, const struct random_program *program,
-                        struct plain_memory *memory)
+void random_machine_memory(const c205 *machine, const struct random_program *program,
+                           struct plain_memory *memory)
 {
-    for (size_t i = 0; i < RANDOM_PAGES; i++) {
-        const struct random_page *page = random_pages + i;
-        plain_map(memory, page->address, C205_PAGE_WORDS, page->access);
-        memset(images[i], 0, C205_PAGE_WORDS * sizeof **images);
-    }
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        plain_map(memory, random_pages[i].address, C205_PAGE_WORDS,
+                  random_pages[i].access);
     for (size_t i = 0; i < random_area_count; i++)
         take_words(machine, memory, random_areas[i].address,
                    random_areas[i].address + WORD * random_areas[i].words);

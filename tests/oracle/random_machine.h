@@ -1,5 +1,4 @@
-/* random_machine.h - machines loaded with random programs, and images of their initial
- * memory. */
+/* random_machine.h - machines loaded with random programs. */
 #ifndef RANDOM_MACHINE_H
 #define RANDOM_MACHINE_H
 
@@ -24,14 +23,10 @@ void random_machine_save(const c205 *machine, c205_writer *write, void *context)
 /* Returns a hash of the complete state. */
 uint64_t machine_hash(const c205 *machine);
 
-/* Copies the machine's pages to the images, and the initial memory of a program to
- * memory, which is empty. */
-void random_images_take(const c205 *machine, const struct random_program *program,
-                        struct plain_memory *memory);
-
-/* Returns the word at an address and those after it in the same page; NULL: there is no
- * such page. */
-c205_word *random_image(uint64_t address);
+/* Maps the pages of a program in memory, which is empty, and copies the machine's initial
+ * words. */
+void random_machine_memory(const c205 *machine, const struct random_program *program,
+                           struct plain_memory *memory);
 
 /* Returns the length of the instruction at an address in half words: 1 if there is
  * none, 0 if there is no memory. */
