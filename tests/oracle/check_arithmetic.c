@@ -10,10 +10,10 @@
 #include "check_conversions.h"
 #include "operands.h"
 #include "operations.h"
-#include "tests/oracle/read_number.h"
+#include "tests/oracle/give_up.h"
+#include "tests/oracle/read_options.h"
 #include "vm/number/lanes.h"
 
-#include <getopt.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -191,7 +191,7 @@ static bool check_masked_store(uint64_t seed, size_t cases)
 
 struct run {
     uint64_t seed;
-    size_t cases;
+    uint64_t cases;
     const char *only; /* NULL: all */
     unsigned passed, failed;
 };
@@ -229,36 +229,18 @@ static void check_everything(struct run *run)
                   check_conversion(conversions + i, run->seed, conversion_cases));
 }
 
-static bool read_arguments(struct run *run, int argc, char **argv)
-{
-    static const struct option options[] = {
-        { "seed", required_argument, NULL, 's' },
-        { "operation", required_argument, NULL, 'o' },
-        { NULL, 0, NULL, 0 },
-    };
-    uint64_t number;
-    for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;) {
-        if (c == 'o')
-            run->only = optarg;
-        else if (c != 's' || !read_number(optarg, &run->seed))
-            return false;
-    }
-    if (optind < argc) {
-        if (!read_number(argv[optind++], &number) || number == 0)
-            return false;
-        run->cases = (size_t)number;
-    }
-    return optind == argc;
-}
-
 int main(int argc, char **argv)
 {
     struct run run = { .seed = 205, .cases = 1000000 };
-    if (!read_arguments(&run, argc, argv)) {
-        fprintf(stderr, "usage: check_arithmetic [--seed N] "
-                        "[--operation NAME] [cases]\n");
-        return 2;
-    }
+    const struct check_option options[] = {
+        { .name = "seed", .number = &run.seed },
+        { .name = "operation", .text = &run.only },
+        { .number = &run.cases },
+    };
+    READ_OPTIONS(argc, argv, "check_arithmetic [--seed N] [--operation NAME] [cases]",
+                 options);
+    if (run.cases == 0)
+        give_up("no cases");
     oracle_begin();
     check_everything(&run);
     oracle_end();

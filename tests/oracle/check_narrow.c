@@ -13,8 +13,9 @@
 #include "narrow_machine.h"
 #include "narrow_oracle.h"
 #include "operands.h"
+#include "tests/oracle/give_up.h"
+#include "tests/oracle/read_options.h"
 
-#include <getopt.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
@@ -191,32 +192,18 @@ static void check_everything(struct run *run)
     }
 }
 
-static bool read_arguments(struct run *run, int argc, char **argv)
-{
-    static const struct option options[] = {
-        { "operation", required_argument, NULL, 'o' },
-        { NULL, 0, NULL, 0 },
-    };
-    for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;) {
-        if (c != 'o')
-            return false;
-        run->only = optarg;
-    }
-    const char *wanted = optind < argc ? argv[optind++] : "some";
-    if (strcmp(wanted, "some") == 0)
-        some_words(&run->words);
-    else if (strcmp(wanted, "all") == 0)
-        every_word(&run->words);
-    return optind == argc && run->words.n > 0;
-}
-
 int main(int argc, char **argv)
 {
     static struct run run;
-    if (!read_arguments(&run, argc, argv)) {
-        fprintf(stderr, "usage: check_narrow [--operation NAME] [some | all]\n");
-        return 2;
-    }
+    const char *wanted = "some";
+    const struct check_option options[] = {
+        { .name = "operation", .text = &run.only },
+        { .text = &wanted },
+    };
+    READ_OPTIONS(argc, argv, "check_narrow [--operation NAME] [some | all]", options);
+    if (strcmp(wanted, "all") != 0 && strcmp(wanted, "some") != 0)
+        give_up("neither some nor all");
+    (strcmp(wanted, "all") == 0 ? every_word : some_words)(&run.words);
     small_begin();
     oracle_begin();
     check_everything(&run);

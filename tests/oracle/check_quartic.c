@@ -12,10 +12,10 @@
 #include "quartic_cases.h"
 #include "quartic_rule.h"
 #include "tests/oracle/give_up.h"
+#include "tests/oracle/read_options.h"
 #include "tests/oracle/solid_text.h"
 #include "tests/random.h"
 
-#include <getopt.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -138,32 +138,10 @@ static unsigned long report(const struct tally *tallies)
 }
 
 struct arguments {
-    uint64_t seed;
-    size_t each;
+    uint64_t seed, each;
     enum falsi falsi;
     const char *print; /* a kind, or NULL */
 };
-
-static bool parse(int argc, char **argv, struct arguments *arguments)
-{
-    static const struct option options[] = {
-        { "seed", required_argument, NULL, 's' },
-        { "falsi", required_argument, NULL, 'f' },
-        { "print", required_argument, NULL, 'p' },
-        { NULL, 0, NULL, 0 },
-    };
-    int letter;
-    while ((letter = getopt_long(argc, argv, "", options, NULL)) != -1)
-        if (letter == 's')
-            arguments->seed = strtoull(optarg, NULL, 0);
-        else if (letter == 'p')
-            arguments->print = optarg;
-        else if (letter != 'f' || !falsi_named(optarg, &arguments->falsi))
-            return false;
-    if (optind < argc)
-        arguments->each = strtoul(argv[optind], NULL, 10);
-    return arguments->seed != 0 && arguments->each > 0;
-}
 
 static int print_kind(const struct arguments *arguments)
 {
@@ -234,12 +212,19 @@ static int check(const struct arguments *arguments)
 int main(int argc, char **argv)
 {
     struct arguments arguments = { RANDOM_SEED, POLYNOMIALS, FALSI_DEFAULT, NULL };
-    if (!parse(argc, argv, &arguments)) {
-        fputs("check_quartic [--seed N] [--falsi RULE] [--print KIND] "
-              "[polynomials]\n",
-              stderr);
-        return 2;
-    }
+    const char *falsi = NULL;
+    const struct check_option options[] = {
+        { .name = "seed", .number = &arguments.seed },
+        { .name = "falsi", .text = &falsi },
+        { .name = "print", .text = &arguments.print },
+        { .number = &arguments.each },
+    };
+    READ_OPTIONS(argc, argv,
+                 "check_quartic [--seed N] [--falsi RULE] [--print KIND] [polynomials]",
+                 options);
+    if (arguments.seed == 0 || arguments.each == 0
+        || (falsi && !falsi_named(falsi, &arguments.falsi)))
+        give_up("wrong arguments");
     oracle_begin();
     int code = arguments.print ? print_kind(&arguments) : check(&arguments);
     oracle_end();

@@ -10,11 +10,10 @@
  * reducing it.
  */
 #include "tests/oracle/compare_states.h"
-#include "tests/oracle/read_number.h"
+#include "tests/oracle/read_options.h"
 
 #include "tests/oracle/arithmetic_oracle.h"
 
-#include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -151,31 +150,15 @@ static void check_rules(struct run *run)
         }
 }
 
-static bool read_arguments(struct run *run, int argc, char **argv)
-{
-    static const struct option options[] = {
-        { "seed", required_argument, NULL, 's' },
-        { "first", no_argument, NULL, 'f' },
-        { NULL, 0, NULL, 0 },
-    };
-    for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;)
-        if (c == 'f')
-            run->first = true;
-        else if (c != 's' || !read_number(optarg, &run->seed))
-            return false;
-    if (optind < argc && !read_number(argv[optind++], &run->programs))
-        return false;
-    return optind == argc;
-}
-
 int main(int argc, char **argv)
 {
     struct run run = { .seed = 205, .programs = 2000 };
-    if (!read_arguments(&run, argc, argv)) {
-        fprintf(stderr, "usage: check_random [programs] [--seed N] "
-                        "[--first]\n");
-        return 2;
-    }
+    const struct check_option options[] = {
+        { .name = "seed", .number = &run.seed },
+        { .name = "first", .flag = &run.first },
+        { .number = &run.programs },
+    };
+    READ_OPTIONS(argc, argv, "check_random [programs] [--seed N] [--first]", options);
     uint64_t enough = run.first ? 1 : ENOUGH_FAILURES;
     oracle_begin();
     compare_begin();

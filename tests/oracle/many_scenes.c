@@ -2,6 +2,7 @@
 #include "tests/oracle/many_scenes.h"
 
 #include "rt/scene/language/scene_read.h"
+#include "tests/oracle/read_options.h"
 #include "tests/oracle/text_shrink.h"
 #include "tests/random.h"
 
@@ -119,16 +120,18 @@ c205_model *check_model;
 int check_many(int count, char **words, bool (*check)(size_t number, bool first),
                void (*begin)(size_t number), size_t ahead)
 {
-    bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
-    count -= first;
-    size_t scenes = count > 1 ? strtoul(words[1], NULL, 10) : 300;
-    size_t of = count > 3 ? strtoul(words[2], NULL, 10) : 1;
-    size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
+    uint64_t scenes = 300, of = 1, share = 0;
+    bool first = false;
+    const struct check_option options[] = {
+        { .name = "first", .flag = &first },
+        { .number = &scenes },
+        { .number = &of },
+        { .number = &share },
+    };
+    READ_OPTIONS(count, words, "CHECK [SCENES [OF SHARE]] [--first]", options);
+    if (of == 0)
+        give_up("OF is 0");
     size_t passed = 0, failed = 0, next = share;
-    if (of == 0) {
-        fprintf(stderr, "usage: %s [SCENES [OF SHARE]] [--first]\n", words[0]);
-        return 2;
-    }
     check_model = usual_model();
     for (size_t i = share; i < scenes && !(first && failed); i += of) {
         for (; begin && next < scenes && next <= i + ahead * of; next += of)

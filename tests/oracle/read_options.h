@@ -1,0 +1,23 @@
+/* read_options.h - the arguments of a check. */
+#ifndef READ_OPTIONS_H
+#define READ_OPTIONS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* An option --name VALUE or --name, or a value without a name; one pointer is set. */
+struct check_option {
+    const char *name; /* NULL: an argument that is no option */
+    uint64_t *number; /* from 0 */
+    const char **text;
+    bool *flag;
+};
+
+/* Sets the values of the arguments.  After an error it prints the usage and ends the
+ * program with status 2. */
+void read_options(int argc, char **argv, const char *usage,
+                  const struct check_option *options, int count);
+#define READ_OPTIONS(argc, argv, usage, options) \
+    read_options(argc, argv, usage, options, (int)(sizeof options / sizeof *options))
+
+#endif
