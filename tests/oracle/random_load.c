@@ -1,6 +1,8 @@
 /* random_load.c - loads a random program into a machine. */
 #include "random_parts.h"
 
+#include "tests/oracle/give_up.h"
+
 #include <string.h>
 
 enum {
@@ -54,13 +56,18 @@ static void put_registers(c205 *machine, const struct random_program *program)
         c205_set_register(machine, i, program->registers[i]);
 }
 
+static bool map_page(c205 *machine, size_t i, c205_error *error)
+{
+    return c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
+                    random_pages[i].access, error);
+}
+
 bool random_load(c205 *machine, const struct random_program *program, c205_error *error)
 {
     if (!load_nothing(machine, program, error))
         return false;
     for (size_t i = 0; i < RANDOM_PAGES; i++)
-        if (!c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
-                      random_pages[i].access, error))
+        if (!map_page(machine, i, error))
             return false;
     put_data(machine, program, true);
     put_code(machine, program);
@@ -70,58 +77,33 @@ bool random_load(c205 *machine, const struct random_program *program, c205_error
 
 /* ---- Shared pages ---------------------------------------------------------- */
 
-/* Copies the page to a shared one; a read-only page remains private to the machine. */
-static bool share_page(const c205 *machine, size_t i, struct random_shared *shared)
+void random_load_shared(c205 *machine, const struct random_program *program,
+                        struct random_shared *shared)
 {
     static c205_word words[C205_PAGE_WORDS];
-    shared->page[i] = NULL;
-    if (random_pages[i].access != C205_READ_WRITE)
-        return true;
-    if (!c205_read(machine, random_pages[i].address, words, C205_PAGE_WORDS))
-        return false;
-    shared->page[i] = c205_shared_new(words, C205_PAGE_WORDS);
-    return shared->page[i];
-}
-
-static bool map_page(c205 *machine, size_t i, const struct random_shared *shared,
-                     c205_error *error)
-{
-    return shared->page[i] ? c205_map_shared(machine, random_pages[i].address,
-                                             shared->page[i], error)
-                           : c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
-                                      random_pages[i].access, error);
-}
-
-bool random_load_shared(c205 *machine, const struct random_program *program,
-                        struct random_shared *shared, c205_error *error)
-{
-    if (!random_load(machine, program, error))
-        return false;
-    for (size_t i = 0; i < RANDOM_PAGES; i++)
-        if (!share_page(machine, i, shared))
-            return false;
-    if (!load_nothing(machine, program, error))
-        return false;
-    for (size_t i = 0; i < RANDOM_PAGES; i++)
-        if (!map_page(machine, i, shared, error))
-            return false;
+    c205_error error = { "out of memory" };
+    bool good = random_load(machine, program, &error);
+    for (size_t i = 0; i < RANDOM_PAGES; i++) {
+        bool writable = random_pages[i].access == C205_READ_WRITE;
+        good = good
+               && c205_read(machine, random_pages[i].address, words, C205_PAGE_WORDS);
+        shared->page[i] = good && writable ? c205_shared_new(words, C205_PAGE_WORDS)
+                                           : NULL;
+        good = good && (!writable || shared->page[i]);
+    }
+    good = good && load_nothing(machine, program, &error);
+    for (size_t i = 0; good && i < RANDOM_PAGES; i++)
+        good = shared->page[i] ? c205_map_shared(machine, random_pages[i].address,
+                                                 shared->page[i], &error)
+                               : map_page(machine, i, &error);
+    if (!good)
+        give_up(error.message);
     put_data(machine, program, false);
     put_registers(machine, program);
-    return true;
 }
 
 void random_shared_free(struct random_shared *shared)
 {
     for (size_t i = 0; i < RANDOM_PAGES; i++)
         c205_shared_free(shared->page[i]);
-}
-
-bool random_shared_read(c205 *machine, const struct random_shared *shared, size_t page,
-                        c205_word *words, c205_error *error)
-{
-    const c205_program nothing = { 0, 0, NULL, 0, NULL, false };
-    uint64_t address = random_pages[page].address;
-    return c205_load(machine, &nothing, error)
-           && c205_map_shared(machine, address, shared->page[page], error)
-           && c205_read(machine, address, words, C205_PAGE_WORDS);
 }

@@ -55,22 +55,23 @@ c205 *random_machine_load(const struct random_program *program)
 c205 *random_machine_load_shared(const struct random_program *program,
                                  struct random_shared *shared)
 {
-    c205 *machine = machines[program->model];
-    c205_error error = { "out of memory" };
-    if (!random_load_shared(machine, program, shared, &error))
-        give_up(error.message);
-    return machine;
+    random_load_shared(machines[program->model], program, shared);
+    return machines[program->model];
 }
 
 uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared)
 {
+    static const c205_program nothing = { 0, 0, NULL, 0, NULL, false };
     static c205_word words[C205_PAGE_WORDS];
     uint64_t hash = HASH_BEGIN;
     c205_error error = { "out of memory" };
     for (size_t i = 0; i < RANDOM_PAGES; i++) {
+        uint64_t address = random_pages[i].address;
         if (!shared->page[i])
             continue;
-        if (!random_shared_read(machine, shared, i, words, &error))
+        if (!c205_load(machine, &nothing, &error)
+            || !c205_map_shared(machine, address, shared->page[i], &error)
+            || !c205_read(machine, address, words, C205_PAGE_WORDS))
             give_up(error.message);
         for (size_t k = 0; k < C205_PAGE_WORDS; k++)
             hash = hash_word(hash, words[k]);

@@ -82,17 +82,13 @@ void program_data(const struct random_program *program, const struct random_area
 bool random_load(c205 *machine, const struct random_program *program,
                  c205_error *error);
 /* Does the same with shared writable pages, which the caller frees after the machine is
- * loaded again. */
+ * loaded again; gives up after an error. */
 struct random_shared {
     c205_shared *page[RANDOM_PAGES]; /* NULL: not shared */
 };
-bool random_load_shared(c205 *machine, const struct random_program *program,
-                        struct random_shared *shared, c205_error *error);
+void random_load_shared(c205 *machine, const struct random_program *program,
+                        struct random_shared *shared);
 void random_shared_free(struct random_shared *shared);
-/* Reads a shared page in its present state, through a machine whose program may be
- * replaced. */
-bool random_shared_read(c205 *machine, const struct random_shared *shared, size_t page,
-                        c205_word *words, c205_error *error);
 uint64_t random_region_end(const struct random_program *program);
 
 #endif
