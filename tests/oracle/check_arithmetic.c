@@ -7,7 +7,6 @@
  * or a flag differs; it prints the first case that does.
  */
 #include "arithmetic_oracle.h"
-#include "check_conversions.h"
 #include "operands.h"
 #include "operations.h"
 #include "tests/oracle/give_up.h"
@@ -114,74 +113,49 @@ static size_t span_length(uint64_t *random)
     return (size_t)random_between(random, 1, longest);
 }
 
-static bool check_operation(const struct operation *operation, uint64_t seed,
-                            size_t cases)
+/* Both checks of an operation. */
+static bool check_operation(const void *what, struct span *span)
 {
-    static struct span span;
-    struct operands operands = operands_begin(operation->format, seed);
-    uint64_t random = ~seed;
-    for (size_t done = 0; done < cases; done += span.n) {
-        span.n = span_length(&random);
-        if (span.n > cases - done)
-            span.n = cases - done;
-        operands_next(&operands, span.a, span.b, span.n);
-        if (!check_scalars(operation, &span)
-            || (operation->span && !check_span(operation, &span)))
-            return false;
-    }
-    return true;
+    const struct operation *operation = what;
+    return check_scalars(operation, span)
+           && (!operation->span || check_span(operation, span));
 }
 
 /* ---- Reductions, masked stores ------------------------------------------ */
 
-static bool check_reduction(const struct reduction *reduction, uint64_t seed,
-                            size_t cases)
+static bool check_reduction(const void *what, struct span *span)
 {
-    static struct span span;
-    struct operands operands = operands_begin(reduction->format, seed);
-    uint64_t random = ~seed;
-    for (size_t done = 0; done < cases; done += span.n) {
-        span.n = span_length(&random);
-        operands_next(&operands, span.a, span.b, span.n);
-        struct outcome expected = { span.b[0], EARLIER_FLAG };
-        struct outcome got = expected;
-        for (size_t i = 0; i < span.n; i++)
-            expected.word = reduction->step(reduction->format, expected.word, span.a[i],
-                                            &expected.flags);
-        reduction->span(&got.word, span.a, span.n, &got.flags);
-        if (!same(expected, got)) {
-            printf("%zu elements: ", span.n);
-            show_mismatch("span", reduction->name, span.b[0], span.a[0], expected, got);
-            return false;
-        }
-    }
-    return true;
+    const struct reduction *reduction = what;
+    struct outcome expected = { span->b[0], EARLIER_FLAG };
+    struct outcome got = expected;
+    for (size_t i = 0; i < span->n; i++)
+        expected.word = reduction->step(reduction->format, expected.word, span->a[i],
+                                        &expected.flags);
+    reduction->span(&got.word, span->a, span->n, &got.flags);
+    if (same(expected, got))
+        return true;
+    printf("%zu elements: ", span->n);
+    show_mismatch("span", reduction->name, span->b[0], span->a[0], expected, got);
+    return false;
 }
 
-static bool check_masked_store(uint64_t seed, size_t cases)
+static bool check_masked_store(const void *random, struct span *span)
 {
-    static struct span span;
-    struct operands operands = operands_begin(&oracle_full, seed);
-    uint64_t random = ~seed;
-    for (size_t done = 0; done < cases; done += span.n) {
-        uint64_t bits[BITMAP];
-        c205_word choice[SPAN];
-        span.n = span_length(&random);
-        operands_next(&operands, span.a, span.b, span.n);
-        for (size_t i = 0; i < BITMAP; i++)
-            bits[i] = random_bits(&random);
-        spread_bits(choice, bits, span.n);
-        memcpy(span.c, span.b, sizeof span.b);
-        lanes_store_masked(span.c, span.a, bits, span.n);
-        for (size_t i = 0; i < SPAN; i++) {
-            bool taken = i < span.n && choice[i] == 1;
-            c205_word expected = taken ? span.a[i] : span.b[i];
-            if (span.c[i] != expected) {
-                show_mismatch("span", "store_masked", span.a[i], span.b[i],
-                              (struct outcome){ expected, 0 },
-                              (struct outcome){ span.c[i], 0 });
-                return false;
-            }
+    uint64_t bits[BITMAP];
+    c205_word choice[SPAN];
+    for (size_t i = 0; i < BITMAP; i++)
+        bits[i] = random_bits((uint64_t *)random);
+    spread_bits(choice, bits, span->n);
+    memcpy(span->c, span->b, sizeof span->b);
+    lanes_store_masked(span->c, span->a, bits, span->n);
+    for (size_t i = 0; i < SPAN; i++) {
+        bool taken = i < span->n && choice[i] == 1;
+        c205_word expected = taken ? span->a[i] : span->b[i];
+        if (span->c[i] != expected) {
+            show_mismatch("span", "store_masked", span->a[i], span->b[i],
+                          (struct outcome){ expected, 0 },
+                          (struct outcome){ span->c[i], 0 });
+            return false;
         }
     }
     return true;
@@ -190,8 +164,7 @@ static bool check_masked_store(uint64_t seed, size_t cases)
 /* ---- The run ------------------------------------------------------------ */
 
 struct run {
-    uint64_t seed;
-    uint64_t cases;
+    uint64_t seed, cases;
     const char *only; /* NULL: all */
     unsigned passed, failed;
 };
@@ -209,20 +182,34 @@ static void count(struct run *run, const char *name, size_t cases, bool pass)
     fflush(stdout);
 }
 
+/* Checks spans of random operands.  The masks of stores come from the lengths' stream. */
+static void check_spans(struct run *run, const char *name,
+                        const struct oracle_format *format,
+                        bool (*check)(const void *what, struct span *span),
+                        const void *what)
+{
+    static struct span span;
+    struct operands operands = operands_begin(format, run->seed);
+    uint64_t random = ~run->seed;
+    bool good = true;
+    if (!wanted(run, name))
+        return;
+    for (size_t done = 0; good && done < run->cases; done += span.n) {
+        span.n = span_length(&random);
+        operands_next(&operands, span.a, span.b, span.n);
+        good = check(what ? what : &random, &span);
+    }
+    count(run, name, run->cases, good);
+}
+
 static void check_everything(struct run *run)
 {
     size_t conversion_cases = run->cases / 10;
-    for (size_t i = 0; i < operation_count; i++)
-        if (wanted(run, operations[i].name))
-            count(run, operations[i].name, run->cases,
-                  check_operation(operations + i, run->seed, run->cases));
-    for (size_t i = 0; i < reduction_count; i++)
-        if (wanted(run, reductions[i].name))
-            count(run, reductions[i].name, run->cases,
-                  check_reduction(reductions + i, run->seed, run->cases));
-    if (wanted(run, "store_masked"))
-        count(run, "store_masked", run->cases,
-              check_masked_store(run->seed, run->cases));
+    for (const struct operation *o = operations; o < operations + operation_count; o++)
+        check_spans(run, o->name, o->format, check_operation, o);
+    for (const struct reduction *r = reductions; r < reductions + reduction_count; r++)
+        check_spans(run, r->name, r->format, check_reduction, r);
+    check_spans(run, "store_masked", &oracle_full, check_masked_store, NULL);
     for (size_t i = 0; i < conversion_count; i++)
         if (wanted(run, conversions[i].name))
             count(run, conversions[i].name, conversion_cases,

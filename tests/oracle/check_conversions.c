@@ -1,8 +1,7 @@
 /* check_conversions.c - compares conversions of random doubles, integers and texts with
  * MPFR.  A conversion fails if a word, a text or the end of a parsed number differs. */
-#include "check_conversions.h"
-#include "arithmetic_oracle.h"
 #include "operands.h"
+#include "operations.h"
 
 #include <inttypes.h>
 #include <stdio.h>

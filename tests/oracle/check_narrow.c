@@ -10,7 +10,6 @@
  * formats on a sample.
  */
 #include "arithmetic_oracle.h"
-#include "narrow_machine.h"
 #include "narrow_oracle.h"
 #include "operands.h"
 #include "tests/oracle/give_up.h"

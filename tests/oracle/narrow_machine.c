@@ -1,5 +1,4 @@
 /* narrow_machine.c - compiles the machine's exact rules for the narrow format. */
-#include "narrow_machine.h"
 #include "narrow_oracle.h"
 #include "vm/number/word.h"
 

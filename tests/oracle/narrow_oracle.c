@@ -133,6 +133,12 @@ static c205_word make_significant(int64_t exponent, int64_t c, int64_t bits,
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
+/* The head of the definition of a rule. */
+#define UNUSED __attribute__((unused))
+#define SMALL_RULE(name) \
+    c205_word small_##name(c205_word word_a, c205_word word_b UNUSED, \
+                           uint64_t *flags UNUSED)
+
 enum form { UPPER, LOWER, NORMALISED };
 
 static c205_word cut_sum(int64_t exponent, int64_t sum, enum form form, uint64_t *flags)
@@ -173,9 +179,9 @@ static c205_word add(c205_word word_a, c205_word word_b, int64_t sign, enum form
 }
 
 #define SUM(name, sign, form) \
-    c205_word small_##name(c205_word a, c205_word b, uint64_t *flags) \
+    SMALL_RULE(name) \
     { \
-        return add(a, b, sign, form, flags); \
+        return add(word_a, word_b, sign, form, flags); \
     }
 
 SUM(add_upper, 1, UPPER)
@@ -191,14 +197,14 @@ static c205_word halved(c205_word word, uint64_t *flags)
     return is_special(sum) ? word : make(sum.exponent - 1, sum.coefficient, flags);
 }
 
-c205_word small_average(c205_word a, c205_word b, uint64_t *flags)
+SMALL_RULE(average)
 {
-    return halved(small_add_normalised(a, b, flags), flags);
+    return halved(small_add_normalised(word_a, word_b, flags), flags);
 }
 
-c205_word small_average_difference(c205_word a, c205_word b, uint64_t *flags)
+SMALL_RULE(average_difference)
 {
-    return halved(small_subtract_normalised(a, b, flags), flags);
+    return halved(small_subtract_normalised(word_a, word_b, flags), flags);
 }
 
 /* ---- Multiply, divide --------------------------------------------------- */
@@ -214,7 +220,7 @@ static int64_t product(struct number a, struct number b, c205_word *special,
     return a.coefficient * b.coefficient;
 }
 
-c205_word small_multiply_upper(c205_word word_a, c205_word word_b, uint64_t *flags)
+SMALL_RULE(multiply_upper)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -225,7 +231,7 @@ c205_word small_multiply_upper(c205_word word_a, c205_word word_b, uint64_t *fla
     return p > LARGEST ? make(e + 1, p / 2, flags) : make(e, p, flags);
 }
 
-c205_word small_multiply_lower(c205_word word_a, c205_word word_b, uint64_t *flags)
+SMALL_RULE(multiply_lower)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -233,8 +239,7 @@ c205_word small_multiply_lower(c205_word word_a, c205_word word_b, uint64_t *fla
     return special ? special : make(a.exponent + b.exponent, p, flags);
 }
 
-c205_word small_multiply_significant(c205_word word_a, c205_word word_b,
-                                     uint64_t *flags)
+SMALL_RULE(multiply_significant)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -258,7 +263,7 @@ static int64_t quotient(struct number a, struct number b, c205_word *special,
     return *special ? 0 : a.coefficient * (1 << DIGITS) / b.coefficient;
 }
 
-c205_word small_divide_upper(c205_word word_a, c205_word word_b, uint64_t *flags)
+SMALL_RULE(divide_upper)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -269,7 +274,7 @@ c205_word small_divide_upper(c205_word word_a, c205_word word_b, uint64_t *flags
     return special ? special : make(e, q, flags);
 }
 
-c205_word small_divide_significant(c205_word word_a, c205_word word_b, uint64_t *flags)
+SMALL_RULE(divide_significant)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -289,11 +294,10 @@ static int64_t floor_of_root(int64_t square)
     return root;
 }
 
-c205_word small_square_root(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(square_root)
 {
-    struct number a = take(word);
+    struct number a = take(word_a);
     int64_t places = 0;
-    (void)b;
     if (a.indefinite)
         return indefinite(flags);
     if (a.zero || a.coefficient == 0)
@@ -317,33 +321,30 @@ static bool is_whole(struct number a)
     return is_special(a) || a.exponent >= 0;
 }
 
-c205_word small_floor(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(floor)
 {
-    struct number a = take(word);
-    (void)b;
-    return is_whole(a) ? unchanged(word, flags)
+    struct number a = take(word_a);
+    return is_whole(a) ? unchanged(word_a, flags)
                        : make(0, right(a.coefficient, -a.exponent), flags);
 }
 
-c205_word small_ceiling(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(ceiling)
 {
-    struct number a = take(word);
-    (void)b;
-    return is_whole(a) ? unchanged(word, flags)
+    struct number a = take(word_a);
+    return is_whole(a) ? unchanged(word_a, flags)
                        : make(0, -right(-a.coefficient, -a.exponent), flags);
 }
 
-c205_word small_truncate(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(truncate)
 {
-    return narrow_coefficient_of(word) < 0 ? small_ceiling(word, b, flags)
-                                           : small_floor(word, b, flags);
+    return narrow_coefficient_of(word_a) < 0 ? small_ceiling(word_a, word_b, flags)
+                                             : small_floor(word_a, word_b, flags);
 }
 
-c205_word small_negate(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(negate)
 {
-    struct number a = take(word);
+    struct number a = take(word_a);
     int64_t half = 1 << (DIGITS - 1);
-    (void)b;
     if (is_special(a))
         return special_word(a, flags);
     if (a.coefficient == SMALLEST)
@@ -353,24 +354,23 @@ c205_word small_negate(c205_word word, c205_word b, uint64_t *flags)
     return make(a.exponent, -a.coefficient, flags);
 }
 
-c205_word small_absolute(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(absolute)
 {
-    return narrow_coefficient_of(word) < 0 ? small_negate(word, b, flags)
-                                           : unchanged(word, flags);
+    return narrow_coefficient_of(word_a) < 0 ? small_negate(word_a, word_b, flags)
+                                             : unchanged(word_a, flags);
 }
 
-c205_word small_exponent(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(exponent)
 {
-    (void)b, (void)flags;
-    return narrow_word(0, narrow_exponent_of(word));
+    return narrow_word(0, narrow_exponent_of(word_a));
 }
 
 /* ---- Adjust, pack, shift ------------------------------------------------ */
 
-c205_word small_adjust_significance(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(adjust_significance)
 {
-    struct number a = take(word);
-    int64_t wanted = narrow_coefficient_of(b);
+    struct number a = take(word_a);
+    int64_t wanted = narrow_coefficient_of(word_b);
     int64_t most = DIGITS - significant_bits(a.coefficient);
     int64_t places = wanted < most ? wanted : most;
     if (is_special(a))
@@ -380,10 +380,10 @@ c205_word small_adjust_significance(c205_word word, c205_word b, uint64_t *flags
     return make(a.exponent - places, a.coefficient * (1 << places), flags);
 }
 
-c205_word small_adjust_exponent(c205_word word, c205_word b, uint64_t *flags)
+SMALL_RULE(adjust_exponent)
 {
-    struct number a = take(word);
-    int64_t exponent = narrow_coefficient_of(b);
+    struct number a = take(word_a);
+    int64_t exponent = narrow_coefficient_of(word_b);
     int64_t places = a.exponent - exponent;
     if (is_special(a))
         return special_word(a, flags);
@@ -396,19 +396,17 @@ c205_word small_adjust_exponent(c205_word word, c205_word b, uint64_t *flags)
     return make(exponent, a.coefficient * (1 << places), flags);
 }
 
-c205_word small_pack(c205_word a, c205_word b, uint64_t *flags)
+SMALL_RULE(pack)
 {
-    (void)flags;
-    return narrow_word((int64_t)(a >> PADDING), narrow_coefficient_of(b));
+    return narrow_word((int64_t)(word_a >> PADDING), narrow_coefficient_of(word_b));
 }
 
-c205_word small_shift(c205_word a, c205_word b, uint64_t *flags)
+SMALL_RULE(shift)
 {
-    int64_t bits = (int64_t)a >> PADDING; /* signed */
-    int64_t count = narrow_coefficient_of(b);
+    int64_t bits = (int64_t)word_a >> PADDING; /* signed */
+    int64_t count = narrow_coefficient_of(word_b);
     int64_t left = count < 0 ? 0 : count % NARROW_WIDTH;
-    uint64_t circle = (a >> PADDING) * ((1u << NARROW_WIDTH) + 1);
-    (void)flags;
+    uint64_t circle = (word_a >> PADDING) * ((1u << NARROW_WIDTH) + 1);
     return (count < 0 ? (uint64_t)right(bits, -count) : circle >> (NARROW_WIDTH - left))
            << PADDING;
 }
@@ -424,11 +422,9 @@ static int64_t value(struct number a)
 }
 
 #define COMPARISON(name, relation, unordered) \
-    c205_word small_##name(c205_word word_a, c205_word word_b, uint64_t *flags) \
+    SMALL_RULE(name) \
     { \
         struct number a = take(word_a), b = take(word_b); \
-\
-        (void)flags; \
         if (a.indefinite || b.indefinite) \
             return unordered; \
         return value(a) relation value(b); \

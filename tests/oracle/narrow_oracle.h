@@ -27,6 +27,13 @@ typedef c205_word small_rule(c205_word a, c205_word b, uint64_t *flags);
 #define RELATION(name) small_rule small_##name;
 #include "vm/arith.def"
 
+/* The machine's exact rules in this format: narrow_add_upper and so on, like
+ * arith_add_upper of arith.h. */
+#define BINARY(name, ...) arith_binary narrow_##name;
+#define UNARY(name, ...) arith_unary narrow_##name;
+#define RELATION(name) arith_relation narrow_##name;
+#include "vm/arith.def"
+
 /* Returns the word of an exponent and a coefficient, which may be out of range. */
 c205_word narrow_word(int64_t exponent, int64_t coefficient);
 int64_t narrow_exponent_of(c205_word word);

@@ -1,5 +1,6 @@
 /* operations.h - tables of all operations of the arithmetic, in both sizes, with the
- * functions of the oracle and of the machine. */
+ * functions of the oracle and of the machine, and of the conversions between words and
+ * doubles, integers and text. */
 #ifndef OPERATIONS_H
 #define OPERATIONS_H
 
@@ -34,6 +35,27 @@ struct reduction {
 
 extern const struct reduction reductions[];
 extern const size_t reduction_count;
+
+/* The conversions of one size of word. */
+struct converters {
+    const struct oracle_format *format;
+    c205_word (*from_double)(double value);
+    double (*to_double)(c205_word word);
+    c205_word (*from_text)(const char *text, const char **end);
+    void (*to_text)(c205_word word, char text[C205_TEXT_SIZE]);
+};
+
+struct conversion {
+    const char *name;
+    const struct converters *converters;
+    /* Tests one random case and prints the difference. */
+    bool (*agrees)(const struct converters *converters, uint64_t *random);
+};
+
+extern const struct conversion conversions[];
+extern const size_t conversion_count;
+
+bool check_conversion(const struct conversion *conversion, uint64_t seed, size_t cases);
 
 /* Writes a word 1 or 0 for each of n bits. */
 void spread_bits(c205_word *words, const uint64_t *bits, size_t n);
