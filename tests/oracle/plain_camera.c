@@ -1,5 +1,5 @@
-/* plain_camera.c - camera rays, and points on the lens (plain_camera.h). */
-#include "tests/oracle/plain_camera.h"
+/* plain_camera.c - camera rays, and points on the lens (plain_light.h). */
+#include "tests/oracle/plain_light.h"
 
 #include "rt/scene/vector.h"
 

@@ -1,4 +1,5 @@
-/* plain_light.h - the plain tracer's surfaces and lights, by POV-Ray's rules. */
+/* plain_light.h - the plain tracer's surfaces, lights and camera rays, by POV-Ray's
+ * rules. */
 #ifndef PLAIN_LIGHT_H
 #define PLAIN_LIGHT_H
 
@@ -54,5 +55,13 @@ double plain_mirror(const struct plain_surface *surface, double index, double co
  * and each light after attenuation by the surfaces in front of it. */
 void plain_shade(const struct plain_tracer *tracer, const struct plain_surface *surface,
                  double color[3]);
+
+/* Returns the number of rays per pixel in each direction: 1 for a camera without a
+ * lens. */
+size_t plain_samples(const struct camera *camera);
+
+/* Returns the ray of sample x, y in a picture of width x height samples. */
+struct ray plain_camera_ray(const struct camera *camera, size_t width, size_t height,
+                            size_t x, size_t y);
 
 #endif

@@ -2,7 +2,6 @@
  * POV-Ray's rules (plain_tracer.h). */
 #include "tests/oracle/plain_tracer.h"
 
-#include "tests/oracle/plain_camera.h"
 #include "tests/oracle/plain_light.h"
 
 #include <assert.h>

@@ -10,25 +10,6 @@
 
 enum { BITS = 400, DEGREE = 4 };
 
-static const char *const names[QUARTIC_KINDS] = {
-    [QUARTIC_COEFFICIENTS] = "coefficients",
-    [QUARTIC_INTEGERS] = "integers",
-    [QUARTIC_SEPARATED] = "separated",
-    [QUARTIC_CLUSTERED] = "clustered",
-    [QUARTIC_MULTIPLE] = "multiple",
-    [QUARTIC_SPREAD] = "spread",
-    [QUARTIC_GRAZING] = "grazing",
-    [QUARTIC_LEADING] = "leading",
-    [QUARTIC_BOUND] = "bound",
-    [QUARTIC_SCALED] = "scaled",
-    [QUARTIC_TORUS] = "torus",
-};
-
-const char *quartic_kind_name(enum quartic_kind kind)
-{
-    return names[kind];
-}
-
 /* ---- Random numbers -------------------------------------------------- */
 
 static double unit(uint64_t *state) /* in [0, 1) */
@@ -194,12 +175,27 @@ static void make_grazing(struct product *product, uint64_t *state)
     }
 }
 
-static make_product *const products[QUARTIC_KINDS] = {
-    [QUARTIC_SEPARATED] = make_separated, [QUARTIC_CLUSTERED] = make_clustered,
-    [QUARTIC_MULTIPLE] = make_multiple,   [QUARTIC_SPREAD] = make_spread,
-    [QUARTIC_GRAZING] = make_grazing,     [QUARTIC_LEADING] = make_separated,
-    [QUARTIC_BOUND] = make_separated,     [QUARTIC_SCALED] = make_spread,
+static const struct {
+    const char *name;
+    make_product *make; /* NULL: not from roots */
+} kinds[QUARTIC_KINDS] = {
+    [QUARTIC_COEFFICIENTS] = { "coefficients", NULL },
+    [QUARTIC_INTEGERS] = { "integers", NULL },
+    [QUARTIC_SEPARATED] = { "separated", make_separated },
+    [QUARTIC_CLUSTERED] = { "clustered", make_clustered },
+    [QUARTIC_MULTIPLE] = { "multiple", make_multiple },
+    [QUARTIC_SPREAD] = { "spread", make_spread },
+    [QUARTIC_GRAZING] = { "grazing", make_grazing },
+    [QUARTIC_LEADING] = { "leading", make_separated },
+    [QUARTIC_BOUND] = { "bound", make_separated },
+    [QUARTIC_SCALED] = { "scaled", make_spread },
+    [QUARTIC_TORUS] = { "torus", NULL },
 };
+
+const char *quartic_kind_name(enum quartic_kind kind)
+{
+    return kinds[kind].name;
+}
 
 /* Sets v to a random point on the unit sphere. */
 static void direction(double *v, uint64_t *state)
@@ -277,8 +273,8 @@ void quartic_case(struct polynomial *polynomial, enum quartic_kind kind,
         bound = (double)integer(state, -30, 30) / 4;
         add_root(&product, bound);
     }
-    if (products[kind]) {
-        products[kind](&product, state);
+    if (kinds[kind].make) {
+        kinds[kind].make(&product, state);
         cut(polynomial, &product, signed_unit(state),
             kind == QUARTIC_SCALED ? (long)integer(state, -4000, 4000) : 0);
     } else if (kind == QUARTIC_TORUS) {

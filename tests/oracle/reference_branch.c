@@ -2,33 +2,26 @@
 #include "reference_parts.h"
 
 #include <limits.h>
+#include <string.h>
 
 /* ---- Branches ---------------------------------------------------------- */
 
 enum relation { LESS = 1, EQUAL = 2, GREATER = 4, UNORDERED = 8 };
 
-/* Returns the relations on which an instruction branches. */
-static unsigned branches_on(enum reference_insn which)
+/* Returns the relations on which an instruction branches, by the end of its name. */
+static unsigned branches_on(const c205_insn *insn)
 {
-    switch (which) {
-    case DO_BEQ:
-    case DO_BHEQ:
-    case DO_IBXEQ:
-    case DO_CFPEQ: return EQUAL;
-    case DO_BGE:
-    case DO_BHGE:
-    case DO_IBXGE:
-    case DO_CFPGE: return GREATER | EQUAL;
-    case DO_BLT:
-    case DO_BHLT:
-    case DO_IBXLT:
-    case DO_CFPLT: return LESS;
-    case DO_IBXLE:
-    case DO_CFPLE: return LESS | EQUAL;
-    case DO_IBXGT:
-    case DO_CFPGT: return GREATER;
-    default: return LESS | GREATER | UNORDERED;
-    }
+    static const struct {
+        char ending[3];
+        unsigned relations;
+    } rows[] = { { "EQ", EQUAL },   { "GE", GREATER | EQUAL },
+                 { "LT", LESS },    { "LE", LESS | EQUAL },
+                 { "GT", GREATER }, { "NE", LESS | GREATER | UNORDERED } };
+    const char *ending = insn->mnemonic + strlen(insn->mnemonic) - 2;
+    size_t i = 0;
+    while (strcmp(rows[i].ending, ending) != 0)
+        i++;
+    return rows[i].relations;
 }
 
 static enum relation compare_integers(int64_t a, int64_t b)
@@ -77,7 +70,7 @@ static void branch_on_index(struct reference *reference, const c205_insn *insn,
     uint64_t target = long_target(reference, fields);
     enum relation found = compare_integers(as_integer(sum), as_integer(limit));
     write_register(reference, fields->c, sum);
-    go_to(reference, target, branches_on(reference_which(insn)) & (unsigned)found);
+    go_to(reference, target, branches_on(insn) & (unsigned)found);
 }
 
 static void branch_on_numbers(struct reference *reference, const c205_insn *insn,
@@ -87,7 +80,7 @@ static void branch_on_numbers(struct reference *reference, const c205_insn *insn
     enum relation found = compare_numbers(format_of(width_of_letter(letter)),
                                           read_operand(reference, letter, a),
                                           read_operand(reference, letter, b));
-    go_to(reference, target, branches_on(reference_which(insn)) & (unsigned)found);
+    go_to(reference, target, branches_on(insn) & (unsigned)found);
 }
 
 static void count_and_branch(struct reference *reference, const c205_fields *fields,

@@ -48,7 +48,6 @@ struct register_owners {
         uint64_t address;
         struct names names;
     } known[KNOWN_NAMES];
-    struct row *rows; /* parallel to c205_insns */
     const struct object *program;
     long owner[C205_REGISTERS]; /* index of a name, or ANYONE */
     uint64_t written[C205_REGISTERS];
@@ -56,6 +55,7 @@ struct register_owners {
     struct found found[MAX_FOUND];
     size_t found_count;
     uint64_t read;
+    struct row rows[]; /* parallel to c205_insns */
 };
 
 static struct row row_of(const c205_insn *insn)
@@ -75,15 +75,12 @@ static struct row row_of(const c205_insn *insn)
 
 struct register_owners *register_owners_new(const struct object *program)
 {
-    struct register_owners *owners = calloc(1, sizeof *owners);
+    struct register_owners *owners = calloc(1,
+                                            sizeof *owners
+                                                + c205_insn_count * sizeof(struct row));
     if (!owners)
         return NULL;
     owners->program = program;
-    owners->rows = calloc(c205_insn_count, sizeof *owners->rows);
-    if (!owners->rows) {
-        free(owners);
-        return NULL;
-    }
     for (size_t i = 0; i < c205_insn_count; i++)
         owners->rows[i] = row_of(&c205_insns[i]);
     for (size_t i = 0; i < C205_REGISTERS; i++)
@@ -93,8 +90,6 @@ struct register_owners *register_owners_new(const struct object *program)
 
 void register_owners_free(struct register_owners *owners)
 {
-    if (owners)
-        free(owners->rows);
     free(owners);
 }
 
