@@ -109,11 +109,6 @@ static void compare_memory(struct trial *trial, uint64_t address, size_t count)
         compare_words(trial, "address", address + WORD * i, scratch[i], image[i]);
 }
 
-static size_t at_most(size_t count, size_t limit)
-{
-    return count < limit ? count : limit;
-}
-
 /* Compares the words of an area and its margins, where pages exist. */
 static void compare_area(struct trial *trial, const struct random_area *area)
 {
@@ -122,8 +117,8 @@ static void compare_area(struct trial *trial, const struct random_area *area)
                                                                : area->address;
     uint64_t end = area->address + WORD * area->words + margin;
     while (address < end && image_at(trial, address)) {
-        size_t in_page = C205_PAGE_WORDS - address / WORD % C205_PAGE_WORDS;
-        size_t count = at_most((size_t)(end - address) / WORD, in_page);
+        uint64_t in_page = C205_PAGE_WORDS - address / WORD % C205_PAGE_WORDS;
+        size_t count = (size_t)lesser((end - address) / WORD, in_page);
         compare_memory(trial, address, count);
         address += WORD * count;
     }

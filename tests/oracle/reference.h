@@ -69,6 +69,11 @@ struct reference {
     int64_t status;
 };
 
+static inline uint64_t lesser(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
 void reference_begin(struct reference *reference);
 void reference_end(struct reference *reference);
 
@@ -95,9 +100,10 @@ unsigned reference_bits_of_g(const c205_insn *insn);
 /* Returns whether register C+1 is an offset of the result. */
 bool reference_has_offset(const c205_insn *insn, const c205_fields *fields);
 
-/* Returns the letter of the instruction table for a field of the syntax, A for a: a
- * capital if its width is 32 bits, also by G. For an order vector that may be a source
- * or a result, G decides.  0: there is no such field. */
+/* Returns the letter of the instruction table for a field of the syntax, A for a. */
+char reference_table_letter(const c205_insn *insn, char field);
+/* Returns the same letter, a capital if its width is 32 bits, also by G.  For an order
+ * vector that may be a source or a result, G decides.  0: there is no such field. */
 char reference_letter(const c205_insn *insn, unsigned g, char field);
 /* Returns whether the letter means a half register; with broadcast, of a vector operand
  * that is broadcast. */

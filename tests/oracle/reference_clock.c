@@ -47,11 +47,6 @@ static void pass(struct reference_clock *clock, c205_cause cause, uint64_t clock
     charge(clock, clock->region, cause, clock->now + clocks);
 }
 
-static uint64_t lesser(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 /* Charges each part of the wait to the phase of the vector unit in it. */
 static void wait_for_vector(struct reference_clock *clock, uint64_t until)
 {

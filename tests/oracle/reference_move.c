@@ -1,11 +1,6 @@
 /* reference_move.c - vector instructions that move elements. */
 #include "reference_vector.h"
 
-static uint64_t lesser(uint64_t a, uint64_t b)
-{
-    return a < b ? a : b;
-}
-
 /* Uses n elements of A, B and Z, then stored elements of C. */
 static void use_operands(struct reference *reference, const struct vector *vector,
                          uint64_t n, uint64_t stored)

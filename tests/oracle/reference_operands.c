@@ -205,9 +205,9 @@ bool take_operands(struct reference *reference, const c205_insn *insn,
 
 void use_source(struct reference *reference, const struct source *source, uint64_t n)
 {
-    uint64_t used = n < source->length ? n : source->length;
     if (source->kind == VECTOR)
-        add_extent(reference, source->address, source->width * used);
+        add_extent(reference, source->address,
+                   source->width * lesser(n, source->length));
 }
 
 void use_target(struct reference *reference, const struct target *target, uint64_t n)
