@@ -1,4 +1,5 @@
-/* exact_roots.h - computes the positive roots of polynomials to many digits.
+/* exact_roots.h - computes the positive roots of polynomials to many digits, and
+ * their islands.
  *
  * It uses MPFR and the roots of the derivatives: between two of them a polynomial is
  * monotone.  Coefficients are exact; c[i] belongs to x^i.
@@ -32,5 +33,28 @@ void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree);
 /* Set value to f(x), and size to the sum of |c_i| x^i, for x > 0. */
 void exact_value(mpfr_t value, mpfr_t *c, int degree, const mpfr_t x);
 void exact_size(mpfr_t size, mpfr_t *c, int degree, const mpfr_t x);
+
+/* Islands: where a polynomial is 0 within the accuracy of 47 bits.
+ *
+ * On t > 0 the set |f(t)| <= 2^-ISLAND_BITS sum |c_i| t^i consists of a few intervals,
+ * the islands.  Every root of f is on one.  An error of 2^-ISLAND_BITS in each
+ * coefficient may move a root anywhere on its island, join the roots of an island, or
+ * remove them in pairs.  It changes nothing outside.  So the width of an island is the
+ * condition of its roots.
+ */
+enum { ISLAND_BITS = 43, MAX_ISLANDS = 2 * EXACT_DEGREE };
+
+struct islands {
+    size_t count;
+    struct island {
+        mpfr_t low, high;
+    } island[MAX_ISLANDS];
+};
+
+void islands_init(struct islands *islands);
+void islands_clear(struct islands *islands);
+/* Computes the islands of the polynomial with coefficients c[i] of x^i, in ascending
+ * order. */
+void islands_find(struct islands *islands, mpfr_t *c, int degree);
 
 #endif

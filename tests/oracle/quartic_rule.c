@@ -12,11 +12,8 @@
 void half_init(struct half *half)
 {
     for (int i = 0; i <= EXACT_DEGREE; i++)
-        mpfr_init2(half->c[i], EXACT_BITS);
-    for (int i = 0; i < EXACT_DEGREE; i++)
-        mpfr_init2(half->slope[i], EXACT_BITS);
-    for (int i = 0; i < EXACT_DEGREE - 1; i++)
-        mpfr_init2(half->curvature[i], EXACT_BITS);
+        mpfr_inits2(EXACT_BITS, half->c[i], half->slope[i], half->curvature[i],
+                    (mpfr_ptr)NULL);
     mpfr_inits2(EXACT_BITS, half->bound, half->low, half->high, half->found,
                 half->error, (mpfr_ptr)NULL);
     exact_init(&half->exact);
@@ -28,11 +25,7 @@ void half_init(struct half *half)
 void half_clear(struct half *half)
 {
     for (int i = 0; i <= EXACT_DEGREE; i++)
-        mpfr_clear(half->c[i]);
-    for (int i = 0; i < EXACT_DEGREE; i++)
-        mpfr_clear(half->slope[i]);
-    for (int i = 0; i < EXACT_DEGREE - 1; i++)
-        mpfr_clear(half->curvature[i]);
+        mpfr_clears(half->c[i], half->slope[i], half->curvature[i], (mpfr_ptr)NULL);
     mpfr_clears(half->bound, half->low, half->high, half->found, half->error,
                 (mpfr_ptr)NULL);
     exact_clear(&half->exact);

@@ -1,7 +1,7 @@
 /* quartic_rule.h - checks the computed roots of a polynomial.
  *
  * The polynomial is exact as stored, in words of 47 bits; its exact roots come from
- * exact_roots.h.  The rule uses the islands of islands.h:
+ * exact_roots.h.  The rule uses the islands of exact_roots.h:
  *
  *   1. Every computed root is on an island.
  *   2. On an island with n different roots above the bound, 1 to n are
@@ -19,7 +19,7 @@
 #ifndef QUARTIC_RULE_H
 #define QUARTIC_RULE_H
 
-#include "islands.h"
+#include "exact_roots.h"
 #include "rt/roots/roots.h"
 
 /* Statistics of many polynomials. */
@@ -38,8 +38,7 @@ struct half {
     const struct polynomial *polynomial;
     const struct polynomial_roots *roots;
     int side; /* 1, -1 */
-    mpfr_t c[EXACT_DEGREE + 1], slope[EXACT_DEGREE];
-    mpfr_t curvature[EXACT_DEGREE - 1];
+    mpfr_t c[EXACT_DEGREE + 1], slope[EXACT_DEGREE + 1], curvature[EXACT_DEGREE + 1];
     mpfr_t bound, low, high, found, error;
     struct exact_roots exact, knots, bends; /* of f, f', f'' */
     struct islands islands;
