@@ -97,12 +97,12 @@ struct comparing {
     bool good;
 };
 
-/* Compares two figures with their standard errors; scale is the size to which rounding
+/* Compares two figures with their errors, as in struct mass_figures; scale is the size to which rounding
  * errors are relative. */
 static void compare(struct comparing *comparing, double a, double a_error, double b,
                     double b_error, double scale, const char *what)
 {
-    double most = SIGMAS * hypot(a_error, b_error) + 1e-4 * fabs(scale);
+    double most = SIGMAS / STUDENT * hypot(a_error, b_error) + 1e-4 * fabs(scale);
     if (comparing->good && !(fabs(a - b) <= most)) {
         snprintf(comparing->reason, MANY_REASON,
                  "%s: %.9g and %.9g, which may be %.2g apart", what, a, b, most);
@@ -142,8 +142,7 @@ static void compare_seconds(struct comparing *comparing, const struct mass_figur
                 }
             for (size_t j = 0; j < 6; j++)
                 error[i][k] += other->error[FIGURE_CENTRAL + j];
-            compare(comparing, moved, error[i][k] / STUDENT, to[i][k], 0, size,
-                    "second moments");
+            compare(comparing, moved, error[i][k], to[i][k], 0, size, "second moments");
         }
 }
 
@@ -153,21 +152,21 @@ static bool same_moved(const struct measured *one, const struct measured *other,
     struct comparing comparing = { reason, true };
     const struct mass_figures *a = &one->part[0], *b = &other->part[0];
     double det = motion->determinant, size = motion->scale[0];
-    compare(&comparing, a->value[FIGURE_VOLUME] * det,
-            a->error[FIGURE_VOLUME] * det / STUDENT, b->value[FIGURE_VOLUME],
-            b->error[FIGURE_VOLUME] / STUDENT, b->value[FIGURE_VOLUME], "volumes");
+    compare(&comparing, a->value[FIGURE_VOLUME] * det, a->error[FIGURE_VOLUME] * det,
+            b->value[FIGURE_VOLUME], b->error[FIGURE_VOLUME], b->value[FIGURE_VOLUME],
+            "volumes");
     if (motion->alike)
         compare(&comparing, a->value[FIGURE_AREA] * size * size,
-                a->error[FIGURE_AREA] * size * size / STUDENT, b->value[FIGURE_AREA],
-                b->error[FIGURE_AREA] / STUDENT, b->value[FIGURE_AREA], "areas");
+                a->error[FIGURE_AREA] * size * size, b->value[FIGURE_AREA],
+                b->error[FIGURE_AREA], b->value[FIGURE_AREA], "areas");
     for (size_t i = 0; i < 3; i++) {
         double moved = motion->move[i], error = 0;
         for (size_t k = 0; k < 3; k++) {
             moved += motion->rows[i][k] * a->value[FIGURE_CENTROID + k];
             error += fabs(motion->rows[i][k]) * a->error[FIGURE_CENTROID + k];
         }
-        compare(&comparing, moved, error / STUDENT, b->value[FIGURE_CENTROID + i],
-                b->error[FIGURE_CENTROID + i] / STUDENT, other->width[i], "centroids");
+        compare(&comparing, moved, error, b->value[FIGURE_CENTROID + i],
+                b->error[FIGURE_CENTROID + i], other->width[i], "centroids");
     }
     compare_seconds(&comparing, a, b, motion);
     return comparing.good;
@@ -186,15 +185,14 @@ static bool same_plain(const char *text, const struct measured *measured,
         width[i] = 1.25 * measured->width[i];
     plain_mass(scene, measured->middle, width, state, value, error);
     /* The sum is not the integral if bodies of one object overlap; none do here. */
-    compare(&comparing, volume, figures->error[FIGURE_VOLUME] / STUDENT, value[0],
-            error[0], volume, "volume, and points inside");
+    compare(&comparing, volume, figures->error[FIGURE_VOLUME], value[0],
+            STUDENT * error[0], volume, "volume, and points inside");
     for (size_t i = 0; i < 3; i++)
         compare(&comparing,
                 volume * (figures->value[FIGURE_CENTROID + i] - measured->middle[i]),
-                (volume * figures->error[FIGURE_CENTROID + i]
-                 + width[i] * figures->error[FIGURE_VOLUME])
-                    / STUDENT,
-                value[1 + i], error[1 + i], volume * width[i],
+                volume * figures->error[FIGURE_CENTROID + i]
+                    + width[i] * figures->error[FIGURE_VOLUME],
+                value[1 + i], STUDENT * error[1 + i], volume * width[i],
                 "first moment, and points inside");
     scene_free(scene);
     return comparing.good;

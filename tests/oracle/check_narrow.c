@@ -87,18 +87,16 @@ static void every_word(struct words *words)
  * alignments of less than a coefficient, of one, and of the whole range. */
 static void some_words(struct words *words)
 {
-    static const int64_t exponents[] = {
-        NARROW_EXPONENT_MIN - 1,
-        NARROW_EXPONENT_MAX + 1,
-        NARROW_EXPONENT_MIN,
-        NARROW_EXPONENT_MIN + 1,
-        -NARROW_DIGITS - 1,
-        -NARROW_DIGITS,
-        -1,
-        0,
-        NARROW_DIGITS,
-        NARROW_EXPONENT_MAX,
-    };
+    static const int64_t exponents[] = { NARROW_EXPONENT_MIN - 1,
+                                         NARROW_EXPONENT_MAX + 1,
+                                         NARROW_EXPONENT_MIN,
+                                         NARROW_EXPONENT_MIN + 1,
+                                         -NARROW_DIGITS - 1,
+                                         -NARROW_DIGITS,
+                                         -1,
+                                         0,
+                                         NARROW_DIGITS,
+                                         NARROW_EXPONENT_MAX };
     for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++)
         add_words(words, exponents[i]);
 }

@@ -20,7 +20,9 @@
 #include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
 #include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/give_up.h"
 #include "tests/oracle/run_povray.h"
+#include "tests/oracle/solid_text.h"
 #include "tests/timed_program.h"
 
 #include <math.h>
@@ -62,62 +64,47 @@ static bool compare(const char *path, const struct trace_options *options,
 {
     const struct antialiasing how = { options->samples, options->threshold };
     size_t pixels = frame->width * frame->height;
-    bool *all = malloc(pixels * sizeof *all);
+    bool *all = test_room(pixels);
     struct picture_error error;
     struct frame theirs;
-    if (!all
-        || !run_povray(path, frame->width, frame->height,
-                       options->threshold > 0 ? &how : NULL, &theirs, &error)) {
+    bool good = run_povray(path, frame->width, frame->height,
+                           options->threshold > 0 ? &how : NULL, &theirs, &error);
+    if (good) {
+        memset(all, true, pixels);
+        struct picture_difference difference = compare_pictures(&with_povray, &theirs,
+                                                                frame, all);
+        printf("\t%zu\t%zu\n", difference.beyond, difference.compared);
+        frame_free(&theirs);
+    } else {
         printf("\t-\t-\n");
-        fprintf(stderr, "%s: %s\n", path, all ? error.message : "out of memory");
-        free(all);
-        return false;
+        fprintf(stderr, "%s: %s\n", path, error.message);
     }
-    memset(all, true, pixels * sizeof *all);
-    struct picture_difference difference = compare_pictures(&with_povray, &theirs,
-                                                            frame, all);
-    printf("\t%zu\t%zu\n", difference.beyond, difference.compared);
-    frame_free(&theirs);
     free(all);
-    return true;
-}
-
-static bool print_trace(const char *path, struct trace *trace,
-                        const struct trace_options *options, size_t reports)
-{
-    double begin = processor_seconds();
-    struct frame frame;
-    c205_error error;
-    if (!trace_run(trace, &error)) {
-        printf("untraced\t%s\n", error.message);
-        return true;
-    }
-    printf("read\t%zu\t%.3f", reports, processor_seconds() - begin);
-    if (reports) {
-        printf("\t-\t-\n");
-        return true;
-    }
-    if (!frame_allocate(&frame, options->width, options->height)) {
-        fputs("no memory\n", stderr);
-        return false;
-    }
-    trace_read(trace, 0, &frame);
-    cut(&frame);
-    bool good = compare(path, options, &frame);
-    frame_free(&frame);
     return good;
 }
 
 static bool print_scene(const char *path, const struct scene *scene,
                         const struct trace_options *options, size_t reports)
 {
+    double begin = processor_seconds();
     c205_error error = { "out of memory" };
-    struct trace *trace = trace_new(scene, options, &error);
+    struct frame frame;
     bool good = true;
-    if (trace)
-        good = print_trace(path, trace, options, reports);
-    else
+    struct trace *trace = trace_new(scene, options, &error);
+    if (!trace || !trace_run(trace, &error)) {
         printf("untraced\t%s\n", error.message);
+    } else {
+        printf("read\t%zu\t%.3f%s", reports, processor_seconds() - begin,
+               reports ? "\t-\t-\n" : "");
+        if (!reports && !frame_allocate(&frame, options->width, options->height))
+            give_up("out of memory");
+        if (!reports) {
+            trace_read(trace, 0, &frame);
+            cut(&frame);
+            good = compare(path, options, &frame);
+            frame_free(&frame);
+        }
+    }
     trace_free(trace);
     return good;
 }

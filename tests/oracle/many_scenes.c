@@ -19,11 +19,16 @@ c205_model *usual_model(void)
     return model;
 }
 
-struct scene *scene_of(const char *text)
+static struct scene *read_scene(const char *text, struct diagnostics *reports)
 {
     const struct scene_options options = { .strict = false };
+    return scene_read_text("scene", text, &options, reports);
+}
+
+struct scene *scene_of(const char *text)
+{
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+    struct scene *scene = read_scene(text, &reports);
     if (!scene) {
         fputs(text, stderr);
         diagnostics_print(&reports, stderr);
@@ -149,9 +154,8 @@ static const struct random_check *the_check;
 
 static bool is_scene(const char *text)
 {
-    const struct scene_options options = { .strict = false };
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+    struct scene *scene = read_scene(text, &reports);
     bool good = scene;
     diagnostics_free(&reports);
     scene_free(scene);
