@@ -58,6 +58,7 @@ enum {
 enum fault { NO_FAULT, NOT_READ, NOT_BY_POVRAY, OTHER_FRAME, OTHER_PICTURE };
 
 struct judgement {
+    size_t number; /* of the scene */
     enum fault fault;
     char message[REASON]; /* the error, without its position */
     char reason[REASON];
@@ -226,7 +227,7 @@ static bool find_edges(const char *text, const struct camera *camera, size_t num
     return all;
 }
 
-static bool same_picture(const char *text, const struct camera *camera, size_t number,
+static bool same_picture(const char *text, const struct camera *camera,
                          const struct frame *ours, const struct frame *theirs,
                          struct judgement *judgement)
 {
@@ -236,7 +237,7 @@ static bool same_picture(const char *text, const struct camera *camera, size_t n
     size_t left = 0, worst = 0;
     if (count <= MAX_OTHERS)
         return true;
-    if (!find_edges(text, camera, number, edge))
+    if (!find_edges(text, camera, judgement->number, edge))
         return blame(judgement, NOT_BY_POVRAY, "not from a side");
     for (size_t k = 0; k < PIXELS; k++) {
         forgiven += other[k] && edge[k];
@@ -258,53 +259,44 @@ static bool same_picture(const char *text, const struct camera *camera, size_t n
     return false;
 }
 
-static bool same_as_povray(const char *text, const struct scene *scene, size_t number,
-                           const struct trace *trace, const struct frame *theirs,
-                           struct judgement *judgement)
-{
-    struct frame ours;
-    if (!frame_allocate(&ours, WIDTH, HEIGHT))
-        give_up("out of memory");
-    trace_read(trace, 0, &ours);
-    bool good = same_picture(text, &scene->camera, number, &ours, theirs, judgement);
-    frame_free(&ours);
-    return good;
-}
-
-/* ---- Scenes -------------------------------------------------------------- */
+/* --- scenes --------------------------------------------------------------- */
 
 static uint64_t seed_of(size_t number)
 {
     return RANDOM_SEED ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
 }
 
-static void judge_scene(const char *text, const struct scene *scene, size_t number,
-                        struct povray *run, struct judgement *judgement)
+static void judge_scene(const char *text, const struct scene *scene, struct povray *run,
+                        struct judgement *judgement)
 {
-    struct trace_options serial = random_form(0, NULL);
-    struct trace *expected = traced_in(scene, serial);
+    struct trace *expected = traced_in(scene, random_form(0, NULL));
     struct picture_error error;
-    struct frame theirs;
-    bool good = same_in_all_forms(scene, expected, seed_of(number), judgement);
+    struct frame ours, theirs;
+    bool good = same_in_all_forms(scene, expected, seed_of(judgement->number),
+                                  judgement);
     bool read = povray_end(run, &theirs, &error);
+    if (!frame_allocate(&ours, WIDTH, HEIGHT))
+        give_up("out of memory");
+    trace_read(expected, 0, &ours);
     if (good && !read)
         blame(judgement, NOT_BY_POVRAY, error.message);
     else if (good)
-        same_as_povray(text, scene, number, expected, &theirs, judgement);
+        same_picture(text, &scene->camera, &ours, &theirs, judgement);
     if (read)
         frame_free(&theirs);
+    frame_free(&ours);
     trace_free(expected);
 }
 
 /* Compares the scene with the picture of the run, which has been started. */
 static struct judgement judge(const char *text, size_t number, struct povray *run)
 {
-    struct judgement judgement = { .fault = NO_FAULT };
+    struct judgement judgement = { .number = number };
     struct picture_error error;
     struct frame theirs;
     struct scene *scene = read_text(text, &judgement);
     if (scene)
-        judge_scene(text, scene, number, run, &judgement);
+        judge_scene(text, scene, run, &judgement);
     else if (povray_end(run, &theirs, &error))
         frame_free(&theirs);
     else
@@ -321,24 +313,12 @@ static struct judgement judge_again(const char *text, size_t number)
 /* ---- Failures ------------------------------------------------------------ */
 
 /* Messages of POV-Ray are not compared: their last words name a position. */
-static bool fails_alike(const struct judgement *judgement,
-                        const struct judgement *other)
-{
-    return judgement->fault == other->fault && judgement->pixel == other->pixel
-           && (judgement->fault != NOT_READ
-               || strcmp(judgement->message, other->message) == 0);
-}
-
-struct failure {
-    size_t number;
-    struct judgement judgement;
-};
-
 static bool fails_as(const char *text, void *context)
 {
-    const struct failure *failure = context;
-    struct judgement other = judge_again(text, failure->number);
-    return fails_alike(&failure->judgement, &other);
+    const struct judgement *first = context;
+    struct judgement other = judge_again(text, first->number);
+    return other.fault == first->fault && other.pixel == first->pixel
+           && (other.fault != NOT_READ || strcmp(other.message, first->message) == 0);
 }
 
 static void show(const char *text, size_t number)
@@ -354,45 +334,30 @@ static void show(const char *text, size_t number)
 
 /* ---- The command --------------------------------------------------------- */
 
-/* Scenes whose runs of POV-Ray have been started, by their numbers. */
-static struct waiting {
-    size_t number;
-    char *text; /* NULL: none */
-    struct povray *run;
-} waiting[AHEAD + 1];
-
-static struct waiting *waiting_for(const size_t *number)
-{
-    for (size_t i = 0; i <= AHEAD; i++)
-        if (number ? waiting[i].text && waiting[i].number == *number : !waiting[i].text)
-            return &waiting[i];
-    give_up("a scene was not begun");
-    return NULL;
-}
+/* A ring of running POV-Ray processes, first in, first out. */
+static struct povray *runs[AHEAD + 1];
+static size_t begun, ended;
 
 static void begin_scene(size_t number)
 {
-    struct waiting *place = waiting_for(NULL);
-    place->number = number;
-    place->text = language_scene_text(seed_of(number));
-    place->run = begin_run(place->text, number, "");
+    char *text = language_scene_text(seed_of(number));
+    runs[begun++ % (AHEAD + 1)] = begin_run(text, number, "");
+    free(text);
 }
 
 static bool check_scene(size_t number, bool first)
 {
     static size_t failed;
-    struct waiting *place = waiting_for(&number);
-    struct judgement judgement = judge(place->text, number, place->run);
+    char *text = language_scene_text(seed_of(number));
+    struct judgement judgement = judge(text, number, runs[ended++ % (AHEAD + 1)]);
     if (judgement.fault)
         printf("scene %zu: %s\n", number, judgement.reason);
     if (judgement.fault && !first && failed++ < MAX_SMALLER) {
         fflush(stdout);
-        struct failure failure = { number, judgement };
-        place->text = text_shrunk(place->text, MAX_TRIALS, fails_as, &failure);
-        show(place->text, number);
+        text = text_shrunk(text, MAX_TRIALS, fails_as, &judgement);
+        show(text, number);
     }
-    free(place->text);
-    place->text = NULL;
+    free(text);
     return judgement.fault == NO_FAULT;
 }
 

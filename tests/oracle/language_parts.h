@@ -75,7 +75,6 @@ extern const size_t language_rule_count;
 /* Evaluates the pattern that the format makes. */
 void write_text(struct language *draw, const char *format, ...);
 void write_pattern(struct language *draw, const char *pattern);
-void write_number(struct language *draw, double low, double high);
 
 /* Makes one pigment of one_of an image, which is surrounded by a transparent colour if
  * clear.  The pattern up to end_image is then evaluated but not printed. */
@@ -89,8 +88,9 @@ void open_solid_shape(struct language *draw, bool closed);
 /* The functions of the rules. */
 language_writer write_map, write_plain_color, write_clear_look, write_steepness,
     write_bump_map, write_slopes, write_normal, write_steep_normal, write_component,
-    write_looking_camera, write_clip, write_listed_solid, write_great_solid, write_for,
-    write_macro, open_solid, open_quadric, open_lone_triangle, open_mesh, open_net,
-    open_bicubic, declare_array, declare_palette, declare_solid;
+    write_looking_camera, write_area, write_clip, write_listed_solid, write_great_solid,
+    write_for, write_macro, open_solid, open_quadric, open_lone_triangle,
+    open_bent_triangle, open_net, open_bicubic, declare_array, declare_palette,
+    declare_solid;
 
 #endif

@@ -173,7 +173,8 @@ const struct language_rule language_rules[] = {
     /* Shapes without an inside; some have textures of their own. */
     { "disc", NULL, "disc {\n@-.2:.2@, $arrow;, ^4.5:1^$2[, ^4.1:.4^|$]\n" },
     { "triangle", open_lone_triangle, NULL },
-    { "mesh", open_mesh, NULL },
+    { "bent_triangle", open_bent_triangle, NULL },
+    { "mesh", NULL, "mesh {\n$*1:4[$bent_triangle;}\n$]" },
     { "net", open_net, NULL },
     { "bicubic", open_bicubic, NULL },
     /* An outline with a hole, or a star, which intersects itself. */
@@ -262,6 +263,17 @@ const struct language_rule language_rules[] = {
     { "light_cylinder", NULL,
       "cylinder\n$point_at;$2[radius ~.5:3~\n|$]$2[falloff ~1:6~\n|$]"
       "$2[tightness ~0:8~\n|$]" },
+    { "area", write_area, NULL },
+    { "fading", NULL, "$area;$5[fade_distance ~1:12~\nfade_power ~.5:4~\n|$]" },
+    /* Of beams only a cone of rays that are not parallel fades: POV-Ray fades the far
+     * side of the others differently (docs/povray.md). */
+    { "beam", NULL,
+      "$2[$4[parallel\n$point_at;|$spotlight;$fading;$]"
+      "|$4[parallel\n$point_at;|$light_cylinder;$]$]" },
+    { "lamp", NULL,
+      "light_source {\n<~-9:9~, ~4:12~, ~-9:9~>, $color;\n"
+      "$5[shadowless\n$fading;|$3[$beam;|$fading;$]$]"
+      "$5[translate <^3-2:2^, 1, .5>\n|$]}\n" },
     /* The ground is below all objects.  It is hollow, because an orthographic picture
      * may start below it, and POV-Ray shows no fog inside a body that is not hollow. */
     { "ground", NULL,

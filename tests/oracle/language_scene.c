@@ -95,19 +95,8 @@ void write_looking_camera(struct language *draw)
         far * sin(turn), -far * cos(turn));
 }
 
-/* Returns false if the rays of the lamp are parallel.  POV-Ray fades the far side of
- * such a light differently (docs/povray.md). */
-static bool write_beam(struct language *draw)
-{
-    bool cone = one_in(&draw->state, 2), parallel = one_in(&draw->state, 4);
-    write_text(draw, parallel ? "parallel\n$point_at;"
-                     : cone   ? "$spotlight;"
-                              : "$light_cylinder;");
-    return cone && !parallel;
-}
-
 /* The other random choices do not depend on it. */
-static void write_area(struct language *draw)
+void write_area(struct language *draw)
 {
     uint64_t kept = draw->state;
     draw->state = stream_beside(kept, 5, 1);
@@ -122,22 +111,7 @@ static void write_area(struct language *draw)
     draw->state = kept;
 }
 
-static void write_lamp(struct language *draw)
-{
-    write_text(draw, "light_source {\n<~-9:9~, ~4:12~, ~-9:9~>, $color;\n");
-    bool fades = true;
-    if (one_in(&draw->state, 5))
-        write_text(draw, "shadowless\n");
-    else if (one_in(&draw->state, 3))
-        fades = write_beam(draw);
-    if (fades)
-        write_area(draw);
-    if (fades)
-        write_text(draw, "$5[fade_distance ~1:12~\nfade_power ~.5:4~\n|$]");
-    write_text(draw, "$5[translate <^3-2:2^, 1, .5>\n|$]}\n");
-}
-
-/* ---- Scenes -------------------------------------------------------------- */
+/* --- scenes --------------------------------------------------------------- */
 
 char *language_scene_text(uint64_t seed)
 {
@@ -151,9 +125,8 @@ char *language_scene_text(uint64_t seed)
     write_declarations(&draw);
     write_sky(&draw);
     write_fog(&draw);
-    write_text(&draw, "camera {\n$4[$turned_camera;|$looking_camera;$]}\n");
-    for (size_t left = 1 + below(&draw.state, 3); left > 0; left--)
-        write_lamp(&draw);
+    write_text(&draw,
+               "camera {\n$4[$turned_camera;|$looking_camera;$]}\n$*1:3[$lamp;$]");
     write_text(&draw,
                "$4[#default {\nfinish {\n$finish_words;}\n}\n|$]"
                "$*0:4[$look_declaration;$]$2[$ground;|$]$6[$macro;|$]$*2:5[$thing;$]");

@@ -192,13 +192,9 @@ void open_lone_triangle(struct language *draw)
     open_triangle(draw, .15);
 }
 
-void open_mesh(struct language *draw)
+void open_bent_triangle(struct language *draw)
 {
-    write_text(draw, "mesh {\n");
-    for (size_t left = 1 + below(&draw->state, 4); left > 0; left--) {
-        open_triangle(draw, .5);
-        write_text(draw, "}\n");
-    }
+    open_triangle(draw, .5);
 }
 
 /* Makes a bent net of squares, each of two triangles. */

@@ -111,7 +111,7 @@ static void write_vector(struct language *draw, int depth)
         write_text(draw, "$2[$[x|y|z$]|<^3-2:2^, ^3-2:2^, ^3-2:2^>$]");
 }
 
-void write_number(struct language *draw, double low, double high)
+static void write_number(struct language *draw, double low, double high)
 {
     if (!one_in(&draw->state, 4))
         write_text(draw, "%.4f", between(&draw->state, low, high));
