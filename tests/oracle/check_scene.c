@@ -98,7 +98,6 @@ static unsigned exceptions_of(const char *scene)
 
 /* ---- One scene file ------------------------------------------------------ */
 
-static const c205_model *model;
 static size_t passed, failed;
 
 static void verdict(bool good, const char *path, const char *what)
@@ -155,131 +154,73 @@ static const struct scene *scene_at(struct file *file, size_t width, size_t heig
     return file->scene;
 }
 
-/* Returns a finished trace, or NULL if it failed. */
-static struct trace *traced(struct file *file, struct trace_options options)
-{
-    const struct scene *scene = scene_at(file, options.width, options.height);
-    c205_error error = { "" };
-    options.model = model;
-    if (options.queue == 0)
-        options.queue = TRACE_QUEUE;
-    struct trace *trace = scene ? trace_new(scene, &options, &error) : NULL;
-    if (trace && trace_run(trace, &error))
-        return trace;
-    fprintf(stderr, "%s: %s\n", file->path, error.message);
-    trace_free(trace);
-    return NULL;
-}
-
-/* Returns false if the trace failed. */
-static bool checksum(struct file *file, struct trace_options options, uint64_t *sum)
-{
-    struct trace *trace = traced(file, options);
-    if (trace)
-        *sum = trace_checksum(trace);
-    trace_free(trace);
-    return trace != NULL;
-}
-
-/* ---- Equal frames -------------------------------------------------------- */
-
-/* Compares the frames of two configurations, in the same size. */
-static bool same(struct file *file, struct trace_options one,
-                 struct trace_options other)
-{
-    uint64_t sums[2];
-    other.width = one.width;
-    other.height = one.height;
-    return checksum(file, one, &sums[0]) && checksum(file, other, &sums[1])
-           && sums[0] == sums[1];
-}
+/* --- equal frames --------------------------------------------------------- */
 
 static bool has_turn(const struct file *file, unsigned turn)
 {
     return file->turn == ALL_TURNS || file->turn == turn;
 }
 
-/* Configurations whose frames must equal that of the scalar form. */
-static const struct way {
+struct way {
     unsigned turn;
-    const char *name;
     struct trace_options options;
-} ways[] = {
-    { 1, "a queue of 77", { .mode = TRACE_VECTOR, .queue = 77 } },
-    { 2, "a queue of 2000", { .mode = TRACE_VECTOR } },
-    { 2, "a queue of 65535", { .mode = TRACE_VECTOR, .queue = 65535 } },
-    { 0, "the paper's stage", { .mode = TRACE_KERNELS, .queue = 333 } },
-    { 0,
-      "the vector form by rows",
-      { .mode = TRACE_VECTOR, .order = ORDER_ROWS, .queue = 77 } },
-    { 2,
-      "the paper's stage by tiles",
-      { .mode = TRACE_KERNELS, .order = ORDER_TILES, .queue = 50 } },
-    { 0,
-      "every crossing of solids",
-      { .mode = TRACE_VECTOR, .visible = VISIBLE_EVERY } },
-    { 0,
-      "the scalar form without bounds",
-      { .mode = TRACE_SCALAR, .no_bounds = true } },
-    { 2,
-      "the vector form without bounds",
-      { .mode = TRACE_VECTOR, .no_bounds = true } },
-    { 1,
-      "the vector form without a hierarchy",
-      { .mode = TRACE_VECTOR, .flat = true } },
 };
 
-static void check_ways(struct file *file, size_t width, size_t height)
-{
-    const struct trace_options scalar = { .mode = TRACE_SCALAR,
-                                          .width = width,
-                                          .height = height };
-    uint64_t expected, sum;
-    bool good = checksum(file, scalar, &expected);
-    verdict(good, file->path, "there is no scalar frame");
-    for (size_t i = 0; good && i < sizeof ways / sizeof ways[0]; i++) {
-        struct trace_options options = ways[i].options;
-        if (!has_turn(file, ways[i].turn))
-            continue;
-        options.width = width;
-        options.height = height;
-        verdict(checksum(file, options, &sum) && sum == expected, file->path,
-                ways[i].name);
-    }
-}
+/* Forms whose frames must equal that of the scalar form. */
+static const struct way ways[] = {
+    { 1, { .mode = TRACE_VECTOR, .queue = 77 } },
+    { 2, { .mode = TRACE_VECTOR } },
+    { 2, { .mode = TRACE_VECTOR, .queue = 65535 } },
+    { 0, { .mode = TRACE_KERNELS, .queue = 333 } },
+    { 0, { .mode = TRACE_VECTOR, .order = ORDER_ROWS, .queue = 77 } },
+    { 2, { .mode = TRACE_KERNELS, .order = ORDER_TILES, .queue = 50 } },
+    { 0, { .mode = TRACE_VECTOR, .visible = VISIBLE_EVERY } },
+    { 0, { .mode = TRACE_SCALAR, .no_bounds = true } },
+    { 2, { .mode = TRACE_VECTOR, .no_bounds = true } },
+    { 1, { .mode = TRACE_VECTOR, .flat = true } },
+};
+enum { WAYS = sizeof ways / sizeof *ways };
 
 /* Options with which the three modes must give the same frame.  Frames are smaller: a
  * queue of one ray is slow, and samples are many rays. */
 static const struct way stages[] = {
-    { 0, "a queue of 1", { .width = 18, .height = 14, .queue = 1 } },
-    { 1, "four rays a pixel", { .width = 20, .height = 15, .samples = 2 } },
-    { 2,
-      "more rays where pixels differ",
-      { .width = 34, .height = 5, .samples = 2, .threshold = .2 } },
+    { 0, { .width = 18, .height = 14, .queue = 1 } },
+    { 1, { .width = 20, .height = 15, .samples = 2 } },
+    { 2, { .width = 34, .height = 5, .samples = 2, .threshold = .2 } },
 };
 
-static void check_stages(struct file *file)
+static struct trace_options in_mode(struct trace_options options, enum trace_mode mode)
 {
-    for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++) {
-        struct trace_options scalar = stages[i].options;
-        struct trace_options vector = scalar, kernels = scalar;
-        scalar.mode = TRACE_SCALAR;
-        vector.mode = TRACE_VECTOR;
-        kernels.mode = TRACE_KERNELS;
-        if (has_turn(file, stages[i].turn) && !(scalar.threshold > 0 && file->lens))
-            verdict(same(file, scalar, vector) && same(file, scalar, kernels),
-                    file->path, stages[i].name);
-    }
+    options.mode = mode;
+    if (options.queue == 0)
+        options.queue = TRACE_QUEUE;
+    return options;
 }
 
-static void check_historical(struct file *file, size_t width, size_t height)
+/* Compares frames with that of the scalar form, in its size. */
+static void check_ways(struct file *file, struct trace_options scalar,
+                       const struct way *others, size_t count)
 {
-    const struct trace_options scalar = {
-        .mode = TRACE_SCALAR, .historical = true, .width = width, .height = height
-    };
-    struct trace_options vector = scalar;
-    vector.mode = TRACE_VECTOR;
-    verdict(same(file, scalar, vector), file->path, "the forms of the way of 1984");
+    const struct scene *scene = scene_at(file, scalar.width, scalar.height);
+    struct trace *expected = traced_in(scene, in_mode(scalar, TRACE_SCALAR));
+    char reason[MANY_REASON];
+    for (size_t i = 0; i < count; i++) {
+        struct trace_options options = in_mode(others[i].options,
+                                               others[i].options.mode);
+        options.width = scalar.width;
+        options.height = scalar.height;
+        if (has_turn(file, others[i].turn))
+            verdict(same_in_form(scene, expected, options, reason), file->path, reason);
+    }
+    trace_free(expected);
+}
+
+static void check_modes(struct file *file, unsigned turn, struct trace_options options)
+{
+    const struct way others[] = { { turn, in_mode(options, TRACE_VECTOR) },
+                                  { turn, in_mode(options, TRACE_KERNELS) } };
+    if (has_turn(file, turn))
+        check_ways(file, options, others, options.historical ? 1 : 2);
 }
 
 /* ---- Other tracers ------------------------------------------------------- */
@@ -297,27 +238,21 @@ static bool report(const char *who, const struct comparison *comparison,
     return good;
 }
 
-/* Makes the machine's frame; the caller frees it. */
-static bool trace_frame(struct file *file, struct trace_options options,
-                        struct frame *frame)
-{
-    struct trace *trace = traced(file, options);
-    bool good = trace && frame_allocate(frame, options.width, options.height);
-    if (good)
-        trace_read(trace, 0, frame);
-    trace_free(trace);
-    return good;
-}
-
+/* Makes the machine's frame, which the caller frees. */
 static bool same_as_plain(struct file *file, const struct frame *plain,
                           const bool *inner, bool historical, struct frame *frame)
 {
-    const struct trace_options options = { .mode = TRACE_VECTOR,
-                                           .historical = historical,
+    const struct trace_options options = { .historical = historical,
                                            .width = plain->width,
                                            .height = plain->height };
-    bool good = trace_frame(file, options, frame);
-    for (size_t i = 0, traced = good; traced && i < WITH_FRAME; i++)
+    const struct scene *scene = scene_at(file, plain->width, plain->height);
+    struct trace *trace = traced_in(scene, in_mode(options, TRACE_VECTOR));
+    bool good = frame_allocate(frame, plain->width, plain->height);
+    if (!good)
+        give_up("out of memory");
+    trace_read(trace, 0, frame);
+    trace_free(trace);
+    for (size_t i = 0; i < WITH_FRAME; i++)
         good &= report(historical ? "1984" : "rt205", &with_frame[i], plain, frame,
                        inner);
     return good;
@@ -400,10 +335,19 @@ static void check_file(const char *path, bool all)
     size_t width = length_of(large ? 36 : 50), height = length_of(large ? 27 : 38);
     file.patches = contains(path, "cylinder") || contains(path, "steiner");
     printf("%s\n", path);
-    check_ways(&file, width, height);
+    const struct trace_options scalar = { .width = width, .height = height };
+    if (!scene_at(&file, width, height)) {
+        verdict(false, path, "the scene cannot be read");
+        return;
+    }
+    check_ways(&file, scalar, ways, WAYS);
     if (has_historical(&file))
-        check_historical(&file, width, height);
-    check_stages(&file);
+        check_modes(&file, file.turn,
+                    (struct trace_options){
+                        .historical = true, .width = width, .height = height });
+    for (size_t i = 0; i < sizeof stages / sizeof *stages; i++)
+        if (!(stages[i].options.threshold > 0 && file.lens))
+            check_modes(&file, stages[i].turn, stages[i].options);
     check_others(&file);
     scene_free(file.scene);
 }
@@ -411,15 +355,14 @@ static void check_file(const char *path, bool all)
 int main(int count, char **words)
 {
     bool all = count > 1 && strcmp(words[1], "all") == 0;
-    c205_model *usual;
     if (count < 3 || (!all && strcmp(words[1], "some") != 0)) {
         fprintf(stderr, "usage: check_scene all|some SCENE.pov ..\n");
         return 2;
     }
-    model = usual = usual_model();
+    check_model = usual_model();
     for (int i = 2; i < count; i++)
         check_file(words[i], all);
-    c205_model_free(usual);
+    c205_model_free(check_model);
     printf("%zu passed, %zu failed\n", passed, failed);
     return failed > 0;
 }
