@@ -2,7 +2,7 @@
  *
  *     check_faces [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (grid_scene.h), or every OF-th of them from number SHARE on: in
+ * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on: in
  * scalar form, in vector form and in the form of 1984, with several queue lengths, with
  * both methods for the visible surface of solids, with and without bounding spheres.
  * The test fails unless all frames are equal bit for bit.
@@ -18,8 +18,7 @@
  */
 #include "rt/layout/interiors.h"
 #include "rt/trace/trace.h"
-#include "tests/oracle/grid_scene.h"
-#include "tests/oracle/many_scenes.h"
+#include "tests/oracle/random_scenes.h"
 #include "tests/oracle/plain_tracer.h"
 
 #include <math.h>

@@ -3,8 +3,8 @@
  *     check_lines [SCENES [OF SHARE]] [--first]
  *
  * Follows lines through random scenes, or every OF-th of them from number SHARE on:
- * alternately scenes with coincident faces (grid_scene.h) and scenes of many regions
- * (many_regions.h).  The test fails unless the scalar form and some random
+ * alternately scenes with coincident faces (random_scenes.h) and scenes of many regions
+ * (random_scenes.h).  The test fails unless the scalar form and some random
  * configurations of the vector form (queues, packets, bounds) find the same hits bit
  * for bit, and the hits obey the rules of line_rules.h.  Parts in another order must
  * give the same distances bit for bit.  Where rounding does not decide, the plain
@@ -15,10 +15,8 @@
  * Exit status 1: a scene failed.
  */
 #include "tests/oracle/chance.h"
-#include "tests/oracle/grid_scene.h"
+#include "tests/oracle/random_scenes.h"
 #include "tests/oracle/line_rules.h"
-#include "tests/oracle/many_regions.h"
-#include "tests/oracle/many_scenes.h"
 
 #include <stdio.h>
 #include <stdlib.h>

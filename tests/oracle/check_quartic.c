@@ -9,7 +9,6 @@
  * prints polynomials for rt205 quartic.
  */
 #include "arithmetic_oracle.h"
-#include "quartic_cases.h"
 #include "quartic_rule.h"
 #include "tests/oracle/give_up.h"
 #include "tests/oracle/read_options.h"

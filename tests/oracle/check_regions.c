@@ -3,7 +3,7 @@
  *
  *     check_regions [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (many_regions.h), or every OF-th of them from number SHARE on:
+ * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on:
  * in vector form with every ray tested against every region, in scalar form, and in
  * some random configurations of modes, queues, bounds, methods for solids, bands and
  * jobs.  The test fails unless all give the same frame bit for bit and trace the same
@@ -17,8 +17,7 @@
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/compare_pictures.h"
-#include "tests/oracle/many_regions.h"
-#include "tests/oracle/many_scenes.h"
+#include "tests/oracle/random_scenes.h"
 #include "tests/oracle/plain_tracer.h"
 
 #include <math.h>

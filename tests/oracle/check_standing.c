@@ -3,7 +3,7 @@
  *
  *     check_standing [SCENES [OF SHARE]] [--first]
  *
- * Traces random scenes (standing_scene.h), or every OF-th of them from number SHARE on.
+ * Traces random scenes (random_scenes.h), or every OF-th of them from number SHARE on.
  * The test fails unless all forms give the same frame bit for bit, and every pixel off
  * the outlines equals the plain tracer's.  POV-Ray loses one of two coincident faces,
  * so its picture is of the scene with a ground that is higher by LIFT; scenes of other
@@ -14,10 +14,9 @@
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/compare_pictures.h"
-#include "tests/oracle/many_scenes.h"
 #include "tests/oracle/plain_tracer.h"
 #include "tests/oracle/run_povray.h"
-#include "tests/oracle/standing_scene.h"
+#include "tests/oracle/random_scenes.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* grid_scene.c - generates random scenes on a coarse grid. */
-#include "tests/oracle/grid_scene.h"
+#include "tests/oracle/random_scenes.h"
 
 #include "tests/oracle/scene_words.h"
 #include "tests/oracle/chance.h"

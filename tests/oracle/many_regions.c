@@ -1,5 +1,5 @@
 /* many_regions.c - generates random scenes of many regions. */
-#include "tests/oracle/many_regions.h"
+#include "tests/oracle/random_scenes.h"
 
 #include "tests/oracle/scene_words.h"
 #include "tests/oracle/chance.h"

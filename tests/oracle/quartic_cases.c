@@ -1,6 +1,6 @@
 /* quartic_cases.c - random polynomials, mostly from their exact roots
- * (quartic_cases.h). */
-#include "quartic_cases.h"
+ * (quartic_rule.h). */
+#include "quartic_rule.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-/* quartic_rule.h - checks the computed roots of a polynomial.
+/* quartic_rule.h - checks the computed roots of a polynomial, and makes random ones.
  *
  * The polynomial is exact as stored, in words of 47 bits; its exact roots come from
  * exact_roots.h.  The rule uses the islands of exact_roots.h:
@@ -51,5 +51,27 @@ void half_clear(struct half *half);
  * (arithmetic_oracle.h). */
 const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
                          const struct polynomial_roots *roots, struct tally *tally);
+
+/* Random polynomials of every difficult kind. */
+enum quartic_kind {
+    QUARTIC_COEFFICIENTS, /* random */
+    QUARTIC_INTEGERS,     /* small */
+    QUARTIC_SEPARATED,    /* real roots and complex pairs */
+    QUARTIC_CLUSTERED,    /* roots 10^-1 to 10^-9 apart */
+    QUARTIC_MULTIPLE,     /* double, triple, quadruple; exact or not */
+    QUARTIC_SPREAD,       /* sizes of 10^-30 to 10^30 */
+    QUARTIC_GRAZING,      /* complex pairs near the real axis */
+    QUARTIC_LEADING,      /* leading coefficients that are 0 or nearly 0 */
+    QUARTIC_BOUND,        /* the bound is a root */
+    QUARTIC_SCALED,       /* coefficients far beyond the range of doubles */
+    QUARTIC_TORUS,        /* rays from the bounding sphere of a torus */
+    QUARTIC_KINDS
+};
+const char *quartic_kind_name(enum quartic_kind kind);
+
+/* Makes a polynomial whose coefficients are truncated to words; half of the bounds are
+ * 0.  Requires oracle_begin (arithmetic_oracle.h). */
+void quartic_case(struct polynomial *polynomial, enum quartic_kind kind,
+                  uint64_t *state);
 
 #endif

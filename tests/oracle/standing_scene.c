@@ -1,6 +1,6 @@
 /* standing_scene.c - prints random bodies on a ground or in stacks
- * (standing_scene.h). */
-#include "tests/oracle/standing_scene.h"
+ * (random_scenes.h). */
+#include "tests/oracle/random_scenes.h"
 
 #include "tests/oracle/chance.h"
 #include "tests/oracle/scene_words.h"
