@@ -24,6 +24,7 @@ struct number {
 /* The operands and one long register, which every rule uses again. */
 static struct number left, right;
 static mpz_t wide, aligned, complement;
+static c205_word special; /* the result, if it is no product or quotient */
 static mpfr_t left_value, right_value, radicand, root;
 
 void oracle_begin(void)
@@ -151,6 +152,8 @@ static c205_word make_significant(const struct oracle_format *format, long bits,
                                   long exponent, uint64_t *flags)
 {
     long k = significant_bits(wide) - bits;
+    if (mpz_sgn(wide) == 0)
+        return machine_zero(flags);
     scale_down(wide, k);
     assert(significant_bits(wide) == bits);
     return make(format, wide, exponent + k, flags);
@@ -270,15 +273,15 @@ ORACLE_RULE(average_difference)
 /* ---- Multiply ----------------------------------------------------------- */
 
 /* Computes the product in wide.  Returns false if the result is special, and then sets
- * *word. */
+ * special. */
 static bool multiply(const struct oracle_format *format, c205_word a, c205_word b,
-                     c205_word *word, uint64_t *flags)
+                     uint64_t *flags)
 {
     take_both(format, a, b);
     if (either(INDEFINITE))
-        *word = indefinite(0, flags);
+        special = indefinite(0, flags);
     else if (either(MACHINE_ZERO))
-        *word = machine_zero(flags);
+        special = machine_zero(flags);
     else
         mpz_mul(wide, left.coefficient, right.coefficient);
     return !either(INDEFINITE) && !either(MACHINE_ZERO);
@@ -286,8 +289,7 @@ static bool multiply(const struct oracle_format *format, c205_word a, c205_word 
 
 ORACLE_RULE(multiply_upper)
 {
-    c205_word special;
-    if (!multiply(format, a, b, &special, flags))
+    if (!multiply(format, a, b, flags))
         return special;
     long exponent = left.exponent + right.exponent + format->digits;
     scale_down(wide, format->digits);
@@ -296,8 +298,7 @@ ORACLE_RULE(multiply_upper)
 
 ORACLE_RULE(multiply_lower)
 {
-    c205_word special;
-    if (!multiply(format, a, b, &special, flags))
+    if (!multiply(format, a, b, flags))
         return special;
     mpz_fdiv_r_2exp(wide, wide, (mp_bitcnt_t)format->digits);
     return make(format, wide, left.exponent + right.exponent, flags);
@@ -305,11 +306,8 @@ ORACLE_RULE(multiply_lower)
 
 ORACLE_RULE(multiply_significant)
 {
-    c205_word special;
-    if (!multiply(format, a, b, &special, flags))
+    if (!multiply(format, a, b, flags))
         return special;
-    if (mpz_sgn(wide) == 0)
-        return machine_zero(flags);
     return make_significant(format, less_significant_operand(),
                             left.exponent + right.exponent, flags);
 }
@@ -317,32 +315,28 @@ ORACLE_RULE(multiply_significant)
 /* ---- Divide ------------------------------------------------------------- */
 
 /* Computes the quotient in wide.  Returns false if the result is special, and then sets
- * *word. */
+ * special. */
 static bool divide(const struct oracle_format *format, c205_word a, c205_word b,
-                   c205_word *word, uint64_t *flags)
+                   uint64_t *flags)
 {
     take_both(format, a, b);
-    if (either(INDEFINITE)) {
-        *word = indefinite(0, flags);
-        return false;
+    if (either(INDEFINITE))
+        special = indefinite(0, flags);
+    else if (right.kind == MACHINE_ZERO || mpz_sgn(right.coefficient) == 0)
+        special = indefinite(FLAG_DIVIDE_FAULT, flags);
+    else if (left.kind == MACHINE_ZERO)
+        special = machine_zero(flags);
+    else {
+        mpz_mul_2exp(wide, left.coefficient, (mp_bitcnt_t)format->digits);
+        mpz_tdiv_q(wide, wide, right.coefficient);
+        return true;
     }
-    if (right.kind == MACHINE_ZERO || mpz_sgn(right.coefficient) == 0) {
-        *word = indefinite(FLAG_DIVIDE_FAULT, flags);
-        return false;
-    }
-    if (left.kind == MACHINE_ZERO) {
-        *word = machine_zero(flags);
-        return false;
-    }
-    mpz_mul_2exp(wide, left.coefficient, (mp_bitcnt_t)format->digits);
-    mpz_tdiv_q(wide, wide, right.coefficient);
-    return true;
+    return false;
 }
 
 ORACLE_RULE(divide_upper)
 {
-    c205_word special;
-    if (!divide(format, a, b, &special, flags))
+    if (!divide(format, a, b, flags))
         return special;
     long exponent = left.exponent - right.exponent - format->digits;
     for (; significant_bits(wide) > format->digits; exponent++)
@@ -352,11 +346,8 @@ ORACLE_RULE(divide_upper)
 
 ORACLE_RULE(divide_significant)
 {
-    c205_word special;
-    if (!divide(format, a, b, &special, flags))
+    if (!divide(format, a, b, flags))
         return special;
-    if (mpz_sgn(wide) == 0)
-        return machine_zero(flags);
     return make_significant(format, less_significant_operand(),
                             left.exponent - right.exponent - format->digits, flags);
 }

@@ -54,15 +54,7 @@ static const struct trace_options forms[] = {
 };
 enum { FORMS = sizeof forms / sizeof *forms, ANY_ORDER = 4 };
 
-static struct trace_options form(size_t i)
-{
-    struct trace_options form = forms[i];
-    form.width = WIDTH;
-    form.height = HEIGHT;
-    return form;
-}
-
-/* ---- Comparisons --------------------------------------------------------- */
+/* --- comparisons ---------------------------------------------------------- */
 
 /* Returns the first pixel with another depth.  If nearly, depths may differ in the last
  * bits: of two coincident faces the later one is visible. */
@@ -93,7 +85,7 @@ static bool same_in_any_order(const struct random_scene *grid,
     if (!grid->other)
         return true;
     struct scene *scene = scene_of(grid->other);
-    struct trace *trace = traced_in(scene, form(ANY_ORDER));
+    struct trace *trace = traced_in(scene, sized(forms[ANY_ORDER], WIDTH, HEIGHT));
     const c205_word *depth = trace_channel(trace, CHANNEL_DEPTH);
     const c205_word *first = trace_channel(expected, CHANNEL_DEPTH);
     size_t other = first_apart(depth, first, has_offsets(scene));
@@ -161,10 +153,10 @@ static bool same_as_plain(const struct scene *scene, const struct trace *expecte
 static bool passes(struct random_scene *grid, char *reason)
 {
     struct scene *scene = scene_of(grid->text);
-    struct trace *expected = traced_in(scene, form(0));
+    struct trace *expected = traced_in(scene, sized(forms[0], WIDTH, HEIGHT));
     bool good = true;
     for (size_t i = 1; good && i < FORMS; i++)
-        good = same_in_form(scene, expected, form(i), reason);
+        good = same_in_form(scene, expected, sized(forms[i], WIDTH, HEIGHT), reason);
     good = good && same_in_any_order(grid, expected, reason)
            && (grid->certainty == NOTHING_CERTAIN
                || same_as_plain(scene, expected, reason));

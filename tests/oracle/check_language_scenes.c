@@ -31,7 +31,6 @@
 #include "tests/oracle/many_scenes.h"
 #include "tests/oracle/run_povray.h"
 #include "tests/oracle/solid_text.h"
-#include "tests/oracle/text_shrink.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -113,9 +112,7 @@ static size_t random_queue(uint64_t *state)
 
 static struct trace_options random_form(size_t i, uint64_t *state)
 {
-    struct trace_options form = forms[i];
-    form.width = WIDTH;
-    form.height = HEIGHT;
+    struct trace_options form = sized(forms[i], WIDTH, HEIGHT);
     if (form.mode != TRACE_SCALAR)
         form.queue = random_queue(state);
     if (form.jobs > 1)

@@ -7,7 +7,7 @@
  * random.  The volume must be multiplied by the determinant, the centroid must be
  * transformed, and the second moments must become M S M^T times the determinant.  With
  * a uniform scale the area must be multiplied by its square.  A count of random points
- * inside (plain_mass.h), in a larger box, must give the same volume and centroid.  The
+ * inside (plain_regions.h), in a larger box, must give the same volume and centroid.  The
  * scalar form and a vector form with another queue length must be equal bit for bit.
  * Solids without volume must be rejected in both places.  A failing scene is printed
  * and written to mass_N.pov.
@@ -16,7 +16,7 @@
 #include "tests/oracle/many_scenes.h"
 #include "tests/oracle/measured.h"
 #include "tests/oracle/placed_solid.h"
-#include "tests/oracle/plain_mass.h"
+#include "tests/oracle/plain_regions.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -118,21 +118,16 @@ static struct ways {
     bool plain;
 } ways;
 
-static struct trace_options sized(const struct random_scene *regions,
-                                  struct trace_options way)
-{
-    way.width = regions->width;
-    way.height = regions->height;
-    return way;
-}
-
 static bool passes(struct random_scene *regions, char *reason)
 {
     struct scene *scene = scene_of(regions->text);
-    struct trace *expected = traced_in(scene, sized(regions, plainest));
+    struct trace *expected = traced_in(scene, sized(plainest, regions->width,
+                                                    regions->height));
     bool good = true;
     for (size_t i = 0; good && i < ways.count; i++)
-        if (!same_in_form(scene, expected, sized(regions, ways.way[i]), reason)) {
+        if (!same_in_form(scene, expected,
+                          sized(ways.way[i], regions->width, regions->height),
+                          reason)) {
             ways = (struct ways){ .count = 1, .way = { ways.way[i] } };
             good = false;
         }

@@ -205,10 +205,9 @@ static void check_ways(struct file *file, struct trace_options scalar,
     struct trace *expected = traced_in(scene, in_mode(scalar, TRACE_SCALAR));
     char reason[MANY_REASON];
     for (size_t i = 0; i < count; i++) {
-        struct trace_options options = in_mode(others[i].options,
-                                               others[i].options.mode);
-        options.width = scalar.width;
-        options.height = scalar.height;
+        struct trace_options options = sized(in_mode(others[i].options,
+                                                     others[i].options.mode),
+                                             scalar.width, scalar.height);
         if (has_turn(file, others[i].turn))
             verdict(same_in_form(scene, expected, options, reason), file->path, reason);
     }

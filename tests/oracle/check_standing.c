@@ -60,15 +60,7 @@ static const struct trace_options forms[] = {
 };
 enum { FORMS = sizeof forms / sizeof *forms };
 
-static struct trace_options form(size_t i)
-{
-    struct trace_options form = forms[i];
-    form.width = WIDTH;
-    form.height = HEIGHT;
-    return form;
-}
-
-/* ---- Other tracers ------------------------------------------------------- */
+/* --- other tracers -------------------------------------------------------- */
 
 static bool same_pictures(const struct comparison *comparison, const char *who,
                           const struct frame *expected, const struct frame *ours,
@@ -160,10 +152,10 @@ static struct random_scene draw(uint64_t *state, size_t number)
 static bool passes(struct random_scene *standing, char *reason)
 {
     struct scene *scene = scene_of(standing->text);
-    struct trace *expected = traced_in(scene, form(0));
+    struct trace *expected = traced_in(scene, sized(forms[0], WIDTH, HEIGHT));
     bool good = same_as_others(scene, expected, standing->number, reason);
     for (size_t i = 1; good && i < FORMS; i++)
-        good = same_in_form(scene, expected, form(i), reason);
+        good = same_in_form(scene, expected, sized(forms[i], WIDTH, HEIGHT), reason);
     trace_free(expected);
     scene_free(scene);
     return good;

@@ -1,7 +1,6 @@
 /* grid_scene.c - generates random scenes on a coarse grid. */
 #include "tests/oracle/random_scenes.h"
 
-#include "tests/oracle/scene_words.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/solid_text.h"
 

@@ -20,7 +20,7 @@
  *     $rule;         the rule of this name (language_rules.c)
  *
  * A line, or a block from its opening to its closing line, can be removed
- * (text_shrink.h).
+ * (solid_text.h).
  */
 #ifndef LANGUAGE_PARTS_H
 #define LANGUAGE_PARTS_H

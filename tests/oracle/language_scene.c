@@ -4,7 +4,6 @@
 
 #include "tests/oracle/language_parts.h"
 #include "tests/oracle/solid_text.h"
-#include "tests/oracle/text_shrink.h"
 
 #include <stdlib.h>
 

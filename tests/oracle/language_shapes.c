@@ -1,7 +1,7 @@
 /* language_shapes.c - random shapes; each function leaves the block open for
  * modifiers. */
 #include "tests/oracle/language_parts.h"
-#include "tests/oracle/scene_words.h"
+#include "tests/oracle/solid_text.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 
 #include "tests/oracle/chance.h"
 #include "tests/oracle/many_scenes.h"
-#include "tests/oracle/plain_lines.h"
+#include "tests/oracle/plain_regions.h"
 
 #include <math.h>
 #include <stdio.h>

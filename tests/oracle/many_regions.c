@@ -1,7 +1,7 @@
 /* many_regions.c - generates random scenes of many regions. */
 #include "tests/oracle/random_scenes.h"
 
-#include "tests/oracle/scene_words.h"
+#include "tests/oracle/solid_text.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/placed_solid.h"
 

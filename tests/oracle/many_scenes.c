@@ -3,7 +3,7 @@
 
 #include "rt/scene/language/scene_read.h"
 #include "tests/oracle/read_options.h"
-#include "tests/oracle/text_shrink.h"
+#include "tests/oracle/solid_text.h"
 #include "tests/random.h"
 
 #include <stdio.h>
@@ -36,6 +36,13 @@ struct scene *scene_of(const char *text)
     }
     diagnostics_free(&reports);
     return scene;
+}
+
+struct trace_options sized(struct trace_options form, size_t width, size_t height)
+{
+    form.width = width;
+    form.height = height;
+    return form;
 }
 
 struct trace *traced_in(const struct scene *scene, struct trace_options options)

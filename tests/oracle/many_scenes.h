@@ -17,6 +17,8 @@ c205_model *usual_model(void);
 /* Reads a scene.  After an error it prints the text and the messages, and ends the
  * program with status 2. */
 struct scene *scene_of(const char *text);
+/* Returns a form for frames of a size. */
+struct trace_options sized(struct trace_options form, size_t width, size_t height);
 /* Returns a finished trace on the model of check_many; gives up if it fails. */
 struct trace *traced_in(const struct scene *scene, struct trace_options options);
 /* Traces the scene with other options, in the same size.  Frames must be equal bit for

@@ -2,7 +2,7 @@
  * at a given place (placed_solid.h). */
 #include "tests/oracle/placed_solid.h"
 
-#include "tests/oracle/scene_words.h"
+#include "tests/oracle/solid_text.h"
 
 #include "tests/oracle/chance.h"
 

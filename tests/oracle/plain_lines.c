@@ -1,5 +1,5 @@
-/* plain_lines.c - the sorted visible crossings of a line (plain_lines.h). */
-#include "tests/oracle/plain_lines.h"
+/* plain_lines.c - the sorted visible crossings of a line (plain_regions.h). */
+#include "tests/oracle/plain_regions.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* plain_mass.c - Monte Carlo integration with stratified points (plain_mass.h). */
-#include "tests/oracle/plain_mass.h"
+/* plain_mass.c - Monte Carlo integration with stratified points (plain_regions.h). */
+#include "tests/oracle/plain_regions.h"
 
 #include "tests/oracle/chance.h"
 #include "tests/oracle/many_scenes.h"

@@ -1,6 +1,6 @@
 /* scene_words.c - random lights, normals and meshes in the scene language
- * (scene_words.h). */
-#include "tests/oracle/scene_words.h"
+ * (solid_text.h). */
+#include "tests/oracle/solid_text.h"
 
 #include "tests/oracle/chance.h"
 

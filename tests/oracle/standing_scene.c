@@ -3,7 +3,6 @@
 #include "tests/oracle/random_scenes.h"
 
 #include "tests/oracle/chance.h"
-#include "tests/oracle/scene_words.h"
 #include "tests/oracle/solid_text.h"
 
 enum { WORDS = SOLID_WORDS, MAX_BODIES = 5 };

@@ -1,5 +1,4 @@
-/* text_shrink.c - removes lines and blocks from a failing text (text_shrink.h). */
-#include "tests/oracle/text_shrink.h"
+/* text_shrink.c - removes lines and blocks from a failing text (solid_text.h). */
 
 #include "tests/oracle/solid_text.h"
 
