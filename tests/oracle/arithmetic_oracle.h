@@ -47,6 +47,25 @@ typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
 #define ELEMENTWISE(name, specials) oracle_rule oracle_##name;
 #include "vm/arith.def"
 
+/* Define call_NAME, which calls a function of arith.h, as a rule without a format. */
+#define CALL_BINARY(function) \
+    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
+    { \
+        return function(a, b, flags); \
+    }
+#define CALL_UNARY(function) \
+    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
+    { \
+        (void)b; \
+        return function(a, flags); \
+    }
+#define CALL_RELATION(function) \
+    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
+    { \
+        (void)flags; \
+        return function(a, b); \
+    }
+
 /* Sets value to the value of a word; it is exact if value has enough digits.  Machine
  * zero is +0, indefinite is NaN. */
 void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word word);

@@ -28,28 +28,14 @@ struct operation {
     small_rule *expected, *machine;
 };
 
-/* Adapters that call the machine's functions, by kind. */
-#define BINARY(name, ...) \
-    static c205_word machine_##name(c205_word a, c205_word b, uint64_t *flags) \
-    { \
-        return narrow_##name(a, b, flags); \
-    }
-#define UNARY(name, ...) \
-    static c205_word machine_##name(c205_word a, c205_word b, uint64_t *flags) \
-    { \
-        (void)b; \
-        return narrow_##name(a, flags); \
-    }
-#define RELATION(name) \
-    static c205_word machine_##name(c205_word a, c205_word b, uint64_t *flags) \
-    { \
-        (void)flags; \
-        return narrow_##name(a, b); \
-    }
+#define BINARY(name, ...) CALL_BINARY(narrow_##name)
+#define UNARY(name, ...) CALL_UNARY(narrow_##name)
+#define RELATION(name) CALL_RELATION(narrow_##name)
 #include "vm/arith.def"
 
 static const struct operation operations[] = {
-#define ROW(name, unary) { #name, unary, oracle_##name, small_##name, machine_##name },
+#define ROW(name, unary) \
+    { #name, unary, oracle_##name, small_##name, call_narrow_##name },
 #define BINARY(name, ...) ROW(name, false)
 #define UNARY(name, ...) ROW(name, true)
 #define RELATION(name) ROW(name, false)

@@ -5,7 +5,7 @@
  * Both run each program instruction by instruction.  After each instruction the
  * registers, data flags, program counter, trap, clock and accounts must be equal, and
  * also the words in and around all data areas if the instruction may have stored some;
- * at the end all of memory.  Some programs are also run in other modes (other_ways.h).
+ * at the end all of memory.  Some programs are also run in other modes (random_machine.h).
  * A program that fails is reduced and printed; with --first the run ends there without
  * reducing it.
  */

@@ -86,11 +86,11 @@ static bool compare(const char *path, const struct trace_options *options,
 static bool print_scene(const char *path, const struct scene *scene,
                         const struct trace_options *options, size_t reports)
 {
-    double begin = processor_seconds();
     c205_error error = { "out of memory" };
     struct frame frame;
     bool good = true;
     struct trace *trace = trace_new(scene, options, &error);
+    double begin = processor_seconds();
     if (!trace || !trace_run(trace, &error)) {
         printf("untraced\t%s\n", error.message);
     } else {

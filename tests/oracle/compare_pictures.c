@@ -1,8 +1,9 @@
 /* compare_pictures.c - compares two frames pixel by pixel. */
 #include "tests/oracle/compare_pictures.h"
 
+#include "tests/oracle/solid_text.h"
+
 #include <math.h>
-#include <stdlib.h>
 
 /* A file has samples of 24 bits (6e-8).  The machine has 47 bits, and the exponent of a
  * highlight multiplies the relative error. */
@@ -31,8 +32,8 @@ static bool is_inner(const struct frame *frame, size_t x, size_t y)
 
 bool *inner_pixels(const struct frame *frame)
 {
-    bool *inner = malloc(frame->width * frame->height * sizeof *inner);
-    for (size_t y = 0; inner && y < frame->height; y++)
+    bool *inner = test_room(frame->width * frame->height);
+    for (size_t y = 0; y < frame->height; y++)
         for (size_t x = 0; x < frame->width; x++)
             inner[y * frame->width + x] = is_inner(frame, x, y);
     return inner;

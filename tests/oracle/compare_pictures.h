@@ -34,8 +34,8 @@ struct picture_difference {
     size_t worst_x, worst_y;          /* pixel with the greatest difference */
 };
 
-/* Returns height * width flags of the pixels that count; the caller frees them.  NULL:
- * out of memory. */
+/* Returns height * width flags of the pixels that count; the caller frees
+ * them. */
 bool *inner_pixels(const struct frame *frame);
 
 /* Compares two frames of one size. */

@@ -3,7 +3,6 @@
 #include "compare_states.h"
 
 #include "asm/disassemble.h"
-#include "tests/oracle/other_ways.h"
 #include "tests/oracle/random_machine.h"
 #include "tests/oracle/reference_clock.h"
 

@@ -22,23 +22,6 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 
 /* Adapters of each kind to the signatures of scalar_rule and span_rule; function is a
  * name of arith.h or lanes.h. */
-#define CALL_BINARY(function) \
-    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
-    { \
-        return function(a, b, flags); \
-    }
-#define CALL_UNARY(function) \
-    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
-    { \
-        (void)b; \
-        return function(a, flags); \
-    }
-#define CALL_RELATION(function) \
-    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
-    { \
-        (void)flags; \
-        return function(a, b); \
-    }
 #define SPAN_OF(function) \
     static void call_##function(c205_word *c, const c205_word *a, const c205_word *b, \
                                 size_t n, uint64_t *flags)

@@ -1,7 +1,5 @@
 /* other_ways.c - runs a random program as a whole, in slices, saved and restored, and
  * so on. */
-#include "other_ways.h"
-
 #include "tests/oracle/operands.h"
 #include "tests/oracle/random_machine.h"
 

@@ -50,15 +50,21 @@ static void add_times(struct along *sum, long double factor, const struct along 
         sum->c[i] += factor * what->c[i];
 }
 
-/* Sets the distances and points of the roots; the caller adds the normals. */
-static size_t cross_surface(const struct along *surface,
-                            const struct centred_line *line,
+/* Sets the distances and normals of the roots. */
+typedef void set_normal(const void *surface, const double point[3], double normal[3]);
+
+static size_t cross_surface(const struct along *along, const struct centred_line *line,
+                            const struct ray *ray, set_normal *set, const void *surface,
                             struct crossing crossings[MAX_CROSSINGS])
 {
     long double roots[HIGHEST_DEGREE];
-    size_t count = plain_roots(surface->c, HIGHEST_DEGREE, roots);
-    for (size_t i = 0; i < count; i++)
+    size_t count = plain_roots(along->c, HIGHEST_DEGREE, roots);
+    for (size_t i = 0; i < count; i++) {
+        double point[3];
         crossings[i].distance = (double)(line->start + roots[i] * line->step);
+        point_on(ray, crossings[i].distance, point);
+        set(surface, point, crossings[i].normal);
+    }
     return count;
 }
 
@@ -87,9 +93,9 @@ static struct along torus_along(const struct torus *torus,
     return sum;
 }
 
-static void torus_normal(const struct torus *torus, const double point[3],
-                         double normal[3])
+static void torus_normal(const void *surface, const double point[3], double normal[3])
 {
+    const struct torus *torus = surface;
     double ratio = torus->radial / torus->axial;
     double across = point[0] * point[0] + point[2] * point[2];
     double sum = across + ratio * ratio * point[1] * point[1]
@@ -104,13 +110,7 @@ CROSS(cross_torus)
     const struct torus torus = torus_of(primitive);
     struct centred_line line = centre(ray);
     struct along surface = torus_along(&torus, line.coordinate);
-    size_t count = cross_surface(&surface, &line, crossings);
-    double point[3];
-    for (size_t i = 0; i < count; i++) {
-        point_on(ray, crossings[i].distance, point);
-        torus_normal(&torus, point, crossings[i].normal);
-    }
-    return count;
+    return cross_surface(&surface, &line, ray, torus_normal, &torus, crossings);
 }
 
 CROSS(cross_elliptical_torus)
@@ -162,9 +162,9 @@ static double term_slope(const powers_of_term powers, int by, const double point
     return value;
 }
 
-static void quartic_normal(const double *coefficients, const double point[3],
-                           double normal[3])
+static void quartic_normal(const void *surface, const double point[3], double normal[3])
 {
+    const double *coefficients = surface;
     powers_of_term powers[QUARTIC_TERMS];
     list_powers(powers);
     for (int axis = 0; axis < 3; axis++) {
@@ -179,11 +179,5 @@ CROSS(cross_quartic)
     const double *c = primitive->shape.quartic.coefficients;
     struct centred_line line = centre(ray);
     struct along surface = quartic_along(c, line.coordinate);
-    size_t count = cross_surface(&surface, &line, crossings);
-    double point[3];
-    for (size_t i = 0; i < count; i++) {
-        point_on(ray, crossings[i].distance, point);
-        quartic_normal(c, point, crossings[i].normal);
-    }
-    return count;
+    return cross_surface(&surface, &line, ray, quartic_normal, c, crossings);
 }

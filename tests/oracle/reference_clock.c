@@ -70,6 +70,8 @@ static void wait_for(struct reference_clock *clock, const struct awaited *awaite
 /* The registers that an instruction names, in the order of its syntax; each vector is
  * followed by its offset. */
 struct named {
+    const c205_insn *insn;
+    const c205_fields *fields;
     unsigned numbers[16];
     size_t count;
 };
@@ -81,14 +83,13 @@ static void name_register(struct named *named, unsigned number)
 }
 
 /* The wait for a half register is that for the register which contains it. */
-static void name_operand(struct named *named, const c205_insn *insn,
-                         const c205_fields *fields, char field, unsigned number)
+static void name_operand(struct named *named, char field, unsigned number)
 {
     unsigned bit = field == 'A'   ? C205_G_BROADCAST_A
                    : field == 'B' ? C205_G_BROADCAST_B
                                   : 0;
-    char letter = reference_letter(insn, fields->g, field);
-    name_register(named, reference_is_half_register(letter, fields->g & bit)
+    char letter = reference_letter(named->insn, named->fields->g, field);
+    name_register(named, reference_is_half_register(letter, named->fields->g & bit)
                              ? number / 2
                              : number);
 }
@@ -106,27 +107,28 @@ static bool has_second_part(const c205_insn *insn, const c205_fields *fields)
     return strchr(insn->operands, 'p') && fields->c != 0;
 }
 
-static void name_results(struct named *named, const c205_insn *insn,
-                         const c205_fields *fields)
+static void name_results(struct named *named)
 {
-    if (insn->format == C205_FORMAT_EXTREME)
+    const c205_fields *fields = named->fields;
+    if (named->insn->format == C205_FORMAT_EXTREME)
         name_register(named, fields->b);
-    name_operand(named, insn, fields, 'C', fields->c);
-    if (has_second_part(insn, fields))
-        name_operand(named, insn, fields, 'C', fields->c + 1u);
+    name_operand(named, 'C', fields->c);
+    if (has_second_part(named->insn, fields))
+        name_operand(named, 'C', fields->c + 1u);
 }
 
-static void name_field(struct named *named, const c205_insn *insn,
-                       const c205_fields *fields, char field)
+static void name_field(struct named *named, char field)
 {
+    const c205_insn *insn = named->insn;
+    const c205_fields *fields = named->fields;
     bool vector = c205_unit_is_vector(insn->unit);
     switch (field) {
-    case 'R': name_operand(named, insn, fields, 'R', fields->r); break;
-    case 'S': name_operand(named, insn, fields, 'S', fields->s); break;
-    case 'T': name_operand(named, insn, fields, 'T', fields->t); break;
+    case 'R': name_operand(named, 'R', fields->r); break;
+    case 'S': name_operand(named, 'S', fields->s); break;
+    case 'T': name_operand(named, 'T', fields->t); break;
     case 'a':
     case 'A':
-        name_operand(named, insn, fields, 'A', fields->a);
+        name_operand(named, 'A', fields->a);
         if (vector)
             name_register(named, fields->x);
         break;
@@ -134,7 +136,7 @@ static void name_field(struct named *named, const c205_insn *insn,
     case 'B':
         if (insn->format == C205_FORMAT_EXTREME)
             break;
-        name_operand(named, insn, fields, 'B', fields->b);
+        name_operand(named, 'B', fields->b);
         if (vector)
             name_register(named, fields->y);
         break;
@@ -160,12 +162,12 @@ static void wait_for_registers(struct reference_clock *clock, const c205_insn *i
                                const c205_fields *fields)
 {
     const char *syntax = c205_format_syntax(insn->format);
-    struct named named = { .count = 0 };
+    struct named named = { .insn = insn, .fields = fields };
     for (const char *p = syntax; *p; p++)
         if (p == syntax || p[-1] != '+')
-            name_field(&named, insn, fields, *p);
+            name_field(&named, *p);
     if (is_reduction(insn))
-        name_results(&named, insn, fields);
+        name_results(&named);
     for (size_t i = 0; i < named.count; i++)
         wait_for(clock, clock->registers + named.numbers[i]);
 }
