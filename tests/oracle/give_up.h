@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 /* Prints the message and ends the program with status 2. */
-static inline void give_up(const char *message)
+static inline __attribute__((noreturn)) void give_up(const char *message)
 {
     fprintf(stderr, "the test cannot continue: %s\n", message);
     exit(2);
