@@ -28,7 +28,7 @@ export function makeTimeline(panel, session) {
       el("div", { class: "zoom" },
         button("←", "Earlier", () => shift(-0.5)), button("→", "Later", () => shift(0.5)),
         button("−", "Zoom out", () => zoom(2)), button("+", "Zoom in", () => zoom(0.5)),
-        button("All", "Whole run", all))),
+        button("All", "All of the run", all))),
     picture, note, legend);
 
   function keys(event) {

@@ -258,7 +258,7 @@ export const tests = {
       ["model=x&program=!!", SPOILT], ["program=", SPOILT], [`program=${"A".repeat(100000)}`, SPOILT],
       [`program=${packed(Buffer.alloc(1 << 27, "; much\n"))}`, /^The link cannot be opened: .* limit is 1,048,576 bytes\.$/],
       ["lesson=%3Cimg%20src=x%3E", ABSENT], ["lesson=__proto__", ABSENT],
-      [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Assembled/]]) {
+      [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Ready/]]) {
       const visit = await Visit.open(browser, `${page}#${link}`);
       assert.match(await visit.text("#status"), told instanceof RegExp ? told : new RegExp(`^${told}$`), link.slice(0, 40));
       assert.equal(await visit.look("editor.text"), text ?? await visit.look("about.lessons[0].start"));

@@ -118,7 +118,7 @@ export const tests = {
   async "boxes of the time line are as long as their clocks"(world) {
     const visit = await open(world);
     await visit.press("run");
-    for (const button of [null, "Zoom in", "Later", "Earlier", "Zoom out", "Whole run"]) {
+    for (const button of [null, "Zoom in", "Later", "Earlier", "Zoom out", "All of the run"]) {
       if (button) await visit.page.click(`#timeline button[aria-label="${button}"]`);
       await visit.quiet();
       // The scale from clocks to pixels comes from two ticks and the clocks written above them.
