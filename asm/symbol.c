@@ -2,7 +2,7 @@
  * rules of redefinition. */
 #include "asm/assembler.h"
 
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/sink.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 
 enum { LONGEST = 8192 /* bytes; the rest is cut */ };
 

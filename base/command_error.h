@@ -1,7 +1,7 @@
 /* command_error.h - exit codes of commands, and their error messages on stderr.
  *
  * All messages escape the characters that a terminal would interpret, because names may
- * hold any character (base/visible.h).
+ * hold any character (base/visible_text.h).
  */
 #ifndef BASE_COMMAND_ERROR_H
 #define BASE_COMMAND_ERROR_H

@@ -7,7 +7,7 @@
 
 #include "base/provenance.h"
 #include "base/sink.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 
 const char *output_format_choice(size_t number)
 {

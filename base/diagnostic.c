@@ -3,7 +3,7 @@
 
 #include "base/array.h"
 #include "base/utf8.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 
 #include <stdlib.h>
 #include <string.h>

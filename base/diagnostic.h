@@ -56,7 +56,7 @@ bool diagnostics_append(struct diagnostics *diagnostics, const char *text);
 
 /* An error at a word with an invisible character names the character. Names and
  * messages are printed with such characters escaped, source lines with a question mark
- * for each (base/visible.h). */
+ * for each (base/visible_text.h). */
 void diagnostic_put(const struct diagnostic *diagnostic, const struct sink *sink);
 void diagnostics_put(const struct diagnostics *diagnostics, const struct sink *sink);
 void diagnostics_print(const struct diagnostics *diagnostics, FILE *out);

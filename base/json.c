@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/sink.h"
 #include "base/utf8.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 #include "base/atomic_file.h"
 
 enum { DEEPEST = 16, INDENT = 2 };

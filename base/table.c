@@ -5,7 +5,7 @@
 #include "base/array.h"
 #include "base/word_wrap.h"
 #include "base/sink.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 
 #include <float.h>
 #include <inttypes.h>
@@ -18,7 +18,7 @@ enum { NUMBER_SIZE = DBL_MAX_10_EXP + 32, FIRST_ROOM = 64 };
 static const char between[] = "  ";
 
 struct cell {
-    char *text; /* as printed, with escapes (base/visible.h) */
+    char *text; /* as printed, with escapes (base/visible_text.h) */
     char *raw;  /* the original; JSON has its own escapes */
     bool empty;
     union {

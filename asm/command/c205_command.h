@@ -11,10 +11,10 @@
 #include "asm/assemble.h"
 #include "asm/sweep/swept.h"
 #include "base/command_options.h"
-#include "base/model.h"
+#include "base/named_model.h"
 #include "base/provenance.h"
 #include "base/command_output.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 
 extern const struct command run_command, asm_command, dis_command, isa_command,
     model_command, time_command, debug_command, compare_command, timeline_command,

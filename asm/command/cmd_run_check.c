@@ -11,7 +11,7 @@
 #include "asm/object.h"
 #include "asm/print.h"
 #include "asm/runtime_check.h"
-#include "base/model.h"
+#include "base/named_model.h"
 
 /* Limit of clocks. A program that exceeds it fails. */
 static const uint64_t patience = 100000000;

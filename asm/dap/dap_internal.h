@@ -9,7 +9,7 @@
 #define ASM_DAP_DAP_INTERNAL_H
 
 #include "asm/dap/dap.h"
-#include "asm/debug/engine.h"
+#include "asm/debug/debugger_engine.h"
 #include "asm/vector_view.h"
 #include "base/json.h"
 #include "base/json_read.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/debug/engine.h"
+#include "asm/debug/debugger_engine.h"
 #include "asm/operand_view.h"
 #include "base/array.h"
 

@@ -7,7 +7,7 @@
 #ifndef ASM_DEBUG_DEBUG_INTERNAL_H
 #define ASM_DEBUG_DEBUG_INTERNAL_H
 
-#include "asm/debug/engine.h"
+#include "asm/debug/debugger_engine.h"
 
 /* step_verbs.c */
 debug_verb verb_step, verb_next, verb_continue, verb_reverse_step,

@@ -2,7 +2,7 @@
  * clocks. */
 #include <string.h>
 
-#include "asm/debug/engine.h"
+#include "asm/debug/debugger_engine.h"
 #include "asm/operand_view.h"
 
 static uint64_t clock_of(const struct debugger *debugger)

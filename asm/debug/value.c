@@ -17,7 +17,7 @@
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 
 enum { MAX_DEPTH = 100, HALF_DIGITS = 8 };
 

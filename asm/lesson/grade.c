@@ -10,7 +10,7 @@
 #include "asm/print.h"
 #include "asm/trap_report.h"
 #include "base/error.h"
-#include "base/model.h"
+#include "base/named_model.h"
 
 /* Limits of a run, so that an endless loop ends. An answer is stopped after
  * 20,000,000 clocks plus ten times those of bronze, or when it has printed more

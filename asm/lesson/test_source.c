@@ -5,7 +5,7 @@
 #include "asm/expect.h"
 #include "asm/lesson/lesson_internal.h"
 #include "base/error.h"
-#include "base/model.h"
+#include "base/named_model.h"
 
 const char *lesson_wanted(const char *label)
 {

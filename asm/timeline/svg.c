@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "asm/timeline/lanes.h"
+#include "asm/timeline/timeline_lanes.h"
 #include "base/svg.h"
 #include "base/plural.h"
 

@@ -4,7 +4,7 @@
  */
 #include <inttypes.h>
 
-#include "asm/timeline/lanes.h"
+#include "asm/timeline/timeline_lanes.h"
 
 static void put_escaped(const struct sink *sink, const char *text)
 {

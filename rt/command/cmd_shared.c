@@ -2,7 +2,7 @@
 #include "rt/command/rt205_command.h"
 
 #include "base/interrupt.h"
-#include "base/model.h"
+#include "base/named_model.h"
 #include "rt/picture/picture.h"
 #include "rt/trace/processors.h"
 

@@ -7,7 +7,7 @@
 #include "base/command_options.h"
 #include "base/error.h"
 #include "rt/study/fit/objective.h"
-#include "rt/study/fit/report.h"
+#include "rt/study/fit/fit_report.h"
 #include "rt/study/fit/model_writer.h"
 #include "rt/trace/processors.h"
 

@@ -10,7 +10,7 @@
 #include "base/command_options.h"
 #include "base/progress.h"
 #include "base/command_output.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 #include "rt/jobs/job_set.h"
 #include "rt/mass/units.h"
 #include "rt/roots/roots.h"

@@ -10,7 +10,7 @@
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
 #include "rt/scene/transform.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
 struct emission {

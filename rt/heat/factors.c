@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 #include "base/error.h"
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 #include "rt/heat/packet.h"
 
 /* ---- Setup ---------------------------------------------------------------- */

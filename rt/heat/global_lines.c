@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "base/error.h"
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 #include "rt/heat/chords.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/single_run.h"

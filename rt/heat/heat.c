@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "rt/jobs/job_set.h"
 #include "rt/heat/smooth.h"
-#include "rt/heat/source.h"
+#include "rt/heat/heat_source.h"
 #include "rt/scene/named_values.h"
 
 /* The temporary state of a computation. */

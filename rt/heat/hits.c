@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "rt/layout/single_run.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/primitive.h"
 #include "rt/trace/form.h"
 

@@ -11,7 +11,7 @@
 
 #include "rt/jobs/serialized_result.h"
 #include "rt/heat/factors.h"
-#include "rt/heat/source.h"
+#include "rt/heat/heat_source.h"
 
 /* The data that all packets of a scene share. */
 struct packet_programs {

@@ -11,7 +11,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 #include "rt/platform/processes.h"
 
 /* The file format is a list of 64-bit words, most significant byte first: the

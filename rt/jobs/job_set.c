@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 #include "base/plural.h"
 #include "rt/platform/threads.h"
 

@@ -7,7 +7,7 @@
 
 #include "rt/layout/pigment.h"
 #include "rt/scene/transform.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/primitive.h"
 
 enum { CORNERS = 4, CORNER_WORDS = 6, HEIGHT_SIZE = 6 };

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "rt/layout/lights.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 static bool is_there(const struct viewpoints *viewpoints, const double place[3])
 {

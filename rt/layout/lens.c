@@ -21,7 +21,7 @@
 #include "rt/layout/lens.h"
 
 #include "rt/scene/elementary.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 /* Maps a point of the square to the unit disk. */
 static void disk_point(double a, double b, double point[2])

@@ -2,7 +2,7 @@
 #include "rt/layout/lights.h"
 
 #include "rt/scene/elementary.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 /* A narrower edge is sharp; it is drawn with this width. */
 #define EDGE_LEAST 1e-9

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 
 struct material {
     c205_word words[MATERIAL_WORDS];

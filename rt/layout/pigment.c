@@ -6,7 +6,7 @@
 #include "rt/layout/bumps.h"
 #include "rt/layout/record.h"
 #include "rt/shapes/primitive.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 /* The fields are STOP_AT, STOP_SLOPE, STOP_COLOR and STOP_CHANGE. */
 enum { STOP_SIZE = 8 };

@@ -8,7 +8,7 @@
 #include "rt/layout/hierarchy.h"
 #include "rt/layout/nesting.h"
 #include "rt/layout/trees.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape_words.h"
 
 /* The data that the records of a scene's regions refer to. */

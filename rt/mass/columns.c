@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 #include "rt/jobs/job_set.h"
 #include "rt/layout/bounds.h"
 #include "rt/mass/overlaps.h"

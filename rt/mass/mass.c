@@ -8,7 +8,7 @@
 #include "rt/jobs/job_set.h"
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 /* ---- Densities and rows -------------------------------------------------- */
 

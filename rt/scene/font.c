@@ -24,7 +24,7 @@
 
 #include "rt/platform/dynamic_library.h"
 #include "rt/scene/elementary.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 #define FLATNESS 1e-5 /* em */
 enum { MAX_PARTS = 64 /* of one curve */, MAX_TURNS = 100 };

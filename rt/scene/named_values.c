@@ -9,7 +9,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/text_file.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 
 /* ---- Options ------------------------------------------------------------- */
 

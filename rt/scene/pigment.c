@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "rt/scene/elementary.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 #define ROUND 1.00001 /* period of the frequency in POV-Ray, which is not exactly 1 */
 

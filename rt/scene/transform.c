@@ -2,7 +2,7 @@
 #include "rt/scene/transform.h"
 
 #include "rt/scene/elementary.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 /* Computes two unit vectors that are perpendicular to the unit vector w and to each
  * other. */

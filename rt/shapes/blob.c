@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "rt/scene/transform.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
-/* rt/scene/language/blob.c reads the arguments. */
+/* rt/scene/language/scene_blob.c reads the arguments. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };

@@ -5,7 +5,7 @@
 
 #include "rt/scene/elementary.h"
 #include "rt/scene/transform.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 #include "rt/shapes/singular.h"
 

@@ -17,7 +17,7 @@
 #include <string.h>
 
 #include "base/array.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/opaque_faces.h"
 #include "rt/shapes/quadric_face.h"
 #include "rt/shapes/shape.h"

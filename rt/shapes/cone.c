@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/axis.h"
 
 static const struct shape_field fields[] = {

@@ -2,7 +2,7 @@
 #include "rt/shapes/axis.h"
 #include "rt/shapes/shape.h"
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(cylinder, base), NULL, 0, NULL },

@@ -1,7 +1,7 @@
 /* disc.c - the descriptor of discs. */
 #include "rt/shapes/shape.h"
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/axis.h"
 
 static const struct shape_field fields[] = {

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/axis.h"
 
 const char emitter_no_memory[] = "out of memory";

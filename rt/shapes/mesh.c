@@ -6,11 +6,11 @@
 #include <string.h>
 
 #include "rt/scene/transform.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/mesh_hierarchy.h"
 #include "rt/shapes/screen_bounds.h"
 
-/* rt/scene/language/mesh.c and mesh2.c read the arguments. */
+/* rt/scene/language/scene_mesh.c and mesh2.c read the arguments. */
 static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/singular.h"
 
 /* Singular values below this share of the greatest count as 0. */

@@ -11,7 +11,7 @@
 
 #include "base/array.h"
 #include "rt/scene/transform.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/coincident.h"
 #include "rt/shapes/path.h"
 #include "rt/shapes/quadric_face.h"

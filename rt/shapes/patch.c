@@ -1,7 +1,7 @@
 /* patch.c - tests quadratic triangular patches for area. */
 #include "rt/shapes/patch.h"
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 struct homogeneous {
     double xyz[3], w;

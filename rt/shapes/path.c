@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "rt/scene/elementary.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 #define CLOSED 1e-10
 

@@ -2,7 +2,7 @@
 #include "rt/shapes/shape.h"
 
 #include "rt/scene/transform.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/axis.h"
 
 static const struct shape_field fields[] = {

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 enum { POINTS_LEAST = 5 };
 

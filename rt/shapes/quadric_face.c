@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/coincident.h"
 
 /* Rounding error, relative to the greatest element of a matrix. */

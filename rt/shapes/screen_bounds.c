@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 /* The rows of a viewpoint and of a node: EYE and WINDOW of records.s. */
 enum {

@@ -1,7 +1,7 @@
 /* sphere.c - the descriptor of spheres. */
 #include "rt/shapes/shape.h"
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(sphere, center), NULL, 0, NULL },

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "rt/shapes/moving_planes.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
 /* Control points as x y z w, relative to the centre, in the order of struct primitive:

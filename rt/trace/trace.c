@@ -11,7 +11,7 @@
 #include "rt/trace/band_words.h"
 #include "rt/trace/form.h"
 #include "base/error.h"
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 #include "base/plural.h"
 
 struct trace {

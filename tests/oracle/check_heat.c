@@ -12,7 +12,7 @@
  * written to heat_N.pov.
  */
 #include "rt/heat/heat.h"
-#include "rt/heat/source.h"
+#include "rt/heat/heat_source.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/oracle/placed_solid.h"

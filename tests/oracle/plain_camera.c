@@ -1,7 +1,7 @@
 /* plain_camera.c - camera rays, and points on the lens (plain_light.h). */
 #include "tests/oracle/plain_light.h"
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 size_t plain_samples(const struct camera *camera)
 {

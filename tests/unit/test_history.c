@@ -5,7 +5,7 @@
 #include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
 
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 
 static c205_error error; /* of the last call that failed */
 

@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "rt/study/plot/axis.h"
+#include "rt/study/plot/plot_axis.h"
 #include "tests/unit/temporary_folder.h"
 
 enum { QUEUE, STREAM, STARTUP, REMARK, COLUMNS };

@@ -5,7 +5,7 @@
  */
 #include "tests/unit/scene_reading.h"
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/blob.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_regions.h"

@@ -5,7 +5,7 @@
 #include "asm/assemble.h"
 #include "base/diagnostic.h"
 #include "base/text_file.h"
-#include "base/visible.h"
+#include "base/visible_text.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 

@@ -1,7 +1,7 @@
 /* test_thermal.c - surfaces by primitive, part and material, and their heat exchange,
  * are compared with closed forms. A surface of the wrong group, a factor of another
  * surface or a wrong value that is accepted fails here. */
-#include "rt/heat/source.h"
+#include "rt/heat/heat_source.h"
 #include "rt/heat/thermal.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"

@@ -2,7 +2,7 @@
  * its spans with each other, and its log for Konata with the rules of the format, over
  * all examples and random programs. A lost clock, or two spans of a row that overlap,
  * fails here. */
-#include "asm/timeline/lanes.h"
+#include "asm/timeline/timeline_lanes.h"
 #include "tests/random.h"
 #include "tests/unit/random_debug_program.h"
 #include "tests/unit/kanata_log.h"

@@ -1,7 +1,7 @@
 /* timeline.c - the request timeline: spans for a picture of the page, or a file in a
  * format of c205 timeline.
  */
-#include "asm/timeline/lanes.h"
+#include "asm/timeline/timeline_lanes.h"
 #include "web/engine/engine_internal.h"
 
 /* ---- Spans --------------------------------------------------------------- */

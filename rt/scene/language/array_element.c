@@ -6,7 +6,7 @@
 #include "rt/scene/language/array_element.h"
 
 #include "rt/scene/language/declare.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 
 /* ---- Elements ------------------------------------------------------------ */
 

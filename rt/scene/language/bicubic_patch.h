@@ -2,7 +2,7 @@
 #ifndef RT_SCENE_BICUBIC_PATCH_H
 #define RT_SCENE_BICUBIC_PATCH_H
 
-#include "rt/scene/language/object.h"
+#include "rt/scene/language/scene_object.h"
 #include "rt/scene/language/reader.h"
 
 /* Reads the arguments of bicubic_patch, after its '{'. */

@@ -4,9 +4,9 @@
  * transforms are applied.
  */
 #include "rt/scene/elementary.h"
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/statement.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_statement.h"
+#include "rt/scene/vector3.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
  * read too, up to a #break.
  */
 #include "rt/scene/language/condition.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 
 #include <math.h>
 

@@ -2,8 +2,8 @@
 #include "rt/scene/language/clip.h"
 
 #include "rt/scene/language/field_body.h"
-#include "rt/scene/language/mesh.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/language/scene_mesh.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
 #include <string.h>

@@ -10,7 +10,7 @@
 #ifndef RT_SCENE_CLIP_H
 #define RT_SCENE_CLIP_H
 
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 
 /* Words that modify an object, the subject. */
 item_reader clipped_by_read;

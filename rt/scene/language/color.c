@@ -5,7 +5,7 @@
  * after it replace those of the colour.
  */
 #include "rt/scene/elementary.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/transfer.h"
 
 #include <math.h>

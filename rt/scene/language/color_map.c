@@ -1,7 +1,7 @@
 /* color_map.c - parses color_map { [value colour] .. }, the colours of a pattern. */
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* condition.c - #if, #ifdef, #ifndef, #elseif, #else, #end and #break. */
 #include "rt/scene/language/condition.h"
 
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/query.h"
 
 #include <math.h>

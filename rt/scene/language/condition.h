@@ -8,7 +8,7 @@
 #ifndef RT_SCENE_CONDITION_H
 #define RT_SCENE_CONDITION_H
 
-#include "rt/scene/language/block.h"
+#include "rt/scene/language/scene_block.h"
 
 enum { CONDITION_WHEN_DEFINED, CONDITION_UNLESS_DEFINED };
 

@@ -2,7 +2,7 @@
 #include "rt/scene/language/data_file.h"
 
 #include "rt/scene/language/declare.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/string_value.h"
 
 #include <stdlib.h>

@@ -8,7 +8,7 @@
 #ifndef RT_SCENE_DATA_FILE_H
 #define RT_SCENE_DATA_FILE_H
 
-#include "rt/scene/language/block.h"
+#include "rt/scene/language/scene_block.h"
 
 item_reader data_file_open, data_file_read, data_file_write, data_file_close;
 

@@ -1,11 +1,11 @@
 /* declare.c - #declare, #local, #undef, and the values of names. */
 #include "rt/scene/language/declare.h"
 
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/array_element.h"
 #include "rt/scene/language/formula.h"
 #include "rt/scene/language/semicolon.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/language/string_value.h"
 
 #include <string.h>

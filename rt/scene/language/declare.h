@@ -2,7 +2,7 @@
 #ifndef RT_SCENE_DECLARE_H
 #define RT_SCENE_DECLARE_H
 
-#include "rt/scene/language/block.h"
+#include "rt/scene/language/scene_block.h"
 
 item_reader read_declare; /* detail: true for #local */
 item_reader read_undef;

@@ -2,7 +2,7 @@
 #include "rt/scene/language/deduplicated_warnings.h"
 #include "base/error.h"
 
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -15,7 +15,7 @@
 
 #include "base/arena.h"
 #include "base/diagnostic.h"
-#include "rt/scene/language/source.h"
+#include "rt/scene/language/scene_source.h"
 
 #define MAX_REPORTS 200
 enum { MAX_WARNINGS = 100000, WARNING_BUCKETS = 4096 };

@@ -5,9 +5,9 @@
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/data_file.h"
 #include "rt/scene/language/declare.h"
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/macro.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_macro.h"
+#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/language/string_value.h"
 
 #include <stdlib.h>

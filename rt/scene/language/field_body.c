@@ -9,9 +9,9 @@
  */
 #include "rt/scene/language/field_body.h"
 
-#include "rt/scene/language/mesh.h"
-#include "rt/scene/language/statement.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/language/scene_mesh.h"
+#include "rt/scene/language/scene_statement.h"
+#include "rt/scene/vector3.h"
 
 #include <math.h>
 #include <stdlib.h>

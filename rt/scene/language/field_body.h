@@ -2,7 +2,7 @@
 #ifndef RT_SCENE_FIELD_BODY_H
 #define RT_SCENE_FIELD_BODY_H
 
-#include "rt/scene/language/object.h"
+#include "rt/scene/language/scene_object.h"
 #include "rt/scene/language/reader.h"
 
 /* Adds an inside to the height fields of an object that becomes part of a solid or is

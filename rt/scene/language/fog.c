@@ -1,6 +1,6 @@
 /* fog.c - parses fog { ... } and adds constant fogs to the scene. */
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include <string.h>
 

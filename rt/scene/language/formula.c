@@ -15,10 +15,10 @@
  */
 #include "rt/scene/language/formula.h"
 
-#include "rt/scene/language/block.h"
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/operand.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_block.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_operand.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include <math.h>
 #include <stdlib.h>

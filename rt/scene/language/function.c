@@ -4,8 +4,8 @@
  * expression parser turns these into errors.
  */
 #include "rt/scene/elementary.h"
-#include "rt/scene/language/expression.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/vector3.h"
 
 #include <string.h>
 

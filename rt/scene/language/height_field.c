@@ -15,11 +15,11 @@
  */
 #include "rt/scene/language/height_field.h"
 
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/heights.h"
-#include "rt/scene/language/mesh.h"
-#include "rt/scene/language/statement.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/language/scene_mesh.h"
+#include "rt/scene/language/scene_statement.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef RT_SCENE_HEIGHT_FIELD_H
 #define RT_SCENE_HEIGHT_FIELD_H
 
-#include "rt/scene/language/object.h"
+#include "rt/scene/language/scene_object.h"
 #include "rt/scene/language/reader.h"
 
 /* Reads the arguments of height_field, after its '{'. A field below its water level is

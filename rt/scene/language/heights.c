@@ -13,7 +13,7 @@
  */
 #include "rt/scene/language/heights.h"
 
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/formula.h"
 #include "rt/scene/language/image_file.h"
 #include "rt/scene/palette.h"

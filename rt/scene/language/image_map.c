@@ -1,10 +1,10 @@
 /* image_map.c - parses image_map { ... }, a pigment from an image. */
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/image_file.h"
 #include "rt/scene/language/pattern.h"
 #include "rt/scene/language/string_value.h"
 #include "rt/scene/transfer.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 #include <stdlib.h>
 #include <string.h>

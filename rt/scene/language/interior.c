@@ -1,6 +1,6 @@
 /* interior.c - parses interior { ... }. */
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_statement.h"
 
 static bool read_ior(struct reader *reader, void *subject, const struct item *item)
 {

@@ -1,10 +1,10 @@
 /* light.c - parses light_source { ... }. */
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include <string.h>
 
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 /* A negative tightness brightens a beam towards its edge; the limit keeps the powers of
  * the kernels in range. */

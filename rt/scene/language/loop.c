@@ -1,7 +1,7 @@
 /* loop.c - #while and #for. */
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/declare.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 
 /* Skips a loop whose start has an error. */
 static bool leave_out(struct reader *reader, const struct scene_token *at)

@@ -1,10 +1,10 @@
 /* mesh2.c - parses mesh2: lists of vectors and textures, and faces that refer to
  * them. */
-#include "rt/scene/language/mesh.h"
+#include "rt/scene/language/scene_mesh.h"
 
 #include "base/array.h"
 #include "base/plural.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* normal.c - parses normals: bumps by patterns without noise, and their modifiers. */
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
 #include <string.h>

@@ -5,7 +5,7 @@
  *
  * and the normals of a list.
  */
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
 #include <stdlib.h>

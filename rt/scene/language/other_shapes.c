@@ -1,5 +1,5 @@
 /* other_shapes.c - shapes of the language that are not supported. */
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 
 const struct keyword unsupported_shapes[] = {
     { "isosurface", item_unsupported, 0 },

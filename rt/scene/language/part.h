@@ -9,7 +9,7 @@
 #ifndef RT_SCENE_PART_H
 #define RT_SCENE_PART_H
 
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 
 /* A word that modifies an object, the subject. */
 item_reader part_read;

@@ -1,8 +1,8 @@
 /* pattern.c - parses the patterns of pigments, their waves and their lists. */
 #include "rt/scene/language/pattern.h"
 
-#include "rt/scene/language/expression.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/vector3.h"
 
 
 enum { EXPONENT_LEAST = -100 }; /* keeps the powers of the kernels in range */

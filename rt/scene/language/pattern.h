@@ -6,7 +6,7 @@
 #ifndef RT_SCENE_PATTERN_H
 #define RT_SCENE_PATTERN_H
 
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 
 /* clang-format off */
 #define PATTERN_WORDS(read) \

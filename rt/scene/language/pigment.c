@@ -1,7 +1,7 @@
 /* pigment.c - parses pigments: colours, checkers, patterns with maps, and images. */
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/vector3.h"
 
 #include <string.h>
 

@@ -11,10 +11,10 @@
  */
 #include "rt/scene/language/polygon.h"
 
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/mesh.h"
-#include "rt/scene/language/statement.h"
-#include "rt/scene/vector.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_mesh.h"
+#include "rt/scene/language/scene_statement.h"
+#include "rt/scene/vector3.h"
 #include "rt/shapes/shape.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef RT_SCENE_POLYGON_H
 #define RT_SCENE_POLYGON_H
 
-#include "rt/scene/language/object.h"
+#include "rt/scene/language/scene_object.h"
 #include "rt/scene/language/reader.h"
 
 /* Reads the arguments of polygon, after its '{'. A polygon that is invisible in POV-Ray

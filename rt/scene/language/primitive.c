@@ -1,6 +1,6 @@
 /* primitive.c - parses the arguments of primitives, as their descriptors define. */
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_statement.h"
 #include "rt/shapes/shape.h"
 
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "rt/scene/language/query.h"
 
 #include "base/array.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/array_element.h"
 #include "rt/scene/language/string_value.h"
 #include "rt/shapes/shape.h"

@@ -7,7 +7,7 @@
  */
 #include "rt/scene/language/semicolon.h"
 
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 
 #include <string.h>
 

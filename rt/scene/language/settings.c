@@ -1,7 +1,7 @@
 /* settings.c - parses global_settings { ... }. */
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 
 static bool read_gamma(struct reader *reader, void *subject, const struct item *item)
 {

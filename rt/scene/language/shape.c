@@ -1,14 +1,14 @@
 /* shape.c - parses objects, solids made of objects, and their modifiers. */
 #include "rt/scene/language/part.h"
 #include "rt/scene/language/bicubic_patch.h"
-#include "rt/scene/language/blob.h"
+#include "rt/scene/language/scene_blob.h"
 #include "rt/scene/language/clip.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/field_body.h"
 #include "rt/scene/language/height_field.h"
-#include "rt/scene/language/mesh.h"
+#include "rt/scene/language/scene_mesh.h"
 #include "rt/scene/language/polygon.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 #include "rt/shapes/shape.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 /* sky.c - parses sky_sphere { ... }, the background of rays without a hit. */
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_statement.h"
 
 /* If there are several pigments, the first is the lowest layer, as in POV-Ray. */
 static bool read_pigment(struct reader *reader, void *subject, const struct item *item)

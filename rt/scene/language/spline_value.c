@@ -4,9 +4,9 @@
  *   NAME(t [, kind])
  *   kind   linear_spline | quadratic_spline | cubic_spline | natural_spline
  */
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/operand.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_operand.h"
+#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/spline.h"
 
 static bool accept_kind(struct reader *reader, enum spline_kind *kind)

@@ -1,7 +1,7 @@
 /* step.c - parses transforms: the steps of a block are applied in the order of the
  * text. */
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_statement.h"
 
 #include <string.h>
 

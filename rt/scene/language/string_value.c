@@ -1,7 +1,7 @@
 /* string_value.c - parses strings: quoted, named, and results of functions. */
 #include "rt/scene/language/string_value.h"
 
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "base/plural.h"
 
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #include "rt/scene/language/symbol.h"
 #include "base/error.h"
 
-#include "base/hash.h"
+#include "base/fnv_hash.h"
 
 #include <stdint.h>
 #include <stdlib.h>

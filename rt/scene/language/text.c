@@ -1,8 +1,8 @@
 /* text.c - parses text { ttf "font" "string" thickness, offset }: one prism per
  * character, along z. */
 #include "rt/scene/font.h"
-#include "rt/scene/language/expression.h"
-#include "rt/scene/language/statement.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/language/scene_statement.h"
 #include "rt/scene/language/string_value.h"
 #include "rt/shapes/shape.h"
 

@@ -1,5 +1,5 @@
 /* texture.c - parses finishes, and textures of a pigment, a normal and a finish. */
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/pattern.h"
 
 #include <string.h>

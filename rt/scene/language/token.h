@@ -10,7 +10,7 @@
 #define RT_SCENE_TOKEN_H
 
 #include "base/diagnostic.h"
-#include "rt/scene/language/source.h"
+#include "rt/scene/language/scene_source.h"
 
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
 #define RT_SCENE_VALUE_H
 
 #include "rt/scene/language/deduplicated_warnings.h"
-#include "rt/scene/language/object.h"
+#include "rt/scene/language/scene_object.h"
 #include "rt/scene/language/token.h"
 
 /* A float (1 term), a vector (2 to 5) or a colour (5: red, green, blue, filter,

@@ -3,11 +3,11 @@
 
 #include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/condition.h"
-#include "rt/scene/language/expression.h"
+#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/height_field.h"
 #include "rt/scene/language/query.h"
-#include "rt/scene/language/statement.h"
-#include "rt/scene/language/unit.h"
+#include "rt/scene/language/scene_statement.h"
+#include "rt/scene/language/scene_unit.h"
 #include "rt/shapes/coincident.h"
 #include "rt/shapes/shape_words.h"
 

@@ -3,7 +3,7 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/model.h"
+#include "base/named_model.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -7,7 +7,7 @@
 #ifndef RT_PLOT_SCRIPT_H
 #define RT_PLOT_SCRIPT_H
 
-#include "rt/study/plot/axis.h"
+#include "rt/study/plot/plot_axis.h"
 
 /* The axes. The data file has x in column 1 and the curves from column 2 on. */
 struct plot_axes {

@@ -2,7 +2,7 @@
 #ifndef RT_SWEEP_SWEEP_TYPES_H
 #define RT_SWEEP_SWEEP_TYPES_H
 
-#include "rt/study/sweep/report.h"
+#include "rt/study/sweep/sweep_report.h"
 
 struct sweep_kind {
     const char *name;

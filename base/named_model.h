@@ -1,0 +1,14 @@
+/* named_model.h - opens the machine model that a user names. */
+#ifndef BASE_NAMED_MODEL_H
+#define BASE_NAMED_MODEL_H
+
+#include "vm/c205.h"
+
+/* Opens a built-in model or a file, by the rule of c205_model_find; NULL: the default.
+ * Returns NULL after an error message on stderr, which shows the wrong line of a
+ * file. */
+c205_model *model_open(const char *command, const char *name);
+/* c205_model_find for a name from a text. It rejects a file that the command writes. */
+c205_model *model_find(const char *name, c205_error *error);
+
+#endif

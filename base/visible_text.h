@@ -1,0 +1,27 @@
+/* visible_text.h - characters that are invisible or that a terminal interprets: controls,
+ * blanks other than the plain one, characters without a width, marks of the writing
+ * direction.
+ */
+#ifndef BASE_VISIBLE_TEXT_H
+#define BASE_VISIBLE_TEXT_H
+
+#include "base/sink.h"
+
+/* Returns the length of the invisible character at the start of a text and sets its
+ * code. 0: the character is visible, a plain blank, or not UTF-8. */
+size_t invisible_length(const char *text, size_t most, unsigned long *code);
+/* Returns the first invisible character other than a tab in a text; NULL: there is
+ * none. */
+const char *invisible_find(const char *text, unsigned long *code);
+/* Writes "U+00A0, a no-break space". */
+void invisible_name(const struct sink *sink, unsigned long code);
+
+/* Writes a name or a message. Invisible characters other than tabs, and bytes that are
+ * not UTF-8, are escaped: \x1b, \u{200b}. */
+void visible_put(const struct sink *sink, const char *text, size_t length);
+/* Writes several lines in this way; their ends are kept. */
+void visible_put_lines(const struct sink *sink, const char *text, size_t length);
+/* Returns a sink that writes to a stdio stream in this way. */
+struct sink visible_stream(void *stream);
+
+#endif

@@ -1,0 +1,268 @@
+/* scene_blob.c - parses blob { threshold .. }: spheres and cylinders in one primitive. */
+#include "rt/scene/language/scene_blob.h"
+
+#include "base/array.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/vector3.h"
+#include "rt/shapes/blob.h"
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct blob_reading {
+    struct scene_object object; /* first member: the subject of the modifiers */
+    struct scene_token at;      /* its word */
+    struct blob_parts parts;    /* of array_grow, until the blob ends */
+    struct scene_token look_at; /* place of the first texture of a component, which
+                                 * becomes the texture of the object's part */
+};
+
+/* A component and its texture. */
+struct part_reading {
+    struct blob_part part;
+    struct texture texture;
+    bool textured;
+    struct scene_token look_at;
+};
+
+/* ---- A component --------------------------------------------------------- */
+
+static bool read_radius(struct reader *reader, double *radius)
+{
+    reader_comma(reader);
+    if (!read_number(reader, radius))
+        return false;
+    *radius = fabs(*radius);
+    return true;
+}
+
+static bool read_strength(struct reader *reader, double *strength)
+{
+    reader_comma(reader);
+    reader_accept(reader, "strength");
+    return read_number(reader, strength);
+}
+
+static bool read_ends(struct reader *reader, struct blob_part *part)
+{
+    struct scene_token at = reader->token;
+    double axis[3];
+
+    if (!read_vector(reader, part->base))
+        return false;
+    reader_comma(reader);
+    if (!read_vector(reader, part->cap))
+        return false;
+    subtract3(part->cap, part->base, axis);
+    return length3(axis) > 0 || reader_fault(reader, &at, "the cylinder has no length");
+}
+
+static bool read_part(struct reader *reader, struct blob_part *part)
+{
+    return (part->cylinder ? read_ends(reader, part) : read_vector(reader, part->base))
+           && read_radius(reader, &part->radius)
+           && read_strength(reader, &part->strength);
+}
+
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
+{
+    struct part_reading *reading = subject;
+    struct blob_part *part = &reading->part;
+    struct placement step;
+
+    if (!step_read(reader, item, &step))
+        return false;
+    part->to_blob = transform_then(&part->to_blob, &step.to_world);
+    part->to_local = transform_then(&step.to_local, &part->to_local);
+    pigment_move(&reading->texture.pigment, &step);
+    return true;
+}
+
+static struct texture *own_texture(struct part_reading *reading,
+                                   const struct item *item)
+{
+    if (!reading->textured)
+        reading->look_at = item->at;
+    reading->textured = true;
+    return &reading->texture;
+}
+
+static bool read_texture(struct reader *reader, void *subject, const struct item *item)
+{
+    return texture_read(reader, own_texture(subject, item));
+}
+
+static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
+{
+    return pigment_read(reader, &own_texture(subject, item)->pigment);
+}
+
+static bool read_finish(struct reader *reader, void *subject, const struct item *item)
+{
+    return finish_read(reader, &own_texture(subject, item)->finish);
+}
+
+static const struct keyword part_words[] = {
+    STEP_WORDS(read_step),
+    { "texture", read_texture, 0 },
+    { "pigment", read_pigment, 0 },
+    { "finish", read_finish, 0 },
+    { "normal", item_left_out, 0 },
+    { "uv_mapping", item_left_out, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar part_grammar = { "a modifier of the component",
+                                             { part_words },
+                                             NULL };
+
+static bool add_part(struct reader *reader, struct blob_reading *blob,
+                     const struct blob_part *part, const struct scene_token *at)
+{
+    struct blob_part *list;
+
+    if (blob->parts.count == MAX_BLOB_PARTS)
+        return reader_fault(reader, at, "more than %d components in one blob",
+                            MAX_BLOB_PARTS);
+    list = array_grow(blob->parts.list, blob->parts.count, sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    blob->parts.list = list;
+    list[blob->parts.count++] = *part;
+    return true;
+}
+
+/* Records the texture of a component. POV-Ray blends the textures of components; here
+ * the blob has one. */
+static void take_look(struct blob_reading *blob, const struct part_reading *reading)
+{
+    struct scene_part *part = blob->object.parts;
+
+    if (!reading->textured || part->textured)
+        return;
+    blob->look_at = reading->look_at;
+    part->textured = true;
+    part->primitive.pigment = reading->texture.pigment;
+    part->primitive.finish = reading->texture.finish;
+}
+
+/* detail: whether it is a cylinder */
+static bool read_component(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct part_reading reading;
+    struct block block;
+    bool good;
+
+    memset(&reading, 0, sizeof reading);
+    reading.texture = reader->default_texture;
+    reading.part.cylinder = item->keyword->detail;
+    reading.part.to_blob = reading.part.to_local = placement_none.to_world;
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_part(reader, &reading.part);
+    if (!block_items(reader, &block, &part_grammar, &reading, good))
+        return false;
+    take_look(subject, &reading);
+    return add_part(reader, subject, &reading.part, &item->at);
+}
+
+/* Reads the old form of a component: strength, radius, centre. */
+static bool read_bare_component(struct reader *reader, void *subject,
+                                const struct item *item)
+{
+    struct blob_part part;
+
+    memset(&part, 0, sizeof part);
+    part.to_blob = part.to_local = placement_none.to_world;
+    if (!read_strength(reader, &part.strength) || !read_radius(reader, &part.radius))
+        return false;
+    reader_comma(reader);
+    return read_vector(reader, part.base)
+           && add_part(reader, subject, &part, &item->at);
+}
+
+/* ---- The blob ------------------------------------------------------------ */
+
+static bool read_threshold(struct reader *reader, void *subject,
+                           const struct item *item)
+{
+    struct blob_reading *blob = subject;
+    struct primitive *primitive = &blob->object.parts->primitive;
+
+    (void)item;
+    return read_number(reader, &primitive->shape.blob.threshold);
+}
+
+static const struct keyword blob_words[] = {
+    { "threshold", read_threshold, 0 },
+    { "sphere", read_component, false },
+    { "cylinder", read_component, true },
+    { "component", read_bare_component, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar blob_grammar = { "a component or an object modifier",
+                                             { blob_words },
+                                             &modifier_grammar };
+
+static bool begin(struct reader *reader, struct blob_reading *blob,
+                  const struct item *item)
+{
+    struct primitive primitive;
+
+    memset(blob, 0, sizeof *blob);
+    memset(&primitive, 0, sizeof primitive);
+    blob->at = item->at;
+    primitive.kind = PRIMITIVE_BLOB;
+    primitive.shape.blob.threshold = 1;
+    return shape_add(reader, &blob->object, &primitive, &item->at);
+}
+
+/* Decides the texture of the blob. The result equals POV-Ray's only if the blob has a
+ * single component with a texture, and none of its own. */
+static void resolve_material(struct reader *reader, struct blob_reading *blob)
+{
+    struct scene_part *part = blob->object.parts;
+    bool own = blob->object.textured;
+
+    if (!part->textured || (blob->parts.count == 1 && !own))
+        return;
+    reader_report(reader, &blob->look_at,
+                  "separate textures of blob components are not "
+                  "supported; %s is used instead",
+                  own ? "the texture of the blob" : "the first one");
+    part->textured = !own;
+}
+
+/* Copies the components to storage of the scene. */
+static bool keep(struct reader *reader, struct blob_reading *blob)
+{
+    struct primitive *primitive = &blob->object.parts->primitive;
+    size_t count = blob->parts.count;
+    struct blob_part *list;
+
+    list = arena_take(&reader->scene->kept, (count + 1) * sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    if (count > 0)
+        memcpy(list, blob->parts.list, count * sizeof *list);
+    primitive->shape.blob.parts = (struct blob_parts){ count, list };
+    resolve_material(reader, blob);
+    return primitive_finish(reader, primitive, &blob->at);
+}
+
+bool blob_read(struct reader *reader, struct scene_object *object,
+               const struct item *item)
+{
+    struct blob_reading blob;
+    struct block block;
+    bool good = begin(reader, &blob, item) && block_open(reader, &block, '{')
+                && block_items(reader, &block, &blob_grammar, &blob, true)
+                && keep(reader, &blob);
+
+    free(blob.parts.list);
+    *object = blob.object;
+    return good;
+}

@@ -1,0 +1,224 @@
+/* scene_block.c - parses blocks by their grammars, and recovers from errors. */
+#include "rt/scene/language/scene_block.h"
+
+#include "rt/scene/language/scene_expression.h"
+
+#include <string.h>
+
+static bool is_object(const struct scene_token *token)
+{
+    return token->kind == TOKEN_WORD && token->value
+           && token->value->kind == VALUE_OBJECT;
+}
+
+static const struct keyword *table_find(const struct keyword *table,
+                                        const struct scene_token *token)
+{
+    for (; table && table->word; table++)
+        if (*table->word ? is_token(token, table->word) : is_object(token))
+            return table;
+    return NULL;
+}
+
+const struct keyword *grammar_find(const struct grammar *grammar,
+                                   const struct scene_token *token)
+{
+    const struct keyword *found = NULL;
+
+    for (size_t i = 0; i < GRAMMAR_TABLES && !found; i++)
+        found = table_find(grammar->tables[i], token);
+    return found;
+}
+
+struct block block_file(const struct reader *reader)
+{
+    struct block block = { reader->token, 0, 0 };
+
+    return block;
+}
+
+bool block_open(struct reader *reader, struct block *block, int opening)
+{
+    block->open = reader->token;
+    block->closing = opening == '[' ? ']' : '}';
+    if (!reader_at_sign(reader, opening))
+        return reader_expect_sign(reader, opening);
+    if (!reader_enter(reader))
+        return false;
+    reader_next(reader);
+    block->level = reader->braces;
+    return true;
+}
+
+bool block_open_from(struct reader *reader, struct block *block,
+                     enum scene_value_kind kind, void *subject, size_t size)
+{
+    const struct scene_value *value;
+
+    if (!block_open(reader, block, '{'))
+        return false;
+    value = reader_use(reader, kind);
+    if (value) {
+        memcpy(subject, &value->is, size);
+        reader_next(reader);
+    }
+    return true;
+}
+
+static bool at_close(const struct reader *reader, const struct block *block)
+{
+    return reader->token.kind == TOKEN_END
+           || (block->closing && reader->braces == block->level
+               && (reader_at_sign(reader, block->closing)
+                   || reader_at_sign(reader, '}')));
+}
+
+static bool block_close(struct reader *reader, const struct block *block)
+{
+    if (!block->closing)
+        return true;
+    reader_leave(reader);
+    if (reader_accept_sign(reader, block->closing))
+        return true;
+    return reader_fault(reader, &reader->token,
+                        "expected '%c' to close the '%c' of line %zu", block->closing,
+                        block->open.sign, block->open.place.line);
+}
+
+/* Recovers from an error: skips to the next word of the grammar, to the token after a
+ * directive or an inner block, or to the end of this block. */
+static void recover(struct reader *reader, const struct block *block,
+                    const struct grammar *grammar)
+{
+    while (!at_close(reader, block)) {
+        const struct scene_token *token = &reader->token;
+        if (reader->braces == block->level
+            && (reader->closed || reader->directed || grammar_find(grammar, token)
+                || (grammar->then && grammar_find(grammar->then, token))))
+            break;
+        reader_next(reader);
+    }
+}
+
+static bool read_item(struct reader *reader, const struct grammar **grammar,
+                      void *subject)
+{
+    struct item item = { grammar_find(*grammar, &reader->token), reader->token };
+
+    if (!item.keyword && (*grammar)->then) {
+        item.keyword = grammar_find((*grammar)->then, &reader->token);
+        if (item.keyword)
+            *grammar = (*grammar)->then;
+    }
+    if (!item.keyword) {
+        reader_expected(reader, (*grammar)->expected);
+        reader_next(reader);
+        return false;
+    }
+    if (item.keyword->read != item_unmarked && *item.keyword->word)
+        reader_next(reader);
+    return item.keyword->read(reader, subject, &item);
+}
+
+bool block_items(struct reader *reader, const struct block *block,
+                 const struct grammar *grammar, void *subject, bool good)
+{
+    bool lost = !good;
+
+    for (;;) {
+        if (lost || reader->lost) {
+            recover(reader, block, grammar);
+            good = reader->lost = false;
+        }
+        if (at_close(reader, block))
+            break;
+        lost = !read_item(reader, &grammar, subject);
+    }
+    return block_close(reader, block) && good;
+}
+
+bool block_read(struct reader *reader, const struct grammar *grammar, void *subject)
+{
+    struct block block;
+
+    return block_open(reader, &block, '{')
+           && block_items(reader, &block, grammar, subject, true);
+}
+
+void block_pass(struct reader *reader, const struct block *block)
+{
+    while (!at_close(reader, block))
+        reader_next(reader);
+}
+
+bool block_finish(struct reader *reader, const struct block *block)
+{
+    block_pass(reader, block);
+    return block_close(reader, block);
+}
+
+void block_skip(struct reader *reader)
+{
+    size_t outside = reader->braces;
+
+    do
+        reader_next(reader);
+    while (reader->braces > outside && reader->token.kind != TOKEN_END);
+}
+
+void skip_arguments(struct reader *reader)
+{
+    struct numbers ignored;
+
+    for (;;) {
+        if (starts_expression(reader)) {
+            if (!read_expression(reader, &ignored))
+                return;
+        } else if (starts_color(reader)) {
+            if (!read_color(reader, &ignored))
+                return;
+        } else if (reader->token.kind == TOKEN_STRING) {
+            reader_next(reader);
+        } else {
+            break;
+        }
+        reader_comma(reader);
+    }
+    if (reader_at_sign(reader, '{'))
+        block_skip(reader);
+}
+
+bool item_left_out(struct reader *reader, void *subject, const struct item *item)
+{
+    (void)subject;
+    reader_report(reader, &item->at, "'%s' is not supported and is ignored",
+                  item->keyword->word);
+    skip_arguments(reader);
+    return true;
+}
+
+bool item_passed_over(struct reader *reader, void *subject, const struct item *item)
+{
+    (void)subject;
+    (void)item;
+    skip_arguments(reader);
+    return true;
+}
+
+bool item_unsupported(struct reader *reader, void *subject, const struct item *item)
+{
+    (void)subject;
+    reader_fault(reader, &item->at, "'%s' is not supported", item->keyword->word);
+    skip_arguments(reader);
+    return false;
+}
+
+bool item_unmarked(struct reader *reader, void *subject, const struct item *item)
+{
+    (void)subject;
+    reader_warn(reader, &item->at, "'%s' without '#' is read as '#%s'",
+                item->keyword->word, item->keyword->word);
+    reader->token.kind = TOKEN_DIRECTIVE;
+    reader_resolve(reader);
+    return true;
+}

@@ -1,0 +1,252 @@
+/* scene_expression.c - a recursive-descent parser of floats and vectors.
+ *
+ *   full        relation { ("&" | "|") relation } [ "?" full ":" full ]
+ *   relation    expression { ("=" "!=" "<" "<=" ">" ">=") expression }
+ *               | string ("=" "!=" "<" "<=" ">" ">=") string
+ *   expression  product { ("+" | "-") product }
+ *   product     factor { ("*" | "/") factor }
+ *   factor      { "+" | "-" | "!" } primary { "." component }
+ *   primary     number | name | "(" full ")" | "<" expression, ... ">"
+ *               | function "(" full, ... ")"
+ *
+ * As in POV-Ray, & and | have the same precedence and associate to the left. In an
+ * operation of a float and a vector the float is expanded to equal components; the
+ * shorter of two vectors is filled with zeros.
+ */
+#include "rt/scene/language/scene_expression.h"
+
+#include "rt/scene/language/condition.h"
+#include "rt/scene/language/scene_operand.h"
+#include "rt/scene/language/query.h"
+#include "rt/scene/language/string_value.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Reads a prefix operator. Fails if there is none. */
+static bool accept_prefix(struct reader *reader, char *prefix)
+{
+    *prefix = reader->token.kind == TOKEN_SIGN && reader->token.sign < SIGN_UNEQUAL
+                  ? (char)reader->token.sign
+                  : '\0';
+    if (!*prefix || !strchr("+-!", *prefix))
+        return false;
+    reader_next(reader);
+    return true;
+}
+
+static void negate(struct numbers *value)
+{
+    for (int i = 0; i < value->count; i++)
+        value->n[i] = -value->n[i];
+}
+
+static bool read_factor(struct reader *reader, struct numbers *value)
+{
+    struct scene_token at = reader->token;
+    char prefix;
+    bool done;
+
+    if (!reader_enter(reader))
+        return false;
+    if (!accept_prefix(reader, &prefix)) {
+        done = operand_read(reader, value);
+    } else {
+        done = read_factor(reader, value);
+        if (done && prefix == '-')
+            negate(value);
+        if (done && prefix == '!' && operand_float(reader, &at, value))
+            *value = numbers_of(!condition_holds(value->n[0]));
+    }
+    reader_leave(reader);
+    return done;
+}
+
+static double operate(int sign, double a, double b)
+{
+    switch (sign) {
+    case '+': return a + b;
+    case '-': return a - b;
+    case '*': return a * b;
+    case '/': return a / b;
+    case '=': return fabs(a - b) < EXPRESSION_SAME;
+    case SIGN_UNEQUAL: return fabs(a - b) >= EXPRESSION_SAME;
+    case '<': return a < b;
+    case '>': return a > b;
+    case SIGN_NOT_ABOVE: return a < b + EXPRESSION_SAME;
+    case SIGN_NOT_BELOW: return a > b - EXPRESSION_SAME;
+    case '&': return condition_holds(a) && condition_holds(b);
+    case '|': return condition_holds(a) || condition_holds(b);
+    default: return 0;
+    }
+}
+
+typedef bool operand_reader(struct reader *reader, struct numbers *value);
+
+struct level {
+    int signs[7];
+    operand_reader *read;
+    bool floats; /* the operators do not accept vectors */
+};
+
+static bool is_sign_of(const struct reader *reader, const struct level *level)
+{
+    for (size_t i = 0; level->signs[i]; i++)
+        if (reader_at_sign(reader, level->signs[i]))
+            return true;
+    return false;
+}
+
+static bool apply(struct reader *reader, const struct scene_token *at, bool floats,
+                  struct numbers *left, struct numbers *right)
+{
+    if (floats
+        && !(operand_float(reader, at, left) && operand_float(reader, at, right)))
+        return false;
+    numbers_widen(left, right->count);
+    numbers_widen(right, left->count);
+    for (int i = 0; i < left->count; i++) {
+        if (at->sign == '/' && right->n[i] == 0)
+            return reader_fault(reader, at, "division by 0");
+        left->n[i] = operate(at->sign, left->n[i], right->n[i]);
+    }
+    return operand_finite(reader, at, left);
+}
+
+/* Reads left-associative operators of one precedence. */
+static bool read_level(struct reader *reader, const struct level *level,
+                       struct numbers *value)
+{
+    if (!level->read(reader, value))
+        return false;
+    while (is_sign_of(reader, level)) {
+        struct scene_token at = reader->token;
+        struct numbers right;
+        reader_next(reader);
+        if (!level->read(reader, &right)
+            || !apply(reader, &at, level->floats, value, &right))
+            return false;
+    }
+    return true;
+}
+
+static bool read_product(struct reader *reader, struct numbers *value)
+{
+    static const struct level level = { { '*', '/' }, read_factor, false };
+
+    return read_level(reader, &level, value);
+}
+
+bool read_expression(struct reader *reader, struct numbers *value)
+{
+    static const struct level level = { { '+', '-' }, read_product, false };
+
+    return read_level(reader, &level, value);
+}
+
+/* Compares two strings by byte order; the result of "a" = "b" is a float. */
+static bool compare_strings(struct reader *reader, const char *left,
+                            struct numbers *value)
+{
+    struct scene_token at = reader->token;
+    char *right;
+
+    reader_next(reader);
+    if (!string_read_within(reader, &right))
+        return false;
+    *value = numbers_of(operate(at.sign, string_order(left, right), 0));
+    free(right);
+    return true;
+}
+
+static bool read_comparison(struct reader *reader, const struct level *level,
+                            struct numbers *value)
+{
+    char *left;
+    bool done;
+
+    if (!string_read_within(reader, &left))
+        return false;
+    done = is_sign_of(reader, level) ? compare_strings(reader, left, value)
+                                     : reader_expected(reader, "a comparison");
+    free(left);
+    return done;
+}
+
+static bool read_relation(struct reader *reader, struct numbers *value)
+{
+    static const struct level level = {
+        { '=', SIGN_UNEQUAL, '<', SIGN_NOT_ABOVE, '>', SIGN_NOT_BELOW },
+        read_expression,
+        true,
+    };
+
+    if (starts_string(reader))
+        return read_comparison(reader, &level, value);
+    return read_level(reader, &level, value);
+}
+
+static bool read_logic(struct reader *reader, struct numbers *value)
+{
+    static const struct level level = { { '&', '|' }, read_relation, true };
+
+    return read_level(reader, &level, value);
+}
+
+bool read_full(struct reader *reader, struct numbers *value)
+{
+    struct scene_token at = reader->token;
+    struct numbers other;
+    bool first, done;
+
+    if (!read_logic(reader, value))
+        return false;
+    if (!reader_accept_sign(reader, '?'))
+        return true;
+    first = condition_holds(value->n[0]);
+    if (!operand_float(reader, &at, value) || !reader_enter(reader))
+        return false;
+    done = read_full(reader, value) && reader_expect_sign(reader, ':')
+           && read_full(reader, &other);
+    reader_leave(reader);
+    if (done && !first)
+        *value = other;
+    return done;
+}
+
+bool read_full_number(struct reader *reader, double *value)
+{
+    struct scene_token at = reader->token;
+    struct numbers numbers;
+
+    if (!read_full(reader, &numbers) || !operand_float(reader, &at, &numbers))
+        return false;
+    *value = numbers.n[0];
+    return true;
+}
+
+bool read_number(struct reader *reader, double *value)
+{
+    struct scene_token at = reader->token;
+    struct numbers numbers;
+
+    if (!read_expression(reader, &numbers) || !operand_float(reader, &at, &numbers))
+        return false;
+    *value = numbers.n[0];
+    return true;
+}
+
+bool read_vector(struct reader *reader, double vector[3])
+{
+    struct scene_token at = reader->token;
+    struct numbers numbers;
+
+    if (!read_expression(reader, &numbers))
+        return false;
+    if (numbers.count > 3)
+        return operand_found_vector(reader, &at, "a vector of 3", &numbers);
+    numbers_widen(&numbers, 3);
+    memcpy(vector, numbers.n, 3 * sizeof *vector);
+    return true;
+}

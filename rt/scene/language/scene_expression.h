@@ -1,0 +1,46 @@
+/* scene_expression.h - floats, vectors and colours. */
+#ifndef RT_SCENE_EXPRESSION_H
+#define RT_SCENE_EXPRESSION_H
+
+#include "rt/scene/language/reader.h"
+
+/* Returns true if the current token can begin an expression. */
+bool starts_expression(const struct reader *reader);
+/* Returns true if it is a colour word such as rgb or red, or the name of a colour. */
+bool starts_color(const struct reader *reader);
+bool is_color_word(const struct scene_token *token);
+/* Returns true if it is a constant or a function of the language. */
+bool is_expression_word(const struct scene_token *token);
+
+/* Reads a sum. Comparisons, logic and ?: are valid in parentheses only. */
+bool read_expression(struct reader *reader, struct numbers *value);
+bool read_number(struct reader *reader, double *value);
+/* Reads an expression in brackets, with comparisons, logic and ?:. */
+bool read_full(struct reader *reader, struct numbers *value);
+bool read_full_number(struct reader *reader, double *value);
+/* Floats are equal if they differ by less; a float closer to 0 is false. */
+#define EXPRESSION_SAME 1e-10
+/* Reads a vector. A float is expanded to three equal components; a vector of two gets a
+ * zero. */
+bool read_vector(struct reader *reader, double vector[3]);
+/* Reads a colour with all five terms. */
+bool read_color(struct reader *reader, struct numbers *color);
+/* Like read_color, after its first word, which is a colour word. */
+bool read_color_after(struct reader *reader, const struct scene_token *word,
+                      struct numbers *color);
+/* Reads the red, green and blue of a light or a background. */
+bool read_rgb(struct reader *reader, double rgb[3]);
+
+/* A function of the language. */
+struct function {
+    const char *name;
+    const char *takes; /* its arguments: f a float, v a vector, ? an optional float, +
+                        * any number more */
+    void (*apply)(const struct numbers *arguments, size_t count,
+                  struct numbers *result);
+    double (*plain)(double); /* instead of apply, for one float */
+};
+enum { MAX_ARGUMENTS = 32 };
+const struct function *function_find(const struct scene_token *token);
+
+#endif

@@ -1,0 +1,382 @@
+/* scene_mesh.c - parses triangle, smooth_triangle and mesh, one primitive each. */
+#include "rt/scene/language/scene_mesh.h"
+
+#include "base/array.h"
+#include "rt/scene/language/scene_expression.h"
+#include "rt/scene/vector3.h"
+#include "rt/shapes/shape.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* POV-Ray's EPSILON: components below it make a normal 0, and a squared distance below
+ * it makes two normals equal. */
+#define NORMAL_SAME 1e-10
+
+/* ---- Normals ------------------------------------------------------------- */
+
+/* Normalises a vector. Fails if it is 0. */
+static bool make_unit(double normal[3])
+{
+    double size = greatest3(normal);
+
+    if (size == 0)
+        return false;
+    for (int i = 0; i < 3; i++)
+        normal[i] /= size;
+    scale3(1 / length3(normal), normal);
+    return true;
+}
+
+/* POV-Ray replaces a zero normal in this way, and warns too. */
+void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3])
+{
+    bool none = true;
+
+    for (int i = 0; i < 3; i++)
+        none = none && fabs(normal[i]) < NORMAL_SAME;
+    if (none) {
+        reader_report(reader, at, "a normal of a mesh is 0; <1, 0, 0> is used instead");
+        for (int i = 0; i < 3; i++)
+            normal[i] = i == 0;
+    }
+    make_unit(normal);
+}
+
+/* As in POV-Ray a triangle with equal normals is flat, whatever they are. */
+bool mesh_is_smooth(const struct triangle *triangle)
+{
+    const double(*normals)[3] = triangle->normals;
+
+    for (int k = 1; k < 3; k++) {
+        double apart[3];
+        subtract3(normals[0], normals[k], apart);
+        if (dot3(apart, apart) > NORMAL_SAME)
+            return true;
+    }
+    return false;
+}
+
+/* ---- Textures of triangles ----------------------------------------------- */
+
+static bool has_bumps(const struct bumps *own, const struct bumps *other)
+{
+    return own->list == other->list && own->unscaled == other->unscaled
+           && !memcmp(&own->to_local, &other->to_local, sizeof own->to_local);
+}
+
+static bool has_texture(const struct primitive *primitive,
+                        const struct texture *texture)
+{
+    const struct pigment *own = &primitive->pigment;
+    const struct pigment *other = &texture->pigment;
+    size_t numbers = offsetof(struct pigment, color); /* color and all members after
+                                                       * it */
+
+    return own->kind == other->kind
+           && !memcmp(own->color, other->color, sizeof *own - numbers)
+           && !memcmp(&primitive->finish, &texture->finish, sizeof texture->finish)
+           && has_bumps(&primitive->bumps, &texture->bumps);
+}
+
+void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
+               const struct scene_token *at)
+{
+    struct scene_part *part = mesh->object.parts;
+
+    mesh->looked = true;
+    if (part->textured) {
+        mesh->differ |= !has_texture(&part->primitive, texture);
+        return;
+    }
+    mesh->look_at = *at;
+    part->textured = true;
+    part->primitive.pigment = texture->pigment;
+    part->primitive.bumps = texture->bumps;
+    part->primitive.finish = texture->finish;
+}
+
+/* Decides the texture of the mesh. In POV-Ray the texture of a triangle overrides that
+ * of the mesh. Here the mesh has one texture; the result is the same only if all
+ * triangles have the same texture. */
+static void resolve_material(struct reader *reader, struct mesh_reading *mesh)
+{
+    struct scene_part *part = mesh->object.parts;
+    bool own = mesh->object.textured;
+
+    if (!part->textured || (!mesh->differ && mesh->looks == mesh->triangles.count))
+        return;
+    reader_report(reader, &mesh->look_at,
+                  "separate textures of mesh triangles are not "
+                  "supported; %s is used instead",
+                  own ? "the texture of the mesh" : "the first one");
+    part->textured = !own;
+}
+
+/* ---- A mesh -------------------------------------------------------------- */
+
+bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
+                const struct item *item)
+{
+    struct primitive primitive;
+
+    memset(mesh, 0, sizeof *mesh);
+    memset(&primitive, 0, sizeof primitive);
+    mesh->at = item->at;
+    primitive.kind = PRIMITIVE_MESH;
+    return shape_add(reader, &mesh->object, &primitive, &item->at);
+}
+
+size_t mesh_triangles(const struct scene_object *object)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < object->part_count; i++) {
+        const struct primitive *primitive = &object->parts[i].primitive;
+
+        if (primitive->kind == PRIMITIVE_MESH)
+            count += primitive->shape.mesh.triangles.count
+                     + primitive->shape.mesh.body.count;
+    }
+    return count;
+}
+
+bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at)
+{
+    reader->triangles += more;
+    return reader->triangles <= MAX_TRIANGLES
+           || reader_fault(reader, at, "more than %d triangles, including copies",
+                           MAX_TRIANGLES);
+}
+
+bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
+              const struct triangle *triangle, const struct scene_token *at)
+{
+    struct triangles *triangles = &mesh->triangles;
+    struct triangle *list;
+
+    if (!mesh_count(reader, 1, at))
+        return false;
+    list = array_grow(triangles->list, triangles->count, sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    triangles->list = list;
+    list[triangles->count++] = *triangle;
+    mesh->looks += mesh->looked;
+    mesh->looked = false;
+    return true;
+}
+
+/* An invisible mesh is reported, but is no error. */
+static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
+{
+    primitive_leave_out(reader, &mesh->object.parts->primitive, &mesh->at,
+                        mesh->lone ? "the triangle has no area, or a normal that is 0"
+                                   : "no triangle of the mesh has an area");
+    return true;
+}
+
+/* Copies the triangles to storage of the scene. */
+static bool keep(struct reader *reader, struct mesh_reading *mesh)
+{
+    struct primitive *primitive = &mesh->object.parts->primitive;
+    size_t count = mesh->triangles.count;
+    struct triangle *list;
+    const char *fault;
+
+    if (count == 0)
+        return leave_out(reader, mesh);
+    list = arena_take(&reader->scene->kept, count * sizeof *list);
+    if (!list)
+        return reader_no_memory(reader);
+    memcpy(list, mesh->triangles.list, count * sizeof *list);
+    primitive->shape.mesh.triangles = (struct triangles){ count, list };
+    fault = shapes[PRIMITIVE_MESH]->finish(primitive);
+    if (fault)
+        return leave_out(reader, mesh);
+    resolve_material(reader, mesh);
+    return true;
+}
+
+bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
+              struct scene_object *object)
+{
+    bool done = good && keep(reader, mesh);
+
+    free(mesh->triangles.list);
+    *object = mesh->object;
+    return done;
+}
+
+bool mesh_close(struct reader *reader, const struct block *block, bool good)
+{
+    if (good && !reader_at_sign(reader, '}'))
+        good = reader_expected(reader, "'}'");
+    return block_finish(reader, block) && good;
+}
+
+/* ---- Its words ----------------------------------------------------------- */
+
+static bool read_corners(struct reader *reader, bool smooth, struct triangle *triangle)
+{
+    memset(triangle, 0, sizeof *triangle);
+    triangle->smooth = smooth;
+    for (int i = 0; i < 3; i++) {
+        if (i > 0)
+            reader_comma(reader);
+        if (!read_vector(reader, triangle->corners[i]))
+            return false;
+        if (!smooth)
+            continue;
+        reader_comma(reader);
+        if (!read_vector(reader, triangle->normals[i]))
+            return false;
+    }
+    return true;
+}
+
+bool mesh_pass_vectors(struct reader *reader, int count)
+{
+    double passed[3];
+
+    for (int i = 0; i < count; i++) {
+        if (i > 0)
+            reader_comma(reader);
+        if (!read_vector(reader, passed))
+            return false;
+    }
+    return true;
+}
+
+/* uv coordinates are not used. */
+static bool read_uv_vectors(struct reader *reader, void *subject,
+                            const struct item *item)
+{
+    (void)subject;
+    (void)item;
+    return mesh_pass_vectors(reader, 3);
+}
+
+static bool read_texture(struct reader *reader, void *subject, const struct item *item)
+{
+    struct texture texture = reader->default_texture;
+
+    if (!texture_read(reader, &texture))
+        return false;
+    mesh_look(subject, &texture, &item->at);
+    return true;
+}
+
+/* Reads three names of textures, one per corner. */
+static bool read_names(struct reader *reader, struct mesh_reading *mesh,
+                       const struct item *item)
+{
+    for (int i = 0; i < 3; i++) {
+        const struct scene_value *value = reader_use(reader, VALUE_TEXTURE);
+        if (!value)
+            return reader_expected(reader, "the name of a texture");
+        mesh_look(mesh, &value->is.texture, &item->at);
+        reader_next(reader);
+        reader_comma(reader);
+    }
+    return true;
+}
+
+static bool read_texture_list(struct reader *reader, void *subject,
+                              const struct item *item)
+{
+    struct block block;
+
+    return block_open(reader, &block, '{')
+           && mesh_close(reader, &block, read_names(reader, subject, item));
+}
+
+static const struct keyword triangle_words[] = {
+    { "uv_vectors", read_uv_vectors, 0 },
+    { "texture", read_texture, 0 },
+    { "texture_list", read_texture_list, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar triangle_grammar = { "a keyword of a mesh triangle",
+                                                 { triangle_words },
+                                                 NULL };
+
+/* detail: whether it is smooth */
+static bool read_triangle(struct reader *reader, void *subject, const struct item *item)
+{
+    bool smooth = item->keyword->detail;
+    struct mesh_reading *mesh = subject;
+    struct triangle triangle;
+    struct block block;
+    bool good;
+
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_corners(reader, smooth, &triangle);
+    if (!block_items(reader, &block, &triangle_grammar, mesh, good))
+        return false;
+    for (int i = 0; i < 3 && smooth; i++)
+        mesh_direct(reader, &item->at, triangle.normals[i]);
+    triangle.smooth = smooth && mesh_is_smooth(&triangle);
+    return mesh_add(reader, mesh, &triangle, &item->at);
+}
+
+/* A mesh with an inside_vector is solid; as in POV-Ray a zero vector does not count. */
+bool read_inside_vector(struct reader *reader, void *subject, const struct item *item)
+{
+    struct mesh_reading *mesh = subject;
+    double vector[3];
+
+    (void)item;
+    if (!read_vector(reader, vector))
+        return false;
+    mesh->object.parts->primitive.shape.mesh.solid = greatest3(vector) >= NORMAL_SAME;
+    return true;
+}
+
+static const struct keyword mesh_words[] = {
+    { "triangle", read_triangle, false },
+    { "smooth_triangle", read_triangle, true },
+    { "inside_vector", read_inside_vector, 0 },
+    { NULL, NULL, 0 },
+};
+
+static const struct grammar mesh_grammar = { "a triangle or an object modifier",
+                                             { mesh_words },
+                                             &modifier_grammar };
+
+/* ---- The statements ------------------------------------------------------ */
+
+/* A single triangle with equal normals stays smooth, as in POV-Ray. */
+static bool read_lone(struct reader *reader, struct mesh_reading *mesh, bool smooth)
+{
+    struct triangle triangle;
+    bool seen = true;
+
+    mesh->lone = true;
+    if (!read_corners(reader, smooth, &triangle))
+        return false;
+    for (int i = 0; i < 3 && smooth; i++)
+        seen = make_unit(triangle.normals[i]) && seen;
+    return !seen || mesh_add(reader, mesh, &triangle, &mesh->at);
+}
+
+bool mesh_read(struct reader *reader, struct scene_object *object,
+               const struct item *item)
+{
+    enum shape_word shape = (enum shape_word)item->keyword->detail;
+    bool lone = shape != (enum shape_word)PRIMITIVE_MESH;
+    struct mesh_reading mesh;
+    struct block block;
+    bool good;
+
+    if (shape == SHAPE_MESH2)
+        return mesh2_read(reader, object, item);
+    if (!mesh_begin(reader, &mesh, item) || !block_open(reader, &block, '{'))
+        return mesh_end(reader, &mesh, false, object);
+    good = !lone || read_lone(reader, &mesh, shape == SHAPE_SMOOTH_TRIANGLE);
+    good = block_items(reader, &block, lone ? &modifier_grammar : &mesh_grammar, &mesh,
+                       good);
+    return mesh_end(reader, &mesh, good, object);
+}

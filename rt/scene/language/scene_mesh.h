@@ -1,0 +1,50 @@
+/* scene_mesh.h - a mesh while it is read: its triangles and their textures. */
+#ifndef RT_SCENE_MESH_H
+#define RT_SCENE_MESH_H
+
+#include "rt/scene/language/scene_statement.h"
+
+struct mesh_reading {
+    struct scene_object object; /* first member: the subject of the modifiers */
+    struct scene_token at;      /* its word */
+    bool lone;                  /* a single triangle or smooth_triangle */
+    struct triangles triangles; /* of array_grow, until the mesh ends */
+
+    /* The textures of triangles; the first is that of the object's part. */
+    struct scene_token look_at; /* where the first one is */
+    size_t looks;               /* number of triangles with a texture */
+    bool looked;                /* the triangle that is read has one */
+    bool differ;                /* they are not all the same */
+};
+
+/* Starts an object of one part, without triangles. */
+bool mesh_begin(struct reader *reader, struct mesh_reading *mesh,
+                const struct item *item);
+/* Ends a mesh. If it is good it becomes the object; all else is freed. */
+bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
+              struct scene_object *object);
+
+/* Returns the number of triangles in all meshes of an object. */
+size_t mesh_triangles(const struct scene_object *object);
+/* Counts more triangles. Fails above MAX_TRIANGLES. */
+bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at);
+bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
+              const struct triangle *triangle, const struct scene_token *at);
+/* Records the texture of a triangle. */
+void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
+               const struct scene_token *at);
+/* Normalises a normal of a mesh. */
+void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3]);
+/* Returns true if the normals of the triangle make it smooth. */
+bool mesh_is_smooth(const struct triangle *triangle);
+/* Reads the closing '}', before which nothing else may be. */
+bool mesh_close(struct reader *reader, const struct block *block, bool good);
+
+/* Skips vectors that have no effect here. */
+bool mesh_pass_vectors(struct reader *reader, int count);
+item_reader read_inside_vector;
+
+/* Reads the block of mesh2. */
+bool mesh2_read(struct reader *reader, struct scene_object *object,
+                const struct item *item);
+#endif

@@ -1,0 +1,51 @@
+/* scene_source.h - the texts of a scene: files, and texts built into the program. */
+#ifndef RT_SCENE_SOURCE_H
+#define RT_SCENE_SOURCE_H
+
+#include "vm/c205.h"
+#include "vm/text.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The .inc files of rt/scene/library, for an #include of a file that is not
+ * installed. */
+extern const struct text scene_texts[];
+
+/* A source lives as long as its list, because tokens point into it. */
+struct scene_source {
+    struct scene_source *next;
+    char *name;
+    char *text; /* ends with a NUL that is not counted */
+    size_t length;
+    bool library; /* not from the folders of the scene */
+    bool is_text; /* false: bytes of an image or a font */
+};
+
+enum { SOURCE_LONGEST = 16 << 20 }; /* bytes */
+
+/* Add a text, or the text of a file. They return NULL after an error. */
+struct scene_source *source_add(struct scene_source **list, const char *name,
+                                const char *text, size_t length, c205_error *error);
+struct scene_source *source_load(struct scene_source **list, const char *path,
+                                 c205_error *error);
+
+/* A request for a file that a scene names. */
+struct source_request {
+    const char *name;
+    const struct scene_source *from;
+    const char *const *search; /* folders, NULL-terminated; or NULL */
+    bool is_text;
+};
+/* Finds a file. It is searched in the folder of `from`, in the search folders, in the
+ * folders of POV-Ray's package, and in scene_texts. If no place has it, the search is
+ * repeated in the same order without regard to case; a folder then must have one match
+ * only. Each file is read once. Returns NULL after an error. */
+struct scene_source *source_include(struct scene_source **list,
+                                    const struct source_request *request,
+                                    c205_error *error);
+/* Returns true if the file was found under a name of different case. */
+bool source_is_other(const struct scene_source *source, const char *name);
+void sources_free(struct scene_source *list);
+
+#endif

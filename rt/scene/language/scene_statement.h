@@ -1,0 +1,151 @@
+/* scene_statement.h - the parsers of the statements of the language.
+ *
+ * Each is called after the word of its statement, which is item->at, and reads the
+ * block into its last arguments.
+ */
+#ifndef RT_SCENE_STATEMENT_H
+#define RT_SCENE_STATEMENT_H
+
+#include "rt/scene/language/scene_block.h"
+#include "rt/shapes/primitive.h"
+
+/* translate, rotate, scale, matrix, transform: rows of a grammar. */
+enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
+/* clang-format off */
+#define STEP_WORDS(read) \
+    { "translate", read, STEP_TRANSLATE }, \
+    { "rotate", read, STEP_ROTATE }, { "scale", read, STEP_SCALE }, \
+    { "matrix", read, STEP_MATRIX }, { "transform", read, STEP_NAMED }
+/* clang-format on */
+bool step_read(struct reader *reader, const struct item *item, struct placement *step);
+/* Reads a step and moves an object by it. */
+bool object_step_read(struct reader *reader, void *object, const struct item *item);
+/* Reads the block of transform { ... }. */
+bool transform_read(struct reader *reader, struct placement *placement);
+
+/* These modify their argument, which the caller sets to the scene's defaults. */
+bool pigment_read(struct reader *reader, struct pigment *pigment);
+bool finish_read(struct reader *reader, struct finish *finish);
+bool normal_read(struct reader *reader, struct bumps *bumps);
+bool texture_read(struct reader *reader, struct texture *texture);
+/* Adds a layer to a texture. */
+bool texture_layer_read(struct reader *reader, const struct scene_token *at,
+                        struct texture *texture);
+/* Reads all entries of a map. The first becomes the pigment's colour, unless the
+ * pigment is a gradient. */
+bool color_map_read(struct reader *reader, struct pigment *pigment);
+/* These read all entries and use the first. */
+bool pigment_map_read(struct reader *reader, struct pigment *pigment);
+bool texture_map_read(struct reader *reader, struct texture *texture);
+/* These read and use all entries. */
+bool normal_map_read(struct reader *reader, struct bumps *bumps);
+bool slope_map_read(struct reader *reader, struct bumps *bumps);
+/* Reads the block of #default, and of the statement `default`. */
+bool default_read(struct reader *reader);
+bool interior_read(struct reader *reader, double *ior);
+/* Reads texture and interior into an object, which may have no parts. */
+bool material_read(struct reader *reader, struct scene_object *object);
+
+bool camera_read(struct reader *reader, const struct scene_token *at,
+                 struct camera_setting *setting);
+extern const struct camera_setting camera_default;
+bool settings_read(struct reader *reader, struct scene *scene);
+/* The _read functions read the blocks of sky_sphere and fog, which may begin with a
+ * name. The _take functions put the result into the scene. */
+bool sky_read(struct reader *reader, struct sky_setting *sky);
+void sky_take(struct reader *reader, const struct sky_setting *sky,
+              const struct scene_token *at);
+bool fog_read(struct reader *reader, struct fog_setting *fog);
+bool fog_take(struct reader *reader, const struct fog_setting *fog,
+              const struct scene_token *at);
+
+/* The meaning of a shape's word: its primitive kind, or one of these. */
+enum shape_word {
+    SHAPE_UNION = PRIMITIVE_KINDS, /* to SHAPE_DIFFERENCE: in the order of enum
+                                    * joining */
+    SHAPE_MERGE,
+    SHAPE_INTERSECTION,
+    SHAPE_DIFFERENCE,
+    SHAPE_OBJECT,
+    SHAPE_NAMED, /* the name of an object, without a block */
+    SHAPE_LIGHT,
+    SHAPE_LIGHT_GROUP,
+    SHAPE_CUBIC, /* becomes a quartic or a quadric, as does poly */
+    SHAPE_POLY,
+    SHAPE_TEXT, /* becomes prisms */
+    SHAPE_BICUBIC_PATCH,
+    SHAPE_POLYGON,
+    SHAPE_HEIGHT_FIELD,
+    SHAPE_TRIANGLE, /* from here on: becomes a mesh */
+    SHAPE_SMOOTH_TRIANGLE,
+    SHAPE_MESH2
+};
+/* clang-format off */
+#define OTHER_SHAPE_WORDS(read) \
+    { "union", read, SHAPE_UNION }, { "merge", read, SHAPE_MERGE }, \
+    { "intersection", read, SHAPE_INTERSECTION }, \
+    { "difference", read, SHAPE_DIFFERENCE }, \
+    { "object", read, SHAPE_OBJECT }, \
+    { "light_source", read, SHAPE_LIGHT }, \
+    { "light_group", read, SHAPE_LIGHT_GROUP }, \
+    { "cubic", read, SHAPE_CUBIC }, { "poly", read, SHAPE_POLY }, \
+    { "text", read, SHAPE_TEXT }, { "triangle", read, SHAPE_TRIANGLE }, \
+    { "smooth_triangle", read, SHAPE_SMOOTH_TRIANGLE }, \
+    { "mesh2", read, SHAPE_MESH2 }, \
+    { "bicubic_patch", read, SHAPE_BICUBIC_PATCH }, \
+    { "polygon", read, SHAPE_POLYGON }, \
+    { "height_field", read, SHAPE_HEIGHT_FIELD }
+/* clang-format on */
+/* Reads a shape into an empty object, which the caller frees even after an error. */
+bool shape_read(struct reader *reader, struct scene_object *object,
+                const struct item *item);
+/* Reads the arguments of one primitive, after its '{'. */
+bool primitive_read(struct reader *reader, enum primitive_kind kind,
+                    struct primitive *primitive);
+/* Converts a primitive from its arguments to the form that is traced. An invisible
+ * shape is reported and removed from the scene; in a solid it counts as the empty
+ * set. */
+bool primitive_finish(struct reader *reader, struct primitive *primitive,
+                      const struct scene_token *at);
+/* Removes a primitive for this reason, like an invisible shape. */
+void primitive_leave_out(struct reader *reader, struct primitive *primitive,
+                         const struct scene_token *at, const char *reason);
+/* Reads a cubic, which has order 3, or a poly, whose order is in the text. */
+bool polynomial_read(struct reader *reader, enum shape_word word,
+                     struct primitive *primitive);
+/* Reads the arguments of text, after its '{': one prism per character. */
+bool text_read(struct reader *reader, struct scene_object *object,
+               const struct scene_token *at);
+/* Reads the whole block of triangle, smooth_triangle, mesh or mesh2 as one
+ * primitive. */
+bool mesh_read(struct reader *reader, struct scene_object *object,
+               const struct item *item);
+/* Counts n more primitives and lights. Fails above MAX_PRIMITIVES. */
+bool shape_count(struct reader *reader, size_t more, const struct scene_token *at);
+/* Adds a primitive whose word is `at`. Fails above MAX_PRIMITIVES. */
+bool shape_add(struct reader *reader, struct scene_object *object,
+               struct primitive *primitive, const struct scene_token *at);
+/* Reports and skips an invisible shape. */
+bool shape_leave_out(struct reader *reader, struct scene_object *object,
+                     const struct scene_token *at, const char *reason);
+bool light_read(struct reader *reader, struct scene_object *object);
+/* Reads the block of looks_like, an object whose origin is the position of the
+ * light. */
+bool looks_like_read(struct reader *reader, struct scene_object *object,
+                     const double position[3]);
+/* Gives an object an interior of its own, with this index of refraction. */
+void object_fill(struct reader *reader, struct scene_object *object, double ior);
+/* Copies an object; the copy has interiors of its own. Fails above MAX_PRIMITIVES. */
+bool shape_copy(struct reader *reader, struct scene_object *copy,
+                const struct scene_object *object);
+/* Shapes of POV-Ray that are not supported. */
+extern const struct keyword unsupported_shapes[];
+
+item_reader spline_read; /* subject: a value */
+/* Returns true if the current token names a spline without a parameter after it. */
+bool spline_is_alone(struct reader *reader);
+
+extern const struct grammar file_grammar;
+extern const struct grammar modifier_grammar;
+
+#endif

@@ -1,0 +1,14 @@
+/* scene_unit.h - the unit of length in which a scene is traced. */
+#ifndef RT_SCENE_UNIT_H
+#define RT_SCENE_UNIT_H
+
+#include "rt/scene/language/scene_object.h"
+
+/* Sets scene->unit_log from the sizes and distances of the world's objects, and divides
+ * every length of the world and of the scene by it. Lights that are then farther than
+ * LIGHT_FARTHEST from the objects are moved to that distance; their directions and
+ * shadows stay the same within rounding. Fails if the sizes are outside of 1e-60 to
+ * 1e60. */
+bool unit_choose(struct scene *scene, struct scene_object *world);
+
+#endif

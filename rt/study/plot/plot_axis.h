@@ -1,0 +1,43 @@
+/* plot_axis.h - an axis of a plot: its range and its labels.
+ *
+ * gnuplot separates thousands in numbers only in some locales, so the labels are
+ * made here.
+ */
+#ifndef RT_PLOT_AXIS_H
+#define RT_PLOT_AXIS_H
+
+#include "rt/study/plot/plot.h"
+
+struct axis {
+    enum plot_scale scale;
+    double low, high; /* low > high: empty */
+};
+
+enum { AXIS_TICS = 128, AXIS_LABEL_SIZE = 32 };
+
+struct axis_tic {
+    double at;
+    char label[AXIS_LABEL_SIZE]; /* "16,384"; "" for a minor tic */
+};
+
+struct axis axis_new(enum plot_scale scale);
+/* Returns true if the axis can show the value. A logarithmic axis shows only
+ * values above 0. */
+bool axis_shows(const struct axis *axis, double value);
+/* Extends the axis to the value. */
+void axis_reach(struct axis *axis, double value);
+/* Widens an axis of a single point on both sides. */
+void axis_widen(struct axis *axis);
+/* Adds a margin for the points at both ends. */
+void axis_pad(struct axis *axis);
+/* Extends both ends to the next round value; a linear axis also includes 0. */
+void axis_round(struct axis *axis);
+
+/* Returns the position of a value, from 0 at the low end to 1 at the high end. */
+double axis_place(const struct axis *axis, double value);
+/* Formats a number as in labels: "16,384". */
+void axis_label(char label[AXIS_LABEL_SIZE], double value);
+/* Makes the tics, with at most ten labels. Returns their number. */
+size_t axis_tics(const struct axis *axis, struct axis_tic tics[AXIS_TICS]);
+
+#endif
