@@ -11,7 +11,7 @@
 #include "rt/command/rt205_command.h"
 #include "rt/roots/polynomials.h"
 #include "rt/study/quartic_costs.h"
-#include "rt/study/thread_pool.h"
+#include "rt/platform/thread_pool.h"
 
 static const struct table_column root_columns[] = {
     { "polynomial", "polynomial", TABLE_COUNT, 0 },

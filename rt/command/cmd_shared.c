@@ -4,7 +4,7 @@
 #include "base/interrupt.h"
 #include "base/named_model.h"
 #include "rt/picture/picture.h"
-#include "rt/trace/processors.h"
+#include "rt/platform/processors.h"
 
 #include <ctype.h>
 #include <stdio.h>

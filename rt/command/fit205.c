@@ -9,7 +9,7 @@
 #include "rt/study/fit/objective.h"
 #include "rt/study/fit/fit_report.h"
 #include "rt/study/fit/model_writer.h"
-#include "rt/trace/processors.h"
+#include "rt/platform/processors.h"
 
 enum { PATH_SIZE = 512 };
 

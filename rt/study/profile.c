@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "rt/shapes/shape.h"
-#include "rt/study/thread_pool.h"
+#include "rt/platform/thread_pool.h"
 
 const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR, TRACE_KERNELS,
                                                       TRACE_VECTOR };

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "rt/scene/language/scene_read.h"
-#include "rt/study/thread_pool.h"
+#include "rt/platform/thread_pool.h"
 
 const char speedup_solver[] = "root_solver";
 const char *const speedup_projections[SPEEDUP_PROJECTIONS] = {

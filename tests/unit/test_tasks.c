@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "rt/study/thread_pool.h"
-#include "rt/trace/processors.h"
+#include "rt/platform/thread_pool.h"
+#include "rt/platform/processors.h"
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 

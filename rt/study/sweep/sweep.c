@@ -7,7 +7,7 @@
 
 #include "base/accounts.h"
 #include "base/array.h"
-#include "rt/study/thread_pool.h"
+#include "rt/platform/thread_pool.h"
 
 /* ---- A frame ------------------------------------------------------------- */
 

@@ -1,5 +1,5 @@
 /* thread_pool.c - runs independent tasks in threads. */
-#include "rt/study/thread_pool.h"
+#include "rt/platform/thread_pool.h"
 
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* processors.c - counts the processors of the host. */
-#include "rt/trace/processors.h"
+#include "rt/platform/processors.h"
 
 #include <unistd.h>
 

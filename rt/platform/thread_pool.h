@@ -4,8 +4,8 @@
  * A task stores its result at its own number, so the results do not depend on the
  * order in which tasks finish.
  */
-#ifndef RT_STUDY_THREAD_POOL_H
-#define RT_STUDY_THREAD_POOL_H
+#ifndef RT_PLATFORM_THREAD_POOL_H
+#define RT_PLATFORM_THREAD_POOL_H
 
 #include "vm/c205.h"
 
