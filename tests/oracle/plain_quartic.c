@@ -107,7 +107,7 @@ static void torus_normal(const void *surface, const double point[3], double norm
 
 CROSS(cross_torus)
 {
-    const struct torus torus = torus_of(primitive);
+    struct torus torus = torus_of(primitive);
     struct centred_line line = centre(ray);
     struct along surface = torus_along(&torus, line.coordinate);
     return cross_surface(&surface, &line, ray, torus_normal, &torus, crossings);
