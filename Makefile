@@ -24,9 +24,11 @@ demo: ## installs missing packages, builds, renders a scene, prints the speedup 
 # Debug information without local variables makes the build a quarter faster.
 check: ## builds and runs all tests (docs/testing.md)
 	@sh .ci/need $(test_packages)
+	@mkdir -p $(BUILD) && date +%s >$(BUILD)/check.begin
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) CFLAGS="$(patsubst -g,-g1,$(CFLAGS))" \
 		all tests $(BUILD)/fit205
-	@sh tests/run_all.sh "$(MAKE)" $(JOBS) $(check_parts)
+	@sh tests/run_all.sh "$(MAKE)" $(JOBS) $(check_parts); code=$$?; \
+		sh tests/speed.sh $(BUILD)/check.begin; exit $$code
 
 # An edit is checked in about a minute, including the build.
 check-quick: ## runs the tests that the changed files can affect

@@ -46,7 +46,7 @@ browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
 check-web: ## compares the page in browsers with c205
 	@sh .ci/need $(build_packages) $(browser_packages)
-	@$(MAKE) --no-print-directory web $(programs)
+	@$(MAKE) --no-print-directory web $(programs) $(adapter)
 	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
 
 # rt205 for the page: files in web/tracer/platform/ replace the files of rt with the same
