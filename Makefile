@@ -9,7 +9,7 @@ CXXFLAGS ?= -g
 JOBS ?= 2
 
 .DEFAULT_GOAL = all
-include build.mk docs/docs.mk tests/tests.mk web/web.mk install.mk
+include .ci/build.mk docs/docs.mk tests/tests.mk web/web.mk .ci/install.mk
 
 all: $(libraries) $(programs) $(adapter) ## builds the libraries and programs
 

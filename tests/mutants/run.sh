@@ -241,8 +241,7 @@ report() {
 # Copies the sources with their times; built files remain.
 refresh() {
     mkdir -p "$whole"
-    for name in vm base asm rt web tests scenes docs .ci Makefile build.mk install.mk \
-        README.md LICENSE; do
+    for name in vm base asm rt web tests scenes docs .ci Makefile README.md LICENSE; do
         rm -rf "${whole:?}/$name"
         cp -Rp "$name" "$whole"
     done

@@ -51,7 +51,7 @@ endef
 $(api)/c205.pc: text = $(call pc,c205,A CYBER 205 style machine,,-lm)
 $(api)/c205asm.pc: text = $(call pc,c205asm,Its assembler,c205,)
 $(api)/rt205.pc: text = $(call pc,rt205,A ray tracer on it,c205asm,-lm -ldl -lpthread)
-$(api)/%.pc: install.mk
+$(api)/%.pc: .ci/install.mk
 	@mkdir -p $(@D)
 	$(file >$@,$(text))
 
