@@ -94,7 +94,7 @@ static void draw_table(struct random_table *table, bool headed)
     }
 }
 
-static struct object *include_file(const char *wishes, struct diagnostics *errors)
+static struct object *include_file(const char *expectations, struct diagnostics *errors)
 {
     char program[300];
 
@@ -102,15 +102,15 @@ static struct object *include_file(const char *wishes, struct diagnostics *error
              "        .data\nhere:   .incfile \"%s\"%s\nend:\n"
              "        .equ count, (end - here) / 64\n        .code\n"
              "        EXIT\n",
-             path, wishes);
+             path, expectations);
     return assemble_text("test.s", program, NULL, errors);
 }
 
-static void check_words(const struct random_table *table, const char *wishes,
+static void check_words(const struct random_table *table, const char *expectations,
                         size_t column)
 {
     SCOPED_VALUE(diagnostics) errors = { 0 };
-    SCOPED(object) *object = include_file(wishes, &errors);
+    SCOPED(object) *object = include_file(expectations, &errors);
     uint64_t at = 0x800000;
 
     if (!object)
@@ -120,7 +120,8 @@ static void check_words(const struct random_table *table, const char *wishes,
         if (column && column != i + 1)
             continue;
         if (word_of(&object->program, at) != table->words[row][i])
-            fail_msg("row %zu, column %zu%s of\n%s", row, i + 1, wishes, table->text);
+            fail_msg("row %zu, column %zu%s of\n%s", row, i + 1, expectations,
+                     table->text);
         at += 64;
     }
     assert_int_equal(object_symbol(object, "count")->value, (at - 0x800000) / 64);
@@ -132,20 +133,20 @@ TEST(tables)
 
     for (int i = 0; i < TRIES; i++) {
         bool headed = one_in(&state, 2);
-        char wishes[60];
+        char expectations[60];
         size_t column;
 
         draw_table(&table, headed);
         write_bytes(path, table.text, strlen(table.text));
         check_words(&table, table.integers ? ", integers" : "", 0);
         column = below(&state, table.columns) + 1;
-        snprintf(wishes, sizeof wishes, ", %zu%s", column,
+        snprintf(expectations, sizeof expectations, ", %zu%s", column,
                  table.integers ? ", integers" : "");
-        check_words(&table, wishes, column);
+        check_words(&table, expectations, column);
         if (headed) {
-            snprintf(wishes, sizeof wishes, "%s, \"c %zu\"",
+            snprintf(expectations, sizeof expectations, "%s, \"c %zu\"",
                      table.integers ? ", integers" : "", column);
-            check_words(&table, wishes, column);
+            check_words(&table, expectations, column);
         }
     }
     remove(path);
@@ -154,7 +155,7 @@ TEST(tables)
 TEST(faults)
 {
     static const struct {
-        const char *text, *wishes;
+        const char *text, *expectations;
         size_t line, column;
         const char *message;
     } cases[] = {
@@ -179,7 +180,7 @@ TEST(faults)
         SCOPED_VALUE(diagnostics) errors = { 0 };
 
         write_bytes(path, cases[i].text, strlen(cases[i].text));
-        assert_null(include_file(cases[i].wishes, &errors));
+        assert_null(include_file(cases[i].expectations, &errors));
         assert_one_error(&errors, cases[i].text, cases[i].line, cases[i].column,
                          cases[i].message);
     }
