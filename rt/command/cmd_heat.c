@@ -22,40 +22,40 @@ static bool collects(const struct rt205_arguments *arguments)
 
 /* Returns the lines of each repeat: the smallest power of two such that all
  * repeats have at least the requested number together. */
-static size_t lines_of_repeat(const struct cmd_heat *wishes)
+static size_t lines_of_repeat(const struct cmd_heat *chosen)
 {
     size_t lines = 1;
 
-    while (wishes->repeats * lines < wishes->lines)
+    while (chosen->repeats * lines < chosen->lines)
         lines *= 2;
     return lines;
 }
 
 static struct heat_request request_of(const struct rt205_arguments *arguments)
 {
-    const struct cmd_heat *wishes = &arguments->heat;
+    const struct cmd_heat *chosen = &arguments->heat;
     const struct trace_options *trace = &arguments->trace;
-    bool by_lines = wishes->lines > 0;
+    bool by_lines = chosen->lines > 0;
     size_t most = by_lines ? (size_t)1 << MAX_GLOBAL_LINES_LOG : MAX_FACTORS_POINTS;
 
     return (struct heat_request){
         .mode = trace->mode,
         .queue = trace->queue,
         .jobs = trace->jobs,
-        .by = (enum surfaces_by)wishes->by,
+        .by = (enum surfaces_by)chosen->by,
         .by_lines = by_lines,
-        .drawn = by_lines ? lines_of_repeat(wishes) : wishes->rays,
-        .repeats = wishes->repeats,
-        .lattice = wishes->points == 0,
-        .seed = wishes->seed,
-        .tolerance = wishes->tolerance,
-        .limit = wishes->limit < most ? wishes->limit : most,
-        .smooth = wishes->smooth,
-        .exchange = wishes->exchange,
-        .emissivities = wishes->emissivities.items,
-        .emissivity_count = wishes->emissivities.count,
-        .temperatures = wishes->temperatures.items,
-        .temperature_count = wishes->temperatures.count,
+        .drawn = by_lines ? lines_of_repeat(chosen) : chosen->rays,
+        .repeats = chosen->repeats,
+        .lattice = chosen->points == 0,
+        .seed = chosen->seed,
+        .tolerance = chosen->tolerance,
+        .limit = chosen->limit < most ? chosen->limit : most,
+        .smooth = chosen->smooth,
+        .exchange = chosen->exchange,
+        .emissivities = chosen->emissivities.items,
+        .emissivity_count = chosen->emissivities.count,
+        .temperatures = chosen->temperatures.items,
+        .temperature_count = chosen->temperatures.count,
         .job_set = trace->job_set,
         .model = trace->model,
         .progress = trace->progress,

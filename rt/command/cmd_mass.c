@@ -14,28 +14,28 @@
 
 static struct mass_request request_of(const struct rt205_arguments *arguments)
 {
-    const struct cmd_mass *wishes = &arguments->mass;
+    const struct cmd_mass *chosen = &arguments->mass;
     const struct trace_options *trace = &arguments->trace;
 
     return (struct mass_request){
         .mode = trace->mode,
         .queue = trace->queue,
         .jobs = trace->jobs,
-        .parts = wishes->parts.items,
-        .part_count = wishes->parts.count,
-        .densities = wishes->density.items,
-        .density_count = wishes->density.count,
-        .density_file = wishes->densities,
-        .units = wishes->units,
-        .about = { wishes->about[0], wishes->about[1], wishes->about[2] },
-        .by = (enum mass_by)wishes->by,
-        .overlaps = wishes->overlaps,
-        .points = (enum columns_points)wishes->points,
-        .rays = wishes->rays,
-        .repeats = wishes->repeats,
-        .seed = wishes->seed,
-        .tolerance = wishes->tolerance,
-        .limit = wishes->limit,
+        .parts = chosen->parts.items,
+        .part_count = chosen->parts.count,
+        .densities = chosen->density.items,
+        .density_count = chosen->density.count,
+        .density_file = chosen->densities,
+        .units = chosen->units,
+        .about = { chosen->about[0], chosen->about[1], chosen->about[2] },
+        .by = (enum mass_by)chosen->by,
+        .overlaps = chosen->overlaps,
+        .points = (enum columns_points)chosen->points,
+        .rays = chosen->rays,
+        .repeats = chosen->repeats,
+        .seed = chosen->seed,
+        .tolerance = chosen->tolerance,
+        .limit = chosen->limit,
         .job_set = trace->job_set,
         .model = trace->model,
         .progress = trace->progress,
