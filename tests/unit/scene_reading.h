@@ -69,8 +69,9 @@ struct place_error {
 void assert_place_errors(const struct place_error *errors, size_t count,
                          const struct scene_options *how);
 
-/* Fails unless the text is rejected with at most `most` reports, and the first or the
- * last one contains `message`. */
+/* Fails unless the text is rejected with at most `most` reports, and the first error, or
+ * the last report, contains `message`. */
 void assert_refused(const char *text, size_t most, const char *message);
+void assert_refused_last(const char *text, size_t most, const char *message);
 
 #endif

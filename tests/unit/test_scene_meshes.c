@@ -375,8 +375,8 @@ TEST(recovery)
     assert_error("mesh { triangle { 0, x } triangle { 0, x, y }\n"
                  "smooth_triangle { 0, x, y, x, y, z } scale 2 }",
                  &reading_options, 1, 24, "expected a number");
-    assert_refused("mesh { triangle { 0, x } triangle { 0, y } wibble }", 3,
-                   "found 'wibble'");
+    assert_refused_last("mesh { triangle { 0, x } triangle { 0, y } wibble }", 3,
+                        "found 'wibble'");
 }
 
 /* ---- Three notations of a mesh ------------------------------------------- */

@@ -287,13 +287,14 @@ TEST(bounds)
         { "sphere{0,", "-", "levels of nesting" },
         { "#declare A=sphere{0,1} ", "#declare A=union{object{A}object{A}}",
           "primitives and lights, including copies" },
-        { "", "foo{}\n", "too many errors" },
     };
+    FREED char *faults = repeated("", "foo{}\n", 10000);
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         FREED char *text = repeated(rows[i].head, rows[i].part, 10000);
         assert_refused(text, 201, rows[i].message);
     }
+    assert_refused_last(faults, 201, "too many errors");
 }
 
 /* A large number of ignored words does not reject the scene. */
