@@ -2,7 +2,7 @@
  *
  * Sources: the Portable Network Graphics specification (W3C, second edition); GIF89a
  * (CompuServe); Truevision TGA, version 2.0; Microsoft's description of
- * BITMAPINFOHEADER.
+ * BITMAPINFOHEADER and BITMAPCOREHEADER.
  */
 #include "rt/scene/palette.h"
 
@@ -21,6 +21,8 @@ enum {
     GIF_HAS_TABLE = 0x80,
     BMP_HEADER = 14,
     BMP_BITS = 28,
+    BMP_CORE = 12, /* the size of BITMAPCOREHEADER, which has shorter fields */
+    BMP_CORE_BITS = 24,
     TGA_TABLE = 18, /* plus the length of the identification field */
 };
 
@@ -88,7 +90,7 @@ static bool paint_png(char *bytes, size_t length)
 
 /* Returns the offset after a chain of blocks. Each block begins with its size; the last
  * has size 0. */
-static size_t behind_blocks(const char *bytes, size_t length, size_t at)
+static size_t blocks_end(const char *bytes, size_t length, size_t at)
 {
     while (at < length && bytes[at])
         at += 1 + byte_at(bytes, at);
@@ -96,11 +98,11 @@ static size_t behind_blocks(const char *bytes, size_t length, size_t at)
 }
 
 static bool paint_table(char *bytes, size_t length, size_t at, unsigned flags,
-                        size_t *behind)
+                        size_t *end)
 {
     size_t count = flags & GIF_HAS_TABLE ? (size_t)2 << (flags & 7) : 0;
 
-    *behind = at + 3 * count;
+    *end = at + 3 * count;
     return paint(bytes, length, at, count, 3);
 }
 
@@ -113,7 +115,7 @@ static bool paint_gif(char *bytes, size_t length)
         || !paint_table(bytes, length, GIF_TABLE, byte_at(bytes, GIF_FLAGS), &at))
         return false;
     while (at + 1 < length && bytes[at] == '!')
-        at = behind_blocks(bytes, length, at + 2);
+        at = blocks_end(bytes, length, at + 2);
     return at + GIF_IMAGE <= length && bytes[at] == ','
            && paint_table(bytes, length, at + GIF_IMAGE,
                           byte_at(bytes, at + GIF_IMAGE - 1), &ignored);
@@ -121,16 +123,28 @@ static bool paint_gif(char *bytes, size_t length)
 
 /* ---- BMP, TGA ------------------------------------------------------------ */
 
+static bool is_core(const char *bytes)
+{
+    return byte_at(bytes, BMP_HEADER) == BMP_CORE;
+}
+
+static bool bmp_has_table(const char *bytes, size_t length)
+{
+    return length >= BMP_BITS + 2
+           && byte_at(bytes, is_core(bytes) ? BMP_CORE_BITS : BMP_BITS) <= 8;
+}
+
 /* The table ends at the offset of the pixels. */
 static bool paint_bmp(char *bytes, size_t length)
 {
-    size_t at, end;
+    size_t at, end, size;
 
     if (length < BMP_BITS + 2)
         return false;
     at = BMP_HEADER + byte_at(bytes, BMP_HEADER);
     end = byte_at(bytes, 10) | byte_at(bytes, 11) << 8;
-    return end >= at && paint(bytes, length, at, (end - at) / 4, 4);
+    size = is_core(bytes) ? 3 : 4;
+    return end >= at && paint(bytes, length, at, (end - at) / size, size);
 }
 
 static bool paint_tga(char *bytes, size_t length)
@@ -151,7 +165,7 @@ bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length)
     case RASTER_GIF: return true;
     case RASTER_PNG:
         return length > PNG_COLOR_TYPE && bytes[PNG_COLOR_TYPE] == PNG_INDEXED;
-    case RASTER_BMP: return length > BMP_BITS && byte_at(bytes, BMP_BITS) <= 8;
+    case RASTER_BMP: return bmp_has_table(bytes, length);
     case RASTER_TGA: return length > TGA_TABLE && (bytes[2] & 7) == 1;
     default: return false;
     }

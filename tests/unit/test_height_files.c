@@ -97,6 +97,11 @@ static const struct known_file known_files[] = {
                      "\0\0\0\0\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff\0\0\0"
                      "\0\0\xff\0\xff\0\xff\0\0\0\0\0"),
       { 65280, 255, 0, 2580, 51300, 65535 } },
+    /* A header of 12 bytes, and colours of three. */
+    { FILE_OF("bmp", "BM\x52\0\0\0\0\0\0\0\x4a\0\0\0\x0c\0\0\0\x03\0\x02\0\x01\0\x04\0"
+                     "aaaaaabbbbbbccccccddddddeeeeeeffffffgggggghhhhhh"
+                     "\x34\x50\0\0\x01\x20\0\0"),
+      { 0, 256, 512, 768, 1024, 1280 } },
 };
 
 TEST(kinds)
