@@ -171,6 +171,8 @@ struct projecting {
     c205_model *model;
     const struct speedup_subject *subject;
     uint64_t clocks;
+    bool failed; /* for the reason in the error */
+    c205_error error;
 };
 
 struct projected_band {
@@ -223,6 +225,8 @@ static void merge_projection(void *context, const void *state)
     const struct projected_band *band = state;
     struct projecting *projecting = context;
 
+    if (!c205_projection_holds(band->projection, &projecting->error))
+        projecting->failed = true;
     for (size_t i = 0; i < c205_account_count(band->machine); i++)
         if (is_of(projecting->subject, c205_account_at(band->machine, i)->name))
             projecting->clocks += c205_projected_clocks(band->projection, i);
@@ -294,9 +298,12 @@ static bool run_observed(const struct speedup_subject *subject,
     how.observers = observers;
     if (!run(subject, view, &how, measure, error))
         return false;
-    for (int i = 0; scalar && i < SPEEDUP_PROJECTIONS; i++)
+    for (int i = 0; scalar && i < SPEEDUP_PROJECTIONS; i++) {
+        if (projecting[i].failed)
+            return error_set(error, "%s", projecting[i].error.message);
         measure->projected[i] = accounts_seconds(projecting[i].model,
                                                  projecting[i].clocks);
+    }
     return true;
 }
 
