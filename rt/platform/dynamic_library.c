@@ -55,6 +55,8 @@ const void *dynamic_open(const char *path, const char *table, bool shared,
 
     if (!found)
         error_set(error, "%s", dlerror());
+    if (object && !found)
+        dlclose(object);
     return found;
 }
 

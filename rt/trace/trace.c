@@ -285,9 +285,9 @@ static void copy_rows(struct trace *trace, const struct band *band)
 
 static bool add_band(struct trace *trace, const struct band *band)
 {
-    copy_rows(trace, band);
     if (!accounts_add_all(&trace->accounts, &band->accounts))
         return false;
+    copy_rows(trace, band);
     for (int kind = 0; kind < RAY_KINDS; kind++)
         trace->rays[kind] += band->rays[kind];
     trace->rows_done += band->rows;
