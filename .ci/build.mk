@@ -16,7 +16,8 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm/lesson)
+asm_c = $(call c_of,$(addprefix asm/,object text view check measure debug timeline sweep \
+	compare dap lesson))
 c205_c = $(call c_of,asm/command)
 # Excludes the entry points of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))

@@ -8,9 +8,10 @@ DOCDIR = $(PREFIX)/share/doc/c205
 # with its own copy of the parts of base that it needs.
 api = $(BUILD)/api
 vm_api = vm/c205.h vm/insn.def vm/arith.def
-asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h \
-	print.h runtime_check.h state.h trap_report.h warning.def warning.h) \
-	base/diagnostic.h base/sink.h
+asm_api = $(addprefix asm/,object/disassemble.h object/expectation.h object/object.h \
+	object/object_file.h object/warning.def object/warning.h text/assemble.h \
+	view/listing.h view/print.h view/state.h view/trap_report.h \
+	check/expect.h check/runtime_check.h) base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
 	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
 	layout/layout.h layout/bounding.h jobs/job_set.h jobs/checkpoint_file.h jobs/ranks.h \

@@ -14,7 +14,7 @@ said=$work/said
 "$c205" isa --format md |
     sed '1,2d; s/^| //; s/ *|$//; s/\\|/!/g; s/\\//g' |
     awk -F '[|]' '{ gsub(/ /, ""); print $1 $2, $7, $4 $9 }' >"$work/rows"
-sed -n 's/^ *\(} directives.. = \)*{* *{ "\(\.[a-z]*\)".*/\2/p' asm/*.c \
+sed -n 's/^ *\(} directives.. = \)*{* *{ "\(\.[a-z]*\)".*/\2/p' asm/text/*.c \
     >"$work/words"
 echo help >"$work/help"
 "$c205" debug -x "$work/help" asm/examples/first.s |

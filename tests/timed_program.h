@@ -2,7 +2,7 @@
 #ifndef TESTS_TIMED_PROGRAM_H
 #define TESTS_TIMED_PROGRAM_H
 
-#include "asm/assemble.h"
+#include "asm/text/assemble.h"
 #include "rt/scene/scene.h"
 
 /* Prints the reason and exits with status 1. */

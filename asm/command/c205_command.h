@@ -8,12 +8,12 @@
 
 #include <stddef.h>
 
-#include "asm/assemble.h"
 #include "asm/sweep/swept.h"
+#include "asm/text/assemble.h"
 #include "base/command_options.h"
+#include "base/command_output.h"
 #include "base/named_model.h"
 #include "base/provenance.h"
-#include "base/command_output.h"
 #include "base/visible_text.h"
 
 extern const struct command run_command, asm_command, dis_command, isa_command,

@@ -1,7 +1,7 @@
 /* cmd_asm.c - c205 asm: assembles a program. */
 #include "asm/command/c205_command.h"
-#include "asm/listing.h"
-#include "asm/object.h"
+#include "asm/object/object_file.h"
+#include "asm/view/listing.h"
 
 static int assemble(void *given)
 {

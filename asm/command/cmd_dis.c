@@ -1,6 +1,6 @@
 /* cmd_dis.c - c205 dis: prints a program as text that assembles to the same words. */
 #include "asm/command/c205_command.h"
-#include "asm/disassemble.h"
+#include "asm/object/disassemble.h"
 
 static int disassemble_file(void *given)
 {

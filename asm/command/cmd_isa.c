@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
-#include "asm/syntax.h"
+#include "asm/object/syntax.h"
 #include "base/word_wrap.h"
 
 /* The columns that fit a line. */

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-#include "asm/syntax.h"
+#include "asm/object/syntax.h"
 #include "base/json.h"
 
 /* A name must not continue before BEGINS or after ENDS. */

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "asm/command/cmd_isa.h"
-#include "asm/syntax.h"
+#include "asm/object/syntax.h"
 
 static const struct {
     unsigned bit;

@@ -1,17 +1,17 @@
 /* cmd_run.c - c205 run: runs a program and attributes its clocks. */
 #include <inttypes.h>
 
+#include "asm/check/runtime_check.h"
+#include "asm/command/c205_command.h"
+#include "asm/measure/line_profile.h"
+#include "asm/object/disassemble.h"
+#include "asm/view/print.h"
+#include "asm/view/state.h"
+#include "asm/view/trap_report.h"
 #include "base/accounts_show.h"
 #include "base/error.h"
-#include "base/plural.h"
-#include "asm/command/c205_command.h"
 #include "base/interrupt.h"
-#include "asm/disassemble.h"
-#include "asm/line_profile.h"
-#include "asm/print.h"
-#include "asm/state.h"
-#include "asm/trap_report.h"
-#include "asm/runtime_check.h"
+#include "base/plural.h"
 
 /* Reads the word at an instruction, which may start on a half word. At the end of
  * memory only the first word can be read, which is enough for a short instruction. */

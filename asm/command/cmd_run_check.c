@@ -6,11 +6,11 @@
  */
 #include <string.h>
 
+#include "asm/check/expect.h"
+#include "asm/check/runtime_check.h"
 #include "asm/command/c205_command.h"
-#include "asm/expect.h"
-#include "asm/object.h"
-#include "asm/print.h"
-#include "asm/runtime_check.h"
+#include "asm/object/object_file.h"
+#include "asm/view/print.h"
 #include "base/named_model.h"
 
 /* Limit of clocks. A program that exceeds it fails. */

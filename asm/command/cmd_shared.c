@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/object.h"
+#include "asm/object/object_file.h"
 #include "base/text_file.h"
 
 bool cmd_take_warning(char *text, void *value)

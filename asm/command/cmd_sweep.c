@@ -6,14 +6,14 @@
 #include <string.h>
 
 #include "asm/command/c205_command.h"
-#include "asm/object.h"
+#include "asm/object/object_file.h"
 #include "base/accounts.h"
+#include "base/atomic_file.h"
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/plural.h"
 #include "base/progress.h"
 #include "base/text_file.h"
-#include "base/atomic_file.h"
 
 static double clocks_of(const struct swept_point *point, size_t which)
 {

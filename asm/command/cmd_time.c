@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "asm/command/c205_command.h"
-#include "asm/measure.h"
-#include "asm/syntax.h"
+#include "asm/measure/measure.h"
+#include "asm/object/syntax.h"
 #include "base/array.h"
 
 static const struct table_column speed_columns[] = {

@@ -8,7 +8,7 @@
 #ifndef ASM_DAP_H
 #define ASM_DAP_H
 
-#include "asm/assemble.h"
+#include "asm/text/assemble.h"
 
 /* A program that a client requests. */
 struct dap_program {

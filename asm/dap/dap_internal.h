@@ -10,7 +10,7 @@
 
 #include "asm/dap/dap.h"
 #include "asm/debug/debugger_engine.h"
-#include "asm/vector_view.h"
+#include "asm/view/vector_view.h"
 #include "base/json.h"
 #include "base/json_read.h"
 

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "asm/dap/dap_internal.h"
-#include "asm/disassemble.h"
-#include "asm/operand_view.h"
+#include "asm/object/disassemble.h"
+#include "asm/view/operand_view.h"
 
 /* ---- Base64 -------------------------------------------------------------- */
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "asm/dap/variables.h"
-#include "asm/operand_view.h"
+#include "asm/view/operand_view.h"
 
 static void put_operand(struct dap *dap, struct json *json,
                         const struct instruction_view *view,

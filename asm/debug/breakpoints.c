@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "asm/debug/debugger_engine.h"
-#include "asm/operand_view.h"
+#include "asm/view/operand_view.h"
 #include "base/array.h"
 
 /* ---- Check ---------------------------------------------------------------- */

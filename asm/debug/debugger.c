@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
-#include "asm/object.h"
+#include "asm/object/object_file.h"
 #include "base/error.h"
 #include "base/spelling.h"
 

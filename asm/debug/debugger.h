@@ -8,7 +8,7 @@
 #ifndef ASM_DEBUGGER_H
 #define ASM_DEBUGGER_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 
 struct debugger;
 

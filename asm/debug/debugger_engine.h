@@ -7,9 +7,9 @@
 #ifndef ASM_DEBUG_DEBUGGER_ENGINE_H
 #define ASM_DEBUG_DEBUGGER_ENGINE_H
 
-#include "asm/debug/execution_control.h"
 #include "asm/debug/debugger_state.h"
-#include "asm/print.h"
+#include "asm/debug/execution_control.h"
+#include "asm/view/print.h"
 
 /* ---- Values (value.c) ---------------------------------------------------- */
 

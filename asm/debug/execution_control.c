@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "asm/debug/debugger_engine.h"
-#include "asm/operand_view.h"
+#include "asm/view/operand_view.h"
 
 static uint64_t clock_of(const struct debugger *debugger)
 {

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "asm/debug/debug_internal.h"
-#include "asm/trap_report.h"
+#include "asm/view/trap_report.h"
 #include "base/plural.h"
 
 static void put_register(const struct debugger *debugger, unsigned number,

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
-#include "asm/operand_view.h"
+#include "asm/view/operand_view.h"
 
 static bool is_region(const struct debugger *debugger, const char *name,
                       const char **region)

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "asm/debug/debug_internal.h"
-#include "asm/operand_view.h"
+#include "asm/view/operand_view.h"
 
 /* ---- Values --------------------------------------------------------------- */
 

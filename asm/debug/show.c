@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
-#include "asm/disassemble.h"
-#include "asm/operand_view.h"
-#include "asm/trap_report.h"
+#include "asm/object/disassemble.h"
+#include "asm/view/operand_view.h"
+#include "asm/view/trap_report.h"
 
 /* ---- Instructions --------------------------------------------------------- */
 

@@ -4,11 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/expect.h"
+#include "asm/check/expect.h"
 #include "asm/lesson/lesson_internal.h"
-#include "asm/object.h"
-#include "asm/print.h"
-#include "asm/trap_report.h"
+#include "asm/object/object_file.h"
+#include "asm/text/assemble.h"
+#include "asm/view/print.h"
+#include "asm/view/trap_report.h"
 #include "base/error.h"
 #include "base/named_model.h"
 

@@ -19,7 +19,7 @@
 #ifndef ASM_LESSON_H
 #define ASM_LESSON_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 #include "base/arena.h"
 #include "base/json.h"
 #include "base/sink.h"

@@ -4,7 +4,7 @@
 #define ASM_LESSON_LESSON_INTERNAL_H
 
 #include "asm/lesson/lesson.h"
-#include "asm/line_profile.h"
+#include "asm/measure/line_profile.h"
 
 /* Reads the comments of a test, whose name and text are set (notes.c). */
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,

@@ -2,8 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asm/expect.h"
+#include "asm/check/expect.h"
 #include "asm/lesson/lesson_internal.h"
+#include "asm/text/assemble.h"
 #include "base/error.h"
 #include "base/named_model.h"
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "asm/object.h"
+#include "asm/object/object_file.h"
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
 #include "base/array.h"

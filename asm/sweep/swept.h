@@ -8,8 +8,8 @@
 #ifndef ASM_SWEPT_H
 #define ASM_SWEPT_H
 
-#include "asm/assemble.h"
-#include "asm/straight_line.h"
+#include "asm/measure/straight_line.h"
+#include "asm/text/assemble.h"
 #include "base/table.h"
 #include "vm/c205.h"
 

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-#include "asm/disassemble.h"
-#include "asm/operand_view.h"
+#include "asm/object/disassemble.h"
+#include "asm/view/operand_view.h"
 
 /* Grows an array of the timeline by one item; NULL if memory is exhausted. */
 #define ROOM(timeline, what) \

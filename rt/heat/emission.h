@@ -9,7 +9,7 @@
 #ifndef RT_EMISSION_H
 #define RT_EMISSION_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 #include "base/accounts.h"
 #include "rt/shapes/primitive.h"
 #include "rt/trace/trace.h"

@@ -7,7 +7,7 @@
 #ifndef RT_LAYOUT_H
 #define RT_LAYOUT_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 #include "rt/layout/bounding.h"
 #include "rt/scene/scene.h"
 

@@ -6,7 +6,7 @@
 #ifndef RT_PROGRAM_H
 #define RT_PROGRAM_H
 
-#include "asm/assemble.h"
+#include "asm/text/assemble.h"
 
 /* Assembles a kernel. The defines are constants for it, as in asm_options. Returns
  * NULL with the first error, which is an error of the build. */

@@ -6,7 +6,7 @@
 #ifndef RT_RECORD_H
 #define RT_RECORD_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/image.h"
 

@@ -4,7 +4,7 @@
 #ifndef RT_FALSI_H
 #define RT_FALSI_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 
 enum falsi {
     FALSI_DEFAULT = -1,

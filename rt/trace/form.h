@@ -3,6 +3,7 @@
 #ifndef RT_FORM_H
 #define RT_FORM_H
 
+#include "asm/text/assemble.h"
 #include "rt/trace/trace.h"
 
 /* Returns the program, or NULL if it cannot be assembled. options->samples is the

@@ -9,7 +9,7 @@
 #ifndef RT_OBSERVER_H
 #define RT_OBSERVER_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 
 struct observer {
     /* Returns NULL on failure, with the reason in the error. */

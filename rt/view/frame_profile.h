@@ -2,7 +2,7 @@
 #ifndef RT_FRAME_PROFILE_H
 #define RT_FRAME_PROFILE_H
 
-#include "asm/line_profile.h"
+#include "asm/measure/line_profile.h"
 #include "rt/trace/observer.h"
 
 /* Returns an observer that adds up all bands of a frame. *sum must be NULL at the

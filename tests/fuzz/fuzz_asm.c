@@ -2,10 +2,10 @@
  * of the resulting object must assemble (clang -fsanitize=fuzzer). */
 #include <string.h>
 
-#include "asm/assemble.h"
-#include "asm/disassemble.h"
-#include "asm/listing.h"
-#include "asm/object.h"
+#include "asm/object/disassemble.h"
+#include "asm/object/object_file.h"
+#include "asm/text/assemble.h"
+#include "asm/view/listing.h"
 #include "tests/fuzz/fuzz.h"
 
 bool fuzz_accepted;

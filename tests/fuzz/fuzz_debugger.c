@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
+#include "asm/text/assemble.h"
 #include "tests/fuzz/fuzz.h"
 
 bool fuzz_accepted;

@@ -1,6 +1,6 @@
 /* fuzz_object.c - reads any bytes as an object file; a valid object is loaded and
  * run. */
-#include "asm/object.h"
+#include "asm/object/object_file.h"
 #include "tests/fuzz/fuzz.h"
 
 bool fuzz_accepted;

@@ -1,7 +1,7 @@
 /* program.c - a client of the installed libraries: assembles a text, runs it and prints
  * the final value of a register.
  */
-#include <asm/assemble.h>
+#include <asm/text/assemble.h>
 
 #include <stdio.h>
 

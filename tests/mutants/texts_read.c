@@ -3,7 +3,7 @@
  * The file is linked into the programs of cover.sh with --wrap=source_find. It appends
  * the name of each text to the file that the environment variable TEXTS_READ names.
  */
-#include "asm/source.h"
+#include "asm/text/source.h"
 
 #include <stdio.h>
 #include <stdlib.h>

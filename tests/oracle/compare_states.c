@@ -2,7 +2,7 @@
  * step. */
 #include "compare_states.h"
 
-#include "asm/disassemble.h"
+#include "asm/object/disassemble.h"
 #include "tests/oracle/random_machine.h"
 #include "tests/oracle/reference_clock.h"
 

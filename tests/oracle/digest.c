@@ -7,7 +7,7 @@
  * accounts, operations in flight.  The hash must not depend on the compiler or the
  * host; tests/check_hosts.sh fails if it does.  -v also prints a line for each program.
  */
-#include "asm/assemble.h"
+#include "asm/text/assemble.h"
 #include "base/sink.h"
 #include "tests/oracle/random_machine.h"
 #include "vm/hash.h"

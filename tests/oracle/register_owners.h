@@ -14,7 +14,7 @@
 #ifndef ORACLE_REGISTER_OWNERS_H
 #define ORACLE_REGISTER_OWNERS_H
 
-#include "asm/assemble.h"
+#include "asm/object/object.h"
 
 struct register_owners;
 

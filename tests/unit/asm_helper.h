@@ -3,7 +3,7 @@
 #ifndef TESTS_ASM_HELPER_H
 #define TESTS_ASM_HELPER_H
 
-#include "asm/assemble.h"
+#include "asm/text/assemble.h"
 #include "tests/unit/unit.h"
 
 /* Assembles a text or a file; fails the test if there is an error. */

@@ -11,15 +11,15 @@
 #include <errno.h>
 #include <unistd.h>
 
-#include "base/accounts.h"
-#include "asm/disassemble.h"
-#include "asm/expect.h"
+#include "asm/check/expect.h"
 #include "asm/lesson/lesson.h"
-#include "asm/listing.h"
-#include "asm/measure.h"
-#include "asm/object.h"
-#include "asm/print.h"
-#include "asm/state.h"
+#include "asm/measure/measure.h"
+#include "asm/object/disassemble.h"
+#include "asm/object/object_file.h"
+#include "asm/view/listing.h"
+#include "asm/view/print.h"
+#include "asm/view/state.h"
+#include "base/accounts.h"
 #include "rt/study/speedup_report.h"
 #include "rt/study/sweep/sweep_types.h"
 #include "web/engine/engine.h"

@@ -3,10 +3,10 @@
  * no longer works fails here. */
 #include "tests/unit/saved_machine.h"
 
-#include "asm/expect.h"
+#include "asm/check/expect.h"
+#include "asm/check/runtime_check.h"
+#include "asm/view/print.h"
 #include "base/file.h"
-#include "asm/print.h"
-#include "asm/runtime_check.h"
 
 static const char fence[] = "```c205\n";
 static size_t blocks; /* that were checked */

@@ -4,10 +4,10 @@
  * here. */
 #include "tests/unit/asm_helper.h"
 
-#include "asm/disassemble.h"
-#include "asm/expect.h"
-#include "asm/listing.h"
-#include "asm/object.h"
+#include "asm/check/expect.h"
+#include "asm/object/disassemble.h"
+#include "asm/object/object_file.h"
+#include "asm/view/listing.h"
 #include "base/file.h"
 #include "tests/random.h"
 

@@ -4,7 +4,7 @@
  * here. */
 #include "tests/unit/asm_helper.h"
 
-#include "asm/disassemble.h"
+#include "asm/object/disassemble.h"
 #include "tests/random.h"
 
 static const char names[] = " .regs r16, a, x, b, y, c, o, z, s\n"

@@ -4,7 +4,7 @@
  */
 #include "tests/unit/asm_helper.h"
 
-#include "asm/expect.h"
+#include "asm/check/expect.h"
 
 enum { CODE = 0x400000, DATA = 0x800000 };
 

@@ -6,11 +6,11 @@
 
 #include <inttypes.h>
 
-#include "asm/object.h"
-#include "tests/unit/draw.h"
+#include "asm/object/object_file.h"
 #include "tests/unit/dap_session.h"
-#include "tests/unit/random_walk.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/plain_run.h"
+#include "tests/unit/random_walk.h"
 
 /* ---- Random requests
  * -------------------------------------------------------------------- */

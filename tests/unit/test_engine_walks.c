@@ -2,13 +2,13 @@
  * are compared with machines that run to the same step; so are profiles, timelines and
  * output. State that an earlier move leaves over fails here.
  */
-#include "asm/line_profile.h"
-#include "asm/print.h"
+#include "asm/measure/line_profile.h"
+#include "asm/view/print.h"
 #include "base/accounts.h"
 #include "tests/unit/draw.h"
-#include "tests/unit/random_walk.h"
-#include "tests/unit/plain_run.h"
 #include "tests/unit/engine_client.h"
+#include "tests/unit/plain_run.h"
+#include "tests/unit/random_walk.h"
 #include "tests/unit/saved_machine.h"
 
 /* ---- A separate machine -------------------------------------------------------- */

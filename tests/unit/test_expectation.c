@@ -3,8 +3,8 @@
  * a correct one that fails, fails here. */
 #include "tests/unit/asm_helper.h"
 
-#include "asm/expect.h"
-#include "asm/print.h"
+#include "asm/check/expect.h"
+#include "asm/view/print.h"
 
 static const char program[] = " .include \"print.s\"\n"
                               " .data\n"

@@ -4,7 +4,7 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "asm/line_profile.h"
+#include "asm/measure/line_profile.h"
 #include "base/accounts.h"
 #include "base/json_read.h"
 #include "tests/unit/draw.h"

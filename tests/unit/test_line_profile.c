@@ -1,7 +1,7 @@
 /* test_line_profile.c - the sums of a profile of a run, over all lines, are compared
  * with the machine's accounts, cause by cause, over all examples and test programs. A
  * clock that is lost or belongs to another line fails here. */
-#include "asm/line_profile.h"
+#include "asm/measure/line_profile.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
 

@@ -2,7 +2,7 @@
  * reader, and names and messages that are printed to a terminal with rules for their
  * bytes. A line end that is missed, or a control character that is printed, fails
  * here. */
-#include "asm/assemble.h"
+#include "asm/text/assemble.h"
 #include "base/diagnostic.h"
 #include "base/text_file.h"
 #include "base/visible_text.h"

@@ -3,7 +3,7 @@
  * the limit that is judged wrongly fails here. */
 #include "tests/unit/saved_machine.h"
 
-#include "asm/expect.h"
+#include "asm/check/expect.h"
 
 /* Returns the report of a program that runs on a model. */
 static char *run_on(const char *model_name, const char *text)

@@ -3,7 +3,7 @@
  * or line fails here. */
 #include "tests/unit/saved_machine.h"
 
-#include "asm/trap_report.h"
+#include "asm/view/trap_report.h"
 
 static void check(const char *text, bool lines, const char *const *said)
 {

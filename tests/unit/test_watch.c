@@ -6,8 +6,8 @@
 
 #include "tests/unit/saved_machine.h"
 
-#include "asm/precision.h"
-#include "asm/runtime_check.h"
+#include "asm/check/precision.h"
+#include "asm/check/runtime_check.h"
 #include "tests/random.h"
 #include "vm/number/arith.h"
 

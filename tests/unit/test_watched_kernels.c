@@ -3,7 +3,7 @@
  * memory, or a vector that is too long, fails here. */
 #include "tests/unit/asm_helper.h"
 
-#include "asm/runtime_check.h"
+#include "asm/check/runtime_check.h"
 #include "rt/picture/picture.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"

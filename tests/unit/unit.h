@@ -20,7 +20,7 @@
 
 #include "tests/unit/scoped.h"
 
-/* Undefines the macro of cmocka: a function of asm/expect.h has the same name. */
+/* Undefines the macro of cmocka: a function of asm/check/expect.h has the same name. */
 #undef expect_check
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))

@@ -1,5 +1,5 @@
 /* about.c - the request about: models, instructions, directives and lessons. */
-#include "asm/syntax.h"
+#include "asm/object/syntax.h"
 #include "web/engine/engine_internal.h"
 
 static bool put_models(struct json *reply, c205_error *error)

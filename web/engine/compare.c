@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "asm/compare/compared.h"
-#include "asm/object.h"
+#include "asm/object/object_file.h"
 #include "web/engine/engine_internal.h"
 
 struct compared_text {

@@ -8,10 +8,10 @@
 #ifndef WEB_ENGINE_ENGINE_INTERNAL_H
 #define WEB_ENGINE_ENGINE_INTERNAL_H
 
-#include "asm/assemble.h"
-#include "asm/debug/execution_control.h"
 #include "asm/debug/debugger_state.h"
-#include "asm/line_profile.h"
+#include "asm/debug/execution_control.h"
+#include "asm/measure/line_profile.h"
+#include "asm/text/assemble.h"
 #include "asm/timeline/timeline.h"
 #include "base/json.h"
 #include "base/json_read.h"

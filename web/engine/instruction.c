@@ -3,10 +3,10 @@
  */
 #include <inttypes.h>
 
-#include "asm/disassemble.h"
-#include "asm/vector_view.h"
-#include "web/engine/engine_internal.h"
+#include "asm/object/disassemble.h"
+#include "asm/view/vector_view.h"
 #include "base/plural.h"
+#include "web/engine/engine_internal.h"
 
 /* ---- The next instruction ------------------------------------------------------ */
 

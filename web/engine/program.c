@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/expect.h"
-#include "asm/object.h"
+#include "asm/check/expect.h"
+#include "asm/object/object_file.h"
 #include "base/array.h"
 #include "vm/text.h"
 #include "web/engine/engine_internal.h"

@@ -1,7 +1,7 @@
 /* registers.c - writes registers and vectors as numbers and as bits. */
 #include <stdlib.h>
 
-#include "asm/vector_view.h"
+#include "asm/view/vector_view.h"
 #include "web/engine/engine_internal.h"
 
 /* ---- Words --------------------------------------------------------------- */

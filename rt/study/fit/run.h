@@ -8,7 +8,7 @@
 #ifndef RT_FIT_RUN_H
 #define RT_FIT_RUN_H
 
-#include "asm/assemble.h"
+#include "asm/text/assemble.h"
 #include "rt/study/speedup.h"
 
 /* The folder of source files, the size of frames in each form, and their view. */

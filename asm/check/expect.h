@@ -1,0 +1,29 @@
+/* expect.h - compares a run with the expectations of its program
+ * (asm/object/expectation.h).
+ */
+#ifndef ASM_EXPECT_H
+#define ASM_EXPECT_H
+
+#include "asm/object/expectation.h"
+#include "asm/object/object.h"
+
+/* Returns whether the program has an expectation other than the model. */
+bool expect_anything(const struct object *object);
+
+/* Returns the model on which the expected clocks are valid, or NULL for any model. */
+const char *expect_model(const struct object *object);
+
+/* Returns whether the program expects clocks of another model. Such
+ * clocks are not compared. */
+bool expect_other_model(const struct object *object, const c205 *machine);
+
+/* Returns the warnings that the program declares as intended. */
+warning_set expect_warnings(const struct object *object);
+
+/* Compares a stopped machine with the expectations of its program. printed: all its
+ * output; warned: the warnings of the program. Each failure is a line of the report. */
+bool expect_check(const struct object *object, const c205 *machine,
+                  const c205_stop *stop, const char *printed, warning_set warned,
+                  const struct sink *report);
+
+#endif

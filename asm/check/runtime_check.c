@@ -1,0 +1,239 @@
+/* runtime_check.c - the runtime checks: finds the check site of each instruction,
+ * reports once for a line. */
+#include "asm/check/runtime_check.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/check/check_site.h"
+#include "asm/check/expect.h"
+#include "asm/object/disassemble.h"
+
+struct runtime_checker *runtime_new(const struct object *object, const char *name,
+                                    const struct warning_choice *choice,
+                                    const struct sink *report)
+{
+    struct runtime_checker *watch = calloc(1, sizeof *watch);
+
+    if (!watch)
+        return NULL;
+    watch->object = object;
+    watch->name = name;
+    watch->choice = choice;
+    watch->report = *report;
+    watch->meant = expect_warnings(object);
+    watch->storage = storage_map_new(object);
+    if (watch->storage)
+        return watch;
+    free(watch);
+    return NULL;
+}
+
+void runtime_free(struct runtime_checker *watch)
+{
+    if (watch)
+        storage_map_free(watch->storage);
+    free(watch);
+}
+
+warning_set runtime_warned(const struct runtime_checker *watch)
+{
+    return watch->warned;
+}
+
+size_t runtime_errors(const struct runtime_checker *watch)
+{
+    return watch->errors;
+}
+
+/* ---- Reports ------------------------------------------------------------ */
+
+/* Returns whether the warning is new for its line. */
+static bool is_new(struct runtime_checker *watch, struct reported reported)
+{
+    size_t i;
+
+    for (i = 0; i < watch->reported_count; i++)
+        if (watch->reported[i].number == reported.number
+            && watch->reported[i].warning == reported.warning
+            && strcmp(watch->reported[i].file, reported.file) == 0)
+            return false;
+    if (watch->reported_count == MAX_REPORTED)
+        return false;
+    watch->reported[watch->reported_count++] = reported;
+    return true;
+}
+
+static void put(struct runtime_checker *watch, enum warning warning,
+                const struct position *position, const char *message)
+{
+    struct diagnostics diagnostics = { 0 };
+
+    warning_add(&diagnostics, watch->choice, warning, position, message);
+    diagnostics_put(&diagnostics, &watch->report);
+    watch->errors += diagnostics.errors;
+    diagnostics_free(&diagnostics);
+}
+
+/* Without source lines the instruction is reported by its address. */
+static void put_at_address(struct runtime_checker *watch, const struct site *site,
+                           enum warning warning, const char *message)
+{
+    const struct position position = { .file = watch->name };
+    char text[700];
+
+    snprintf(text, sizeof text, "%s at %" PRIX64 ": %.500s", site->view.insn->mnemonic,
+             site->view.pc, message);
+    put(watch, warning, &position, text);
+}
+
+void runtime_report(struct runtime_checker *watch, const struct site *site,
+                    enum warning warning, const char *format, ...)
+{
+    const struct asm_line *line = object_line(watch->object, site->view.pc);
+    struct reported reported = { "", site->view.pc, warning };
+    struct position position = { .file = NULL };
+    char message[500];
+    va_list arguments;
+
+    watch->warned |= WARNING_BIT(warning);
+    if ((watch->meant | watch->choice->off) & WARNING_BIT(warning))
+        return;
+    if (line) {
+        reported.file = line->file;
+        reported.number = line->number;
+        position = asm_line_position(line);
+    }
+    if (!is_new(watch, reported))
+        return;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (line)
+        put(watch, warning, &position, message);
+    else
+        put_at_address(watch, site, warning, message);
+}
+
+/* ---- The instructions --------------------------------------------------- */
+
+/* Returns the check site of an instruction. The sites are a direct-mapped cache with
+ * the half word address as its index. Two instructions with the same index replace
+ * each other, and the count of executions starts again. */
+struct site *runtime_site(struct runtime_checker *watch, const c205 *machine,
+                          uint64_t pc)
+{
+    static const struct site empty;
+    struct site *site = &watch->sites[pc / 32 % CHECK_SITES];
+
+    if (site->view.pc == pc && site->view.halves)
+        return site;
+    *site = empty;
+    view_decode(&site->view, machine, pc);
+    if (site->view.insn)
+        spot_choose(site);
+    return site;
+}
+
+static void look_ahead(struct runtime_checker *watch, const c205 *machine)
+{
+    uint64_t pc = c205_pc(machine);
+    size_t i = pc / 32 % CHECK_SITES;
+
+    if (watch->direct[i].pc != pc) {
+        watch->direct[i].before = runtime_site(watch, machine, pc)->before;
+        watch->direct[i].pc = pc;
+    }
+    if (watch->direct[i].before)
+        watch->direct[i].before(watch, machine, runtime_site(watch, machine, pc));
+}
+
+/* Instructions like CPSV set the length of their result, also to 0. So their result
+ * counts as a register with a length. */
+static void take_lengths(struct runtime_checker *watch, const c205_event *event)
+{
+    for (unsigned r = 0; r < C205_REGISTERS; r++) {
+        uint64_t written = event->written[r / 64];
+        if (!written)
+            r |= 63;
+        else if (written >> r % 64 & 1)
+            watch->is_entered[r] = watch->is_emptied[r] = false;
+    }
+}
+
+/* The instruction after EXIT is not executed, so it is not checked. */
+static bool ends_run(const c205_event *event)
+{
+    return event->insn->format == C205_FORMAT_REQUEST
+           && event->kind == C205_EVENT_INSTRUCTION;
+}
+
+void runtime_listen(void *context, const c205 *machine, const c205_event *event)
+{
+    struct runtime_checker *watch = context;
+
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
+        return;
+    if (c205_unit_is_vector(event->insn->unit)) {
+        struct site *site = runtime_site(watch, machine, event->pc);
+
+        take_lengths(watch, event);
+        if (site->after)
+            site->after(watch, machine, site);
+        if (event->recurrent > 0)
+            runtime_recurrence(watch, machine, site, event->recurrent);
+    }
+    if (!ends_run(event))
+        look_ahead(watch, machine);
+}
+
+/* ---- The start ---------------------------------------------------------- */
+
+/* Records the registers that an instruction writes: the operands w p m k, and results
+ * whose length it sets. SWAP may write all registers. */
+static void note_writes(struct runtime_checker *watch,
+                        const struct instruction_view *view)
+{
+    size_t i;
+
+    for (i = 0; i < view->count; i++) {
+        const struct operand_view *operand = &view->operands[i];
+        unsigned r = operand->number;
+
+        if (!strchr("wpmkco", tolower((unsigned char)operand->letter)))
+            continue;
+        watch->is_written[operand->is_half ? r / 2 : r] = true;
+        if (operand->letter == 'p' && r + 1 < C205_REGISTERS)
+            watch->is_written[r + 1] = true;
+    }
+    if (view->insn->format == C205_FORMAT_SWAP)
+        memset(watch->is_written, true, sizeof watch->is_written);
+}
+
+/* Finds the registers that no instruction of the program writes; these are never set.
+ * Without source lines all registers count as written. */
+void runtime_begin(struct runtime_checker *watch, const c205 *machine)
+{
+    const struct object *object = watch->object;
+    bool blind = object->line_count == 0;
+    struct instruction_view view;
+    size_t i;
+
+    memset(watch->is_written, blind, sizeof watch->is_written);
+    for (i = 0; i < object->line_count; i++) {
+        const struct asm_line *line = &object->lines[i];
+        uint64_t at = line->address, end = at + 32 * line->halves;
+
+        for (; at < end && end - at <= 32 * (uint64_t)4096;
+             at += 32 * (uint64_t)view.halves) {
+            view_decode(&view, machine, at);
+            if (view.insn)
+                note_writes(watch, &view);
+        }
+    }
+    look_ahead(watch, machine);
+}

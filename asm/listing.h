@@ -1,9 +1,0 @@
-/* listing.h - prints each source line with its words in hex. */
-#ifndef ASM_LISTING_H
-#define ASM_LISTING_H
-
-#include "asm/assemble.h"
-
-void listing(const struct object *object, const struct sink *sink);
-
-#endif

@@ -1,0 +1,474 @@
+/* line_profile.c - attributes the clocks of a run to source lines, and
+ * writes tables of them. */
+#include "asm/measure/line_profile.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/accounts.h"
+
+/* The rows for clocks that belong to no line. They follow the rows of the lines. */
+enum { ROW_UNKNOWN, ROW_END, ROWS_BESIDES };
+
+struct line_profile {
+    const struct object *object;
+    size_t *row_of; /* row of each line of the object */
+    size_t row_count;
+    struct profile_row *rows;    /* [row_count + ROWS_BESIDES] */
+    const struct asm_line *last; /* the line that was found last */
+    bool cut;                    /* the run was stopped within an instruction */
+};
+
+/* ---- Rows ----------------------------------------------------------------- */
+
+/* A line, as a key for sorting by call and region. */
+struct called_line {
+    const struct asm_line *line;
+    const char *region;
+    size_t index;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct called_line *one = a, *other = b;
+    int order = strcmp(one->line->call_file, other->line->call_file);
+
+    if (order == 0)
+        order = (one->line->call_number > other->line->call_number)
+                - (one->line->call_number < other->line->call_number);
+    if (order == 0)
+        order = strcmp(one->region, other->region);
+    return order != 0 ? order
+                      : (one->index > other->index) - (one->index < other->index);
+}
+
+static bool is_same_call(const struct called_line *a, const struct called_line *b)
+{
+    return a->line->call_number == b->line->call_number
+           && strcmp(a->line->call_file, b->line->call_file) == 0
+           && strcmp(a->region, b->region) == 0;
+}
+
+/* Finds the first line with the same call, for each line. */
+static void find_firsts(const struct called_line *places, size_t count, size_t *first)
+{
+    size_t i, begin = 0;
+
+    for (i = 0; i < count; i++) {
+        if (!is_same_call(&places[i], &places[begin]))
+            begin = i;
+        first[places[i].index] = places[begin].index;
+    }
+}
+
+/* Finds the first line with the same call and region, for each line. The lines are
+ * sorted by call and region, so that equal ones are adjacent, and by index, so that
+ * the first one leads. */
+static bool sort_places(const struct object *object, size_t *first)
+{
+    size_t i, count = object->line_count;
+    struct called_line *places = malloc((count + 1) * sizeof *places);
+
+    if (!places)
+        return false;
+    for (i = 0; i < count; i++) {
+        places[i].line = &object->lines[i];
+        places[i].region = object_region(object, object->lines[i].address);
+        places[i].index = i;
+    }
+    qsort(places, count, sizeof *places, compare_places);
+    find_firsts(places, count, first);
+    free(places);
+    return true;
+}
+
+/* Makes a row for each call, in the order of addresses. The first line of a call
+ * precedes its other lines, so its row exists when they are reached. */
+static void make_rows(struct line_profile *profile)
+{
+    size_t i;
+
+    for (i = 0; i < profile->object->line_count; i++) {
+        const struct asm_line *line = &profile->object->lines[i];
+        struct profile_row *row = &profile->rows[profile->row_count];
+
+        if (profile->row_of[i] < i) {
+            profile->row_of[i] = profile->row_of[profile->row_of[i]];
+            continue;
+        }
+        row->region = object_region(profile->object, line->address);
+        row->file = line->call_file;
+        row->number = line->call_number;
+        row->source = line->call_source;
+        profile->row_of[i] = profile->row_count++;
+    }
+}
+
+struct line_profile *line_profile_new(const struct object *object)
+{
+    struct line_profile *profile = calloc(1, sizeof *profile);
+    size_t count = object->line_count;
+
+    if (!profile)
+        return NULL;
+    profile->object = object;
+    profile->row_of = calloc(count + 1, sizeof *profile->row_of);
+    profile->rows = calloc(count + ROWS_BESIDES, sizeof *profile->rows);
+    if (profile->row_of && profile->rows && sort_places(object, profile->row_of)) {
+        make_rows(profile);
+        for (size_t i = 0; i < ROWS_BESIDES; i++)
+            profile->rows[profile->row_count + i].region = "";
+        return profile;
+    }
+    line_profile_free(profile);
+    return NULL;
+}
+
+void line_profile_free(struct line_profile *profile)
+{
+    if (!profile)
+        return;
+    free(profile->row_of);
+    free(profile->rows);
+    free(profile);
+}
+
+void line_profile_add(struct line_profile *profile, const struct line_profile *more)
+{
+    for (size_t i = 0; i < line_profile_count(profile); i++) {
+        struct profile_row *row = &profile->rows[i];
+
+        row->executions += more->rows[i].executions;
+        row->elements += more->rows[i].elements;
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            row->clocks[cause] += more->rows[i].clocks[cause];
+    }
+}
+
+size_t line_profile_count(const struct line_profile *profile)
+{
+    return profile->row_count + ROWS_BESIDES;
+}
+
+const struct profile_row *line_profile_row(const struct line_profile *profile, size_t i)
+{
+    return &profile->rows[i];
+}
+
+/* ---- The listener --------------------------------------------------------- */
+
+static bool holds(const struct asm_line *line, uint64_t address)
+{
+    return line && address >= line->address
+           && address - line->address < 32 * line->halves;
+}
+
+static struct profile_row *row_at(struct line_profile *profile, uint64_t address)
+{
+    if (!holds(profile->last, address))
+        profile->last = object_line(profile->object, address);
+    return profile->last
+               ? &profile->rows[profile->row_of[profile->last - profile->object->lines]]
+               : &profile->rows[profile->row_count + ROW_UNKNOWN];
+}
+
+static void add_pieces(struct line_profile *profile, const c205_times *times)
+{
+    size_t i;
+
+    for (i = 0; i < times->piece_count; i++) {
+        const c205_piece *piece = &times->piece[i];
+
+        row_at(profile, piece->pc)->clocks[piece->cause] += piece->clocks;
+    }
+}
+
+/* Computes the clocks of an instruction within which the run was stopped: the accounts
+ * minus all rows, since the clock has no record of it yet. If the run continues, the
+ * instruction's own record contains them. */
+static void add_end(struct line_profile *profile, const c205 *machine)
+{
+    struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
+    size_t i;
+    int cause;
+
+    for (cause = 0; cause < C205_CAUSES; cause++) {
+        uint64_t clocks = 0;
+
+        for (i = 0; i < c205_account_count(machine); i++)
+            clocks += c205_account_at(machine, i)->clocks[cause];
+        for (i = 0; i <= profile->row_count; i++)
+            clocks -= profile->rows[i].clocks[cause];
+        end->clocks[cause] = clocks;
+    }
+}
+
+static void forget_end(struct line_profile *profile)
+{
+    struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
+
+    memset(end->clocks, 0, sizeof end->clocks);
+    profile->cut = false;
+}
+
+void line_profile_listen(void *context, const c205 *machine, const c205_event *event)
+{
+    struct line_profile *profile = context;
+    struct profile_row *row;
+
+    if (!event->record) {
+        add_end(profile, machine);
+        profile->cut = true;
+        return;
+    }
+    if (profile->cut)
+        forget_end(profile);
+    add_pieces(profile, event->record);
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
+        return;
+    row = row_at(profile, event->pc);
+    row->executions++;
+    row->elements += event->elements;
+}
+
+/* ---- Tables --------------------------------------------------------------- */
+
+/* The first column is omitted if regions are not shown. */
+static const struct table_column in_words[] = {
+    { "region", "region", TABLE_TEXT, 0 },
+    { "line", "line", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+    { "executions", "times", TABLE_COUNT, 0 },
+    { "elements", "elements", TABLE_COUNT, 0 },
+    { "source", "source", TABLE_TEXT, 0 },
+    { "causes", "mostly", TABLE_TEXT, 0 },
+};
+static const struct table_column before[] = {
+    { "region", "region", TABLE_TEXT, 0 },
+    { "line", "line", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+    { "executions", "times", TABLE_COUNT, 0 },
+    { "elements", "elements", TABLE_COUNT, 0 },
+};
+enum {
+    COLUMNS_IN_WORDS = sizeof in_words / sizeof *in_words,
+    BEFORE = sizeof before / sizeof *before
+};
+
+static uint64_t clocks_of(const struct profile_row *row)
+{
+    uint64_t sum = 0;
+    int cause;
+
+    for (cause = 0; cause < C205_CAUSES; cause++)
+        sum += row->clocks[cause];
+    return sum;
+}
+
+static void put_name(struct table *table, const struct line_profile *profile,
+                     const struct profile_row *row)
+{
+    char name[300];
+    const char *slash = row->file ? strrchr(row->file, '/') : NULL;
+
+    if (row->file)
+        snprintf(name, sizeof name, "%.280s:%zu", slash ? slash + 1 : row->file,
+                 row->number);
+    else
+        snprintf(name, sizeof name, "%s",
+                 row == &profile->rows[profile->row_count + ROW_END]
+                     ? "stopped inside an instruction"
+                     : "no line");
+    table_text(table, name);
+}
+
+static void put_source(struct table *table, const struct profile_row *row)
+{
+    const char *source = row->source ? row->source : "";
+
+    table_text(table, source + strspn(source, " \t"));
+}
+
+/* Writes the largest causes: at most three, each at least a tenth of the row. */
+static void put_causes(struct table *table, const struct profile_row *row)
+{
+    char text[160] = "";
+    uint64_t all = clocks_of(row);
+    bool reported[C205_CAUSES] = { false };
+    size_t used = 0;
+    int i, cause;
+
+    for (i = 0; i < 3; i++) {
+        int found = -1;
+
+        for (cause = 0; cause < C205_CAUSES; cause++)
+            if (!reported[cause] && row->clocks[cause] > 0
+                && row->clocks[cause] * 10 >= all
+                && (found < 0 || row->clocks[cause] > row->clocks[found]))
+                found = cause;
+        if (found < 0)
+            break;
+        reported[found] = true;
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s %" PRIu64,
+                                 used > 0 ? ", " : "",
+                                 c205_cause_name((c205_cause)found),
+                                 row->clocks[found]);
+    }
+    table_text(table, text);
+}
+
+/* Makes a table with a column for each cause, without the first `first` columns. */
+static struct table *new_columns(size_t first)
+{
+    struct table_column columns[BEFORE + C205_CAUSES + 1];
+
+    memcpy(columns, before, sizeof before);
+    memcpy(columns + BEFORE, accounts_cause_columns, sizeof accounts_cause_columns);
+    columns[BEFORE + C205_CAUSES] = (struct table_column){ "source", "source",
+                                                           TABLE_TEXT, 0 };
+    return table_new(columns + first, BEFORE + C205_CAUSES + 1 - first);
+}
+
+static void put_row(struct table *table, const struct line_profile *profile,
+                    const struct profile_row *row, uint64_t all, bool words)
+{
+    int cause;
+
+    put_name(table, profile, row);
+    table_count(table, clocks_of(row));
+    table_number(table, all > 0 ? 100 * (double)clocks_of(row) / (double)all : 0);
+    table_count(table, row->executions);
+    table_count(table, row->elements);
+    for (cause = 0; !words && cause < C205_CAUSES; cause++)
+        table_count(table, row->clocks[cause]);
+    put_source(table, row);
+    if (words)
+        put_causes(table, row);
+}
+
+/* ---- Selection and order of the rows --------------------------------------- */
+
+struct shown_row {
+    const struct profile_row *row;
+    uint64_t clocks;
+    uint64_t of_region; /* clocks of its region; 0 if regions are not summed */
+};
+
+struct shown_rows {
+    size_t count;
+    struct shown_row *rows;
+    uint64_t clocks;
+};
+
+/* Fails if memory is exhausted. */
+static bool choose_rows(const struct line_profile *profile, struct shown_rows *shown)
+{
+    size_t count = line_profile_count(profile);
+
+    *shown = (struct shown_rows){ .rows = malloc(count * sizeof *shown->rows) };
+    for (size_t i = 0; shown->rows && i < count; i++) {
+        const struct profile_row *row = &profile->rows[i];
+        uint64_t clocks = clocks_of(row);
+
+        if (row->executions == 0 && clocks == 0)
+            continue;
+        shown->rows[shown->count++] = (struct shown_row){ row, clocks, 0 };
+        shown->clocks += clocks;
+    }
+    return shown->rows;
+}
+
+static int compare_regions(const void *a, const void *b)
+{
+    const struct shown_row *one = a, *other = b;
+
+    return strcmp(one->row->region, other->row->region);
+}
+
+static void add_up_regions(struct shown_rows *shown)
+{
+    size_t end;
+
+    qsort(shown->rows, shown->count, sizeof *shown->rows, compare_regions);
+    for (size_t i = 0; i < shown->count; i = end) {
+        uint64_t sum = 0;
+
+        for (end = i; end < shown->count
+                      && compare_regions(&shown->rows[i], &shown->rows[end]) == 0;
+             end++)
+            sum += shown->rows[end].clocks;
+        for (size_t k = i; k < end; k++)
+            shown->rows[k].of_region = sum;
+    }
+}
+
+static int compare_hottest(const void *a, const void *b)
+{
+    const struct shown_row *one = a, *other = b;
+    int order = (one->of_region < other->of_region)
+                - (one->of_region > other->of_region);
+
+    if (order == 0 && one->of_region > 0)
+        order = compare_regions(one, other);
+    if (order == 0)
+        order = (one->clocks < other->clocks) - (one->clocks > other->clocks);
+    return order != 0 ? order : (one->row > other->row) - (one->row < other->row);
+}
+
+static void put_rows(struct table *table, const struct line_profile *profile,
+                     const struct shown_rows *shown, bool regions, bool words)
+{
+    for (size_t i = 0; table && i < shown->count; i++) {
+        if (regions)
+            table_text(table, shown->rows[i].row->region);
+        put_row(table, profile, shown->rows[i].row, shown->clocks, words);
+    }
+}
+
+struct table *line_profile_table(const struct line_profile *profile,
+                                 struct profile_view view, bool words)
+{
+    size_t first = view.regions ? 0 : 1;
+    struct shown_rows shown;
+    struct table *table;
+
+    if (!choose_rows(profile, &shown))
+        return NULL;
+    if (view.order == PROFILE_HOTTEST && view.regions)
+        add_up_regions(&shown);
+    if (view.order == PROFILE_HOTTEST)
+        qsort(shown.rows, shown.count, sizeof *shown.rows, compare_hottest);
+    table = words ? table_new(in_words + first, COLUMNS_IN_WORDS - first)
+                  : new_columns(first);
+    put_rows(table, profile, &shown, view.regions, words);
+    free(shown.rows);
+    return table;
+}
+
+/* Text and Markdown have the causes in words; other formats have a
+ * column for each cause. */
+int line_profile_show(const struct line_profile *profile, struct profile_view view,
+                      const struct command_output *results)
+{
+    struct command_output shown = *results, kept = *results;
+    bool words = results->file
+                 && (results->format == OUTPUT_TEXT
+                     || results->format == OUTPUT_MARKDOWN);
+    int code;
+
+    if (!words)
+        return output_show(results, line_profile_table(profile, view, false), "lines",
+                           "Lines");
+    shown.json = NULL;
+    kept.file = NULL;
+    output_gap(results);
+    code = output_show(&shown, line_profile_table(profile, view, true), NULL, "Lines");
+    return code != CMD_DONE || !results->json
+               ? code
+               : output_show(&kept, line_profile_table(profile, view, false), "lines",
+                             NULL);
+}

@@ -1,0 +1,61 @@
+/* line_profile.h - the clocks of a program by source line. Macros are summed at the
+ * line that calls them, separately for each region.
+ *
+ * A listener adds the pieces of the clock's records. As in the accounts, a piece
+ * belongs to the instruction that causes it: if instructions wait for a vector
+ * instruction, the clocks are charged to the vector instruction. Code without a
+ * known line has a row, and so has an instruction within which the run was stopped.
+ * For each cause, the sum of all rows is equal to that of the accounts; the same is
+ * true within each region.
+ */
+#ifndef ASM_LINE_PROFILE_H
+#define ASM_LINE_PROFILE_H
+
+#include "asm/object/object.h"
+#include "base/command_output.h"
+
+struct line_profile;
+
+/* The object must have source lines and outlive the profile. Returns NULL if
+ * memory is exhausted. */
+struct line_profile *line_profile_new(const struct object *object);
+void line_profile_free(struct line_profile *profile);
+/* The listener. Its context is the profile. It must be attached
+ * from the start of a run. */
+c205_listener line_profile_listen;
+
+/* Adds the counts of another profile of the same object. */
+void line_profile_add(struct line_profile *profile, const struct line_profile *more);
+
+struct profile_row {
+    const char *region; /* "": no region */
+    const char *file;   /* NULL: code without lines, or the end of the run */
+    size_t number;
+    const char *source;
+    uint64_t executions, elements, clocks[C205_CAUSES];
+};
+
+size_t line_profile_count(const struct line_profile *profile);
+/* Returns a row; rows are sorted by address. The last two are code without lines and
+ * the instruction that was not completed. */
+const struct profile_row *line_profile_row(const struct line_profile *profile,
+                                           size_t i);
+
+/* Only rows with clocks are shown: the ones with the most clocks first, or in
+ * the order of addresses. */
+enum profile_order { PROFILE_HOTTEST, PROFILE_AS_WRITTEN };
+struct profile_view {
+    enum profile_order order;
+    bool regions; /* with a column of regions; the region with the
+                   * most clocks is first */
+};
+/* Returns a table with the causes in words, or with a column for each cause. Returns
+ * NULL if memory is exhausted. */
+struct table *line_profile_table(const struct line_profile *profile,
+                                 struct profile_view view, bool in_words);
+/* Shows the table in the form for the format of the results; in JSON its name is
+ * "lines". Returns the exit code. */
+int line_profile_show(const struct line_profile *profile, struct profile_view view,
+                      const struct command_output *results);
+
+#endif

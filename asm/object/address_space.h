@@ -1,0 +1,14 @@
+/* address_space.h - the addresses and the size of a program. Not public. */
+#ifndef ASM_ADDRESS_SPACE_H
+#define ASM_ADDRESS_SPACE_H
+
+#include "vm/c205.h"
+
+#define MAX_WORDS ((uint64_t)1 << 26) /* of a program, so that it fits in memory */
+#define ADDRESS_BITS 48
+#define PAGE_BITS ((uint64_t)C205_PAGE_WORDS * 64)
+/* The first addresses of code and data, unless the text gives others. */
+#define CODE_ORIGIN (1 * PAGE_BITS) /* page 0 stays unmapped */
+#define DATA_ORIGIN (2 * PAGE_BITS)
+
+#endif

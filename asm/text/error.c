@@ -1,0 +1,140 @@
+/* error.c - reports errors, and records warnings until the end of an assembly. */
+#include "asm/text/assembler.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/object/syntax.h"
+
+bool report_file(struct diagnostics *diagnostics, const char *file, const char *message)
+{
+    const struct position position = { .file = file };
+
+    diagnostics_add(diagnostics, SEVERITY_ERROR, &position, message);
+    return false;
+}
+
+static void print_caller(char *message, size_t size, const struct line *line)
+{
+    size_t used = strlen(message);
+
+    if (line->caller)
+        snprintf(message + used, size - used, " (expanded from %s:%zu)",
+                 line->caller->file, line->caller->number);
+}
+
+/* An error of a whole line is reported at its first word. */
+static size_t column_of(const struct line *line, const char *at)
+{
+    if (at == line->begin)
+        while (at < line->text_end && (*at == ' ' || *at == '\t'))
+            at++;
+    return (size_t)(at - line->text) + 1;
+}
+
+static struct position position_of(const struct line *line, const char *at)
+{
+    const struct position position = { line->file, line->number, column_of(line, at),
+                                       line->text,
+                                       (size_t)(line->text_end - line->text) };
+
+    return position;
+}
+
+/* Appends the syntax of the instruction to the first error of its operands. */
+static void print_form(char *message, size_t size, struct assembler *assembler)
+{
+    const struct instruction *writing = assembler->writing;
+    struct text_line form = { "", 0 };
+    struct sink sink = text_line_sink(&form);
+    size_t used = strlen(message);
+
+    assembler->writing = NULL;
+    if (!writing)
+        return;
+    syntax_write(writing->insn, writing->fields.g & C205_G_HALF, &sink);
+    snprintf(message + used, size - used, "; syntax: %s", form.text);
+}
+
+bool report(struct assembler *assembler, const struct line *line, const char *at,
+            const char *format, ...)
+{
+    char message[512];
+    struct position position = position_of(line, at);
+    va_list arguments;
+
+    if (too_many_errors(assembler))
+        return false;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    print_form(message, sizeof message, assembler);
+    print_caller(message, sizeof message, line);
+    diagnostics_add(assembler->diagnostics, SEVERITY_ERROR, &position, message);
+    return false;
+}
+
+bool too_many_errors(const struct assembler *assembler)
+{
+    return assembler->diagnostics->errors - assembler->first_error >= MAX_ERRORS;
+}
+
+void warn(struct assembler *assembler, enum warning warning, const struct line *line,
+          const char *at, const char *format, ...)
+{
+    char message[512];
+    struct pending_warning *pending_warnings;
+    va_list arguments;
+
+    if (assembler->pending_count >= MAX_ERRORS)
+        return;
+    pending_warnings = arena_grow(assembler->arena, assembler->pending_warnings,
+                                  assembler->pending_count,
+                                  &assembler->pending_capacity,
+                                  sizeof *pending_warnings);
+    if (!pending_warnings)
+        return;
+    assembler->pending_warnings = pending_warnings;
+    pending_warnings += assembler->pending_count;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    print_caller(message, sizeof message, line);
+    pending_warnings->warning = warning;
+    pending_warnings->position = position_of(line, at);
+    pending_warnings->message = arena_text(assembler->arena, message, strlen(message));
+    assembler->pending_count += pending_warnings->message != NULL;
+}
+
+/* Returns the warnings that the program declares as intended. */
+static warning_set meant(const struct assembler *assembler)
+{
+    warning_set set = 0;
+    size_t i;
+
+    for (i = 0; i < assembler->expectation_count; i++)
+        if (assembler->expectations[i].kind == EXPECT_WARNING)
+            set |= WARNING_BIT(warning_named(assembler->expectations[i].text));
+    return set;
+}
+
+warning_set report_pending_warnings(struct assembler *assembler)
+{
+    static const struct warning_choice all;
+    const struct asm_options *options = assembler->options;
+    const struct warning_choice *choice = options ? &options->warnings : &all;
+    warning_set silent = choice->off | meant(assembler), found = 0;
+    size_t i;
+
+    for (i = 0; i < assembler->pending_count; i++) {
+        const struct pending_warning *pending = &assembler->pending_warnings[i];
+        warning_set bit = WARNING_BIT(pending->warning);
+
+        found |= bit;
+        if (!(silent & bit))
+            warning_add(assembler->diagnostics, choice, pending->warning,
+                        &pending->position, pending->message);
+    }
+    return found;
+}

@@ -1,0 +1,42 @@
+/* expression.h - expressions, whose value may depend on labels that are defined later.
+ *
+ * Integers have 64 bits, with C's operators and precedence; sums, differences and
+ * products wrap. An operation with a floating-point number gives one, computed by the
+ * machine's arithmetic. The bits of a word X'..' count as an integer, but in an
+ * operation with a floating-point number as the word itself.
+ */
+#ifndef ASM_EXPRESSION_H
+#define ASM_EXPRESSION_H
+
+#include "asm/text/lex.h"
+
+struct expression;
+
+/* Returns NULL after a report. */
+const struct expression *parse_expression(struct cursor *cursor);
+
+bool evaluate(struct assembler *assembler, const struct line *line,
+              const struct expression *expression, struct value *value);
+/* Evaluates to an integer; a floating-point number is an error. */
+bool evaluate_integer(struct assembler *assembler, const struct line *line,
+                      const struct expression *expression, int64_t *integer);
+/* Evaluates to an integer from low to high. what: its name in the error. */
+bool evaluate_range(struct assembler *assembler, const struct line *line,
+                    const struct expression *expression, int64_t low, int64_t high,
+                    const char *what, int64_t *integer);
+/* Evaluates to a word of memory; an integer has exponent 0. */
+bool evaluate_word(struct assembler *assembler, const struct line *line,
+                   const struct expression *expression, c205_word *word);
+/* Evaluates to a half word, left-aligned in *half. An integer has exponent 0; a
+ * word must fit 32 bits. */
+bool evaluate_half(struct assembler *assembler, const struct line *line,
+                   const struct expression *expression, c205_word *half);
+bool evaluate_address(struct assembler *assembler, const struct line *line,
+                      const struct expression *expression, uint64_t *address);
+
+/* Parse and evaluate at once, with the symbols that are defined so far. */
+bool parse_value(struct cursor *cursor, struct value *value);
+bool parse_integer(struct cursor *cursor, int64_t low, int64_t high, const char *what,
+                   int64_t *integer);
+
+#endif

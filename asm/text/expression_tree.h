@@ -1,0 +1,28 @@
+/* expression_tree.h - the tree of an expression, which expression.c builds and
+ * evaluate.c evaluates. Not public.
+ */
+#ifndef ASM_EXPRESSION_TREE_H
+#define ASM_EXPRESSION_TREE_H
+
+#include "asm/text/constant_folder.h"
+#include "asm/text/expression.h"
+
+enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD, FUNCTION };
+
+struct expression {
+    enum operation operation;
+    int code; /* of an operator */
+    unsigned depth;
+    const char *at;
+    struct value value;
+    const struct symbol *symbol;
+    const struct constant_folder_function *function;
+    const struct expression *left, *right;
+};
+
+/* Computes an operation of integers. Returns NULL, or the text of an error. */
+const char *integer_operation(int code, int64_t a, int64_t b, uint64_t *result);
+/* Computes - ~ !. */
+uint64_t integer_negation(int code, uint64_t a);
+
+#endif

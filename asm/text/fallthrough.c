@@ -1,0 +1,60 @@
+/* fallthrough.c - warns of code that continues where there is no code. */
+#include <inttypes.h>
+
+#include "asm/text/expression.h"
+
+enum { HALF_BITS = 32 };
+
+/* Returns whether the item is EXIT with request 0, which is the default. */
+static bool ends_program(struct assembler *assembler, const struct layout_item *item)
+{
+    const struct instruction *instruction = item->of.instruction;
+    struct value value = { VALUE_INTEGER, 0 };
+
+    if (instruction->insn->format != C205_FORMAT_REQUEST)
+        return false;
+    return !instruction->value
+           || (evaluate(assembler, item->line, instruction->value, &value)
+               && value.bits == 0);
+}
+
+/* Returns whether the instruction branches for any contents of registers. */
+static bool always_branches(const c205_insn *insn)
+{
+    return insn->format == C205_FORMAT_JUMP
+           || (insn->format == C205_FORMAT_CALL && insn->operands[0] == 'w');
+}
+
+/* Returns whether an instruction follows directly. A .half counts,
+ * since it may be one. */
+static bool goes_on_with(const struct layout_item *next, const struct layout_item *item)
+{
+    return next->address == item->address + item->halves * HALF_BITS
+           && (next->kind == ITEM_INSTRUCTION || next->kind == ITEM_HALF);
+}
+
+static bool expects_trap(const struct assembler *assembler)
+{
+    size_t i;
+
+    for (i = 0; i < assembler->expectation_count; i++)
+        if (assembler->expectations[i].kind == EXPECT_TRAP)
+            return true;
+    return false;
+}
+
+/* The items must be sorted by address. A program that expects a trap is not checked. */
+void check_ends(struct assembler *assembler)
+{
+    const struct layout_item *items = assembler->items;
+    size_t i, count = assembler->item_count;
+
+    for (i = 0; i < count && !expects_trap(assembler); i++)
+        if (items[i].kind == ITEM_INSTRUCTION
+            && !always_branches(items[i].of.instruction->insn)
+            && !(i + 1 < count && goes_on_with(&items[i + 1], &items[i]))
+            && !ends_program(assembler, &items[i]))
+            warn(assembler, WARNING_RUN_OFF, items[i].line, items[i].line->begin,
+                 "the program can continue after this line, where there is no code; "
+                 "end it with EXIT or a branch");
+}

@@ -1,0 +1,43 @@
+/* macro.h - definitions of macros and their expansion. */
+#ifndef ASM_MACRO_H
+#define ASM_MACRO_H
+
+#include "asm/text/lex.h"
+
+struct span {
+    const char *begin, *end; /* begin NULL: absent */
+};
+
+struct parameter {
+    struct span name, otherwise;
+};
+
+struct macro {
+    const char *name;
+    size_t parameter_count, parameter_capacity;
+    struct parameter *parameters;
+    size_t line_count, line_capacity;
+    struct line *lines;
+};
+
+/* The replacements of backslash sequences in a body. */
+struct substitution {
+    const struct macro *macro; /* NULL: no \name */
+    const struct span *arguments;
+    const uint64_t *unique; /* \@, or NULL */
+    const uint64_t *count;  /* \+, or NULL */
+};
+
+/* Parses the text after .macro: NAME a, b=default, ... */
+struct macro *macro_parse(struct cursor *cursor);
+bool macro_add_line(struct assembler *assembler, struct macro *macro,
+                    const struct line *line);
+/* Parses the arguments after a macro's name. Returns a span for each parameter, or
+ * NULL after a report. */
+const struct span *macro_arguments(struct cursor *cursor, const struct macro *macro);
+/* Expands a line and returns the length of the new text, which is above
+ * MAX_LINE if it is too long. */
+size_t substitute(const struct substitution *substitution, const struct line *line,
+                  char text[MAX_LINE]);
+
+#endif

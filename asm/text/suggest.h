@@ -1,0 +1,28 @@
+/* suggest.h - the name that a misspelled one probably means. Not public. */
+#ifndef ASM_SUGGEST_H
+#define ASM_SUGGEST_H
+
+#include "asm/text/lex.h"
+
+enum suggestion {
+    SUGGEST_MNEMONIC, /* an instruction or a macro */
+    SUGGEST_DIRECTIVE,
+    SUGGEST_REGISTER, /* a name of a register */
+    SUGGEST_VALUE     /* a label or a constant */
+};
+
+/* Returns NULL if no name is similar. */
+const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
+                    size_t length);
+
+/* Reports that `what` was expected instead of the next token, with a
+ * suggestion. Returns false. */
+bool expected_name(struct cursor *cursor, const char *what, enum suggestion kind);
+
+/* Return the name of directive i of directive.c, expand.c and condition.c, or
+ * NULL after the last. */
+const char *directive_name(size_t i);
+const char *expand_name(size_t i);
+const char *condition_name(size_t i);
+
+#endif

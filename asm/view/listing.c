@@ -1,0 +1,75 @@
+/* listing.c - prints source lines with their words in hex. */
+#include "asm/view/listing.h"
+
+#include <inttypes.h>
+
+static const c205_segment *find_segment(const c205_program *program, uint64_t address)
+{
+    size_t i;
+
+    for (i = 0; i < program->segment_count; i++) {
+        const c205_segment *segment = &program->segments[i];
+
+        if (address >= segment->address
+            && address - segment->address < 64 * (uint64_t)segment->length)
+            return segment;
+    }
+    return NULL;
+}
+
+/* Prints eight hex digits. Returns false for zeros that are not stored. */
+static bool put_half(const c205_program *program, uint64_t address,
+                     const struct sink *sink)
+{
+    const c205_segment *segment = find_segment(program, address);
+    uint64_t offset;
+    c205_word word;
+
+    if (!segment || !segment->words)
+        return false;
+    offset = address - segment->address;
+    word = segment->words[offset / 64];
+    sink_print(sink, "%08" PRIX32, (uint32_t)(offset % 64 ? word : word >> 32));
+    return true;
+}
+
+/* Prints two halves in a row, and the source in the first row. */
+static void put_line(const c205_program *program, const struct asm_line *line,
+                     const struct sink *sink)
+{
+    uint64_t at = 0;
+
+    do {
+        uint64_t address = line->address + 32 * at;
+        bool shown;
+
+        sink_print(sink, "%12" PRIX64 "  ", address);
+        shown = put_half(program, address, sink);
+        if (!shown)
+            sink_put(sink, "...             ");
+        else if (at + 1 == line->halves || !put_half(program, address + 32, sink))
+            sink_put(sink, "        ");
+        if (at == 0)
+            sink_print(sink, "  %5zu  %s", line->number, line->source);
+        sink_put(sink, "\n");
+        at = shown ? at + 2 : line->halves;
+    } while (at < line->halves);
+}
+
+void listing(const struct object *object, const struct sink *sink)
+{
+    const char *file = "";
+    size_t i;
+
+    for (i = 0; i < object->line_count; i++) {
+        const struct asm_line *line = &object->lines[i];
+        const char *a = file, *b = line->file;
+
+        while (*a && *a == *b)
+            a++, b++;
+        if (*a != *b)
+            sink_print(sink, "%s\n", line->file);
+        file = line->file;
+        put_line(&object->program, line, sink);
+    }
+}

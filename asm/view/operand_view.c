@@ -1,0 +1,224 @@
+/* operand_view.c - decodes the operands of an instruction and reads their values. */
+#include "asm/view/operand_view.h"
+
+#include <ctype.h>
+#include <string.h>
+
+enum { WORD_BITS = 64, HALF_BITS = 32 };
+
+c205_word view_word_at(const c205 *machine, uint64_t address)
+{
+    c205_word pair[2] = { 0, 0 };
+    uint64_t first = address / WORD_BITS * WORD_BITS;
+
+    if (!c205_read(machine, first, pair, 2))
+        c205_read(machine, first, pair, 1);
+    return first == address ? pair[0] : pair[0] << HALF_BITS | pair[1] >> HALF_BITS;
+}
+
+/* ---- Decode ---- */
+
+static uint8_t field_of(const c205_fields *fields, char field)
+{
+    switch (field) {
+    case 'X': return fields->x;
+    case 'A': return fields->a;
+    case 'Y': return fields->y;
+    case 'B': return fields->b;
+    case 'Z': return fields->z;
+    case 'C': return fields->c;
+    case 'R': return fields->r;
+    case 'S': return fields->s;
+    default: return fields->t;
+    }
+}
+
+static bool is_broadcast(const c205_fields *fields, char field)
+{
+    return fields->g & (field == 'A' ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
+}
+
+/* Returns the width of an element in bits: 64, or 32 for a capital letter, or 1. */
+static unsigned width_of(char letter)
+{
+    if (strchr("beoz", letter))
+        return 1;
+    return isupper((unsigned char)letter) ? HALF_BITS : WORD_BITS;
+}
+
+/* Sets the register of an operand's offset. For "a" it is X or Y, for "[A+X]" it is X.
+ * For a result and the control vector it is the register after the result, unless the
+ * bit means that Z is given. */
+static void add_offset(struct operand_view *operand,
+                       const struct instruction_view *view, const char *syntax)
+{
+    const c205_fields *fields = &view->fields;
+    bool after = strchr("cdeqoz", tolower((unsigned char)operand->letter))
+                 && fields->g & C205_G_OFFSET && !strchr(view->insn->operands, 'g');
+
+    if (syntax[1] == '+')
+        operand->offset = field_of(fields, syntax[2]);
+    else if (islower((unsigned char)*syntax))
+        operand->offset = operand->field == 'A' ? fields->x : fields->y;
+    if (after)
+        operand->offset = (uint8_t)(fields->c + 1);
+}
+
+static void decode_one(struct operand_view *operand,
+                       const struct instruction_view *view, const char *syntax,
+                       char letter)
+{
+    bool half = view->insn->flags & C205_INSN_HALF && view->fields.g & C205_G_HALF
+                && strchr("fwpvudcx", letter);
+
+    memset(operand, 0, sizeof *operand);
+    if (letter == 'g')
+        letter = view->fields.g & C205_G_GIVEN ? 'b' : 'o';
+    operand->letter = half ? (char)toupper((unsigned char)letter) : letter;
+    if (strchr("nt", letter))
+        return;
+    operand->field = (char)toupper((unsigned char)*syntax);
+    operand->number = field_of(&view->fields, operand->field);
+    letter = (char)tolower((unsigned char)letter);
+    operand->is_vector = strchr("lbdeqcoxz", letter)
+                         || (strchr("vu", letter)
+                             && !(islower((unsigned char)*syntax)
+                                  && is_broadcast(&view->fields, operand->field)));
+    operand->width = width_of(operand->letter);
+    operand->is_half = !operand->is_vector && operand->width == HALF_BITS;
+    if (operand->is_vector)
+        add_offset(operand, view, syntax);
+}
+
+/* Each field of the syntax except an offset "+X" has one letter in insn.def. */
+static void decode_operands(struct instruction_view *view)
+{
+    const char *syntax = c205_format_syntax(view->insn->format);
+    const char *letter = view->insn->operands;
+
+    for (; *syntax && *letter && view->count < VIEW_OPERANDS; syntax++) {
+        if (*syntax == '+')
+            syntax++;
+        else if (isalpha((unsigned char)*syntax) || *syntax == '@')
+            decode_one(&view->operands[view->count++], view, syntax, *letter++);
+    }
+}
+
+void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc)
+{
+    c205_word word = view_word_at(machine, pc);
+
+    memset(view, 0, sizeof *view);
+    view->pc = pc;
+    view->insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
+    view->halves = 1;
+    if (!view->insn)
+        return;
+    view->halves = c205_format_halves(view->insn->format);
+    view->fields = c205_decode(view->insn, word);
+    decode_operands(view);
+}
+
+/* ---- Fill ---- */
+
+static void describe(struct operand_view *operand, const c205 *machine)
+{
+    int64_t skip = 0;
+
+    operand->address = c205_descriptor_address(operand->word);
+    operand->length = c205_descriptor_length(operand->word);
+    if (operand->offset)
+        skip = c205_to_integer(c205_register(machine, operand->offset));
+    operand->is_bad = skip < 0;
+    if (skip <= 0)
+        return;
+    operand->address = c205_descriptor_address(operand->address
+                                               + (uint64_t)skip * operand->width);
+    operand->length -= (uint64_t)skip < operand->length ? (size_t)skip
+                                                        : operand->length;
+}
+
+/* Returns whether the operand is register 0, h0 or h1, read as a number. */
+static bool reads_zero(const struct operand_view *operand)
+{
+    return strchr("fFvV", operand->letter) && !operand->is_vector
+           && operand->number / (operand->is_half ? 2 : 1) == 0;
+}
+
+void view_fill(struct instruction_view *view, const c205 *machine)
+{
+    size_t i;
+
+    for (i = 0; i < view->count; i++) {
+        struct operand_view *operand = &view->operands[i];
+
+        if (!operand->field)
+            continue;
+        operand->word = c205_register(machine, operand->is_half ? operand->number / 2u
+                                                                : operand->number);
+        if (operand->is_half)
+            operand->word = operand->word << operand->number % 2 * HALF_BITS
+                            & ~(c205_word)UINT32_MAX;
+        if (reads_zero(operand))
+            operand->word = C205_MACHINE_ZERO;
+        if (operand->is_vector)
+            describe(operand, machine);
+    }
+}
+
+size_t view_next(struct instruction_view views[VIEW_NEXT], const c205 *machine)
+{
+    uint64_t pc = c205_pc(machine);
+    size_t count = 1, i;
+
+    view_decode(&views[0], machine, pc);
+    if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
+        count = VIEW_NEXT;
+        pc += HALF_BITS * (uint64_t)views[0].halves;
+        view_decode(&views[0], machine, pc);
+        pc += HALF_BITS * (uint64_t)views[0].halves;
+        view_decode(&views[1], machine, pc);
+    }
+    for (i = 0; i < count; i++)
+        if (views[i].insn)
+            view_fill(&views[i], machine);
+    return count;
+}
+
+const struct operand_view *view_find(const struct instruction_view *view,
+                                     const char *letters)
+{
+    size_t i;
+
+    for (i = 0; i < view->count; i++)
+        if (strchr(letters, view->operands[i].letter))
+            return &view->operands[i];
+    return NULL;
+}
+
+/* ---- Elements ---- */
+
+static void pick(const struct operand_view *operand, uint64_t bit, c205_word *element)
+{
+    if (operand->width == HALF_BITS)
+        *element = *element << bit & ~(c205_word)UINT32_MAX;
+    else if (operand->width == 1)
+        *element = *element >> (WORD_BITS - 1 - bit) & 1;
+}
+
+bool view_read(const c205 *machine, const struct operand_view *operand, size_t first,
+               size_t n, c205_word *words)
+{
+    uint64_t at = c205_descriptor_address(operand->address
+                                          + (uint64_t)first * operand->width);
+    size_t i;
+
+    if (operand->width == WORD_BITS)
+        return c205_read(machine, at, words, n);
+    for (i = 0; i < n; i++, at += operand->width) {
+        if (!c205_read(machine, at / WORD_BITS * WORD_BITS, &words[i], 1))
+            return false;
+        pick(operand, at % WORD_BITS, &words[i]);
+    }
+    return true;
+}

@@ -1,0 +1,42 @@
+/* vector_view.h - vectors in memory that a register, an operand or a label describes.
+ */
+#ifndef ASM_VECTOR_VIEW_H
+#define ASM_VECTOR_VIEW_H
+
+#include "asm/view/operand_view.h"
+
+struct vector_view {
+    uint64_t address;
+    size_t length;
+    unsigned width; /* bits of an element: 64, 32, 1 */
+    bool controlled;
+    uint64_t control; /* bit address of the control vector */
+};
+
+/* Returns "words", "half words" or "bits". */
+const char *vector_elements(unsigned width);
+
+/* Interprets a word of a register as a descriptor. */
+struct vector_view vector_described(c205_word word, unsigned width);
+/* Interprets a word as a descriptor of words if all of them are mapped, otherwise of
+ * bits. Returns false if neither is possible. */
+bool vector_recognise(const c205 *machine, c205_word word, struct vector_view *vector);
+/* vector_has_elements returns whether an operand has a known number of elements;
+ * vector_of_operand returns these, with their control bits. */
+bool vector_has_elements(const struct operand_view *operand);
+struct vector_view vector_of_operand(const struct instruction_view *view,
+                                     const struct operand_view *operand);
+
+/* Returns whether the whole vector is in mapped memory. */
+bool vector_is_mapped(const c205 *machine, const struct vector_view *vector);
+/* Reads elements from `first` on. Elements of 32 bits are left-aligned in words,
+ * bits are right-aligned. Fails if memory is not mapped or the address is not a
+ * multiple of the width. */
+bool vector_get(const c205 *machine, const struct vector_view *vector, size_t first,
+                size_t count, c205_word *words);
+/* Returns the control bit of an element in *bit; false if there is none. It determines
+ * whether the result of the element is stored. */
+bool vector_control(const c205 *machine, const struct vector_view *vector, size_t i,
+                    bool *bit);
+
+#endif
