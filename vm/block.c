@@ -1,7 +1,8 @@
-/* block.c - makes blocks of decoded scalar instructions. */
+/* block.c - makes and executes blocks of decoded scalar instructions. */
 #include "vm/block.h"
 
 #include "vm/machine.h"
+#include "vm/time/schedule.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -86,7 +87,13 @@ static bool take_in(struct c205 *machine, struct code_block *block)
     return may_go_on(machine, decoded);
 }
 
-struct code_block *block_make(struct c205 *machine, uint64_t pc)
+static inline struct code_block **block_place(struct blocks *blocks, uint64_t pc)
+{
+    return &blocks->at[pc / INSTRUCTION_STEP % BLOCK_PLACES];
+}
+
+/* Makes the block that begins at pc and decodes all of its instructions. */
+static struct code_block *block_make(struct c205 *machine, uint64_t pc)
 {
     struct blocks *blocks = machine->blocks;
     make_room(blocks);
@@ -101,4 +108,64 @@ struct code_block *block_make(struct c205 *machine, uint64_t pc)
     clock_measure(machine->clock, block);
     *block_place(blocks, pc) = block;
     return block;
+}
+
+/* ---- Execution ---------------------------------------------------------- */
+
+/* Returns the number of executed instructions, less than all after a trap or a change
+ * of code. */
+static inline unsigned execute_block(struct c205 *machine,
+                                     const struct code_block *block, c205_trap *trap)
+{
+    const struct decoded *insn = block->insn, *end = insn + block->count;
+    struct effect *effect = &machine->effect;
+    effect->taken = effect->ends = false;
+    effect->touch_count = 0;
+    effect->swapped = 0;
+    do
+        *trap = insn->execute(machine, insn);
+    while (*trap == C205_TRAP_NONE && ++insn < end && !effect->ends);
+    return (unsigned)(insn - block->insn);
+}
+
+/* Executes a block as far as possible and charges it. Sets *insn if it traps. */
+static inline c205_trap run_block(struct c205 *machine, struct code_block *block,
+                                  const c205_insn **insn)
+{
+    c205_trap trap;
+    struct effect *effect = &machine->effect;
+    unsigned count = execute_block(machine, block, &trap);
+    if (!clock_repeat(machine->clock, block, count, effect))
+        clock_charge_block(machine->clock, block, count, effect);
+    machine->pc = effect->taken ? effect->target
+                  : count > 0   ? block->insn[count - 1].next
+                                : block->pc;
+    if (trap != C205_TRAP_NONE)
+        *insn = block->insn[count].insn;
+    return trap;
+}
+
+/* Returns the block at the program counter. NULL: the instruction there must run alone,
+ * or the block may reach the limit. */
+static inline struct code_block *next_block(struct c205 *machine, uint64_t limit)
+{
+    uint64_t pc = machine->pc;
+    struct code_block *block = *block_place(machine->blocks, pc);
+    if (!block || block->pc != pc || block->version != machine->memory.code_changes)
+        block = block_make(machine, pc);
+    return block->count > 0
+                   && (limit == C205_NO_LIMIT
+                       || clock_ends_before(machine->clock, block, limit))
+               ? block
+               : NULL;
+}
+
+c205_trap blocks_run(struct c205 *machine, uint64_t limit, const c205_insn **insn)
+{
+    struct code_block *block;
+    c205_trap trap = C205_TRAP_NONE;
+    while (trap == C205_TRAP_NONE && (block = next_block(machine, limit)))
+        trap = run_block(machine, block, insn);
+    clock_materialize(machine->clock);
+    return trap;
 }

@@ -45,12 +45,9 @@ struct blocks {
  * of memory. */
 struct blocks *blocks_new(void);
 
-static inline struct code_block **block_place(struct blocks *blocks, uint64_t pc)
-{
-    return &blocks->at[pc / INSTRUCTION_STEP % BLOCK_PLACES];
-}
-
-/* Makes the block that begins at pc and decodes all of its instructions. */
-struct code_block *block_make(struct c205 *machine, uint64_t pc);
+/* Executes blocks from the program counter on, without listeners, until an instruction
+ * must run alone or a block may reach the limit. Returns the trap that ended it before,
+ * and sets *insn to the instruction that trapped. */
+c205_trap blocks_run(struct c205 *machine, uint64_t limit, const c205_insn **insn);
 
 #endif

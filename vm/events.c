@@ -93,3 +93,14 @@ void machine_notify_stop(struct c205 *machine, const c205_stop *stop, uint64_t b
     event.trap = stop->trap;
     notify_listeners(machine, &event);
 }
+
+bool c205_listen(c205 *machine, c205_listener *listener, void *context)
+{
+    if (machine->listener_count == C205_LISTENERS)
+        return false;
+    machine->listener[machine->listener_count].call = listener;
+    machine->listener[machine->listener_count++].context = context;
+    machine->eventful = true;
+    clock_listen(machine->clock, &machine->record);
+    return true;
+}

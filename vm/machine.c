@@ -1,9 +1,7 @@
-/* machine.c - creates, loads, runs and inspects a machine. */
+/* machine.c - creates, loads and runs a machine. */
 #include "vm/machine.h"
-#include "vm/shared.h"
 #include "vm/events.h"
 #include "vm/breakpoints.h"
-#include "vm/time/schedule.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,9 +24,9 @@ static void clear_registers(struct c205 *machine)
     machine->request = NO_REQUEST;
 }
 
-/* Discards an interrupted instruction. It was decoded from its saved copy, which may
- * differ from memory, so the decode cache is invalidated. */
-static void clear_resume(struct c205 *machine)
+/* The interrupted instruction was decoded from its saved copy, which may differ from
+ * memory, so the decode cache is invalidated. */
+void machine_clear_resume(struct c205 *machine)
 {
     if (!machine->resume.interrupted)
         return;
@@ -100,7 +98,7 @@ static bool load_segment(struct c205 *machine, const c205_segment *segment,
 bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
 {
     clear_registers(machine);
-    clear_resume(machine);
+    machine_clear_resume(machine);
     memory_clear(&machine->memory);
     clock_reset(machine->clock);
     clock_forget_pages(machine->clock);
@@ -126,23 +124,6 @@ c205_word *machine_scratch(struct c205 *machine, enum scratch which)
 
 /* ---- Running ------------------------------------------------------------ */
 
-static const char *const rule_texts[RULES] = {
-#define RULE(name, trap, text) [RULE_##name] = text,
-#include "vm/rules.def"
-#undef RULE
-};
-
-/* Returns the text of the recorded rule, or of the first rule of the trap. */
-static const char *broken_rule(const struct c205 *machine, c205_trap trap)
-{
-    unsigned rule = machine->rule;
-    if (rule_trap(machine->rule) != trap)
-        rule = RULE_NONE + 1;
-    while (rule < RULES && rule_trap((enum rule)rule) != trap)
-        rule++;
-    return rule < RULES ? rule_texts[rule] : NULL;
-}
-
 static void set_trap(struct c205 *machine, c205_trap trap, const c205_insn *insn,
                      c205_stop *stop)
 {
@@ -150,7 +131,7 @@ static void set_trap(struct c205 *machine, c205_trap trap, const c205_insn *insn
     stop->pc = machine->pc;
     stop->address = machine->fault;
     stop->insn = trap == C205_TRAP_UNDEFINED_INSTRUCTION ? NULL : insn;
-    stop->rule = broken_rule(machine, trap);
+    stop->rule = machine_broken_rule(machine, trap);
     stop->status = 0;
     machine->fault = 0;
     machine->rule = RULE_NONE;
@@ -284,66 +265,19 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
     return !machine->eventful || attend(machine, decoded, before, stop);
 }
 
-/* ---- Blocks -------------------------------------------------------------- */
+/* ---- Runs --------------------------------------------------------------- */
 
-/* Returns the number of executed instructions, less than all after a trap or a change
- * of code. */
-static inline unsigned execute_block(struct c205 *machine,
-                                     const struct code_block *block, c205_trap *trap)
-{
-    const struct decoded *insn = block->insn, *end = insn + block->count;
-    struct effect *effect = &machine->effect;
-    effect->taken = effect->ends = false;
-    effect->touch_count = 0;
-    effect->swapped = 0;
-    do
-        *trap = insn->execute(machine, insn);
-    while (*trap == C205_TRAP_NONE && ++insn < end && !effect->ends);
-    return (unsigned)(insn - block->insn);
-}
-
-/* Executes a block as far as possible, without listeners and without reaching the
- * limit. Returns false if the run ends, with the reason in *stop. */
-static inline bool run_block(struct c205 *machine, struct code_block *block,
-                             c205_stop *stop)
-{
-    c205_trap trap;
-    struct effect *effect = &machine->effect;
-    unsigned count = execute_block(machine, block, &trap);
-    if (!clock_repeat(machine->clock, block, count, effect))
-        clock_charge_block(machine->clock, block, count, effect);
-    machine->pc = effect->taken ? effect->target
-                  : count > 0   ? block->insn[count - 1].next
-                                : block->pc;
-    if (trap == C205_TRAP_NONE)
-        return true;
-    clock_materialize(machine->clock);
-    return stop_before(machine, trap, block->insn[count].insn, stop);
-}
-
-static inline struct code_block *block_at(struct c205 *machine, uint64_t pc)
-{
-    struct code_block *block = *block_place(machine->blocks, pc);
-    if (block && block->pc == pc && block->version == machine->memory.code_changes)
-        return block;
-    return block_make(machine, pc);
-}
-
-/* Executes a block, or one instruction if a block is not possible. */
+/* Executes blocks, then one instruction. */
 static inline bool go_on(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
-    if (!machine->eventful) {
-        struct code_block *block = block_at(machine, machine->pc);
-        if (block->count > 0
-            && (limit == C205_NO_LIMIT
-                || clock_ends_before(machine->clock, block, limit)))
-            return run_block(machine, block, stop);
-        clock_materialize(machine->clock);
-    }
+    const c205_insn *insn;
+    c205_trap trap = C205_TRAP_NONE;
+    if (!machine->eventful)
+        trap = blocks_run(machine, limit, &insn);
+    if (trap != C205_TRAP_NONE)
+        return stop_before(machine, trap, insn, stop);
     return step(machine, limit, stop);
 }
-
-/* ---- Runs --------------------------------------------------------------- */
 
 /* The first step continues at the point where the previous run stopped. */
 static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
@@ -356,7 +290,7 @@ static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
     clock_go_back(machine->clock);
     bool goes_on = step(machine, limit, stop);
     if (goes_on || stop->trap == C205_TRAP_NONE || trap_is_behind(stop->trap))
-        clear_resume(machine);
+        machine_clear_resume(machine);
     return goes_on;
 }
 
@@ -394,208 +328,4 @@ bool c205_step(c205 *machine, c205_stop *stop)
 {
     machine_sample_watchpoints(machine);
     return first_step(machine, C205_NO_LIMIT, stop);
-}
-
-/* ---- Inspection --------------------------------------------------------- */
-
-static const char *const trap_names[C205_TRAPS] = {
-    [C205_TRAP_NONE] = "none",
-    [C205_TRAP_UNDEFINED_INSTRUCTION] = "undefined-instruction",
-    [C205_TRAP_UNMAPPED_ADDRESS] = "unmapped-address",
-    [C205_TRAP_PROTECTED_ADDRESS] = "protected-address",
-    [C205_TRAP_BAD_DESCRIPTOR] = "bad-descriptor",
-    [C205_TRAP_MISALIGNED_OPERAND] = "misaligned-operand",
-    [C205_TRAP_BAD_LINK] = "bad-link",
-    [C205_TRAP_BAD_REQUEST] = "bad-request",
-    [C205_TRAP_CLOCK_LIMIT] = "clock-limit",
-    [C205_TRAP_NO_MEMORY] = "no-memory",
-    [C205_TRAP_PAUSED] = "paused",
-    [C205_TRAP_BREAKPOINT] = "breakpoint",
-    [C205_TRAP_WATCHPOINT] = "watchpoint"
-};
-
-const char *c205_trap_name(c205_trap trap)
-{
-    return trap_names[trap];
-}
-
-/* Address 0 is shown for these traps too, because an uninitialised descriptor holds
- * it. */
-static bool has_address(const c205_stop *stop)
-{
-    return stop->address || stop->trap == C205_TRAP_UNMAPPED_ADDRESS
-           || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
-}
-
-/* Writes ": 56000000", the half word that is not an instruction. */
-static void describe_code(const c205 *machine, uint64_t pc, char text[20])
-{
-    c205_word word;
-    uint64_t skip = pc % WORD_BITS;
-    text[0] = '\0';
-    if (c205_read(machine, pc - skip, &word, 1))
-        snprintf(text, 20, ": %08llX",
-                 (unsigned long long)(word << skip >> WORD_BITS / 2));
-}
-
-/* Returns true if the host could not allocate a page at its first use. */
-static bool lacks_page(const c205 *machine, const c205_stop *stop)
-{
-    return stop->trap == C205_TRAP_UNMAPPED_ADDRESS && stop->address <= ADDRESS_MASK
-           && memory_is_untouched(memory_peek(&machine->memory, stop->address));
-}
-
-void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *text)
-{
-    unsigned long long pc = stop->pc, address = stop->address;
-    char code[20] = "", operand[32] = "";
-    const char *rule = lacks_page(machine, stop) ? MEMORY_NO_PAGE : stop->rule;
-    if (stop->trap == C205_TRAP_NONE) {
-        snprintf(text->message, sizeof text->message, "ended at %llX with status %lld",
-                 pc, (long long)stop->status);
-        return;
-    }
-    if (stop->insn)
-        snprintf(code, sizeof code, ": %s", stop->insn->mnemonic);
-    else if (stop->trap == C205_TRAP_UNDEFINED_INSTRUCTION)
-        describe_code(machine, stop->pc, code);
-    if (has_address(stop))
-        snprintf(operand, sizeof operand, ": address %llX", address);
-    snprintf(text->message, sizeof text->message, "trap %s at %llX%s%s%s%s",
-             c205_trap_name(stop->trap), pc, code, operand, rule ? ": " : "",
-             rule ? rule : "");
-}
-
-bool c205_map(c205 *machine, uint64_t address, size_t words, c205_access access,
-              c205_error *error)
-{
-    return memory_map(&machine->memory, address, words, access, error);
-}
-
-bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
-                     c205_error *error)
-{
-    return shared_map(shared, &machine->memory, address, error);
-}
-
-void c205_warm(c205 *machine)
-{
-    uint64_t address = memory_next_page(&machine->memory, 0);
-    for (; address <= ADDRESS_MASK;
-         address = memory_next_page(&machine->memory, address + PAGE_BITS))
-        clock_warm_page(machine->clock, address, PAGE_BITS);
-}
-
-bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page)
-{
-    uint64_t address = memory_next_page(&machine->memory, from & ~(PAGE_BITS - 1));
-    const struct page *found;
-    if (from > ADDRESS_MASK || address > ADDRESS_MASK)
-        return false;
-    found = memory_peek(&machine->memory, address);
-    page->address = address;
-    page->touched = !memory_is_untouched(found);
-    page->writable = !page->touched || memory_may_write(found);
-    return true;
-}
-
-static bool host_may_copy(const c205 *machine, uint64_t address, size_t count)
-{
-    uint64_t fault;
-    return address % WORD_BITS == 0 && address <= ADDRESS_MASK
-           && (uint64_t)count <= ADDRESS_SPACE_WORDS
-           && memory_check(&machine->memory, address, (uint64_t)count * WORD_BITS,
-                           false, &fault)
-                  == C205_TRAP_NONE;
-}
-
-bool c205_read(const c205 *machine, uint64_t address, c205_word *words, size_t count)
-{
-    if (!host_may_copy(machine, address, count))
-        return false;
-    memory_read_words(&machine->memory, address, words, count);
-    return true;
-}
-
-bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t count)
-{
-    if (!host_may_copy(machine, address, count))
-        return false;
-    memory_write_words(&machine->memory, address, words, count);
-    return true;
-}
-
-c205_word c205_register(const c205 *machine, unsigned number)
-{
-    return number < C205_REGISTERS ? machine->slot[number] : 0;
-}
-
-/* Register 0 cannot be changed. */
-void c205_set_register(c205 *machine, unsigned number, c205_word word)
-{
-    if (number > 0 && number < C205_REGISTERS)
-        machine->slot[number] = word;
-}
-
-uint64_t c205_pc(const c205 *machine)
-{
-    return machine->pc;
-}
-
-void c205_set_pc(c205 *machine, uint64_t address)
-{
-    clear_resume(machine);
-    clock_commit(machine->clock);
-    machine->pc = address & ADDRESS_MASK;
-}
-
-c205_word c205_data_flags(const c205 *machine)
-{
-    return machine_flags(machine);
-}
-
-uint64_t c205_loaded_program(const c205 *machine)
-{
-    return machine->program;
-}
-
-/* ---- Time --------------------------------------------------------------- */
-
-uint64_t c205_clock(const c205 *machine)
-{
-    return clock_now(machine->clock);
-}
-
-const c205_model *c205_machine_model(const c205 *machine)
-{
-    return machine->model;
-}
-
-size_t c205_account_count(const c205 *machine)
-{
-    return clock_account_count(machine->clock);
-}
-
-const c205_account *c205_account_at(const c205 *machine, size_t i)
-{
-    return clock_account(machine->clock, i);
-}
-
-void c205_reset_clock(c205 *machine)
-{
-    machine_raise_flags(machine);
-    if (machine->timer)
-        machine->timer -= clock_now(machine->clock);
-    clock_reset(machine->clock);
-}
-
-bool c205_listen(c205 *machine, c205_listener *listener, void *context)
-{
-    if (machine->listener_count == C205_LISTENERS)
-        return false;
-    machine->listener[machine->listener_count].call = listener;
-    machine->listener[machine->listener_count++].context = context;
-    machine->eventful = true;
-    clock_listen(machine->clock, &machine->record);
-    return true;
 }

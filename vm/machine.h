@@ -227,6 +227,13 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
     return trap;
 }
 
+/* Returns the recorded rule, or the first rule of the trap, as a sentence; NULL: the trap
+ * has no rule (vm/stop_text.c). */
+const char *machine_broken_rule(const struct c205 *machine, c205_trap trap);
+
+/* Discards an interrupted instruction. */
+void machine_clear_resume(struct c205 *machine);
+
 /* The functions named in insn.def. */
 #define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \
              function, operation, provenance, effect) \
