@@ -7,7 +7,8 @@ DOCDIR = $(PREFIX)/share/doc/c205
 # The installed files: three libraries, each with only the names of these headers, and
 # with its own copy of the parts of base that it needs.
 api = $(BUILD)/api
-vm_api = vm/c205.h vm/insn.def vm/arith.def
+vm_api = $(addprefix vm/,c205.h c205_word.h c205_model.h c205_machine.h c205_time.h \
+	c205_history.h insn.def arith.def)
 asm_api = $(addprefix asm/,object/disassemble.h object/expectation.h object/object.h \
 	object/object_file.h object/warning.def object/warning.h text/assemble.h \
 	view/listing.h view/print.h view/state.h view/trap_report.h \

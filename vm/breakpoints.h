@@ -1,4 +1,4 @@
-/* breakpoints.h - breakpoints and watchpoints of a machine; see c205.h. */
+/* breakpoints.h - breakpoints and watchpoints; see c205_machine.h. */
 #ifndef C205_STOPS_H
 #define C205_STOPS_H
 

@@ -1,4 +1,4 @@
-/* events.h - notifies the listeners; see c205.h. */
+/* events.h - notifies the listeners; see c205_machine.h. */
 #ifndef C205_EVENTS_H
 #define C205_EVENTS_H
 

@@ -1,6 +1,6 @@
 /* word.h - a word as a number: its parts and classes.
  *
- * See c205.h for the format of 64 bits. A number of another format is at the left of a
+ * See c205_word.h for the format of 64 bits. A number of another format is at the left of a
  * c205_word, followed by zeros:
  *
  *   | exponent | coefficient, sign and digits | zeros |

@@ -1,0 +1,222 @@
+/* c205_machine.h - programs, the machine that runs them, its events and breakpoints. */
+#ifndef C205_API_MACHINE_H
+#define C205_API_MACHINE_H
+
+#include "c205_model.h"
+
+/* ---- Programs ----------------------------------------------------------- */
+
+typedef struct c205_segment {
+    uint64_t address;       /* bit address, a multiple of 64 */
+    size_t length;          /* words */
+    const c205_word *words; /* NULL: zeros, mapped as C205_WHEN_TOUCHED */
+} c205_segment;
+
+/* The code between two addresses belongs to a named region of the accounts. Several
+ * ranges may have one name; they share one account. */
+typedef struct c205_region {
+    const char *name;
+    uint64_t begin, end;
+} c205_region;
+
+typedef struct c205_program {
+    uint64_t entry;
+    size_t segment_count;
+    const c205_segment *segments;
+    size_t region_count;
+    const c205_region *regions;
+    bool warm; /* starts with its pages in use already: c205_warm */
+} c205_program;
+
+/* Returns a hash of entry, segments and regions that identifies a program. */
+uint64_t c205_program_hash(const c205_program *program);
+
+/* ---- The machine (vm/machine.c) ----------------------------------------- */
+
+typedef struct c205 c205;
+
+enum { C205_REGISTERS = 256 };
+#define C205_NO_LIMIT UINT64_MAX
+#define C205_PAGE_WORDS 65536u /* large page (source P); the unit of storage */
+#define C205_MAX_LENGTH 65535u /* of a vector (source P) */
+
+c205 *c205_new(const c205_model *model, c205_error *error);
+void c205_free(c205 *machine);
+const c205_model *c205_machine_model(const c205 *machine);
+
+/* Zeroes registers, clock and accounts, unmaps all memory, maps and fills the segments
+ * of the program, and sets the program counter to its entry. */
+bool c205_load(c205 *machine, const c205_program *program, c205_error *error);
+/* Returns the hash of the program last loaded; 0: none. */
+uint64_t c205_loaded_program(const c205 *machine);
+
+/* ---- Memory (vm/inspect.c, shared.c) ------------------------------------- */
+
+typedef enum c205_access {
+    C205_READ_ONLY,
+    C205_READ_WRITE,
+    C205_WHEN_TOUCHED /* may be read and written; the host allocates a page on first
+                         use, and if it cannot, the page counts as unmapped */
+} c205_access;
+/* Maps the pages of a range of words that starts at a bit address. Pages that were not
+ * mapped before are zeroed. */
+bool c205_map(c205 *machine, uint64_t address, size_t words, c205_access access,
+              c205_error *error);
+
+/* Words that machines in any threads share. A page is copied for a machine before that
+ * machine first writes to it. The words must exist as long as any of these machines
+ * runs or is inspected. A machine may still be freed, or load another program, after
+ * the words are freed. */
+typedef struct c205_shared c205_shared;
+/* The words are followed by zeros to the end of the last page. NULL: out of memory. */
+c205_shared *c205_shared_new(const c205_word *words, size_t count);
+void c205_shared_free(c205_shared *shared);
+/* Maps the words from the address of a page on. No page may be mapped there. */
+bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
+                     c205_error *error);
+
+/* Finds the first mapped page from an address on. Sets whether it may be written, and
+ * whether a C205_WHEN_TOUCHED page has been used. Returns false if there is none. */
+typedef struct c205_page {
+    uint64_t address;
+    bool writable, touched;
+} c205_page;
+bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page);
+
+/* Puts all mapped pages into real memory and the associative registers as far as there
+ * is room, with preference for the highest addresses, as if the program had used them
+ * before. Takes no clocks. */
+void c205_warm(c205 *machine);
+
+/* Copy between the host and the machine's memory; take no clocks. Fail without effect
+ * if a page is not mapped. */
+bool c205_read(const c205 *machine, uint64_t address, c205_word *words, size_t count);
+bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t count);
+
+/* ---- Runs (vm/machine.c, stop_text.c) ------------------------------------ */
+
+typedef enum c205_trap {
+    C205_TRAP_NONE,
+    C205_TRAP_UNDEFINED_INSTRUCTION, /* no such opcode or G bits */
+    C205_TRAP_UNMAPPED_ADDRESS,
+    C205_TRAP_PROTECTED_ADDRESS,  /* write to read-only memory */
+    C205_TRAP_BAD_DESCRIPTOR,     /* negative offset, missing vector, ... */
+    C205_TRAP_MISALIGNED_OPERAND, /* for example a word vector that does not start at a
+                                     word */
+    C205_TRAP_BAD_LINK,           /* the pair after LINKV cannot be linked */
+    C205_TRAP_BAD_REQUEST,        /* no such monitor request */
+    C205_TRAP_CLOCK_LIMIT,
+    C205_TRAP_NO_MEMORY, /* the host is out of memory */
+    C205_TRAP_PAUSED,    /* by c205_pause, or after a given number of instructions */
+    C205_TRAP_BREAKPOINT,
+    C205_TRAP_WATCHPOINT, /* address: of the watched words */
+    C205_TRAPS
+} c205_trap;
+const char *c205_trap_name(c205_trap trap); /* for example "undefined-instruction" */
+
+/* The end of a run. */
+typedef struct c205_stop {
+    c205_trap trap;        /* NONE: the program ended itself with EXIT */
+    uint64_t pc;           /* bit address of the instruction that stopped */
+    uint64_t address;      /* the operand address at fault, or 0 */
+    const char *rule;      /* the broken rule, a sentence; NULL: none */
+    const c205_insn *insn; /* NULL: undefined */
+    int64_t status;        /* operand R of EXIT */
+} c205_stop;
+
+/* Runs until the program ends, a trap occurs, or the clock has reached limit. The limit
+ * may stop the run between two instructions or within a vector instruction. In the
+ * latter case its first elements are stored, and the program counter stays at it. The
+ * next run continues there, and its results, clocks and accounts are those of a run
+ * without a stop. Nothing happens if the clock has already reached the limit. */
+c205_stop c205_run(c205 *machine, uint64_t limit);
+/* Executes one instruction, or the rest of an interrupted one. A linked pair with its
+ * prefix counts as one. Returns true if the program continues; otherwise *stop states
+ * the reason. */
+bool c205_step(c205 *machine, c205_stop *stop);
+/* Runs at most count instructions, then stops with PAUSED; otherwise like c205_run. */
+c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit);
+/* Writes a text such as "trap unmapped-address at 1000: ADDNV: address 2040: no memory
+ * is mapped there". */
+void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *text);
+
+/* ---- Registers (vm/inspect.c) -------------------------------------------- */
+
+c205_word c205_register(const c205 *machine, unsigned number);
+void c205_set_register(c205 *machine, unsigned number, c205_word word);
+uint64_t c205_pc(const c205 *machine);
+/* Sets the program counter and abandons an interrupted vector instruction: its stored
+ * elements remain, its other results are lost, and its clocks so far are charged. */
+void c205_set_pc(c205 *machine, uint64_t address);
+c205_word c205_data_flags(const c205 *machine);
+
+/* ---- Events (vm/events.c) ------------------------------------------------ */
+
+/* A range of memory. */
+typedef struct c205_range {
+    uint64_t address, bits;
+} c205_range;
+enum { C205_STORES = 3 };
+
+/* The kinds of events. Listeners are notified once after each instruction. */
+typedef enum c205_event_kind {
+    C205_EVENT_INSTRUCTION,
+    C205_EVENT_REQUEST, /* EXIT with a request other than 0 */
+    C205_EVENT_TRAP,
+    C205_EVENT_STOP
+} c205_event_kind;
+
+typedef struct c205_times c205_times; /* c205_time.h */
+
+typedef struct c205_event {
+    c205_event_kind kind;
+    uint64_t pc;
+    const c205_insn *insn;
+    c205_fields fields;
+    size_t region;            /* index into the accounts */
+    uint64_t issued;          /* the clock at which it issued */
+    uint64_t clocks;          /* by which it advanced the clock */
+    const c205_times *record; /* its times; after an end or a trap only the pieces of
+                                 the wait for everything in flight; NULL: none */
+    size_t elements;          /* vector length, 0 for scalar instructions */
+    size_t recurrent;         /* elements that waited for the result of an earlier
+                                 one */
+    bool taken;               /* branches */
+    /* The changes: register r that it wrote is bit r % 64 of written[r / 64], and store
+     * lists the ranges of memory that it stored into. With a control vector it stored
+     * only parts of them. For a list of indices, the range is the smallest one that
+     * contains all of its elements. */
+    uint64_t written[C205_REGISTERS / 64];
+    size_t store_count;
+    c205_range store[C205_STORES];
+    /* For C205_EVENT_REQUEST: */
+    unsigned request;
+    c205_word r, s; /* its operands */
+    c205_trap trap;
+} c205_event;
+
+typedef void c205_listener(void *context, const c205 *machine, const c205_event *event);
+
+/* Adds a listener. Returns false if there are C205_LISTENERS already. */
+enum { C205_LISTENERS = 8 };
+bool c205_listen(c205 *machine, c205_listener *listener, void *context);
+
+/* ---- Breakpoints and watchpoints (vm/breakpoints.c) ------------------------------
+ *
+ * They end a run after an instruction with a trap of their own, of which listeners are
+ * notified like of others. The next run continues there as if it had not been stopped.
+ * Loading a program keeps them. Saving a machine omits them.
+ */
+
+/* For a listener: stops the run with PAUSED after the current instruction. */
+void c205_pause(c205 *machine);
+/* Stops a run with BREAKPOINT before the instruction at an address, unless the run
+ * begins there. set: add or remove. Returns false if memory is exhausted. */
+bool c205_break(c205 *machine, uint64_t address, bool set);
+/* Stops a run with WATCHPOINT after an instruction that changed one of these words.
+ * Writes by the host between two runs do not count, except within a vector instruction
+ * that a limit interrupted. set: add or remove. Returns false if memory is exhausted or
+ * nothing is mapped there. */
+bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set);
+
+#endif

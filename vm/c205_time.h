@@ -1,0 +1,140 @@
+/* c205_time.h - the clocks of a run by cause, and the time that the same run would take
+ * elsewhere.
+ */
+#ifndef C205_API_TIME_H
+#define C205_API_TIME_H
+
+#include "c205_machine.h"
+
+/* ---- Accounts (vm/time/clock.c) ------------------------------------------ */
+
+/* The cause of a clock; each clock has one cause. */
+typedef enum c205_cause {
+    C205_ISSUE,
+    C205_OPERAND_WAIT,
+    C205_UNIT_BUSY,
+    C205_BRANCH,
+    C205_MEMORY_WAIT,
+    C205_VECTOR_STARTUP,
+    C205_VECTOR_STREAM,
+    C205_BANK_CONFLICT,
+    C205_TRANSLATION_MISS,
+    C205_PAGE_FAULT,
+    C205_CAUSES
+} c205_cause;
+const char *c205_cause_name(c205_cause cause);
+
+typedef struct c205_account {
+    const char *name; /* region; "" is all code outside regions */
+    uint64_t clocks[C205_CAUSES];
+    uint64_t instructions; /* all issued instructions */
+    uint64_t vector_instructions;
+    uint64_t elements;   /* of vector results or scanned operands */
+    uint64_t operations; /* floating-point operations, scalar or on elements */
+    uint64_t entries;    /* number of times that control entered the region */
+} c205_account;
+
+/* Returns the clocks charged so far: the sum of all accounts. After the end of a
+ * program or a trap, everything in flight is included. At the clock limit it is not.
+ * Within a vector instruction the clock equals the limit, and the accounts include the
+ * clocks of that instruction up to there. The instruction is counted when it is done.
+ *
+ * After a trap or at the limit, a run may continue as if it had not been stopped, from
+ * the clock at which the instruction at the program counter issues. If a missing page
+ * was mapped in between, the final times are those of a run with the page present from
+ * the start.
+ */
+uint64_t c205_clock(const c205 *machine);
+
+size_t c205_account_count(const c205 *machine);
+const c205_account *c205_account_at(const c205 *machine, size_t i);
+/* Sets clock and accounts to zero and empties the pipes. Memory, registers, resident
+ * pages and the remaining time of the job interval timer are unchanged. An interrupted
+ * instruction remains interrupted, and is charged as a whole when it is done. */
+void c205_reset_clock(c205 *machine);
+
+/* ---- The times of an instruction ----------------------------------------- */
+
+/* The object of a wait. */
+typedef enum c205_wait {
+    C205_WAIT_NONE,     /* no wait: work of the instruction itself */
+    C205_WAIT_REGISTER, /* a register by number: a source that was not ready, or a
+                           pending result */
+    C205_WAIT_UNIT,     /* a unit by number of c205_unit: it was busy */
+    C205_WAIT_LOADS,    /* all loads in flight, or the oldest if the maximum is in
+                           flight */
+    C205_WAIT_RESULTS,  /* all results in flight */
+    C205_WAIT_VECTOR,   /* the vector unit was busy */
+    C205_WAITS
+} c205_wait;
+
+typedef struct c205_piece {
+    uint64_t clocks;
+    c205_cause cause;
+    size_t region; /* whose account is charged */
+    uint64_t pc;   /* the instruction that does the work; a vector instruction continues
+                      while others wait */
+    c205_wait wait;
+    unsigned number; /* of the register or unit, or 0 */
+} c205_piece;
+
+/* The times of one instruction, recorded by the clock. The pieces, in the order of
+ * time, sum to the clocks by which the instruction advanced the clock. A vector
+ * instruction continues after that. Its phases follow each other from its issue to its
+ * end; phases of zero length are omitted. */
+enum { C205_PIECES = 40, C205_PHASES = 5 };
+struct c205_times {
+    uint64_t pc;
+    uint64_t arrived;   /* the clock before it */
+    uint64_t issued;    /* the clock at which it issued */
+    uint64_t ready;     /* the clock at which its results are ready */
+    uint64_t unit_free; /* the clock at which its unit accepts the next instruction; for
+                           a vector instruction, one whose start-up does not overlap */
+    uint64_t misses;    /* pages not in the associative registers */
+    uint64_t faults;    /* those of them not in real memory */
+    size_t piece_count, phase_count;
+    c205_piece piece[C205_PIECES];
+    struct {
+        uint64_t begin, end;
+        c205_cause cause;
+    } phase[C205_PHASES];
+};
+
+/* ---- The time of other machines (vm/time/projection.c) ---------------------
+ *
+ * A listener that charges each scalar instruction of a program with the time that
+ * another machine would take for the same operation.
+ */
+typedef struct c205_projection c205_projection;
+
+/* Returns a new projection. The model must be a projection. */
+c205_projection *c205_projection_new(const c205_model *model, c205_error *error);
+void c205_projection_free(c205_projection *projection);
+/* The listener; its context is the projection. */
+c205_listener c205_project;
+/* Returns the clocks of that machine for a region, numbered as in the accounts. */
+uint64_t c205_projected_clocks(const c205_projection *projection, size_t region);
+/* Returns false if there were vector instructions or memory ran out. */
+bool c205_projection_holds(const c205_projection *projection, c205_error *error);
+
+/* ---- Other constants for the same run (vm/time/recording.c) ----------------
+ *
+ * A listener that records the input of the clock during a run, and computes the time of
+ * the same run with other constants, by the machine's own clock or by a projection. The
+ * result is exact as long as the program does not read the clock.
+ */
+typedef struct c205_recording c205_recording;
+c205_recording *c205_recording_new(c205_error *error);
+void c205_recording_free(c205_recording *recording);
+/* The listener; its context is the recording of one run from its start. */
+c205_listener c205_record;
+
+/* Sets the clocks of each region, numbered as in the accounts; 0 for regions that did
+ * not run. The settings replace constants of the model. Time advances in ticks, of
+ * which a clock has the given number (1: as in the machine). By a projection: NaN for
+ * regions with vector instructions. */
+bool c205_retime(const c205_recording *recording, const c205_model *model,
+                 const c205_setting *settings, size_t count, unsigned ticks,
+                 double *clocks, size_t regions, c205_error *error);
+
+#endif

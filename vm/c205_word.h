@@ -1,0 +1,194 @@
+/* c205_word.h - errors, and words as numbers and as instructions. */
+#ifndef C205_API_WORD_H
+#define C205_API_WORD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct c205_error {
+    char message[256]; /* one sentence, no newline; empty: no error */
+} c205_error;
+
+/* ---- Numbers (vm/number/word.c, decimal.c) ---------------------------------
+ *
+ * A word is 64 bits; bit 0 is the leftmost. As a number it is
+ *
+ *   | exponent 16, two's complement | coefficient 48, two's complement |
+ *
+ * with the value coefficient x 2^exponent. Exponents 8000-8FFF hex mark a machine zero,
+ * 7000-7FFF an indefinite. Source: machine notes, section 1.
+ */
+typedef uint64_t c205_word;
+
+#define C205_MACHINE_ZERO UINT64_C(0x8000000000000000)
+#define C205_INDEFINITE UINT64_C(0x7000000000000000)
+#define C205_ONE UINT64_C(0xFFD2400000000000)
+
+/* Returns a double rounded down to a normalised word; exact if 47 bits hold it. Too
+ * large, infinite or NaN: indefinite. Zero or too small: machine zero. */
+c205_word c205_from_double(double value);
+
+/* Returns the exact value within the range of a double. Indefinite gives NaN. Values
+ * beyond the range give an infinity or a zero with the right sign. */
+double c205_to_double(c205_word word);
+
+/* Returns an integer, -2^47 .. 2^47-1, as a word with exponent 0. */
+c205_word c205_from_integer(int64_t value);
+/* Returns the low 48 bits, sign extended. */
+int64_t c205_to_integer(c205_word word);
+/* The parts of a descriptor of a vector: its bit address, the 48 bits at the right, and
+ * its length in elements, the 16 bits at the left. */
+uint64_t c205_descriptor_address(c205_word descriptor);
+size_t c205_descriptor_length(c205_word descriptor);
+
+/* Reads decimal text ("-12.5e-3") of any length and rounds its exact value down to a
+ * normalised word. Sets *end to the first unused character; end == text: there is no
+ * number. */
+c205_word c205_from_text(const char *text, const char **end);
+
+enum { C205_TEXT_SIZE = 40 };
+/* Writes the shortest decimal text that c205_from_text reads back as the same value,
+ * "indefinite" for an indefinite, and "0" for every zero. */
+void c205_to_text(c205_word word, char text[C205_TEXT_SIZE]);
+/* Writes a word rounded to the nearest decimal, ties to even. FIXED has the given
+ * number of digits after the point. SCIENTIFIC has the given number of digits in all,
+ * one of them before the point, then an e and the power of ten. A FIXED number of more
+ * than C205_DIGITS digits is written in scientific notation with the given number of
+ * digits after the point. */
+typedef enum c205_notation { C205_FIXED, C205_SCIENTIFIC } c205_notation;
+enum { C205_DIGITS = 17 };
+void c205_to_decimal(c205_word word, c205_notation notation, unsigned digits,
+                     char text[C205_TEXT_SIZE]);
+/* Writes "FFD2 4000 0000 0000". */
+void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE]);
+
+/* ---- Half words (vm/number/word.c, decimal.c) ------------------------------
+ *
+ * A half word is 32 bits:
+ *
+ *   | exponent 8, two's complement | coefficient 24, two's complement |
+ *
+ * Exponents 80-8F hex mark a machine zero, 70-7F an indefinite. In this API a half word
+ * is always at the left of a c205_word, followed by zeros, so that C205_MACHINE_ZERO
+ * and C205_INDEFINITE serve both sizes.
+ */
+#define C205_HALF_ONE UINT64_C(0xEA40000000000000)
+
+/* Convert half words in the same way; 23 bits of a double or a text remain. */
+c205_word c205_half_from_double(double value);
+double c205_half_to_double(c205_word half);
+c205_word c205_half_from_text(const char *text, const char **end);
+void c205_half_to_text(c205_word half, char text[C205_TEXT_SIZE]);
+
+/* ---- Instructions (vm/insn.c, from vm/insn.def, vm/arith.def) ------------ */
+
+typedef enum c205_format {
+#define FORMAT(name, halves, syntax) C205_FORMAT_##name,
+#include "insn.def"
+    C205_FORMATS
+} c205_format;
+
+typedef enum c205_unit {
+    C205_UNIT_SINGLE,
+    C205_UNIT_ADD,
+    C205_UNIT_MULTIPLY,
+    C205_UNIT_DIVIDE,
+    C205_UNIT_LOGICAL,
+    C205_UNIT_MEMORY,
+    C205_UNIT_BRANCH,
+    C205_UNIT_VECTOR, /* the whole unit; the following are its parts */
+    C205_UNIT_V_ADD,
+    C205_UNIT_V_MULTIPLY,
+    C205_UNIT_V_DIVIDE,
+    C205_UNIT_V_SHIFT,
+    C205_UNIT_V_LOGICAL,
+    C205_UNITS
+} c205_unit;
+
+typedef enum c205_timing {
+#define TIMING(name, kind) C205_TIMING_##name,
+#include "insn.def"
+    C205_TIMINGS
+} c205_timing;
+
+/* The operation on the operands of an instruction, or on each element. */
+typedef enum c205_operation {
+#define OPERATION(name, specials) C205_OPERATION_##name,
+#include "arith.def"
+    C205_OPERATIONS
+} c205_operation;
+
+/* Bits of c205_insn.flags. */
+#define C205_INSN_SIGN 1u
+#define C205_INSN_PADZ 2u
+#define C205_INSN_PADO 4u
+#define C205_INSN_HALF 8u
+
+/* Bits of the G byte, as values of that byte. */
+#define C205_G_HALF 0x80u   /* 32-bit operands */
+#define C205_G_ZEROS 0x40u  /* a zero in the control vector permits its element */
+#define C205_G_OFFSET 0x20u /* C+1 holds the offset of C and Z */
+#define C205_G_GIVEN 0x20u  /* sparse instructions: Z is given */
+#define C205_G_BROADCAST_A 0x10u
+#define C205_G_BROADCAST_B 0x08u
+#define C205_G_MAGNITUDE_A 0x04u
+#define C205_G_NEGATE_A 0x02u /* after the magnitude, if both are set */
+#define C205_G_MAGNITUDE_B 0x01u
+#define C205_G_RELATIVE 0x40u /* in B0-B5 */
+
+typedef struct c205_insn {
+    const char *mnemonic;
+    uint8_t opcode;
+    uint8_t subop;      /* fixed bits of G */
+    uint8_t subop_mask; /* mask of these bits */
+    uint8_t flags;
+    c205_format format;
+    c205_unit unit;
+    c205_timing timing;
+    c205_operation operation;
+    const char *operands; /* one letter each, see insn.def */
+    const char *effect;
+    char provenance;
+} c205_insn;
+
+extern const c205_insn c205_insns[]; /* in table order */
+extern const size_t c205_insn_count;
+
+/* Returns the instruction with a name, in upper or lower case; NULL: none. */
+const c205_insn *c205_insn_named(const char *mnemonic, size_t length);
+/* Returns the instruction with a code; g is the second byte. NULL: undefined. */
+const c205_insn *c205_insn_coded(uint8_t opcode, uint8_t g);
+
+const char *c205_format_name(c205_format format);
+const char *c205_format_syntax(c205_format format);
+unsigned c205_format_halves(c205_format format);
+const char *c205_unit_name(c205_unit unit);
+bool c205_unit_is_vector(c205_unit unit);
+/* Returns true if instructions of this unit can be linked with those of another such
+ * unit. */
+bool c205_unit_links(c205_unit unit);
+const char *c205_timing_name(c205_timing timing);
+bool c205_timing_is_vector(c205_timing timing);
+/* Returns the treatment of machine zeros and indefinites, as text. */
+const char *c205_operation_specials(c205_operation operation);
+/* Returns the number of floating-point operations per element that an operation counts
+ * as. */
+unsigned c205_operation_flops(c205_operation operation);
+
+/* The fields of an instruction, wherever they are in its word: F8 G8 X8 A8 Y8 B8 Z8 C8
+ * for the long formats, F8 R8 S8 T8 for the short ones. */
+typedef struct c205_fields {
+    uint8_t f, g, x, a, y, b, z, c; /* VECTOR and similar formats, INDEX, FLOAT */
+    uint8_t r, s, t;                /* register formats */
+    int64_t immediate;              /* I8 .. I48, or the branch distance in half
+                                       words */
+} c205_fields;
+
+/* Decode and encode an instruction. A short instruction is in the high half of word.
+ * Both only move bits: encode inserts every field of the format, decode sets missing
+ * fields to zero. */
+c205_fields c205_decode(const c205_insn *insn, c205_word word);
+c205_word c205_encode(const c205_insn *insn, const c205_fields *fields);
+
+#endif
