@@ -31,34 +31,32 @@ struct camera_reading {
 };
 
 /* detail: offset of the vector */
-static bool read_vector_of(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_vector_of(struct reader *reader, const struct item *item)
 {
-    void *member = (char *)subject + item->keyword->detail;
+    void *member = (char *)item->subject + item->keyword->detail;
 
     return read_vector(reader, member);
 }
 
-static bool read_span(struct reader *reader, void *subject, const struct item *item)
+static bool read_span(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
 
     reading->spans = true;
-    return read_vector_of(reader, subject, item);
+    return read_vector_of(reader, item);
 }
 
-static bool read_look_at(struct reader *reader, void *subject, const struct item *item)
+static bool read_look_at(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
 
-    (void)item;
     reading->looks = true;
     return read_vector(reader, reading->look_at);
 }
 
-static bool read_angle(struct reader *reader, void *subject, const struct item *item)
+static bool read_angle(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
 
     if (!read_number(reader, &reading->angle))
         return false;
@@ -68,9 +66,9 @@ static bool read_angle(struct reader *reader, void *subject, const struct item *
 }
 
 /* perspective, orthographic; detail: whether it is the latter */
-static bool read_kind(struct reader *reader, void *subject, const struct item *item)
+static bool read_kind(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
 
     (void)reader;
     reading->setting.camera.orthographic = item->keyword->detail;
@@ -78,22 +76,20 @@ static bool read_kind(struct reader *reader, void *subject, const struct item *i
 }
 
 /* Measured: POV-Ray's rays start up to a quarter of its aperture from the location. */
-static bool read_aperture(struct reader *reader, void *subject, const struct item *item)
+static bool read_aperture(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
     double aperture;
 
-    (void)item;
     if (!read_number(reader, &aperture))
         return false;
     reading->setting.camera.lens_radius = fabs(aperture) / 4;
     return true;
 }
 
-static bool read_lens_points(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool read_lens_points(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
     double points;
 
     if (!read_number(reader, &points))
@@ -107,19 +103,17 @@ static bool read_lens_points(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_focal_point(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool read_focal_point(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
 
-    (void)item;
     reading->focuses = true;
     return read_vector(reader, reading->focal_point);
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
-    struct camera_reading *reading = subject;
+    struct camera_reading *reading = item->subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))

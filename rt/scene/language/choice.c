@@ -21,13 +21,12 @@ static bool to_next(struct reader *reader, struct scene_condition *condition)
     return false;
 }
 
-bool switch_begin(struct reader *reader, void *subject, const struct item *item)
+bool switch_begin(struct reader *reader, const struct item *item)
 {
     double value = 0;
     bool good = condition_read(reader, &value);
     struct scene_condition *condition = NULL;
 
-    (void)subject;
     if (good)
         condition = condition_push(reader, CONDITION_SWITCH, &item->at);
     if (!condition) {
@@ -56,14 +55,13 @@ static bool read_bounds(struct reader *reader, bool range, double *lowest,
            && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
-bool switch_case(struct reader *reader, void *subject, const struct item *item)
+bool switch_case(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
     double lowest = 0, highest = 0;
     size_t sealed;
     bool good;
 
-    (void)subject;
     if (!condition || condition->kind != CONDITION_SWITCH || condition->in_else)
         return reader_fault(reader, &item->at, "'#%s' without a matching '#switch'",
                             item->keyword->word);

@@ -32,9 +32,9 @@ static bool check_inside(struct reader *reader, const struct scene_object *objec
            || reader_fault(reader, at, "the clipping or bounding object is empty");
 }
 
-static bool read_solid(struct reader *reader, void *subject, const struct item *item)
+static bool read_solid(struct reader *reader, const struct item *item)
 {
-    struct clipping *clipping = subject;
+    struct clipping *clipping = item->subject;
     struct scene_object solid;
     bool done;
 
@@ -47,20 +47,19 @@ static bool read_solid(struct reader *reader, void *subject, const struct item *
     return done;
 }
 
-static bool read_as_said(struct reader *reader, void *subject, const struct item *item)
+static bool read_as_said(struct reader *reader, const struct item *item)
 {
-    struct clipping *clipping = subject;
+    struct clipping *clipping = item->subject;
 
     (void)reader;
-    (void)item;
     clipping->as_said = true;
     return true;
 }
 
 /* Moves all objects so far. */
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
-    struct clipping *clipping = subject;
+    struct clipping *clipping = item->subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))
@@ -149,15 +148,15 @@ static bool clip(struct reader *reader, struct scene_object *object,
            && (object_clip(object, by) || reader_no_memory(reader));
 }
 
-bool clipped_by_read(struct reader *reader, void *subject, const struct item *item)
+bool clipped_by_read(struct reader *reader, const struct item *item)
 {
     struct clipping clipping;
     bool done;
 
     memset(&clipping, 0, sizeof clipping);
-    done = block_read(reader, &of_clip, &clipping) && make_whole(reader, subject);
+    done = block_read(reader, &of_clip, &clipping) && make_whole(reader, item->subject);
     if (done && clipping.solids.part_count > 0)
-        done = clip(reader, subject, &clipping.solids, &item->at);
+        done = clip(reader, item->subject, &clipping.solids, &item->at);
     scene_object_free(&clipping.solids);
     return done;
 }
@@ -307,14 +306,15 @@ static bool changes_nothing(const struct clipping *clipping,
            || holds_object(&clipping->solids, object);
 }
 
-bool bounded_by_read(struct reader *reader, void *subject, const struct item *item)
+bool bounded_by_read(struct reader *reader, const struct item *item)
 {
     struct clipping clipping;
     bool done;
 
     memset(&clipping, 0, sizeof clipping);
-    done = block_read(reader, &of_bound, &clipping) && make_whole(reader, subject);
-    if (done && !changes_nothing(&clipping, subject))
+    done = block_read(reader, &of_bound, &clipping)
+           && make_whole(reader, item->subject);
+    if (done && !changes_nothing(&clipping, item->subject))
         reader_report(reader, &item->at,
                       "'bounded_by' is ignored: whether it cuts the "
                       "object cannot be determined");

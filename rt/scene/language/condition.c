@@ -174,12 +174,11 @@ static bool begin(struct reader *reader, const struct scene_token *at, bool good
     return holds || choose(reader, condition);
 }
 
-bool condition_if(struct reader *reader, void *subject, const struct item *item)
+bool condition_if(struct reader *reader, const struct item *item)
 {
     double value = 0;
     bool good = condition_read(reader, &value);
 
-    (void)subject;
     return begin(reader, &item->at, good, condition_holds(value));
 }
 
@@ -198,22 +197,20 @@ static bool read_name(struct reader *reader, double *defined)
     return done;
 }
 
-bool condition_ifdef(struct reader *reader, void *subject, const struct item *item)
+bool condition_ifdef(struct reader *reader, const struct item *item)
 {
     bool wanted = item->keyword->detail == CONDITION_WHEN_DEFINED;
     double defined = 0;
     bool good = read_name(reader, &defined);
 
-    (void)subject;
     return begin(reader, &item->at, good, (defined != 0) == wanted);
 }
 
 /* #else and #elseif end the branch that was read; the rest up to #end is skipped. */
-bool condition_else(struct reader *reader, void *subject, const struct item *item)
+bool condition_else(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
 
-    (void)subject;
     if (condition && condition->kind == CONDITION_SWITCH && !condition->in_else
         && !strcmp(item->keyword->word, "else"))
         return switch_else(reader, condition);
@@ -223,11 +220,10 @@ bool condition_else(struct reader *reader, void *subject, const struct item *ite
     return condition_leave(reader, condition);
 }
 
-bool condition_end(struct reader *reader, void *subject, const struct item *item)
+bool condition_end(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
 
-    (void)subject;
     if (!condition)
         return reader_fault(reader, &item->at, "'#end' without a matching directive");
     if (condition->kind == CONDITION_WHILE || condition->kind == CONDITION_FOR)
@@ -268,12 +264,11 @@ static bool end_macro(struct reader *reader, const struct scene_token *at)
     return true;
 }
 
-bool condition_break(struct reader *reader, void *subject, const struct item *item)
+bool condition_break(struct reader *reader, const struct item *item)
 {
     struct scene_condition *condition = breakable(reader);
     size_t inner;
 
-    (void)subject;
     if (!condition)
         return end_macro(reader, &item->at);
     inner = (size_t)(&reader->conditions[reader->condition_count] - condition);

@@ -56,13 +56,12 @@ static bool open_file(struct reader *reader, struct target *target)
                            target_assign(reader, target, &value));
 }
 
-bool data_file_open(struct reader *reader, void *subject, const struct item *item)
+bool data_file_open(struct reader *reader, const struct item *item)
 {
     struct target target = { .local = false };
     struct declared_name *symbol;
     bool done;
 
-    (void)subject;
     (void)item;
     if (!target_read(reader, &target))
         return false;
@@ -103,11 +102,10 @@ static void forget(struct reader *reader, const struct scene_token *name)
         reference_assign(&name->reference, &closed);
 }
 
-bool data_file_close(struct reader *reader, void *subject, const struct item *item)
+bool data_file_close(struct reader *reader, const struct item *item)
 {
     struct scene_token name;
 
-    (void)subject;
     (void)item;
     if (!expect_file(reader))
         return false;
@@ -273,14 +271,13 @@ static bool read_all(struct reader *reader, const struct scene_token *name,
     return true;
 }
 
-bool data_file_read(struct reader *reader, void *subject, const struct item *item)
+bool data_file_read(struct reader *reader, const struct item *item)
 {
     const struct data_file *open = read_handle(reader, true);
     struct scene_token name = reader->token;
     struct data_file file;
     bool done;
 
-    (void)subject;
     (void)item;
     if (!open)
         return false;
@@ -307,9 +304,8 @@ static bool read_written(struct reader *reader)
     return true;
 }
 
-bool data_file_write(struct reader *reader, void *subject, const struct item *item)
+bool data_file_write(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     (void)item;
     if (!read_handle(reader, false))
         return false;

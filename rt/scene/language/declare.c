@@ -12,20 +12,18 @@
 
 /* ---- Values -------------------------------------------------------------- */
 
-static bool declare_object(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool declare_object(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
     value->kind = VALUE_OBJECT;
     return shape_read(reader, &value->is.object, item);
 }
 
 /* Reads a pigment or a map; a pigment_map yields the pigment of its first entry. */
-static bool declare_pigment(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool declare_pigment(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
     struct pigment *pigment = &value->is.pigment;
 
     value->kind = (enum scene_value_kind)item->keyword->detail;
@@ -35,12 +33,10 @@ static bool declare_pigment(struct reader *reader, void *subject,
                                               : pigment_read(reader, pigment);
 }
 
-static bool declare_finish(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool declare_finish(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_FINISH;
     value->is.finish = reader->default_texture.finish;
     return finish_read(reader, &value->is.finish);
@@ -59,10 +55,9 @@ static bool read_layers(struct reader *reader, struct texture *texture)
     return done;
 }
 
-static bool declare_texture(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool declare_texture(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
     struct texture *texture = &value->is.texture;
 
     value->kind = (enum scene_value_kind)item->keyword->detail;
@@ -73,10 +68,9 @@ static bool declare_texture(struct reader *reader, void *subject,
 }
 
 /* Reads a normal, or a normal with a map. */
-static bool declare_normal(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool declare_normal(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
     struct bumps *bumps = &value->is.bumps;
 
     value->kind = (enum scene_value_kind)item->keyword->detail;
@@ -86,23 +80,20 @@ static bool declare_normal(struct reader *reader, void *subject,
                                             : normal_read(reader, bumps);
 }
 
-static bool declare_function(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool declare_function(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_FUNCTION;
     value->is.formula = formula_read(reader);
     return value->is.formula;
 }
 
 /* Skips a feature that is not drawn. It is reported where it is used. */
-static bool declare_look(struct reader *reader, void *subject, const struct item *item)
+static bool declare_look(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_LOOK;
     if (!reader_at_sign(reader, '{'))
         return reader_expected(reader, "'{'");
@@ -110,59 +101,50 @@ static bool declare_look(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-static bool declare_sky(struct reader *reader, void *subject, const struct item *item)
+static bool declare_sky(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_SKY;
     return sky_read(reader, &value->is.sky);
 }
 
-static bool declare_fog(struct reader *reader, void *subject, const struct item *item)
+static bool declare_fog(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_FOG;
     return fog_read(reader, &value->is.fog);
 }
 
-static bool declare_interior(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool declare_interior(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_INTERIOR;
     value->is.interior = 1;
     return interior_read(reader, &value->is.interior);
 }
 
-static bool declare_material(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool declare_material(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_MATERIAL;
     return material_read(reader, &value->is.material);
 }
 
-static bool declare_transform(struct reader *reader, void *subject,
-                              const struct item *item)
+static bool declare_transform(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
-    (void)item;
     value->kind = VALUE_TRANSFORM;
     return transform_read(reader, &value->is.transform);
 }
 
-static bool declare_camera(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool declare_camera(struct reader *reader, const struct item *item)
 {
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
 
     value->kind = VALUE_CAMERA;
     value->is.camera = camera_default;
@@ -254,13 +236,13 @@ static bool read_numbers(struct reader *reader, struct scene_value *value)
 
 static bool read_statement(struct reader *reader, struct scene_value *value)
 {
-    struct item item = { grammar_find(&declared_grammar, &reader->token),
-                         reader->token };
+    struct item item = { grammar_find(&declared_grammar, &reader->token), reader->token,
+                         value };
     const struct scene_value *named = reader_value(reader);
 
     if (item.keyword) {
         reader_next(reader);
-        return item.keyword->read(reader, value, &item);
+        return item.keyword->read(reader, &item);
     }
     if (!named || named->kind == VALUE_FAULTY)
         return reader_expected(reader, declared_grammar.expected);
@@ -412,13 +394,12 @@ static bool declare_value(struct reader *reader, struct target *target)
     return reader_check(reader, &target->name, fault) && done;
 }
 
-bool read_declare(struct reader *reader, void *subject, const struct item *item)
+bool read_declare(struct reader *reader, const struct item *item)
 {
     struct target target = { .local = item->keyword->detail };
     struct declared_name *symbol;
     bool done;
 
-    (void)subject;
     if (!target_read(reader, &target))
         return false;
     symbol = target.name.reference.symbol;
@@ -430,11 +411,10 @@ bool read_declare(struct reader *reader, void *subject, const struct item *item)
     return done;
 }
 
-bool read_undef(struct reader *reader, void *subject, const struct item *item)
+bool read_undef(struct reader *reader, const struct item *item)
 {
     struct scene_token name = reader->token;
 
-    (void)subject;
     (void)item;
     if (name.kind != TOKEN_WORD)
         return reader_expected(reader, "a name");

@@ -52,14 +52,13 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
                            INCLUDE_DEPTH);
 }
 
-static bool read_include(struct reader *reader, void *subject, const struct item *item)
+static bool read_include(struct reader *reader, const struct item *item)
 {
     size_t depth = reader->lexer.depth;
     struct scene_token at;
     char *name;
     bool done;
 
-    (void)subject;
     (void)item;
     reader_resolve(reader);
     at = reader->token;
@@ -71,12 +70,11 @@ static bool read_include(struct reader *reader, void *subject, const struct item
 
 /* Sets the version. Versions below 3.5 applied the words of a camera in the order of
  * the text. */
-static bool read_version(struct reader *reader, void *subject, const struct item *item)
+static bool read_version(struct reader *reader, const struct item *item)
 {
     struct scene_token at;
     double version;
 
-    (void)subject;
     (void)item;
     reader_resolve(reader);
     at = reader->token;
@@ -92,37 +90,29 @@ static bool read_version(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-static bool default_texture(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool default_texture(struct reader *reader, const struct item *item)
 {
-    (void)item;
-    return texture_read(reader, subject);
+    return texture_read(reader, item->subject);
 }
 
-static bool default_pigment(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool default_pigment(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
 
-    (void)item;
     return pigment_read(reader, &texture->pigment);
 }
 
-static bool default_finish(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool default_finish(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
 
-    (void)item;
     return finish_read(reader, &texture->finish);
 }
 
-static bool default_normal(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool default_normal(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
 
-    (void)item;
     return normal_read(reader, &texture->bumps);
 }
 
@@ -146,13 +136,12 @@ bool default_read(struct reader *reader)
     return done;
 }
 
-static bool read_default(struct reader *reader, void *subject, const struct item *item)
+static bool read_default(struct reader *reader, const struct item *item)
 {
     struct warning_page *page = value_warnings_suspend(&reader->warnings);
     size_t hold = reader_hold(reader);
     bool done = default_read(reader);
 
-    (void)subject;
     (void)item;
     reader_release(reader, hold);
     value_warnings_resume(&reader->warnings, page);
@@ -174,13 +163,12 @@ static bool append_text(struct reader *reader, const struct item *item,
     return true;
 }
 
-static bool read_message(struct reader *reader, void *subject, const struct item *item)
+static bool read_message(struct reader *reader, const struct item *item)
 {
     size_t hold;
     char *text;
     bool done;
 
-    (void)subject;
     reader_resolve(reader);
     hold = reader_hold(reader);
     done = string_read(reader, &text);
@@ -238,11 +226,11 @@ static const struct keyword *find(const struct scene_token *token)
  * arguments. */
 bool directive_read(struct reader *reader)
 {
-    struct item item = { find(&reader->token), reader->token };
+    struct item item = { find(&reader->token), reader->token, NULL };
 
     reader_step(reader);
     if (!item.keyword)
         return reader_fault(reader, &item.at, "unknown directive '#%.*s'",
                             (int)item.at.length, item.at.text);
-    return item.keyword->read(reader, NULL, &item);
+    return item.keyword->read(reader, &item);
 }

@@ -4,17 +4,16 @@
 
 #include <string.h>
 
-static bool read_distance(struct reader *reader, void *subject, const struct item *item)
+static bool read_distance(struct reader *reader, const struct item *item)
 {
-    struct fog_setting *reading = subject;
+    struct fog_setting *reading = item->subject;
 
-    (void)item;
     return read_number(reader, &reading->fog.distance);
 }
 
-static bool read_type(struct reader *reader, void *subject, const struct item *item)
+static bool read_type(struct reader *reader, const struct item *item)
 {
-    struct fog_setting *reading = subject;
+    struct fog_setting *reading = item->subject;
     double type;
 
     if (!read_number(reader, &type))
@@ -31,10 +30,9 @@ static void set_color(struct fog *fog, const struct numbers *color)
     fog->transmit = color->n[4];
 }
 
-static bool read_fog_color(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_fog_color(struct reader *reader, const struct item *item)
 {
-    struct fog_setting *reading = subject;
+    struct fog_setting *reading = item->subject;
     struct numbers color;
 
     if (!read_color_after(reader, &item->at, &color))

@@ -138,21 +138,20 @@ static const struct kept_image *image_of(struct reader *reader,
 
 /* ---- Words --------------------------------------------------------------- */
 
-static bool read_once(struct reader *reader, void *subject, const struct item *item)
+static bool read_once(struct reader *reader, const struct item *item)
 {
-    struct image_reading *reading = subject;
+    struct image_reading *reading = item->subject;
 
     (void)reader;
-    (void)item;
     reading->map.once = true;
     return true;
 }
 
 /* The mappings are POV-Ray's numbers 0, 1, 2 and 5. */
-static bool read_type(struct reader *reader, void *subject, const struct item *item)
+static bool read_type(struct reader *reader, const struct item *item)
 {
     static const int types[IMAGE_MAPPINGS] = { 0, 1, 2, 5 };
-    struct image_reading *reading = subject;
+    struct image_reading *reading = item->subject;
     double type;
 
     if (!read_number(reader, &type))
@@ -168,9 +167,9 @@ static bool read_type(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-static bool read_sampling(struct reader *reader, void *subject, const struct item *item)
+static bool read_sampling(struct reader *reader, const struct item *item)
 {
-    struct image_reading *reading = subject;
+    struct image_reading *reading = item->subject;
     double number;
 
     if (!read_number(reader, &number))
@@ -185,9 +184,9 @@ static bool read_sampling(struct reader *reader, void *subject, const struct ite
     return true;
 }
 
-static bool read_gamma(struct reader *reader, void *subject, const struct item *item)
+static bool read_gamma(struct reader *reader, const struct item *item)
 {
-    struct image_reading *reading = subject;
+    struct image_reading *reading = item->subject;
     struct transfer_function *transfer = &reading->transfer;
 
     reading->transfer_given = true;
@@ -207,9 +206,8 @@ static void report_opaque(struct reader *reader, const struct scene_token *at)
 }
 
 /* Reads filter or transmit, of one palette index or of all. */
-static bool read_passing(struct reader *reader, void *subject, const struct item *item)
+static bool read_passing(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     report_opaque(reader, &item->at);
     reader_accept(reader, "all");
     skip_arguments(reader);
@@ -314,14 +312,13 @@ static bool leave_out(struct reader *reader, const struct block *block,
     return block_finish(reader, block);
 }
 
-bool image_map_read(struct reader *reader, void *subject, const struct item *item)
+bool image_map_read(struct reader *reader, const struct item *item)
 {
     struct image_reading reading = { .map = { .mapping = IMAGE_PLANAR } };
     const char *other;
     struct block block;
     bool good;
 
-    (void)item;
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_way(reader);
@@ -331,10 +328,10 @@ bool image_map_read(struct reader *reader, void *subject, const struct item *ite
                 : is_token(&reader->token, "pigment") ? "pigment"
                                                       : NULL;
     if (good && other)
-        return leave_out(reader, &block, subject, other);
+        return leave_out(reader, &block, item->subject, other);
     good = good
            && image_file_read(reader, "the kind of an image, or its name",
                               &reading.file);
     return block_items(reader, &block, &grammar, &reading, good)
-           && take_image(reader, &reading, subject);
+           && take_image(reader, &reading, item->subject);
 }

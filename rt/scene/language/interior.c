@@ -2,9 +2,9 @@
 #include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_statement.h"
 
-static bool read_ior(struct reader *reader, void *subject, const struct item *item)
+static bool read_ior(struct reader *reader, const struct item *item)
 {
-    double *ior = subject;
+    double *ior = item->subject;
 
     if (!read_number(reader, ior))
         return false;

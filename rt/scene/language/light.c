@@ -12,13 +12,11 @@ enum { TIGHTNESS_LEAST = -100 };
 
 /* As in POV-Ray a light has one kind, the last that is named. The rays of a former
  * cylinder stay parallel. */
-static bool read_shadowless(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool read_shadowless(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
 
     (void)reader;
-    (void)item;
     for (size_t i = 0; i < object->light_count; i++) {
         object->lights[i].shadowless = true;
         object->lights[i].beam = BEAM_NONE;
@@ -27,13 +25,11 @@ static bool read_shadowless(struct reader *reader, void *subject,
 }
 
 /* The object casts no shadow, and as in POV-Ray it is visible to all rays. */
-static bool read_looks_like(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool read_looks_like(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject, look;
+    struct scene_object *object = item->subject, look;
     bool done;
 
-    (void)item;
     if (!object->light_count)
         return false;
     memset(&look, 0, sizeof look);
@@ -48,9 +44,9 @@ static bool read_looks_like(struct reader *reader, void *subject,
 }
 
 /* Sets the kind of beam and its default edge; both are measured from POV-Ray. */
-static bool read_beam(struct reader *reader, void *subject, const struct item *item)
+static bool read_beam(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     bool cone = item->keyword->detail == BEAM_CONE;
 
     (void)reader;
@@ -67,23 +63,21 @@ static bool read_beam(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-static bool read_parallel(struct reader *reader, void *subject, const struct item *item)
+static bool read_parallel(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
 
     (void)reader;
-    (void)item;
     for (size_t i = 0; i < object->light_count; i++)
         object->lights[i].parallel = true;
     return true;
 }
 
-static bool read_point_at(struct reader *reader, void *subject, const struct item *item)
+static bool read_point_at(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     double point[3];
 
-    (void)item;
     if (!read_vector(reader, point))
         return false;
     for (size_t i = 0; i < object->light_count; i++)
@@ -92,9 +86,9 @@ static bool read_point_at(struct reader *reader, void *subject, const struct ite
 }
 
 /* detail: offset of the member */
-static bool read_fading(struct reader *reader, void *subject, const struct item *item)
+static bool read_fading(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     double number;
 
     if (!read_number(reader, &number))
@@ -107,16 +101,16 @@ static bool read_fading(struct reader *reader, void *subject, const struct item 
 }
 
 /* As in POV-Ray the kind of beam is named before its measures. */
-static bool read_measure(struct reader *reader, void *subject, const struct item *item)
+static bool read_measure(struct reader *reader, const struct item *item)
 {
-    const struct scene_object *object = subject;
+    const struct scene_object *object = item->subject;
 
     for (size_t i = 0; i < object->light_count; i++)
         if (object->lights[i].beam == BEAM_NONE)
             return reader_fault(reader, &item->at,
                                 "'%s' requires 'spotlight' or 'cylinder' before it",
                                 item->keyword->word);
-    return read_fading(reader, subject, item);
+    return read_fading(reader, item);
 }
 
 /* As in POV-Ray the count is truncated. */
@@ -136,9 +130,9 @@ static bool read_side(struct reader *reader, const struct item *item, size_t *si
     return true;
 }
 
-static bool read_area(struct reader *reader, void *subject, const struct item *item)
+static bool read_area(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     double axes[2][3];
     size_t size[2] = { 0, 0 };
 
@@ -159,12 +153,11 @@ static bool read_area(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-static bool read_circular(struct reader *reader, void *subject, const struct item *item)
+static bool read_circular(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
 
     (void)reader;
-    (void)item;
     for (size_t i = 0; i < object->light_count; i++)
         object->lights[i].circular = true;
     return true;

@@ -49,11 +49,10 @@ static bool begin_turn(struct reader *reader, struct scene_condition *loop)
     return turn(reader, loop, good, condition_holds(value));
 }
 
-bool loop_while(struct reader *reader, void *subject, const struct item *item)
+bool loop_while(struct reader *reader, const struct item *item)
 {
     struct scene_condition *loop = condition_push(reader, CONDITION_WHILE, &item->at);
 
-    (void)subject;
     if (!loop)
         return leave_out(reader, &item->at);
     loop->again = reader->token.place;
@@ -129,14 +128,13 @@ static bool read_head(struct reader *reader, struct scene_condition *loop,
            && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
-bool loop_for(struct reader *reader, void *subject, const struct item *item)
+bool loop_for(struct reader *reader, const struct item *item)
 {
     struct scene_condition *loop = condition_push(reader, CONDITION_FOR, &item->at);
     double start = 0;
     size_t sealed;
     bool good;
 
-    (void)subject;
     if (!loop)
         return leave_out(reader, &item->at);
     sealed = condition_seal(reader);

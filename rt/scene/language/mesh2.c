@@ -342,10 +342,10 @@ static bool read_block(struct reader *reader, struct mesh2_reading *mesh,
 }
 
 /* detail: the section */
-static bool read_section(struct reader *reader, void *subject, const struct item *item)
+static bool read_section(struct reader *reader, const struct item *item)
 {
     enum section section = (enum section)item->keyword->detail;
-    struct mesh2_reading *mesh = subject;
+    struct mesh2_reading *mesh = item->subject;
     bool done = check_order(reader, mesh, section, &item->at)
                 && read_block(reader, mesh, section);
 
@@ -353,13 +353,13 @@ static bool read_section(struct reader *reader, void *subject, const struct item
     return done;
 }
 
-static bool read_inside(struct reader *reader, void *subject, const struct item *item)
+static bool read_inside(struct reader *reader, const struct item *item)
 {
-    struct mesh2_reading *mesh = subject;
+    struct mesh2_reading *mesh = item->subject;
 
     mesh->rank = RANK_INSIDE;
     mesh->last = item->keyword->word;
-    return read_inside_vector(reader, subject, item);
+    return read_inside_vector(reader, item);
 }
 
 static const struct keyword words[] = {

@@ -31,9 +31,9 @@ static bool read_amount(struct reader *reader, struct normal_reading *reading)
 
 /* Reads a pattern. In a pattern with a list each cell has its own normal, or its index
  * is a height. */
-static bool read_function(struct reader *reader, void *subject, const struct item *item)
+static bool read_function(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
     struct bump_list *list = &reading->list;
     struct bump *bump = &list->bump;
     size_t count;
@@ -51,33 +51,31 @@ static bool read_function(struct reader *reader, void *subject, const struct ite
     return read_amount(reader, reading);
 }
 
-static bool read_gradient(struct reader *reader, void *subject, const struct item *item)
+static bool read_gradient(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
-    if (!gradient_read(reader, subject, item))
+    if (!gradient_read(reader, item))
         return false;
     pattern_begin(&reading->list.bump.pattern, PATTERN_SLANTED);
     reading->list.average = false;
     return read_amount(reader, reading);
 }
 
-static bool read_average(struct reader *reader, void *subject, const struct item *item)
+static bool read_average(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
-    (void)item;
     pattern_begin(&reading->list.bump.pattern, PATTERN_PLANAR);
     reading->list.average = true;
     return read_amount(reader, reading);
 }
 
-static bool read_quilted(struct reader *reader, void *subject, const struct item *item)
+static bool read_quilted(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
     struct bump *bump = &reading->list.bump;
 
-    (void)item;
     pattern_begin(&bump->pattern, PATTERN_QUILTED);
     bump->pattern.pattern.frequency = 0;
     bump->controls[0] = bump->controls[1] = 1;
@@ -86,9 +84,9 @@ static bool read_quilted(struct reader *reader, void *subject, const struct item
 }
 
 /* detail: the index of the control */
-static bool read_control(struct reader *reader, void *subject, const struct item *item)
+static bool read_control(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
     return read_number(reader, &reading->list.bump.controls[item->keyword->detail]);
 }
@@ -108,10 +106,9 @@ static void finish_quilted(struct reader *reader, struct bump_list *list,
 }
 
 /* Ignores the whole normal. */
-static bool read_unsupported(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool read_unsupported(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
     struct bump_list *list = &reading->list;
 
     reader_report(reader, &item->at,
@@ -124,18 +121,16 @@ static bool read_unsupported(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_bump_size(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_bump_size(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
-    (void)item;
     return read_number(reader, &reading->list.bump.amount);
 }
 
-static bool read_accuracy(struct reader *reader, void *subject, const struct item *item)
+static bool read_accuracy(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
     if (!read_number(reader, &reading->list.bump.accuracy))
         return false;
@@ -143,19 +138,17 @@ static bool read_accuracy(struct reader *reader, void *subject, const struct ite
            || reader_fault(reader, &item->at, "the accuracy must not be 0");
 }
 
-static bool read_no_bump_scale(struct reader *reader, void *subject,
-                               const struct item *item)
+static bool read_no_bump_scale(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
     (void)reader;
-    (void)item;
     return reading->unscaled = true;
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))

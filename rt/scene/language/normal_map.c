@@ -112,9 +112,9 @@ static bool has_place(struct reader *reader, const struct normal_reading *readin
                            item->keyword->word);
 }
 
-bool read_slope_map(struct reader *reader, void *subject, const struct item *item)
+bool read_slope_map(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
     if (!has_place(reader, reading, item))
         return false;
@@ -229,9 +229,9 @@ static bool read_normals(struct reader *reader, struct bump_list *list)
     return block_finish(reader, &block) && good;
 }
 
-bool read_normal_map(struct reader *reader, void *subject, const struct item *item)
+bool read_normal_map(struct reader *reader, const struct item *item)
 {
-    struct normal_reading *reading = subject;
+    struct normal_reading *reading = item->subject;
 
     if (!has_place(reader, reading, item))
         return false;

@@ -12,9 +12,9 @@
 enum { MAX_NAME = 200 };
 
 /* Stores a float named after the part and the word, such as Lid_Density. */
-static bool read_value(struct reader *reader, void *subject, const struct item *item)
+static bool read_value(struct reader *reader, const struct item *item)
 {
-    const char *part = subject, *word = item->keyword->word;
+    const char *part = item->subject, *word = item->keyword->word;
     char name[MAX_NAME + 20];
     double value;
 
@@ -53,14 +53,13 @@ static bool read_name(struct reader *reader, char name[MAX_NAME + 1])
     return good;
 }
 
-bool part_read(struct reader *reader, void *subject, const struct item *item)
+bool part_read(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     struct block block;
     char name[MAX_NAME + 1] = "";
     bool good;
 
-    (void)item;
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_name(reader, name);

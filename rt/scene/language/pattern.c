@@ -43,9 +43,9 @@ void pattern_begin(struct pigment *pigment, enum pattern_function function)
 
 /* Reads a pattern. As in POV-Ray it keeps the wave and frequency of the pattern that it
  * replaces. A list sets the frequency to 0, which leaves its values unchanged. */
-bool pattern_read(struct reader *reader, void *subject, const struct item *item)
+bool pattern_read(struct reader *reader, const struct item *item)
 {
-    struct pigment *pigment = subject;
+    struct pigment *pigment = item->subject;
 
     pattern_begin(pigment, (enum pattern_function)item->keyword->detail);
     switch (pigment->pattern.function) {
@@ -55,18 +55,17 @@ bool pattern_read(struct reader *reader, void *subject, const struct item *item)
     }
 }
 
-bool checker_read(struct reader *reader, void *subject, const struct item *item)
+bool checker_read(struct reader *reader, const struct item *item)
 {
-    struct pigment *pigment = subject;
+    struct pigment *pigment = item->subject;
 
-    (void)item;
     pigment->kind = PIGMENT_CHECKER;
     return read_listed(reader, pigment, checkers, 2);
 }
 
-static bool read_wave(struct reader *reader, void *subject, const struct item *item)
+static bool read_wave(struct reader *reader, const struct item *item)
 {
-    struct pattern *pattern = &((struct pigment *)subject)->pattern;
+    struct pattern *pattern = &((struct pigment *)item->subject)->pattern;
 
     pattern->wave = (enum pattern_wave)item->keyword->detail;
     if (pattern->wave != WAVE_POLY || !starts_expression(reader))
@@ -79,18 +78,17 @@ static bool read_wave(struct reader *reader, void *subject, const struct item *i
 }
 
 /* detail: offset of the member */
-static bool read_amount(struct reader *reader, void *subject, const struct item *item)
+static bool read_amount(struct reader *reader, const struct item *item)
 {
-    struct pattern *pattern = &((struct pigment *)subject)->pattern;
+    struct pattern *pattern = &((struct pigment *)item->subject)->pattern;
     void *amount = (char *)pattern + item->keyword->detail;
 
     return read_number(reader, amount);
 }
 
-static bool read_brick_size(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool read_brick_size(struct reader *reader, const struct item *item)
 {
-    double *size = ((struct pigment *)subject)->pattern.brick_size;
+    double *size = ((struct pigment *)item->subject)->pattern.brick_size;
 
     if (!read_vector(reader, size))
         return false;

@@ -8,12 +8,10 @@
 static const double black[COLOR_TERMS];
 
 /* POV-Ray uses quick_color at low quality only. */
-static bool read_quick_color(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool read_quick_color(struct reader *reader, const struct item *item)
 {
     struct numbers ignored;
 
-    (void)subject;
     (void)item;
     return read_color(reader, &ignored);
 }
@@ -72,10 +70,9 @@ static bool read_term(struct reader *reader, struct pigment *pigment, int which)
     return true;
 }
 
-static bool read_color_word(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool read_color_word(struct reader *reader, const struct item *item)
 {
-    struct pigment *pigment = subject;
+    struct pigment *pigment = item->subject;
     struct numbers color;
 
     if (!read_color_after(reader, &item->at, &color))
@@ -118,9 +115,9 @@ bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count)
     return done;
 }
 
-bool gradient_read(struct reader *reader, void *subject, const struct item *item)
+bool gradient_read(struct reader *reader, const struct item *item)
 {
-    struct pigment *pigment = subject;
+    struct pigment *pigment = item->subject;
     double length;
 
     if (!read_vector(reader, pigment->axis))
@@ -137,9 +134,9 @@ bool gradient_read(struct reader *reader, void *subject, const struct item *item
 }
 
 /* Reads a pattern that is not supported; its first colour is used. */
-static bool read_pattern(struct reader *reader, void *subject, const struct item *item)
+static bool read_pattern(struct reader *reader, const struct item *item)
 {
-    struct pigment *pigment = subject;
+    struct pigment *pigment = item->subject;
     struct pigment other;
     bool first = true;
 
@@ -201,17 +198,14 @@ bool pigment_map_read(struct reader *reader, struct pigment *pigment)
     return map_first(reader, VALUE_PIGMENT_MAP, pigment_body, pigment, sizeof *pigment);
 }
 
-static bool read_color_map(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_color_map(struct reader *reader, const struct item *item)
 {
-    (void)item;
-    return color_map_read(reader, subject);
+    return color_map_read(reader, item->subject);
 }
 
-static bool read_pigment_map(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool read_pigment_map(struct reader *reader, const struct item *item)
 {
-    struct pigment *pigment = subject;
+    struct pigment *pigment = item->subject;
 
     if (pigment_has_map(pigment))
         reader_report(reader, &item->at,
@@ -220,13 +214,13 @@ static bool read_pigment_map(struct reader *reader, void *subject,
     return pigment_map_read(reader, pigment);
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
     struct placement step;
 
     if (!step_read(reader, item, &step))
         return false;
-    pigment_move(subject, &step);
+    pigment_move(item->subject, &step);
     return true;
 }
 

@@ -65,9 +65,9 @@ static bool read_part(struct reader *reader, struct blob_part *part)
            && read_strength(reader, &part->strength);
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
-    struct part_reading *reading = subject;
+    struct part_reading *reading = item->subject;
     struct blob_part *part = &reading->part;
     struct placement step;
 
@@ -88,19 +88,19 @@ static struct texture *own_texture(struct part_reading *reading,
     return &reading->texture;
 }
 
-static bool read_texture(struct reader *reader, void *subject, const struct item *item)
+static bool read_texture(struct reader *reader, const struct item *item)
 {
-    return texture_read(reader, own_texture(subject, item));
+    return texture_read(reader, own_texture(item->subject, item));
 }
 
-static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
+static bool read_pigment(struct reader *reader, const struct item *item)
 {
-    return pigment_read(reader, &own_texture(subject, item)->pigment);
+    return pigment_read(reader, &own_texture(item->subject, item)->pigment);
 }
 
-static bool read_finish(struct reader *reader, void *subject, const struct item *item)
+static bool read_finish(struct reader *reader, const struct item *item)
 {
-    return finish_read(reader, &own_texture(subject, item)->finish);
+    return finish_read(reader, &own_texture(item->subject, item)->finish);
 }
 
 static const struct keyword part_words[] = {
@@ -148,8 +148,7 @@ static void take_look(struct blob_reading *blob, const struct part_reading *read
 }
 
 /* detail: whether it is a cylinder */
-static bool read_component(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_component(struct reader *reader, const struct item *item)
 {
     struct part_reading reading;
     struct block block;
@@ -164,13 +163,12 @@ static bool read_component(struct reader *reader, void *subject,
     good = read_part(reader, &reading.part);
     if (!block_items(reader, &block, &part_grammar, &reading, good))
         return false;
-    take_look(subject, &reading);
-    return add_part(reader, subject, &reading.part, &item->at);
+    take_look(item->subject, &reading);
+    return add_part(reader, item->subject, &reading.part, &item->at);
 }
 
 /* Reads the old form of a component: strength, radius, centre. */
-static bool read_bare_component(struct reader *reader, void *subject,
-                                const struct item *item)
+static bool read_bare_component(struct reader *reader, const struct item *item)
 {
     struct blob_part part;
 
@@ -180,18 +178,16 @@ static bool read_bare_component(struct reader *reader, void *subject,
         return false;
     reader_comma(reader);
     return read_vector(reader, part.base)
-           && add_part(reader, subject, &part, &item->at);
+           && add_part(reader, item->subject, &part, &item->at);
 }
 
 /* ---- The blob ------------------------------------------------------------ */
 
-static bool read_threshold(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_threshold(struct reader *reader, const struct item *item)
 {
-    struct blob_reading *blob = subject;
+    struct blob_reading *blob = item->subject;
     struct primitive *primitive = &blob->object.parts->primitive;
 
-    (void)item;
     return read_number(reader, &primitive->shape.blob.threshold);
 }
 

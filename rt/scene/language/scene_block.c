@@ -103,7 +103,8 @@ static void recover(struct reader *reader, const struct block *block,
 static bool read_item(struct reader *reader, const struct grammar **grammar,
                       void *subject)
 {
-    struct item item = { grammar_find(*grammar, &reader->token), reader->token };
+    struct item item = { grammar_find(*grammar, &reader->token), reader->token,
+                         subject };
 
     if (!item.keyword && (*grammar)->then) {
         item.keyword = grammar_find((*grammar)->then, &reader->token);
@@ -117,7 +118,7 @@ static bool read_item(struct reader *reader, const struct grammar **grammar,
     }
     if (item.keyword->read != item_unmarked && *item.keyword->word)
         reader_next(reader);
-    return item.keyword->read(reader, subject, &item);
+    return item.keyword->read(reader, &item);
 }
 
 bool block_items(struct reader *reader, const struct block *block,
@@ -188,34 +189,30 @@ void skip_arguments(struct reader *reader)
         block_skip(reader);
 }
 
-bool item_left_out(struct reader *reader, void *subject, const struct item *item)
+bool item_left_out(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     reader_report(reader, &item->at, "'%s' is not supported and is ignored",
                   item->keyword->word);
     skip_arguments(reader);
     return true;
 }
 
-bool item_passed_over(struct reader *reader, void *subject, const struct item *item)
+bool item_passed_over(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     (void)item;
     skip_arguments(reader);
     return true;
 }
 
-bool item_unsupported(struct reader *reader, void *subject, const struct item *item)
+bool item_unsupported(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     reader_fault(reader, &item->at, "'%s' is not supported", item->keyword->word);
     skip_arguments(reader);
     return false;
 }
 
-bool item_unmarked(struct reader *reader, void *subject, const struct item *item)
+bool item_unmarked(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     reader_warn(reader, &item->at, "'%s' without '#' is read as '#%s'",
                 item->keyword->word, item->keyword->word);
     reader->token.kind = TOKEN_DIRECTIVE;

@@ -10,7 +10,7 @@
 #include "rt/scene/language/reader.h"
 
 struct item;
-typedef bool item_reader(struct reader *reader, void *subject, const struct item *item);
+typedef bool item_reader(struct reader *reader, const struct item *item);
 
 struct keyword {
     const char *word; /* "": the name of an object, which is not consumed */
@@ -22,6 +22,7 @@ struct keyword {
 struct item {
     const struct keyword *keyword;
     struct scene_token at;
+    void *subject; /* of its block */
 };
 
 enum { GRAMMAR_TABLES = 4 };

@@ -60,14 +60,13 @@ static bool add_macro(struct reader *reader, const struct scene_token *name,
     return reader_check(reader, name, reference_assign(&reference, &value));
 }
 
-bool macro_define(struct reader *reader, void *subject, const struct item *item)
+bool macro_define(struct reader *reader, const struct item *item)
 {
     struct scene_macro *macro = calloc(1, sizeof *macro);
     struct scene_token name = reader->token;
     bool done = macro || reader_no_memory(reader);
     bool found;
 
-    (void)subject;
     done = done && name_expected(reader, &name);
     if (done) {
         reader_step(reader);

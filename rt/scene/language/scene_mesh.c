@@ -249,21 +249,19 @@ bool mesh_pass_vectors(struct reader *reader, int count)
 }
 
 /* uv coordinates are not used. */
-static bool read_uv_vectors(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool read_uv_vectors(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     (void)item;
     return mesh_pass_vectors(reader, 3);
 }
 
-static bool read_texture(struct reader *reader, void *subject, const struct item *item)
+static bool read_texture(struct reader *reader, const struct item *item)
 {
     struct texture texture = reader->default_texture;
 
     if (!texture_read(reader, &texture))
         return false;
-    mesh_look(subject, &texture, &item->at);
+    mesh_look(item->subject, &texture, &item->at);
     return true;
 }
 
@@ -282,13 +280,12 @@ static bool read_names(struct reader *reader, struct mesh_reading *mesh,
     return true;
 }
 
-static bool read_texture_list(struct reader *reader, void *subject,
-                              const struct item *item)
+static bool read_texture_list(struct reader *reader, const struct item *item)
 {
     struct block block;
 
     return block_open(reader, &block, '{')
-           && mesh_close(reader, &block, read_names(reader, subject, item));
+           && mesh_close(reader, &block, read_names(reader, item->subject, item));
 }
 
 static const struct keyword triangle_words[] = {
@@ -303,10 +300,10 @@ static const struct grammar triangle_grammar = { "a keyword of a mesh triangle",
                                                  NULL };
 
 /* detail: whether it is smooth */
-static bool read_triangle(struct reader *reader, void *subject, const struct item *item)
+static bool read_triangle(struct reader *reader, const struct item *item)
 {
     bool smooth = item->keyword->detail;
-    struct mesh_reading *mesh = subject;
+    struct mesh_reading *mesh = item->subject;
     struct triangle triangle;
     struct block block;
     bool good;
@@ -323,12 +320,11 @@ static bool read_triangle(struct reader *reader, void *subject, const struct ite
 }
 
 /* A mesh with an inside_vector is solid; as in POV-Ray a zero vector does not count. */
-bool read_inside_vector(struct reader *reader, void *subject, const struct item *item)
+bool read_inside_vector(struct reader *reader, const struct item *item)
 {
-    struct mesh_reading *mesh = subject;
+    struct mesh_reading *mesh = item->subject;
     double vector[3];
 
-    (void)item;
     if (!read_vector(reader, vector))
         return false;
     mesh->object.parts->primitive.shape.mesh.solid = greatest3(vector) >= NORMAL_SAME;

@@ -19,7 +19,7 @@ enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
 /* clang-format on */
 bool step_read(struct reader *reader, const struct item *item, struct placement *step);
 /* Reads a step and moves an object by it. */
-bool object_step_read(struct reader *reader, void *object, const struct item *item);
+item_reader object_step_read;
 /* Reads the block of transform { ... }. */
 bool transform_read(struct reader *reader, struct placement *placement);
 

@@ -3,9 +3,9 @@
 
 #include "rt/scene/language/scene_expression.h"
 
-static bool read_gamma(struct reader *reader, void *subject, const struct item *item)
+static bool read_gamma(struct reader *reader, const struct item *item)
 {
-    struct scene *scene = subject;
+    struct scene *scene = item->subject;
 
     if (reader_accept(reader, "srgb")) {
         reader_report(reader, &item->at,
@@ -19,20 +19,17 @@ static bool read_gamma(struct reader *reader, void *subject, const struct item *
            || reader_fault(reader, &item->at, "assumed_gamma must be above 0");
 }
 
-static bool read_ambient_light(struct reader *reader, void *subject,
-                               const struct item *item)
+static bool read_ambient_light(struct reader *reader, const struct item *item)
 {
-    struct scene *scene = subject;
+    struct scene *scene = item->subject;
 
-    (void)item;
     return read_rgb(reader, scene->ambient_light);
 }
 
-static bool read_trace_level(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool read_trace_level(struct reader *reader, const struct item *item)
 {
     enum { LEAST = 1, MAX = 256 };
-    struct scene *scene = subject;
+    struct scene *scene = item->subject;
     double level;
 
     if (!read_number(reader, &level))
@@ -44,17 +41,15 @@ static bool read_trace_level(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_bailout(struct reader *reader, void *subject, const struct item *item)
+static bool read_bailout(struct reader *reader, const struct item *item)
 {
-    struct scene *scene = subject;
+    struct scene *scene = item->subject;
 
-    (void)item;
     return read_number(reader, &scene->adc_bailout);
 }
 
-static bool read_charset(struct reader *reader, void *subject, const struct item *item)
+static bool read_charset(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     reader_report(reader, &item->at, "'charset' is not supported and is ignored");
     if (reader->token.kind != TOKEN_WORD)
         return reader_expected(reader, "ascii, utf8 or sys");

@@ -64,9 +64,9 @@ static void take_ior(struct reader *reader, struct scene_object *object)
         object_fill(reader, object, object->texture.finish.ior);
 }
 
-static bool read_texture(struct reader *reader, void *subject, const struct item *item)
+static bool read_texture(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
 
     if (object->textured)
         return texture_layer_read(reader, &item->at, &object->texture);
@@ -88,25 +88,22 @@ static struct texture *own_texture(struct reader *reader, struct scene_object *o
     return &object->texture;
 }
 
-static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
+static bool read_pigment(struct reader *reader, const struct item *item)
 {
-    (void)item;
-    return pigment_read(reader, &own_texture(reader, subject)->pigment);
+    return pigment_read(reader, &own_texture(reader, item->subject)->pigment);
 }
 
-static bool read_finish(struct reader *reader, void *subject, const struct item *item)
+static bool read_finish(struct reader *reader, const struct item *item)
 {
-    (void)item;
-    if (!finish_read(reader, &own_texture(reader, subject)->finish))
+    if (!finish_read(reader, &own_texture(reader, item->subject)->finish))
         return false;
-    take_ior(reader, subject);
+    take_ior(reader, item->subject);
     return true;
 }
 
-static bool read_normal(struct reader *reader, void *subject, const struct item *item)
+static bool read_normal(struct reader *reader, const struct item *item)
 {
-    (void)item;
-    return normal_read(reader, &own_texture(reader, subject)->bumps);
+    return normal_read(reader, &own_texture(reader, item->subject)->bumps);
 }
 
 void object_fill(struct reader *reader, struct scene_object *object, double ior)
@@ -116,11 +113,10 @@ void object_fill(struct reader *reader, struct scene_object *object, double ior)
     object->interior = ++reader->interiors;
 }
 
-static bool read_interior(struct reader *reader, void *subject, const struct item *item)
+static bool read_interior(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
 
-    (void)item;
     if (!object->filled)
         object_fill(reader, object, 1);
     if (!interior_read(reader, &object->ior))
@@ -138,39 +134,37 @@ static bool check_solid(struct reader *reader, const struct scene_object *object
                            MAX_SOLID);
 }
 
-static bool read_inverse(struct reader *reader, void *subject, const struct item *item)
+static bool read_inverse(struct reader *reader, const struct item *item)
 {
-    return check_solid(reader, subject, &item->at)
-           && fields_fill(reader, subject, &item->at)
-           && (object_invert(subject) || reader_no_memory(reader));
+    return check_solid(reader, item->subject, &item->at)
+           && fields_fill(reader, item->subject, &item->at)
+           && (object_invert(item->subject) || reader_no_memory(reader));
 }
 
-bool object_step_read(struct reader *reader, void *subject, const struct item *item)
+bool object_step_read(struct reader *reader, const struct item *item)
 {
     struct placement step;
 
     if (!step_read(reader, item, &step))
         return false;
-    object_move(subject, &step);
+    object_move(item->subject, &step);
     return true;
 }
 
-static bool read_no_shadow(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_no_shadow(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
 
     (void)reader;
-    (void)item;
     for (size_t i = 0; i < object->part_count; i++)
         object->parts[i].primitive.no_shadow = true;
     return true;
 }
 
 /* A number may follow the word: 0 or less switches it off. */
-static bool read_hidden(struct reader *reader, void *subject, const struct item *item)
+static bool read_hidden(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     unsigned rays = (unsigned)item->keyword->detail;
     double on = 1;
 
@@ -182,20 +176,18 @@ static bool read_hidden(struct reader *reader, void *subject, const struct item 
 }
 
 /* Ignores POV-Ray's choice of a root finder; the one used here has no such choice. */
-static bool read_sturm(struct reader *reader, void *subject, const struct item *item)
+static bool read_sturm(struct reader *reader, const struct item *item)
 {
     double ignored;
 
-    (void)subject;
     (void)item;
     return !starts_expression(reader) || read_number(reader, &ignored);
 }
 
 /* Transforms the texture that the material has so far. */
-static bool read_material_step(struct reader *reader, void *subject,
-                               const struct item *item)
+static bool read_material_step(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))
@@ -241,10 +233,9 @@ bool material_read(struct reader *reader, struct scene_object *object)
     return block_items(reader, &block, &material_grammar, object, true);
 }
 
-static bool read_material(struct reader *reader, void *subject, const struct item *item)
+static bool read_material(struct reader *reader, const struct item *item)
 {
-    (void)item;
-    return material_read(reader, subject);
+    return material_read(reader, item->subject);
 }
 
 static const struct keyword modifiers[] = {
@@ -327,9 +318,9 @@ static void report_hidden(struct reader *reader, enum joining joining,
                       hidden_from & HIDDEN_FROM_IMAGE ? "no_image" : "no_reflection");
 }
 
-static bool read_child(struct reader *reader, void *subject, const struct item *item)
+static bool read_child(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = subject;
+    struct scene_object *object = item->subject;
     struct scene_object child;
     bool done;
 
@@ -364,7 +355,8 @@ static const struct grammar solid_grammar = { "an object or an object modifier",
 static bool read_base(struct reader *reader, struct scene_object *object)
 {
     const struct scene_value *value = reader_use(reader, VALUE_OBJECT);
-    struct item item = { grammar_find(&solid_grammar, &reader->token), reader->token };
+    struct item item = { grammar_find(&solid_grammar, &reader->token), reader->token,
+                         object };
 
     if (value) {
         bool done = shape_copy(reader, object, &value->is.object);
@@ -378,7 +370,7 @@ static bool read_base(struct reader *reader, struct scene_object *object)
         return reader_expected(reader, "the name of an object, or an object");
     reader_next(reader);
     return item.keyword->read == read_child ? shape_read(reader, object, &item)
-                                            : item.keyword->read(reader, object, &item);
+                                            : item.keyword->read(reader, &item);
 }
 
 static bool read_named(struct reader *reader, struct scene_object *object,

@@ -2,10 +2,10 @@
 #include "rt/scene/language/scene_statement.h"
 
 /* If there are several pigments, the first is the lowest layer, as in POV-Ray. */
-static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
+static bool read_pigment(struct reader *reader, const struct item *item)
 {
     struct pigment pigment = reader->default_texture.pigment;
-    struct sky_setting *sky = subject;
+    struct sky_setting *sky = item->subject;
 
     if (sky->pigments++ == 1)
         reader_report(reader, &item->at,
@@ -18,9 +18,9 @@ static bool read_pigment(struct reader *reader, void *subject, const struct item
     return true;
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
-    struct sky_setting *sky = subject;
+    struct sky_setting *sky = item->subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))

@@ -42,16 +42,15 @@ static bool read_point(struct reader *reader, struct spline *spline)
            && (spline_add(spline, t, value.n, value.count) || reader_no_memory(reader));
 }
 
-bool spline_read(struct reader *reader, void *subject, const struct item *item)
+bool spline_read(struct reader *reader, const struct item *item)
 {
     static const struct grammar no_more = { "'}'", { NULL }, NULL };
-    struct scene_value *value = subject;
+    struct scene_value *value = item->subject;
     const struct scene_value *from;
     struct spline *spline;
     struct block block;
     bool good = true;
 
-    (void)item;
     if (!block_open(reader, &block, '{'))
         return false;
     from = reader_value_of(reader, VALUE_SPLINE);

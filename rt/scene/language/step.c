@@ -88,9 +88,9 @@ struct transform_reading {
     bool inverse;
 };
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
-    struct transform_reading *reading = subject;
+    struct transform_reading *reading = item->subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))
@@ -99,12 +99,11 @@ static bool read_step(struct reader *reader, void *subject, const struct item *i
     return true;
 }
 
-static bool read_inverse(struct reader *reader, void *subject, const struct item *item)
+static bool read_inverse(struct reader *reader, const struct item *item)
 {
-    struct transform_reading *reading = subject;
+    struct transform_reading *reading = item->subject;
 
     (void)reader;
-    (void)item;
     reading->inverse = true;
     return true;
 }

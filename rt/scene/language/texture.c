@@ -4,26 +4,24 @@
 
 #include <string.h>
 
-static bool read_ambient(struct reader *reader, void *subject, const struct item *item)
+static bool read_ambient(struct reader *reader, const struct item *item)
 {
-    struct finish *finish = subject;
+    struct finish *finish = item->subject;
 
-    (void)item;
     return read_rgb(reader, finish->ambient);
 }
 
-static bool read_emission(struct reader *reader, void *subject, const struct item *item)
+static bool read_emission(struct reader *reader, const struct item *item)
 {
-    struct finish *finish = subject;
+    struct finish *finish = item->subject;
 
-    (void)item;
     return read_rgb(reader, finish->emission);
 }
 
 /* Reads a number, which is 1 if it is missing; detail: offset of the member. */
-static bool read_metallic(struct reader *reader, void *subject, const struct item *item)
+static bool read_metallic(struct reader *reader, const struct item *item)
 {
-    double *amount = (double *)((char *)subject + item->keyword->detail);
+    double *amount = (double *)((char *)item->subject + item->keyword->detail);
 
     *amount = 1;
     return !starts_expression(reader) || read_number(reader, amount);
@@ -36,23 +34,21 @@ struct mirror_reading {
     bool fresnel; /* set in this block */
 };
 
-static bool read_fresnel(struct reader *reader, void *subject, const struct item *item)
+static bool read_fresnel(struct reader *reader, const struct item *item)
 {
-    struct mirror_reading *mirror = subject;
+    struct mirror_reading *mirror = item->subject;
     double number = 1;
 
-    (void)item;
     if (starts_expression(reader) && !read_number(reader, &number))
         return false;
     mirror->fresnel = mirror->finish.fresnel = number != 0;
     return true;
 }
 
-static bool read_falloff(struct reader *reader, void *subject, const struct item *item)
+static bool read_falloff(struct reader *reader, const struct item *item)
 {
-    struct mirror_reading *mirror = subject;
+    struct mirror_reading *mirror = item->subject;
 
-    (void)item;
     return read_number(reader, &mirror->finish.reflection_falloff);
 }
 
@@ -92,15 +88,13 @@ static bool read_mirrors(struct reader *reader, struct finish *finish, bool *two
     return !*two || read_rgb(reader, finish->reflection_most);
 }
 
-static bool read_reflection(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool read_reflection(struct reader *reader, const struct item *item)
 {
-    struct finish *finish = subject;
+    struct finish *finish = item->subject;
     struct mirror_reading mirror = { *finish, false };
     struct block block;
     bool two = false;
 
-    (void)item;
     if (!reader_at_sign(reader, '{'))
         return read_mirror(reader, finish);
     if (!block_open(reader, &block, '{')
@@ -114,9 +108,9 @@ static bool read_reflection(struct reader *reader, void *subject,
 }
 
 /* detail: offset of the member */
-static bool read_amount(struct reader *reader, void *subject, const struct item *item)
+static bool read_amount(struct reader *reader, const struct item *item)
 {
-    void *amount = (char *)subject + item->keyword->detail;
+    void *amount = (char *)item->subject + item->keyword->detail;
     struct scene_token more = reader->token;
     double inside;
 
@@ -132,10 +126,9 @@ static bool read_amount(struct reader *reader, void *subject, const struct item 
     return read_number(reader, &inside);
 }
 
-static bool read_roughness(struct reader *reader, void *subject,
-                           const struct item *item)
+static bool read_roughness(struct reader *reader, const struct item *item)
 {
-    struct finish *finish = subject;
+    struct finish *finish = item->subject;
 
     if (!read_number(reader, &finish->roughness))
         return false;
@@ -143,9 +136,9 @@ static bool read_roughness(struct reader *reader, void *subject,
            || reader_fault(reader, &item->at, "roughness must be above 0");
 }
 
-static bool read_old_ior(struct reader *reader, void *subject, const struct item *item)
+static bool read_old_ior(struct reader *reader, const struct item *item)
 {
-    struct finish *finish = subject;
+    struct finish *finish = item->subject;
 
     reader_warn(reader, &item->at,
                 "'ior' of a finish is read as 'ior' of the interior");
@@ -194,43 +187,38 @@ bool finish_read(struct reader *reader, struct finish *finish)
            && block_items(reader, &block, &finish_grammar, finish, true);
 }
 
-static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
+static bool read_pigment(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
 
-    (void)item;
     return pigment_read(reader, &texture->pigment);
 }
 
-static bool read_finish(struct reader *reader, void *subject, const struct item *item)
+static bool read_finish(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
 
-    (void)item;
     return finish_read(reader, &texture->finish);
 }
 
-static bool read_normal(struct reader *reader, void *subject, const struct item *item)
+static bool read_normal(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
 
-    (void)item;
     return normal_read(reader, &texture->bumps);
 }
 
-static bool read_no_bump_scale(struct reader *reader, void *subject,
-                               const struct item *item)
+static bool read_no_bump_scale(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
 
     (void)reader;
-    (void)item;
     return texture->bumps.unscaled = true;
 }
 
-static bool read_step(struct reader *reader, void *subject, const struct item *item)
+static bool read_step(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = subject;
+    struct texture *texture = item->subject;
     struct placement step;
 
     if (!step_read(reader, item, &step))
@@ -245,14 +233,12 @@ bool texture_map_read(struct reader *reader, struct texture *texture)
     return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture, sizeof *texture);
 }
 
-static bool read_texture_map(struct reader *reader, void *subject,
-                             const struct item *item)
+static bool read_texture_map(struct reader *reader, const struct item *item)
 {
-    (void)item;
-    return texture_map_read(reader, subject);
+    return texture_map_read(reader, item->subject);
 }
 
-static bool read_pattern(struct reader *reader, void *subject, const struct item *item)
+static bool read_pattern(struct reader *reader, const struct item *item)
 {
     struct texture texture = reader->default_texture;
 
@@ -262,7 +248,7 @@ static bool read_pattern(struct reader *reader, void *subject, const struct item
                   item->keyword->word);
     skip_arguments(reader);
     for (bool first = true; reader_accept(reader, "texture"); first = false) {
-        if (!texture_read(reader, first ? subject : &texture))
+        if (!texture_read(reader, first ? item->subject : &texture))
             return false;
         reader_comma(reader);
     }
@@ -270,7 +256,7 @@ static bool read_pattern(struct reader *reader, void *subject, const struct item
 }
 
 /* Reads tiles { texture tile2 texture }. */
-static bool read_tiles(struct reader *reader, void *subject, const struct item *item)
+static bool read_tiles(struct reader *reader, const struct item *item)
 {
     struct block block;
     bool good;
@@ -279,7 +265,7 @@ static bool read_tiles(struct reader *reader, void *subject, const struct item *
                   "'tiles' is not supported; the first texture is used instead");
     if (!block_open(reader, &block, '{'))
         return false;
-    good = reader_accept(reader, "texture") ? texture_read(reader, subject)
+    good = reader_accept(reader, "texture") ? texture_read(reader, item->subject)
                                             : reader_expected(reader, "a texture");
     return block_finish(reader, &block) && good;
 }

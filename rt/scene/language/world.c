@@ -154,12 +154,11 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
            || scene_warning_object(reader, first, object, at);
 }
 
-static bool read_object(struct reader *reader, void *subject, const struct item *item)
+static bool read_object(struct reader *reader, const struct item *item)
 {
     struct scene_object object;
     bool done;
 
-    (void)subject;
     memset(&object, 0, sizeof object);
     done = shape_read(reader, &object, item)
            && add_to_world(reader, &object, &item->at);
@@ -167,11 +166,10 @@ static bool read_object(struct reader *reader, void *subject, const struct item 
     return done;
 }
 
-static bool read_camera(struct reader *reader, void *subject, const struct item *item)
+static bool read_camera(struct reader *reader, const struct item *item)
 {
     struct camera_setting setting = camera_default;
 
-    (void)subject;
     if (reader->camera_given)
         reader_report(reader, &item->at, "more than one camera: the last is used");
     reader->camera_given = true;
@@ -181,51 +179,45 @@ static bool read_camera(struct reader *reader, void *subject, const struct item 
     return true;
 }
 
-static bool read_settings(struct reader *reader, void *subject, const struct item *item)
+static bool read_settings(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     (void)item;
     return settings_read(reader, reader->scene);
 }
 
-static bool read_default(struct reader *reader, void *subject, const struct item *item)
+static bool read_default(struct reader *reader, const struct item *item)
 {
-    (void)subject;
     (void)item;
     return default_read(reader);
 }
 
-static bool read_sky(struct reader *reader, void *subject, const struct item *item)
+static bool read_sky(struct reader *reader, const struct item *item)
 {
     struct sky_setting sky;
 
-    (void)subject;
     if (!sky_read(reader, &sky))
         return false;
     sky_take(reader, &sky, &item->at);
     return true;
 }
 
-static bool read_fog(struct reader *reader, void *subject, const struct item *item)
+static bool read_fog(struct reader *reader, const struct item *item)
 {
     struct fog_setting fog;
 
-    (void)subject;
     return fog_read(reader, &fog) && fog_take(reader, &fog, &item->at);
 }
 
-static bool read_background(struct reader *reader, void *subject,
-                            const struct item *item)
+static bool read_background(struct reader *reader, const struct item *item)
 {
     static const struct grammar no_more = { "'}'", { NULL }, NULL };
     struct block block;
     bool good;
 
-    (void)item;
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_rgb(reader, reader->scene->background);
-    return block_items(reader, &block, &no_more, subject, good);
+    return block_items(reader, &block, &no_more, item->subject, good);
 }
 
 static const struct keyword statements[] = {
