@@ -141,32 +141,15 @@ static const struct keyword words[] = {
     { "blur_samples", read_lens_points, 0 },
     { "focal_point", read_focal_point, 0 },
     STEP_WORDS(read_step),
+    /* Thresholds at which POV-Ray stops adding random rays. */
+    { "confidence variance", item_passed_over, 0 },
+    { "bokeh normal", item_left_out, 0 },
+    { "cylinder fisheye mesh_camera omnimax panoramic spherical ultra_wide_angle",
+      item_unsupported, 0 },
     { NULL, NULL, 0 },
 };
 
-/* Thresholds at which POV-Ray stops adding random rays. */
-static const struct keyword passed_over[] = {
-    { "confidence", item_passed_over, 0 },
-    { "variance", item_passed_over, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword left_out[] = {
-    { "bokeh", item_left_out, 0 },
-    { "normal", item_left_out, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword unsupported[] = {
-    { "cylinder", item_unsupported, 0 },         { "fisheye", item_unsupported, 0 },
-    { "mesh_camera", item_unsupported, 0 },      { "omnimax", item_unsupported, 0 },
-    { "panoramic", item_unsupported, 0 },        { "spherical", item_unsupported, 0 },
-    { "ultra_wide_angle", item_unsupported, 0 }, { NULL, NULL, 0 },
-};
-
-static const struct grammar grammar = { "a keyword of camera",
-                                        { words, passed_over, left_out, unsupported },
-                                        NULL };
+static const struct grammar grammar = { "a keyword of camera", { words }, NULL };
 
 static void set_length(double vector[3], double length)
 {

@@ -64,7 +64,7 @@ bool switch_case(struct reader *reader, const struct item *item)
 
     if (!condition || condition->kind != CONDITION_SWITCH || condition->in_else)
         return reader_fault(reader, &item->at, "'#%s' without a matching '#switch'",
-                            item->keyword->word);
+                            item->keyword->words);
     sealed = condition_seal(reader);
     good = read_bounds(reader, item->keyword->detail == SWITCH_RANGE, &lowest,
                        &highest);

@@ -212,11 +212,11 @@ bool condition_else(struct reader *reader, const struct item *item)
     struct scene_condition *condition = condition_top(reader);
 
     if (condition && condition->kind == CONDITION_SWITCH && !condition->in_else
-        && !strcmp(item->keyword->word, "else"))
+        && token_is_text(&item->at, "else"))
         return switch_else(reader, condition);
     if (!condition || condition->kind != CONDITION_IF || condition->in_else)
-        return reader_fault(reader, &item->at, "'#%s' without a matching '#if'",
-                            item->keyword->word);
+        return reader_fault(reader, &item->at, "'#%.*s' without a matching '#if'",
+                            ITEM_WORD(item));
     return condition_leave(reader, condition);
 }
 

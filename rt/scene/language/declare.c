@@ -161,8 +161,7 @@ static const struct keyword declared_words[] = {
     { "normal", declare_normal, VALUE_NORMAL },
     { "normal_map", declare_normal, VALUE_NORMAL_MAP },
     { "slope_map", declare_normal, VALUE_SLOPE_MAP },
-    { "color_map", declare_pigment, VALUE_COLOR_MAP },
-    { "colour_map", declare_pigment, VALUE_COLOR_MAP },
+    { "color_map colour_map", declare_pigment, VALUE_COLOR_MAP },
     { "pigment_map", declare_pigment, VALUE_PIGMENT_MAP },
     { "texture_map", declare_texture, VALUE_TEXTURE_MAP },
     { "sky_sphere", declare_sky, 0 },
@@ -173,20 +172,13 @@ static const struct keyword declared_words[] = {
     { "camera", declare_camera, 0 },
     { "function", declare_function, 0 },
     { "spline", spline_read, 0 },
+    { "density density_map media rainbow", declare_look, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct keyword declared_looks[] = {
-    { "density", declare_look, 0 },
-    { "density_map", declare_look, 0 },
-    { "media", declare_look, 0 },
-    { "rainbow", declare_look, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct grammar declared_grammar = {
-    "a value", { declared_words, declared_looks, unsupported_shapes }, NULL
-};
+static const struct grammar declared_grammar = { "a value",
+                                                 { declared_words, unsupported_shapes },
+                                                 NULL };
 
 static bool copy_array(struct reader *reader, struct scene_value *value,
                        const struct array *array)

@@ -183,11 +183,10 @@ static bool read_message(struct reader *reader, const struct item *item)
 static const struct keyword words[] = {
     { "break", condition_break, 0 },
     { "case", switch_case, SWITCH_CASE },
-    { "debug", read_message, MESSAGE_SAYS },
+    { "debug render statistics", read_message, MESSAGE_SAYS },
     { "declare", read_declare, false },
     { "default", read_default, 0 },
-    { "else", condition_else, 0 },
-    { "elseif", condition_else, 0 },
+    { "else elseif", condition_else, 0 },
     { "end", condition_end, 0 },
     { "error", read_message, MESSAGE_IS_ERROR },
     { "fclose", data_file_close, 0 },
@@ -201,8 +200,6 @@ static const struct keyword words[] = {
     { "macro", macro_define, 0 },
     { "range", switch_case, SWITCH_RANGE },
     { "read", data_file_read, 0 },
-    { "render", read_message, MESSAGE_SAYS },
-    { "statistics", read_message, MESSAGE_SAYS },
     { "switch", switch_begin, 0 },
     { "undef", read_undef, 0 },
     { "version", read_version, 0 },
@@ -212,21 +209,11 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct keyword *find(const struct scene_token *token)
-{
-    for (const struct keyword *keyword = words; keyword->word; keyword++) {
-        const char *const word[] = { keyword->word, NULL };
-        if (is_directive(token, word))
-            return keyword;
-    }
-    return NULL;
-}
-
 /* The word is left like the last token of a directive, because some directives have no
  * arguments. */
 bool directive_read(struct reader *reader)
 {
-    struct item item = { find(&reader->token), reader->token, NULL };
+    struct item item = { keyword_find(words, &reader->token), reader->token, NULL };
 
     reader_step(reader);
     if (!item.keyword)

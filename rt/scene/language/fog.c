@@ -42,32 +42,16 @@ static bool read_fog_color(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword words[] = {
-    { "distance", read_distance, 0 }, { "fog_type", read_type, 0 },
-    { "color", read_fog_color, 0 },   { "colour", read_fog_color, 0 },
-    { "rgb", read_fog_color, 0 },     { "rgbf", read_fog_color, 0 },
-    { "rgbt", read_fog_color, 0 },    { "rgbft", read_fog_color, 0 },
-    { "srgb", read_fog_color, 0 },    { "srgbf", read_fog_color, 0 },
-    { "srgbt", read_fog_color, 0 },   { "srgbft", read_fog_color, 0 },
-    { "red", read_fog_color, 0 },     { "green", read_fog_color, 0 },
-    { "blue", read_fog_color, 0 },    { NULL, NULL, 0 },
-};
-
-/* Words of ground fog, and of turbulence, which itself is reported. */
-static const struct keyword passed_over[] = {
-    { "fog_alt", item_passed_over, 0 }, { "fog_offset", item_passed_over, 0 },
-    { "lambda", item_passed_over, 0 },  { "octaves", item_passed_over, 0 },
-    { "omega", item_passed_over, 0 },   { "turb_depth", item_passed_over, 0 },
-    { "up", item_passed_over, 0 },      { NULL, NULL, 0 },
-};
-
-static const struct keyword left_out[] = {
+    { "distance", read_distance, 0 },
+    { "fog_type", read_type, 0 },
+    { COLOR_WORDS, read_fog_color, 0 },
+    /* Words of ground fog, and of turbulence, which itself is reported. */
+    { "fog_alt fog_offset lambda octaves omega turb_depth up", item_passed_over, 0 },
     { "turbulence", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of fog",
-                                        { words, passed_over, left_out },
-                                        NULL };
+static const struct grammar grammar = { "a keyword of fog", { words }, NULL };
 
 /* Reads a named colour at the start of the block. */
 static bool read_first_color(struct reader *reader, struct fog *fog)

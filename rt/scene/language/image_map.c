@@ -219,14 +219,9 @@ static const struct keyword words[] = {
     { "map_type", read_type, 0 },
     { "interpolate", read_sampling, 0 },
     { "gamma", read_gamma, 0 },
-    { "filter", read_passing, 0 },
-    { "transmit", read_passing, 0 },
+    { "filter transmit", read_passing, 0 },
     { "offset", item_left_out, 0 },
-    { "premultiplied", item_passed_over, 0 },
-    { "use_alpha", item_passed_over, 0 },
-    { "use_color", item_passed_over, 0 },
-    { "use_colour", item_passed_over, 0 },
-    { "use_index", item_passed_over, 0 },
+    { "premultiplied use_alpha use_color use_colour use_index", item_passed_over, 0 },
     { NULL, NULL, 0 },
 };
 

@@ -13,24 +13,13 @@ static bool read_ior(struct reader *reader, const struct item *item)
 
 static const struct keyword words[] = {
     { "ior", read_ior, 0 },
+    { "caustics dispersion dispersion_samples fade_color fade_colour fade_distance "
+      "fade_power media",
+      item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct keyword left_out[] = {
-    { "caustics", item_left_out, 0 },
-    { "dispersion", item_left_out, 0 },
-    { "dispersion_samples", item_left_out, 0 },
-    { "fade_color", item_left_out, 0 },
-    { "fade_colour", item_left_out, 0 },
-    { "fade_distance", item_left_out, 0 },
-    { "fade_power", item_left_out, 0 },
-    { "media", item_left_out, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct grammar grammar = { "a keyword of interior",
-                                        { words, left_out },
-                                        NULL };
+static const struct grammar grammar = { "a keyword of interior", { words }, NULL };
 
 bool interior_read(struct reader *reader, double *ior)
 {

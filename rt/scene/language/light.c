@@ -109,7 +109,7 @@ static bool read_measure(struct reader *reader, const struct item *item)
         if (object->lights[i].beam == BEAM_NONE)
             return reader_fault(reader, &item->at,
                                 "'%s' requires 'spotlight' or 'cylinder' before it",
-                                item->keyword->word);
+                                item->keyword->words);
     return read_fading(reader, item);
 }
 
@@ -178,30 +178,14 @@ static const struct keyword words[] = {
     { "fade_distance", read_fading, offsetof(struct light, fade_distance) },
     { "fade_power", read_fading, offsetof(struct light, fade_power) },
     STEP_WORDS(object_step_read),
+    /* Words about unsupported features, which are reported, and about adaptive sampling
+     * of areas: here all points of an area are used. */
+    { "adaptive media_attenuation media_interaction photons", item_passed_over, 0 },
+    { "area_illumination jitter orient projected_through", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-/* Words about unsupported features, which are reported, and about adaptive sampling of
- * areas: here all points of an area are used. */
-static const struct keyword passed_over[] = {
-    { "adaptive", item_passed_over, 0 },
-    { "media_attenuation", item_passed_over, 0 },
-    { "media_interaction", item_passed_over, 0 },
-    { "photons", item_passed_over, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword left_out[] = {
-    { "area_illumination", item_left_out, 0 },
-    { "jitter", item_left_out, 0 },
-    { "orient", item_left_out, 0 },
-    { "projected_through", item_left_out, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct grammar grammar = { "a keyword of light_source",
-                                        { words, passed_over, left_out },
-                                        NULL };
+static const struct grammar grammar = { "a keyword of light_source", { words }, NULL };
 
 static bool read_point(struct reader *reader, struct scene_object *object)
 {

@@ -358,7 +358,7 @@ static bool read_inside(struct reader *reader, const struct item *item)
     struct mesh2_reading *mesh = item->subject;
 
     mesh->rank = RANK_INSIDE;
-    mesh->last = item->keyword->word;
+    mesh->last = item->keyword->words;
     return read_inside_vector(reader, item);
 }
 

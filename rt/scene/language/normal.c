@@ -112,8 +112,8 @@ static bool read_unsupported(struct reader *reader, const struct item *item)
     struct bump_list *list = &reading->list;
 
     reader_report(reader, &item->at,
-                  "a normal of the pattern '%s' is not supported and is ignored",
-                  item->keyword->word);
+                  "a normal of the pattern '%.*s' is not supported and is ignored",
+                  ITEM_WORD(item));
     list->bump.pattern.kind = PIGMENT_COLOR;
     list->average = false;
     list->bump.stop_count = list->count = 0;
@@ -163,8 +163,7 @@ static const struct keyword words[] = {
     { "gradient", read_gradient, 0 },
     { "average", read_average, 0 },
     { "quilted", read_quilted, 0 },
-    PATTERN_WORDS(read_unsupported),
-    { "bump_map", read_unsupported, 0 },
+    { "bump_map " PATTERN_WORDS, read_unsupported, 0 },
     { "accuracy", read_accuracy, 0 },
     { "bump_size", read_bump_size, 0 },
     { "control0", read_control, 0 },
@@ -176,15 +175,9 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct keyword left_out[] = {
-    { "uv_mapping", item_left_out, 0 },
-    { NULL, NULL, 0 },
+static const struct grammar grammar = {
+    "a keyword of normal", { words, pattern_words, pattern_words_left_out }, NULL
 };
-
-static const struct grammar grammar = { "a keyword of normal",
-                                        { words, left_out, pattern_words,
-                                          pattern_words_left_out },
-                                        NULL };
 
 /* A normal may begin with the name of a normal. */
 bool normal_body(struct reader *reader, const struct block *block, void *subject)

@@ -109,7 +109,7 @@ static bool has_place(struct reader *reader, const struct normal_reading *readin
     return pigment_list_count(&reading->list.bump.pattern) == 0
            || reader_fault(reader, &item->at,
                            "a list of normals cannot be combined with '%s'",
-                           item->keyword->word);
+                           item->keyword->words);
 }
 
 bool read_slope_map(struct reader *reader, const struct item *item)

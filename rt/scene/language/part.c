@@ -14,21 +14,20 @@ enum { MAX_NAME = 200 };
 /* Stores a float named after the part and the word, such as Lid_Density. */
 static bool read_value(struct reader *reader, const struct item *item)
 {
-    const char *part = item->subject, *word = item->keyword->word;
+    const char *part = item->subject, *word = item->at.text;
     char name[MAX_NAME + 20];
     double value;
 
     if (!read_number(reader, &value))
         return false;
-    snprintf(name, sizeof name, "%s_%c%s", part, toupper((int)word[0]), word + 1);
+    snprintf(name, sizeof name, "%s_%c%.*s", part, toupper((int)word[0]),
+             (int)item->at.length - 1, word + 1);
     return reader_keep_float(reader, name, strlen(name), value)
            || reader_no_memory(reader);
 }
 
 static const struct keyword words[] = {
-    { "density", read_value, 0 },
-    { "emissivity", read_value, 0 },
-    { "temperature", read_value, 0 },
+    { "density emissivity temperature", read_value, 0 },
     { NULL, NULL, 0 },
 };
 static const struct grammar grammar = { "a keyword of part", { words }, NULL };

@@ -8,27 +8,13 @@
 
 #include "rt/scene/language/scene_statement.h"
 
+/* Patterns of pigments that are not supported. */
+#define PATTERN_WORDS \
+    "agate aoi average bozo bumps cells crackle cubic density_file dents facets " \
+    "function granite image_pattern julia magnet mandel marble object pavement " \
+    "pigment_pattern quilted ripples slope spiral1 spiral2 spotted square tiling " \
+    "triangular waves wood wrinkles"
 /* clang-format off */
-#define PATTERN_WORDS(read) \
-    { "agate", read, 0 }, { "aoi", read, 0 }, { "average", read, 0 }, \
-    { "bozo", read, 0 }, \
-    { "bumps", read, 0 }, { "cells", read, 0 }, { "crackle", read, 0 }, \
-    { "cubic", read, 0 }, \
-    { "density_file", read, 0 }, { "dents", read, 0 }, \
-    { "facets", read, 0 }, { "function", read, 0 }, \
-    { "granite", read, 0 }, \
-    { "image_pattern", read, 0 }, { "julia", read, 0 }, \
-    { "magnet", read, 0 }, \
-    { "mandel", read, 0 }, { "marble", read, 0 }, { "object", read, 0 }, \
-    { "pavement", read, 0 }, \
-    { "pigment_pattern", read, 0 }, \
-    { "quilted", read, 0 }, \
-    { "ripples", read, 0 }, { "slope", read, 0 }, \
-    { "spiral1", read, 0 }, \
-    { "spiral2", read, 0 }, { "spotted", read, 0 }, \
-    { "square", read, 0 }, { "tiling", read, 0 }, \
-    { "triangular", read, 0 }, { "waves", read, 0 }, \
-    { "wood", read, 0 }, { "wrinkles", read, 0 }
 /* Patterns of pigments that are supported. */
 #define PATTERN_FUNCTION_WORDS(read) \
     { "boxed", read, PATTERN_BOXED }, { "brick", read, PATTERN_BRICK }, \

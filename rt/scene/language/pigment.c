@@ -17,38 +17,13 @@ static bool read_quick_color(struct reader *reader, const struct item *item)
 }
 
 const struct keyword pattern_words_left_out[] = {
-    { "agate_turb", item_left_out, 0 },
-    { "blend_gamma", item_left_out, 0 },
-    { "blend_mode", item_left_out, 0 },
-    { "brick_size", item_left_out, 0 },
-    { "control0", item_left_out, 0 },
-    { "control1", item_left_out, 0 },
-    { "cubic_wave", item_left_out, 0 },
-    { "exterior", item_left_out, 0 },
-    { "exponent", item_left_out, 0 },
-    { "form", item_left_out, 0 },
-    { "frequency", item_left_out, 0 },
-    { "interior", item_left_out, 0 },
-    { "interpolate", item_left_out, 0 },
-    { "lambda", item_left_out, 0 },
-    { "metric", item_left_out, 0 },
-    { "mortar", item_left_out, 0 },
+    { "agate_turb blend_gamma blend_mode brick_size control0 control1 cubic_wave "
+      "exterior exponent form frequency interior interpolate lambda metric mortar "
+      "octaves offset omega orientation phase poly_wave ramp_wave scallop_wave "
+      "sine_wave solid triangle_wave turbulence uv_mapping warp",
+      item_left_out, 0 },
     { "noise_generator", item_passed_over, 0 },
-    { "octaves", item_left_out, 0 },
-    { "offset", item_left_out, 0 },
-    { "omega", item_left_out, 0 },
-    { "orientation", item_left_out, 0 },
-    { "phase", item_left_out, 0 },
-    { "poly_wave", item_left_out, 0 },
-    { "quick_color", read_quick_color, 0 },
-    { "quick_colour", read_quick_color, 0 },
-    { "ramp_wave", item_left_out, 0 },
-    { "scallop_wave", item_left_out, 0 },
-    { "sine_wave", item_left_out, 0 },
-    { "solid", item_left_out, 0 },
-    { "triangle_wave", item_left_out, 0 },
-    { "turbulence", item_left_out, 0 },
-    { "warp", item_left_out, 0 },
+    { "quick_color quick_colour", read_quick_color, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -140,9 +115,10 @@ static bool read_pattern(struct reader *reader, const struct item *item)
     struct pigment other;
     bool first = true;
 
-    reader_report(reader, &item->at,
-                  "the pattern '%s' is not supported; its first colour is used instead",
-                  item->keyword->word);
+    reader_report(
+        reader, &item->at,
+        "the pattern '%.*s' is not supported; its first colour is used instead",
+        ITEM_WORD(item));
     pigment->kind = PIGMENT_COLOR;
     set_color(pigment, 0, black);
     reader_accept(reader, "df3"); /* of density_file */
@@ -224,35 +200,22 @@ static bool read_step(struct reader *reader, const struct item *item)
     return true;
 }
 
-static const struct keyword color_words[] = {
-    { "color", read_color_word, 0 },    { "colour", read_color_word, 0 },
-    { "rgb", read_color_word, 0 },      { "rgbf", read_color_word, 0 },
-    { "rgbt", read_color_word, 0 },     { "rgbft", read_color_word, 0 },
-    { "srgb", read_color_word, 0 },     { "srgbf", read_color_word, 0 },
-    { "srgbt", read_color_word, 0 },    { "srgbft", read_color_word, 0 },
-    { "red", read_color_word, 0 },      { "green", read_color_word, 0 },
-    { "blue", read_color_word, 0 },     { "filter", read_color_word, 0 },
-    { "transmit", read_color_word, 0 }, { NULL, NULL, 0 },
-};
-
 static const struct keyword words[] = {
+    { COLOR_WORDS " filter transmit", read_color_word, 0 },
     { "checker", checker_read, 0 },
     { "gradient", gradient_read, 0 },
     { "image_map", image_map_read, 0 },
-    { "color_map", read_color_map, 0 },
-    { "colour_map", read_color_map, 0 },
+    { "color_map colour_map", read_color_map, 0 },
     { "pigment_map", read_pigment_map, 0 },
     PATTERN_FUNCTION_WORDS(pattern_read),
-    PATTERN_WORDS(read_pattern),
+    { PATTERN_WORDS, read_pattern, 0 },
     STEP_WORDS(read_step),
-    { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of pigment",
-                                        { color_words, words, pattern_words,
-                                          pattern_words_left_out },
-                                        NULL };
+static const struct grammar grammar = {
+    "a keyword of pigment", { words, pattern_words, pattern_words_left_out }, NULL
+};
 
 /* A pigment may begin with the name of a pigment or of a colour. */
 bool pigment_body(struct reader *reader, const struct block *block, void *subject)

@@ -108,8 +108,7 @@ static const struct keyword part_words[] = {
     { "texture", read_texture, 0 },
     { "pigment", read_pigment, 0 },
     { "finish", read_finish, 0 },
-    { "normal", item_left_out, 0 },
-    { "uv_mapping", item_left_out, 0 },
+    { "normal uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 

@@ -7,15 +7,28 @@
 
 static bool is_object(const struct scene_token *token)
 {
-    return token->kind == TOKEN_WORD && token->value
-           && token->value->kind == VALUE_OBJECT;
+    return token->value && token->value->kind == VALUE_OBJECT;
 }
 
-static const struct keyword *table_find(const struct keyword *table,
-                                        const struct scene_token *token)
+static bool is_among(const struct scene_token *token, const char *words)
 {
-    for (; table && table->word; table++)
-        if (*table->word ? is_token(token, table->word) : is_object(token))
+    size_t length = token->length;
+
+    while (words) {
+        if (*words == *token->text && !strncmp(words, token->text, length)
+            && (words[length] == ' ' || words[length] == '\0'))
+            return true;
+        words = strchr(words, ' ');
+        words = words ? words + 1 : NULL;
+    }
+    return false;
+}
+
+const struct keyword *keyword_find(const struct keyword *table,
+                                   const struct scene_token *token)
+{
+    for (; table && table->words; table++)
+        if (*table->words ? is_among(token, table->words) : is_object(token))
             return table;
     return NULL;
 }
@@ -25,8 +38,10 @@ const struct keyword *grammar_find(const struct grammar *grammar,
 {
     const struct keyword *found = NULL;
 
+    if (token->kind != TOKEN_WORD)
+        return NULL;
     for (size_t i = 0; i < GRAMMAR_TABLES && !found; i++)
-        found = table_find(grammar->tables[i], token);
+        found = keyword_find(grammar->tables[i], token);
     return found;
 }
 
@@ -116,7 +131,7 @@ static bool read_item(struct reader *reader, const struct grammar **grammar,
         reader_next(reader);
         return false;
     }
-    if (item.keyword->read != item_unmarked && *item.keyword->word)
+    if (item.keyword->read != item_unmarked && *item.keyword->words)
         reader_next(reader);
     return item.keyword->read(reader, &item);
 }
@@ -191,8 +206,8 @@ void skip_arguments(struct reader *reader)
 
 bool item_left_out(struct reader *reader, const struct item *item)
 {
-    reader_report(reader, &item->at, "'%s' is not supported and is ignored",
-                  item->keyword->word);
+    reader_report(reader, &item->at, "'%.*s' is not supported and is ignored",
+                  ITEM_WORD(item));
     skip_arguments(reader);
     return true;
 }
@@ -206,15 +221,15 @@ bool item_passed_over(struct reader *reader, const struct item *item)
 
 bool item_unsupported(struct reader *reader, const struct item *item)
 {
-    reader_fault(reader, &item->at, "'%s' is not supported", item->keyword->word);
+    reader_fault(reader, &item->at, "'%.*s' is not supported", ITEM_WORD(item));
     skip_arguments(reader);
     return false;
 }
 
 bool item_unmarked(struct reader *reader, const struct item *item)
 {
-    reader_warn(reader, &item->at, "'%s' without '#' is read as '#%s'",
-                item->keyword->word, item->keyword->word);
+    reader_warn(reader, &item->at, "'%.*s' without '#' is read as '#%.*s'",
+                ITEM_WORD(item), ITEM_WORD(item));
     reader->token.kind = TOKEN_DIRECTIVE;
     reader_resolve(reader);
     return true;

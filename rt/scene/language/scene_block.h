@@ -1,7 +1,7 @@
 /* scene_block.h - blocks: `{`, words with their arguments, `}`.
  *
- * A grammar is a table of words. Each word has a function that reads its arguments into
- * the subject of the block. After an error the parser continues at the next word of the
+ * A grammar is tables of words. Each row has a function that reads the arguments of its
+ * words into the subject of the block. After an error the parser continues at the next word of the
  * block, so one pass finds all errors.
  */
 #ifndef RT_SCENE_BLOCK_H
@@ -13,7 +13,8 @@ struct item;
 typedef bool item_reader(struct reader *reader, const struct item *item);
 
 struct keyword {
-    const char *word; /* "": the name of an object, which is not consumed */
+    const char *words; /* separated by blanks; "": the name of an object, which is not
+                        * consumed */
     item_reader *read;
     size_t detail; /* parameter of the function: an offset, a kind */
 };
@@ -24,6 +25,9 @@ struct item {
     struct scene_token at;
     void *subject; /* of its block */
 };
+
+/* The word, as two arguments of "%.*s". */
+#define ITEM_WORD(item) (int)(item)->at.length, (item)->at.text
 
 enum { GRAMMAR_TABLES = 4 };
 struct grammar {
@@ -39,6 +43,9 @@ struct block {
     int closing;  /* sign at its end; 0: the end of the file */
 };
 
+/* Returns the row of the token's text in a table, or NULL. */
+const struct keyword *keyword_find(const struct keyword *table,
+                                   const struct scene_token *token);
 const struct keyword *grammar_find(const struct grammar *grammar,
                                    const struct scene_token *token);
 

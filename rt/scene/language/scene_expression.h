@@ -8,6 +8,9 @@
 bool starts_expression(const struct reader *reader);
 /* Returns true if it is a colour word such as rgb or red, or the name of a colour. */
 bool starts_color(const struct reader *reader);
+/* The words that begin a colour, for a table of words. */
+#define COLOR_WORDS \
+    "color colour rgb rgbf rgbt rgbft srgb srgbf srgbt srgbft red green blue"
 bool is_color_word(const struct scene_token *token);
 /* Returns true if it is a constant or a function of the language. */
 bool is_expression_word(const struct scene_token *token);

@@ -63,30 +63,17 @@ static const struct keyword words[] = {
     { "max_trace_level", read_trace_level, 0 },
     { "adc_bailout", read_bailout, 0 },
     { "charset", read_charset, 0 },
-    { NULL, NULL, 0 },
-};
-
-/* Words about noise, iridescence, or the internals of POV-Ray. They have no effect
- * here. */
-static const struct keyword passed_over[] = {
-    { "hf_gray_16", item_passed_over, 0 },
-    { "irid_wavelength", item_passed_over, 0 },
-    { "max_intersections", item_passed_over, 0 },
-    { "mm_per_unit", item_passed_over, 0 },
-    { "noise_generator", item_passed_over, 0 },
-    { "number_of_waves", item_passed_over, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword left_out[] = {
-    { "photons", item_left_out, 0 },
-    { "radiosity", item_left_out, 0 },
-    { "subsurface", item_left_out, 0 },
+    /* Words about noise, iridescence, or the internals of POV-Ray. They have no effect
+     * here. */
+    { "hf_gray_16 irid_wavelength max_intersections mm_per_unit noise_generator "
+      "number_of_waves",
+      item_passed_over, 0 },
+    { "photons radiosity subsurface", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
 static const struct grammar grammar = { "a keyword of global_settings",
-                                        { words, passed_over, left_out },
+                                        { words },
                                         NULL };
 
 bool settings_read(struct reader *reader, struct scene *scene)

@@ -254,35 +254,17 @@ static const struct keyword modifiers[] = {
     { "part", part_read, 0 },
     { "clipped_by", clipped_by_read, 0 },
     { "bounded_by", bounded_by_read, 0 },
+    /* Words about media, photons, radiosity and light groups, which are reported
+     * elsewhere, or about the internals of POV-Ray. They have no effect here. */
+    { "global_lights hierarchy hollow no_radiosity photons split_union",
+      item_passed_over, 0 },
+    { "color colour cutaway_textures double_illuminate interior_texture radiosity "
+      "uv_mapping",
+      item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-/* Words about media, photons, radiosity and light groups, which are reported elsewhere,
- * or about the internals of POV-Ray. They have no effect here. */
-static const struct keyword modifiers_passed_over[] = {
-    { "global_lights", item_passed_over, 0 },
-    { "hierarchy", item_passed_over, 0 },
-    { "hollow", item_passed_over, 0 },
-    { "no_radiosity", item_passed_over, 0 },
-    { "photons", item_passed_over, 0 },
-    { "split_union", item_passed_over, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword modifiers_left_out[] = {
-    { "color", item_left_out, 0 },
-    { "colour", item_left_out, 0 },
-    { "cutaway_textures", item_left_out, 0 },
-    { "double_illuminate", item_left_out, 0 },
-    { "interior_texture", item_left_out, 0 },
-    { "radiosity", item_left_out, 0 },
-    { "uv_mapping", item_left_out, 0 },
-    { NULL, NULL, 0 },
-};
-
-const struct grammar modifier_grammar = {
-    "an object modifier", { modifiers, modifiers_passed_over, modifiers_left_out }, NULL
-};
+const struct grammar modifier_grammar = { "an object modifier", { modifiers }, NULL };
 
 /* Reports a surface in an intersection or difference, as POV-Ray does. */
 static void report_patches(struct reader *reader, const struct scene_object *child,
@@ -459,7 +441,7 @@ static bool finish_joined(struct reader *reader, struct scene_object *object,
 {
     if (object->child_count < 2 && item->keyword->detail != SHAPE_LIGHT_GROUP)
         reader_report(reader, &item->at, "fewer than two objects in this '%s'",
-                      item->keyword->word);
+                      item->keyword->words);
     if (object->joining == JOIN_APART)
         return true;
     return check_solid(reader, object, &item->at)

@@ -57,17 +57,13 @@ static const struct keyword reflection_words[] = {
     { "fresnel", read_fresnel, 0 },
     { "metallic", read_metallic,
       offsetof(struct mirror_reading, finish.reflection_metallic) },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword reflection_left_out[] = {
     { "exponent", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct grammar reflection_grammar = {
-    "a keyword of reflection", { reflection_words, reflection_left_out }, NULL
-};
+static const struct grammar reflection_grammar = { "a keyword of reflection",
+                                                   { reflection_words },
+                                                   NULL };
 
 /* Reads one reflectivity for all angles. */
 static bool read_mirror(struct reader *reader, struct finish *finish)
@@ -159,24 +155,14 @@ static const struct keyword finish_words[] = {
     { "specular", read_amount, offsetof(struct finish, specular) },
     { "roughness", read_roughness, 0 },
     { "reflection", read_reflection, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword finish_left_out[] = {
-    { "conserve_energy", item_left_out, 0 },
-    { "crand", item_left_out, 0 },
-    { "caustics", item_left_out, 0 },
-    { "fresnel", item_left_out, 0 },
-    { "irid", item_left_out, 0 },
-    { "reflection_exponent", item_left_out, 0 },
-    { "refraction", item_left_out, 0 },
-    { "subsurface", item_left_out, 0 },
-    { "use_alpha", item_left_out, 0 },
+    { "conserve_energy crand caustics fresnel irid reflection_exponent refraction "
+      "subsurface use_alpha",
+      item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
 static const struct grammar finish_grammar = { "a keyword of finish",
-                                               { finish_words, finish_left_out },
+                                               { finish_words },
                                                NULL };
 
 bool finish_read(struct reader *reader, struct finish *finish)
@@ -243,9 +229,9 @@ static bool read_pattern(struct reader *reader, const struct item *item)
     struct texture texture = reader->default_texture;
 
     reader_report(reader, &item->at,
-                  "textures in the pattern '%s' are not supported; "
+                  "textures in the pattern '%.*s' are not supported; "
                   "the first one is used instead",
-                  item->keyword->word);
+                  ITEM_WORD(item));
     skip_arguments(reader);
     for (bool first = true; reader_accept(reader, "texture"); first = false) {
         if (!texture_read(reader, first ? item->subject : &texture))
@@ -276,26 +262,17 @@ static const struct keyword texture_words[] = {
     { "normal", read_normal, 0 },
     { "no_bump_scale", read_no_bump_scale, 0 },
     STEP_WORDS(read_step),
-    { "gradient", read_pattern, 0 },
-    { "image_map", read_pattern, 0 },
     PATTERN_FUNCTION_WORDS(read_pattern),
-    PATTERN_WORDS(read_pattern),
-    { "checker", read_pattern, 0 },
+    { "checker gradient image_map " PATTERN_WORDS, read_pattern, 0 },
     { "texture_map", read_texture_map, 0 },
     { "tiles", read_tiles, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword texture_left_out[] = {
     { "material_map", item_left_out, 0 },
-    { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct grammar texture_grammar = { "a keyword of texture",
-                                                { texture_words, texture_left_out,
-                                                  pattern_words_left_out },
-                                                NULL };
+static const struct grammar texture_grammar = {
+    "a keyword of texture", { texture_words, pattern_words_left_out }, NULL
+};
 
 bool texture_body(struct reader *reader, const struct block *block, void *subject)
 {

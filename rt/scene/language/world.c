@@ -225,27 +225,19 @@ static const struct keyword statements[] = {
 #include "rt/shapes/shapes.def"
     OTHER_SHAPE_WORDS(read_object),
     { "", read_object, SHAPE_NAMED },
-    { "declare", item_unmarked, 0 },
-    { "include", item_unmarked, 0 },
-    { "version", item_unmarked, 0 },
+    { "declare include version", item_unmarked, 0 },
     { "camera", read_camera, 0 },
     { "background", read_background, 0 },
     { "default", read_default, 0 },
     { "global_settings", read_settings, 0 },
     { "sky_sphere", read_sky, 0 },
     { "fog", read_fog, 0 },
-    { NULL, NULL, 0 },
-};
-
-static const struct keyword left_out[] = {
-    { "atmosphere", item_left_out, 0 },
-    { "media", item_left_out, 0 },
-    { "rainbow", item_left_out, 0 },
+    { "atmosphere media rainbow", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
 const struct grammar file_grammar = { "a statement",
-                                      { statements, left_out, unsupported_shapes },
+                                      { statements, unsupported_shapes },
                                       NULL };
 
 static bool take_primitives(struct reader *reader)
