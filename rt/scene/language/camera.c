@@ -111,15 +111,11 @@ static bool read_focal_point(struct reader *reader, const struct item *item)
     return read_vector(reader, reading->focal_point);
 }
 
-static bool read_step(struct reader *reader, const struct item *item)
+static void move(void *subject, const struct placement *step)
 {
-    struct camera_reading *reading = item->subject;
-    struct placement step;
+    struct camera_reading *reading = subject;
 
-    if (!step_read(reader, item, &step))
-        return false;
-    reading->placement = placement_then(&reading->placement, &step);
-    return true;
+    reading->placement = placement_then(&reading->placement, step);
 }
 
 /* clang-format off */
@@ -140,7 +136,6 @@ static const struct keyword words[] = {
     { "aperture", read_aperture, 0 },
     { "blur_samples", read_lens_points, 0 },
     { "focal_point", read_focal_point, 0 },
-    STEP_WORDS(read_step),
     /* Thresholds at which POV-Ray stops adding random rays. */
     { "confidence variance", item_passed_over, 0 },
     { "bokeh normal", item_left_out, 0 },
@@ -149,7 +144,9 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of camera", { words }, NULL };
+static const struct grammar grammar = { "a keyword of camera",
+                                        { words },
+                                        .move = move };
 
 static void set_length(double vector[3], double length)
 {

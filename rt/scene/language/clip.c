@@ -12,7 +12,7 @@
 
 /* The objects that have been read, one solid each. */
 struct clipping {
-    struct scene_object solids;
+    struct scene_object solids; /* first member: the subject of transforms */
     bool as_said; /* bounded_by { clipped_by }, which has no effect of its own */
 };
 
@@ -56,25 +56,6 @@ static bool read_as_said(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Moves all objects so far. */
-static bool read_step(struct reader *reader, const struct item *item)
-{
-    struct clipping *clipping = item->subject;
-    struct placement step;
-
-    if (!step_read(reader, item, &step))
-        return false;
-    object_move(&clipping->solids, &step);
-    return true;
-}
-
-static const struct keyword solids[] = {
-#define SHAPE(KIND, name, ...) { #name, read_solid, PRIMITIVE_##KIND },
-#include "rt/shapes/shapes.def"
-    OTHER_SHAPE_WORDS(read_solid),
-    STEP_WORDS(read_step),
-    { NULL, NULL, 0 },
-};
 static const struct keyword clipped_by_word[] = {
     { "clipped_by", read_as_said, 0 },
     { NULL, NULL, 0 },
@@ -84,12 +65,15 @@ static const struct keyword bounded_by_word[] = {
     { NULL, NULL, 0 },
 };
 
+/* A transform moves all objects before it. */
 static const struct grammar of_clip = { "an object to clip by",
-                                        { solids, unsupported_shapes, bounded_by_word },
-                                        NULL };
-static const struct grammar of_bound = {
-    "an object as a bound", { solids, unsupported_shapes, clipped_by_word }, NULL
-};
+                                        { bounded_by_word },
+                                        .object = read_solid,
+                                        .move = object_move };
+static const struct grammar of_bound = { "an object as a bound",
+                                         { clipped_by_word },
+                                         .object = read_solid,
+                                         .move = object_move };
 
 /* ---- clipped_by ---------------------------------------------------------- */
 

@@ -152,9 +152,6 @@ static bool declare_camera(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword declared_words[] = {
-#define SHAPE(KIND, name, ...) { #name, declare_object, PRIMITIVE_##KIND },
-#include "rt/shapes/shapes.def"
-    OTHER_SHAPE_WORDS(declare_object),
     { "pigment", declare_pigment, VALUE_PIGMENT },
     { "finish", declare_finish, 0 },
     { "texture", declare_texture, VALUE_TEXTURE },
@@ -177,8 +174,8 @@ static const struct keyword declared_words[] = {
 };
 
 static const struct grammar declared_grammar = { "a value",
-                                                 { declared_words, unsupported_shapes },
-                                                 NULL };
+                                                 { declared_words },
+                                                 .object = declare_object };
 
 static bool copy_array(struct reader *reader, struct scene_value *value,
                        const struct array *array)
@@ -228,8 +225,7 @@ static bool read_numbers(struct reader *reader, struct scene_value *value)
 
 static bool read_statement(struct reader *reader, struct scene_value *value)
 {
-    struct item item = { grammar_find(&declared_grammar, &reader->token), reader->token,
-                         value };
+    struct item item = item_find(reader, &declared_grammar, value);
     const struct scene_value *named = reader_value(reader);
 
     if (item.keyword) {

@@ -123,8 +123,7 @@ static const struct keyword default_words[] = {
 };
 
 static const struct grammar default_grammar = { "texture, pigment, normal or finish",
-                                                { default_words },
-                                                NULL };
+                                                .tables = { default_words } };
 
 bool default_read(struct reader *reader)
 {
@@ -213,7 +212,8 @@ static const struct keyword words[] = {
  * arguments. */
 bool directive_read(struct reader *reader)
 {
-    struct item item = { keyword_find(words, &reader->token), reader->token, NULL };
+    struct item item = { keyword_find(words, &reader->token), reader->token, NULL,
+                         NULL };
 
     reader_step(reader);
     if (!item.keyword)

@@ -51,7 +51,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of fog", { words }, NULL };
+static const struct grammar grammar = { "a keyword of fog", .tables = { words } };
 
 /* Reads a named colour at the start of the block. */
 static bool read_first_color(struct reader *reader, struct fog *fog)

@@ -337,7 +337,6 @@ static const char *find_other(const struct reader *reader)
 
 static bool read_body(struct compiler *compiler, const struct block *block)
 {
-    static const struct grammar no_more = { "'}'", { NULL }, NULL };
     struct reader *reader = compiler->reader;
     struct formula *formula = compiler->formula;
     bool good;
@@ -358,7 +357,7 @@ static bool read_body(struct compiler *compiler, const struct block *block)
     }
     formula->steps = compiler->steps;
     formula->step_count = compiler->count;
-    return block_items(reader, block, &no_more, NULL, good);
+    return block_items(reader, block, &no_words, NULL, good);
 }
 
 const struct formula *formula_read(struct reader *reader)

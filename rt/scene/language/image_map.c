@@ -225,7 +225,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of image_map", { words }, NULL };
+static const struct grammar grammar = { "a keyword of image_map", .tables = { words } };
 
 /* ---- The pigment --------------------------------------------------------- */
 

@@ -19,7 +19,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of interior", { words }, NULL };
+static const struct grammar grammar = { "a keyword of interior", .tables = { words } };
 
 bool interior_read(struct reader *reader, double *ior)
 {

@@ -177,7 +177,6 @@ static const struct keyword words[] = {
     { "tightness", read_measure, offsetof(struct light, tightness) },
     { "fade_distance", read_fading, offsetof(struct light, fade_distance) },
     { "fade_power", read_fading, offsetof(struct light, fade_power) },
-    STEP_WORDS(object_step_read),
     /* Words about unsupported features, which are reported, and about adaptive sampling
      * of areas: here all points of an area are used. */
     { "adaptive media_attenuation media_interaction photons", item_passed_over, 0 },
@@ -185,7 +184,9 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of light_source", { words }, NULL };
+static const struct grammar grammar = { "a keyword of light_source",
+                                        { words },
+                                        .move = object_move };
 
 static bool read_point(struct reader *reader, struct scene_object *object)
 {

@@ -376,7 +376,7 @@ static const struct keyword words[] = {
 
 static const struct grammar grammar = { "a keyword of mesh2 or an object modifier",
                                         { words },
-                                        &modifier_grammar };
+                                        .then = &modifier_grammar };
 
 /* ---- The statement ------------------------------------------------------- */
 

@@ -146,17 +146,6 @@ static bool read_no_bump_scale(struct reader *reader, const struct item *item)
     return reading->unscaled = true;
 }
 
-static bool read_step(struct reader *reader, const struct item *item)
-{
-    struct normal_reading *reading = item->subject;
-    struct placement step;
-
-    if (!step_read(reader, item, &step))
-        return false;
-    pigment_move(&reading->list.bump.pattern, &step);
-    return true;
-}
-
 static const struct keyword words[] = {
     PATTERN_FUNCTION_WORDS(read_function),
     { "checker", read_function, PATTERN_CHECKER },
@@ -171,13 +160,13 @@ static const struct keyword words[] = {
     { "no_bump_scale", read_no_bump_scale, 0 },
     { "normal_map", read_normal_map, 0 },
     { "slope_map", read_slope_map, 0 },
-    STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a keyword of normal", { words, pattern_words, pattern_words_left_out }, NULL
-};
+static const struct grammar grammar = { "a keyword of normal",
+                                        { words, pattern_words,
+                                          pattern_words_left_out },
+                                        .move = pigment_move };
 
 /* A normal may begin with the name of a normal. */
 bool normal_body(struct reader *reader, const struct block *block, void *subject)

@@ -30,7 +30,7 @@ static const struct keyword words[] = {
     { "density emissivity temperature", read_value, 0 },
     { NULL, NULL, 0 },
 };
-static const struct grammar grammar = { "a keyword of part", { words }, NULL };
+static const struct grammar grammar = { "a keyword of part", .tables = { words } };
 
 static bool read_name(struct reader *reader, char name[MAX_NAME + 1])
 {

@@ -190,16 +190,6 @@ static bool read_pigment_map(struct reader *reader, const struct item *item)
     return pigment_map_read(reader, pigment);
 }
 
-static bool read_step(struct reader *reader, const struct item *item)
-{
-    struct placement step;
-
-    if (!step_read(reader, item, &step))
-        return false;
-    pigment_move(item->subject, &step);
-    return true;
-}
-
 static const struct keyword words[] = {
     { COLOR_WORDS " filter transmit", read_color_word, 0 },
     { "checker", checker_read, 0 },
@@ -209,13 +199,13 @@ static const struct keyword words[] = {
     { "pigment_map", read_pigment_map, 0 },
     PATTERN_FUNCTION_WORDS(pattern_read),
     { PATTERN_WORDS, read_pattern, 0 },
-    STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a keyword of pigment", { words, pattern_words, pattern_words_left_out }, NULL
-};
+static const struct grammar grammar = { "a keyword of pigment",
+                                        { words, pattern_words,
+                                          pattern_words_left_out },
+                                        .move = pigment_move };
 
 /* A pigment may begin with the name of a pigment or of a colour. */
 bool pigment_body(struct reader *reader, const struct block *block, void *subject)

@@ -65,18 +65,14 @@ static bool read_part(struct reader *reader, struct blob_part *part)
            && read_strength(reader, &part->strength);
 }
 
-static bool read_step(struct reader *reader, const struct item *item)
+static void part_move(void *subject, const struct placement *step)
 {
-    struct part_reading *reading = item->subject;
+    struct part_reading *reading = subject;
     struct blob_part *part = &reading->part;
-    struct placement step;
 
-    if (!step_read(reader, item, &step))
-        return false;
-    part->to_blob = transform_then(&part->to_blob, &step.to_world);
-    part->to_local = transform_then(&step.to_local, &part->to_local);
-    pigment_move(&reading->texture.pigment, &step);
-    return true;
+    part->to_blob = transform_then(&part->to_blob, &step->to_world);
+    part->to_local = transform_then(&step->to_local, &part->to_local);
+    pigment_move(&reading->texture.pigment, step);
 }
 
 static struct texture *own_texture(struct part_reading *reading,
@@ -104,7 +100,6 @@ static bool read_finish(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword part_words[] = {
-    STEP_WORDS(read_step),
     { "texture", read_texture, 0 },
     { "pigment", read_pigment, 0 },
     { "finish", read_finish, 0 },
@@ -114,7 +109,7 @@ static const struct keyword part_words[] = {
 
 static const struct grammar part_grammar = { "a modifier of the component",
                                              { part_words },
-                                             NULL };
+                                             .move = part_move };
 
 static bool add_part(struct reader *reader, struct blob_reading *blob,
                      const struct blob_part *part, const struct scene_token *at)
@@ -200,7 +195,7 @@ static const struct keyword blob_words[] = {
 
 static const struct grammar blob_grammar = { "a component or an object modifier",
                                              { blob_words },
-                                             &modifier_grammar };
+                                             .then = &modifier_grammar };
 
 static bool begin(struct reader *reader, struct blob_reading *blob,
                   const struct item *item)

@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+const struct grammar no_words = { "'}'", .tables = { NULL } };
+
 static bool is_object(const struct scene_token *token)
 {
     return token->value && token->value->kind == VALUE_OBJECT;
@@ -42,7 +44,18 @@ const struct keyword *grammar_find(const struct grammar *grammar,
         return NULL;
     for (size_t i = 0; i < GRAMMAR_TABLES && !found; i++)
         found = keyword_find(grammar->tables[i], token);
+    if (!found && grammar->object)
+        found = keyword_find(object_words, token);
+    if (!found && grammar->move)
+        found = keyword_find(step_words, token);
     return found;
+}
+
+struct item item_find(const struct reader *reader, const struct grammar *grammar,
+                      void *subject)
+{
+    return (struct item){ grammar_find(grammar, &reader->token), reader->token, subject,
+                          grammar };
 }
 
 struct block block_file(const struct reader *reader)
@@ -118,13 +131,12 @@ static void recover(struct reader *reader, const struct block *block,
 static bool read_item(struct reader *reader, const struct grammar **grammar,
                       void *subject)
 {
-    struct item item = { grammar_find(*grammar, &reader->token), reader->token,
-                         subject };
+    struct item item = item_find(reader, *grammar, subject);
 
     if (!item.keyword && (*grammar)->then) {
-        item.keyword = grammar_find((*grammar)->then, &reader->token);
+        item = item_find(reader, (*grammar)->then, subject);
         if (item.keyword)
-            *grammar = (*grammar)->then;
+            *grammar = item.grammar;
     }
     if (!item.keyword) {
         reader_expected(reader, (*grammar)->expected);

@@ -24,18 +24,24 @@ struct item {
     const struct keyword *keyword;
     struct scene_token at;
     void *subject; /* of its block */
+    const struct grammar *grammar;
 };
 
 /* The word, as two arguments of "%.*s". */
 #define ITEM_WORD(item) (int)(item)->at.length, (item)->at.text
 
-enum { GRAMMAR_TABLES = 4 };
+enum { GRAMMAR_TABLES = 3 };
 struct grammar {
     const char *expected;                         /* in messages: "a keyword of fog" */
     const struct keyword *tables[GRAMMAR_TABLES]; /* each ends with NULL */
-    const struct grammar *then;                   /* grammar of words that may follow
-                                                   * these */
+    item_reader *object;        /* reads an object after its word; NULL: it has none */
+    step_mover *move;           /* applies translate, rotate, ..; NULL: it has none */
+    const struct grammar *then; /* grammar of words that may follow these */
 };
+/* A block with no words after its arguments. */
+extern const struct grammar no_words;
+/* The words of objects, whose detail is an enum shape_word, and of transforms. */
+extern const struct keyword object_words[], step_words[];
 
 struct block {
     struct scene_token open;
@@ -48,6 +54,9 @@ const struct keyword *keyword_find(const struct keyword *table,
                                    const struct scene_token *token);
 const struct keyword *grammar_find(const struct grammar *grammar,
                                    const struct scene_token *token);
+/* Looks up the current token. Without a row of it, item.keyword is NULL. */
+struct item item_find(const struct reader *reader, const struct grammar *grammar,
+                      void *subject);
 
 /* Returns the block of the whole file, which is outside all braces. */
 struct block block_file(const struct reader *reader);

@@ -296,8 +296,7 @@ static const struct keyword triangle_words[] = {
 };
 
 static const struct grammar triangle_grammar = { "a keyword of a mesh triangle",
-                                                 { triangle_words },
-                                                 NULL };
+                                                 .tables = { triangle_words } };
 
 /* detail: whether it is smooth */
 static bool read_triangle(struct reader *reader, const struct item *item)
@@ -340,7 +339,7 @@ static const struct keyword mesh_words[] = {
 
 static const struct grammar mesh_grammar = { "a triangle or an object modifier",
                                              { mesh_words },
-                                             &modifier_grammar };
+                                             .then = &modifier_grammar };
 
 /* ---- The statements ------------------------------------------------------ */
 

@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-void pigment_move(struct pigment *pigment, const struct placement *step)
+void pigment_move(void *subject, const struct placement *step)
 {
+    struct pigment *pigment = subject;
+
     pigment->to_local = transform_then(&step->to_local, &pigment->to_local);
 }
 
@@ -19,8 +21,10 @@ static void bumps_move(struct bumps *bumps, const struct placement *step)
         bumps->to_local = transform_then(&step->to_local, &bumps->to_local);
 }
 
-void texture_move(struct texture *texture, const struct placement *step)
+void texture_move(void *subject, const struct placement *step)
 {
+    struct texture *texture = subject;
+
     pigment_move(&texture->pigment, step);
     bumps_move(&texture->bumps, step);
 }
@@ -491,8 +495,10 @@ static void part_move(struct scene_part *part, const struct placement *step)
     bumps_move(&primitive->bumps, step);
 }
 
-void object_move(struct scene_object *object, const struct placement *step)
+void object_move(void *subject, const struct placement *step)
 {
+    struct scene_object *object = subject;
+
     for (size_t i = 0; i < object->part_count; i++)
         part_move(&object->parts[i], step);
     for (size_t i = 0; i < object->light_count; i++) {

@@ -60,8 +60,9 @@ struct scene_object {
     unsigned hidden_from; /* as of a primitive */
 };
 
-void pigment_move(struct pigment *pigment, const struct placement *step);
-void texture_move(struct texture *texture, const struct placement *step);
+/* Applies a transform to the subject, of the type that the name says. */
+typedef void step_mover(void *subject, const struct placement *step);
+step_mover pigment_move, texture_move, object_move;
 
 /* These return false without memory. */
 bool object_add_primitive(struct scene_object *object,
@@ -88,7 +89,6 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object);
 /* Gives a copy interiors of its own, numbered from *last + 1; *last becomes the
  * greatest. */
 bool object_renumber(struct scene_object *object, size_t *last);
-void object_move(struct scene_object *object, const struct placement *step);
 void scene_object_free(struct scene_object *object);
 
 #endif

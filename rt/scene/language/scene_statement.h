@@ -9,17 +9,6 @@
 #include "rt/scene/language/scene_block.h"
 #include "rt/shapes/primitive.h"
 
-/* translate, rotate, scale, matrix, transform: rows of a grammar. */
-enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
-/* clang-format off */
-#define STEP_WORDS(read) \
-    { "translate", read, STEP_TRANSLATE }, \
-    { "rotate", read, STEP_ROTATE }, { "scale", read, STEP_SCALE }, \
-    { "matrix", read, STEP_MATRIX }, { "transform", read, STEP_NAMED }
-/* clang-format on */
-bool step_read(struct reader *reader, const struct item *item, struct placement *step);
-/* Reads a step and moves an object by it. */
-item_reader object_step_read;
 /* Reads the block of transform { ... }. */
 bool transform_read(struct reader *reader, struct placement *placement);
 
@@ -80,22 +69,8 @@ enum shape_word {
     SHAPE_SMOOTH_TRIANGLE,
     SHAPE_MESH2
 };
-/* clang-format off */
-#define OTHER_SHAPE_WORDS(read) \
-    { "union", read, SHAPE_UNION }, { "merge", read, SHAPE_MERGE }, \
-    { "intersection", read, SHAPE_INTERSECTION }, \
-    { "difference", read, SHAPE_DIFFERENCE }, \
-    { "object", read, SHAPE_OBJECT }, \
-    { "light_source", read, SHAPE_LIGHT }, \
-    { "light_group", read, SHAPE_LIGHT_GROUP }, \
-    { "cubic", read, SHAPE_CUBIC }, { "poly", read, SHAPE_POLY }, \
-    { "text", read, SHAPE_TEXT }, { "triangle", read, SHAPE_TRIANGLE }, \
-    { "smooth_triangle", read, SHAPE_SMOOTH_TRIANGLE }, \
-    { "mesh2", read, SHAPE_MESH2 }, \
-    { "bicubic_patch", read, SHAPE_BICUBIC_PATCH }, \
-    { "polygon", read, SHAPE_POLYGON }, \
-    { "height_field", read, SHAPE_HEIGHT_FIELD }
-/* clang-format on */
+/* Reads an object by the grammar of its block. */
+item_reader item_object;
 /* Reads a shape into an empty object, which the caller frees even after an error. */
 bool shape_read(struct reader *reader, struct scene_object *object,
                 const struct item *item);
@@ -138,8 +113,6 @@ void object_fill(struct reader *reader, struct scene_object *object, double ior)
 /* Copies an object; the copy has interiors of its own. Fails above MAX_PRIMITIVES. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,
                 const struct scene_object *object);
-/* Shapes of POV-Ray that are not supported. */
-extern const struct keyword unsupported_shapes[];
 
 item_reader spline_read; /* subject: a value */
 /* Returns true if the current token names a spline without a parameter after it. */

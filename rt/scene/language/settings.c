@@ -73,8 +73,7 @@ static const struct keyword words[] = {
 };
 
 static const struct grammar grammar = { "a keyword of global_settings",
-                                        { words },
-                                        NULL };
+                                        .tables = { words } };
 
 bool settings_read(struct reader *reader, struct scene *scene)
 {

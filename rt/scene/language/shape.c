@@ -141,16 +141,6 @@ static bool read_inverse(struct reader *reader, const struct item *item)
            && (object_invert(item->subject) || reader_no_memory(reader));
 }
 
-bool object_step_read(struct reader *reader, const struct item *item)
-{
-    struct placement step;
-
-    if (!step_read(reader, item, &step))
-        return false;
-    object_move(item->subject, &step);
-    return true;
-}
-
 static bool read_no_shadow(struct reader *reader, const struct item *item)
 {
     struct scene_object *object = item->subject;
@@ -185,19 +175,14 @@ static bool read_sturm(struct reader *reader, const struct item *item)
 }
 
 /* Transforms the texture that the material has so far. */
-static bool read_material_step(struct reader *reader, const struct item *item)
+static void material_move(void *subject, const struct placement *step)
 {
-    struct scene_object *object = item->subject;
-    struct placement step;
+    struct scene_object *object = subject;
 
-    if (!step_read(reader, item, &step))
-        return false;
-    texture_move(&object->texture, &step);
-    return true;
+    texture_move(&object->texture, step);
 }
 
 static const struct keyword material_words[] = {
-    STEP_WORDS(read_material_step),
     { "texture", read_texture, 0 },
     { "interior", read_interior, 0 },
     { NULL, NULL, 0 },
@@ -205,7 +190,7 @@ static const struct keyword material_words[] = {
 
 static const struct grammar material_grammar = { "a keyword of material",
                                                  { material_words },
-                                                 NULL };
+                                                 .move = material_move };
 
 static void take_material(struct reader *reader, struct scene_object *object,
                           const struct scene_object *material)
@@ -239,7 +224,6 @@ static bool read_material(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword modifiers[] = {
-    STEP_WORDS(object_step_read),
     { "texture", read_texture, 0 },
     { "pigment", read_pigment, 0 },
     { "finish", read_finish, 0 },
@@ -264,7 +248,9 @@ static const struct keyword modifiers[] = {
     { NULL, NULL, 0 },
 };
 
-const struct grammar modifier_grammar = { "an object modifier", { modifiers }, NULL };
+const struct grammar modifier_grammar = { "an object modifier",
+                                          { modifiers },
+                                          .move = object_move };
 
 /* Reports a surface in an intersection or difference, as POV-Ray does. */
 static void report_patches(struct reader *reader, const struct scene_object *child,
@@ -320,9 +306,6 @@ static bool read_child(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword children[] = {
-#define SHAPE(KIND, name, ...) { #name, read_child, PRIMITIVE_##KIND },
-#include "rt/shapes/shapes.def"
-    OTHER_SHAPE_WORDS(read_child),
     { "", read_child, SHAPE_NAMED },
     { NULL, NULL, 0 },
 };
@@ -330,15 +313,15 @@ static const struct keyword children[] = {
 /* Children come before modifiers, because a transform applies only to the children
  * before it. */
 static const struct grammar solid_grammar = { "an object or an object modifier",
-                                              { children, unsupported_shapes },
-                                              &modifier_grammar };
+                                              { children },
+                                              .object = read_child,
+                                              .then = &modifier_grammar };
 
 /* Reads the first word of object { ... }: the name of an object, or a shape. */
 static bool read_base(struct reader *reader, struct scene_object *object)
 {
     const struct scene_value *value = reader_use(reader, VALUE_OBJECT);
-    struct item item = { grammar_find(&solid_grammar, &reader->token), reader->token,
-                         object };
+    struct item item = item_find(reader, &solid_grammar, object);
 
     if (value) {
         bool done = shape_copy(reader, object, &value->is.object);
@@ -351,8 +334,8 @@ static bool read_base(struct reader *reader, struct scene_object *object)
     if (!item.keyword)
         return reader_expected(reader, "the name of an object, or an object");
     reader_next(reader);
-    return item.keyword->read == read_child ? shape_read(reader, object, &item)
-                                            : item.keyword->read(reader, &item);
+    return item.keyword->read == item_object ? shape_read(reader, object, &item)
+                                             : item.keyword->read(reader, &item);
 }
 
 static bool read_named(struct reader *reader, struct scene_object *object,

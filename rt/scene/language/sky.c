@@ -18,25 +18,15 @@ static bool read_pigment(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_step(struct reader *reader, const struct item *item)
-{
-    struct sky_setting *sky = item->subject;
-    struct placement step;
-
-    if (!step_read(reader, item, &step))
-        return false;
-    pigment_move(&sky->pigment, &step);
-    return true;
-}
-
 static const struct keyword words[] = {
     { "pigment", read_pigment, 0 },
     { "emission", item_left_out, 0 },
-    STEP_WORDS(read_step),
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a keyword of sky_sphere", { words }, NULL };
+static const struct grammar grammar = { "a keyword of sky_sphere",
+                                        { words },
+                                        .move = pigment_move };
 
 bool sky_read(struct reader *reader, struct sky_setting *sky)
 {

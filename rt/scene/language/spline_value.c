@@ -44,7 +44,6 @@ static bool read_point(struct reader *reader, struct spline *spline)
 
 bool spline_read(struct reader *reader, const struct item *item)
 {
-    static const struct grammar no_more = { "'}'", { NULL }, NULL };
     struct scene_value *value = item->subject;
     const struct scene_value *from;
     struct spline *spline;
@@ -71,7 +70,7 @@ bool spline_read(struct reader *reader, const struct item *item)
         good = read_point(reader, spline);
     if (good)
         spline_solve(spline);
-    return block_items(reader, &block, &no_more, NULL, good);
+    return block_items(reader, &block, &no_words, NULL, good);
 }
 
 bool spline_is_alone(struct reader *reader)

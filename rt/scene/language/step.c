@@ -5,6 +5,8 @@
 
 #include <string.h>
 
+enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
+
 #define SCALED_BY_0 "scale by 0 along %c is replaced by 1"
 
 static bool read_scaling(struct reader *reader, const struct item *item,
@@ -65,7 +67,8 @@ static bool read_named(struct reader *reader, struct placement *step)
     return true;
 }
 
-bool step_read(struct reader *reader, const struct item *item, struct placement *step)
+static bool read_step(struct reader *reader, const struct item *item,
+                      struct placement *step)
 {
     enum step kind = (enum step)item->keyword->detail;
     double vector[3];
@@ -83,20 +86,33 @@ bool step_read(struct reader *reader, const struct item *item, struct placement 
     return true;
 }
 
+/* Reads a step and applies it to the subject, by the grammar of its block. */
+static bool item_step(struct reader *reader, const struct item *item)
+{
+    struct placement step;
+
+    if (!read_step(reader, item, &step))
+        return false;
+    item->grammar->move(item->subject, &step);
+    return true;
+}
+
+const struct keyword step_words[] = {
+    { "translate", item_step, STEP_TRANSLATE }, { "rotate", item_step, STEP_ROTATE },
+    { "scale", item_step, STEP_SCALE },         { "matrix", item_step, STEP_MATRIX },
+    { "transform", item_step, STEP_NAMED },     { NULL, NULL, 0 },
+};
+
 struct transform_reading {
     struct placement placement;
     bool inverse;
 };
 
-static bool read_step(struct reader *reader, const struct item *item)
+static void move(void *subject, const struct placement *step)
 {
-    struct transform_reading *reading = item->subject;
-    struct placement step;
+    struct transform_reading *reading = subject;
 
-    if (!step_read(reader, item, &step))
-        return false;
-    reading->placement = placement_then(&reading->placement, &step);
-    return true;
+    reading->placement = placement_then(&reading->placement, step);
 }
 
 static bool read_inverse(struct reader *reader, const struct item *item)
@@ -109,14 +125,13 @@ static bool read_inverse(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword words[] = {
-    STEP_WORDS(read_step),
     { "inverse", read_inverse, 0 },
     { NULL, NULL, 0 },
 };
 
 static const struct grammar grammar = { "translate, rotate, scale, matrix or inverse",
                                         { words },
-                                        NULL };
+                                        .move = move };
 
 bool transform_read(struct reader *reader, struct placement *placement)
 {

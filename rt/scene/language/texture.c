@@ -62,8 +62,7 @@ static const struct keyword reflection_words[] = {
 };
 
 static const struct grammar reflection_grammar = { "a keyword of reflection",
-                                                   { reflection_words },
-                                                   NULL };
+                                                   .tables = { reflection_words } };
 
 /* Reads one reflectivity for all angles. */
 static bool read_mirror(struct reader *reader, struct finish *finish)
@@ -162,8 +161,7 @@ static const struct keyword finish_words[] = {
 };
 
 static const struct grammar finish_grammar = { "a keyword of finish",
-                                               { finish_words },
-                                               NULL };
+                                               .tables = { finish_words } };
 
 bool finish_read(struct reader *reader, struct finish *finish)
 {
@@ -200,17 +198,6 @@ static bool read_no_bump_scale(struct reader *reader, const struct item *item)
 
     (void)reader;
     return texture->bumps.unscaled = true;
-}
-
-static bool read_step(struct reader *reader, const struct item *item)
-{
-    struct texture *texture = item->subject;
-    struct placement step;
-
-    if (!step_read(reader, item, &step))
-        return false;
-    texture_move(texture, &step);
-    return true;
 }
 
 /* The texture of the first entry replaces the map. */
@@ -261,7 +248,6 @@ static const struct keyword texture_words[] = {
     { "finish", read_finish, 0 },
     { "normal", read_normal, 0 },
     { "no_bump_scale", read_no_bump_scale, 0 },
-    STEP_WORDS(read_step),
     PATTERN_FUNCTION_WORDS(read_pattern),
     { "checker gradient image_map " PATTERN_WORDS, read_pattern, 0 },
     { "texture_map", read_texture_map, 0 },
@@ -270,9 +256,10 @@ static const struct keyword texture_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar texture_grammar = {
-    "a keyword of texture", { texture_words, pattern_words_left_out }, NULL
-};
+static const struct grammar texture_grammar = { "a keyword of texture",
+                                                { texture_words,
+                                                  pattern_words_left_out },
+                                                .move = texture_move };
 
 bool texture_body(struct reader *reader, const struct block *block, void *subject)
 {

@@ -210,20 +210,16 @@ static bool read_fog(struct reader *reader, const struct item *item)
 
 static bool read_background(struct reader *reader, const struct item *item)
 {
-    static const struct grammar no_more = { "'}'", { NULL }, NULL };
     struct block block;
     bool good;
 
     if (!block_open(reader, &block, '{'))
         return false;
     good = read_rgb(reader, reader->scene->background);
-    return block_items(reader, &block, &no_more, item->subject, good);
+    return block_items(reader, &block, &no_words, item->subject, good);
 }
 
 static const struct keyword statements[] = {
-#define SHAPE(KIND, name, ...) { #name, read_object, PRIMITIVE_##KIND },
-#include "rt/shapes/shapes.def"
-    OTHER_SHAPE_WORDS(read_object),
     { "", read_object, SHAPE_NAMED },
     { "declare include version", item_unmarked, 0 },
     { "camera", read_camera, 0 },
@@ -237,8 +233,8 @@ static const struct keyword statements[] = {
 };
 
 const struct grammar file_grammar = { "a statement",
-                                      { statements, unsupported_shapes },
-                                      NULL };
+                                      { statements },
+                                      .object = read_object };
 
 static bool take_primitives(struct reader *reader)
 {
