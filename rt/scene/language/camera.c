@@ -30,28 +30,17 @@ struct camera_reading {
     struct placement placement;
 };
 
-/* detail: offset of the vector */
+/* Reads a vector, and records whether it is one that has an effect later. */
 static bool read_vector_of(struct reader *reader, const struct item *item)
 {
-    void *member = (char *)item->subject + item->keyword->detail;
-
-    return read_vector(reader, member);
-}
-
-static bool read_span(struct reader *reader, const struct item *item)
-{
     struct camera_reading *reading = item->subject;
+    const struct camera *camera = &reading->setting.camera;
+    const double *vector = item_member(item);
 
-    reading->spans = true;
-    return read_vector_of(reader, item);
-}
-
-static bool read_look_at(struct reader *reader, const struct item *item)
-{
-    struct camera_reading *reading = item->subject;
-
-    reading->looks = true;
-    return read_vector(reader, reading->look_at);
+    reading->looks |= vector == reading->look_at;
+    reading->focuses |= vector == reading->focal_point;
+    reading->spans |= vector == camera->right || vector == camera->up;
+    return item_vector(reader, item);
 }
 
 static bool read_angle(struct reader *reader, const struct item *item)
@@ -103,14 +92,6 @@ static bool read_lens_points(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_focal_point(struct reader *reader, const struct item *item)
-{
-    struct camera_reading *reading = item->subject;
-
-    reading->focuses = true;
-    return read_vector(reader, reading->focal_point);
-}
-
 static void move(void *subject, const struct placement *step)
 {
     struct camera_reading *reading = subject;
@@ -118,24 +99,21 @@ static void move(void *subject, const struct placement *step)
     reading->placement = placement_then(&reading->placement, step);
 }
 
-/* clang-format off */
-#define OF_CAMERA(name, read) \
-    { #name, read, offsetof(struct camera_reading, setting.camera.name) }
-/* clang-format on */
+#define OF(member) offsetof(struct camera_reading, member)
 
 static const struct keyword words[] = {
-    OF_CAMERA(location, read_vector_of),
-    OF_CAMERA(direction, read_vector_of),
-    OF_CAMERA(right, read_span),
-    OF_CAMERA(up, read_span),
-    { "sky", read_vector_of, offsetof(struct camera_reading, setting.sky) },
-    { "look_at", read_look_at, 0 },
+    { "location", item_vector, OF(setting.camera.location) },
+    { "direction", item_vector, OF(setting.camera.direction) },
+    { "right", read_vector_of, OF(setting.camera.right) },
+    { "up", read_vector_of, OF(setting.camera.up) },
+    { "sky", item_vector, OF(setting.sky) },
+    { "look_at", read_vector_of, OF(look_at) },
+    { "focal_point", read_vector_of, OF(focal_point) },
     { "angle", read_angle, 0 },
     { "perspective", read_kind, false },
     { "orthographic", read_kind, true },
     { "aperture", read_aperture, 0 },
     { "blur_samples", read_lens_points, 0 },
-    { "focal_point", read_focal_point, 0 },
     /* Thresholds at which POV-Ray stops adding random rays. */
     { "confidence variance", item_passed_over, 0 },
     { "bokeh normal", item_left_out, 0 },

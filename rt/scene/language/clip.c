@@ -47,17 +47,8 @@ static bool read_solid(struct reader *reader, const struct item *item)
     return done;
 }
 
-static bool read_as_said(struct reader *reader, const struct item *item)
-{
-    struct clipping *clipping = item->subject;
-
-    (void)reader;
-    clipping->as_said = true;
-    return true;
-}
-
 static const struct keyword clipped_by_word[] = {
-    { "clipped_by", read_as_said, 0 },
+    { "clipped_by", item_flag, offsetof(struct clipping, as_said) },
     { NULL, NULL, 0 },
 };
 static const struct keyword bounded_by_word[] = {

@@ -90,36 +90,13 @@ static bool read_version(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool default_texture(struct reader *reader, const struct item *item)
-{
-    return texture_read(reader, item->subject);
-}
-
-static bool default_pigment(struct reader *reader, const struct item *item)
-{
-    struct texture *texture = item->subject;
-
-    return pigment_read(reader, &texture->pigment);
-}
-
-static bool default_finish(struct reader *reader, const struct item *item)
-{
-    struct texture *texture = item->subject;
-
-    return finish_read(reader, &texture->finish);
-}
-
-static bool default_normal(struct reader *reader, const struct item *item)
-{
-    struct texture *texture = item->subject;
-
-    return normal_read(reader, &texture->bumps);
-}
-
 static const struct keyword default_words[] = {
-    { "texture", default_texture, 0 }, { "pigment", default_pigment, 0 },
-    { "finish", default_finish, 0 },   { "camera", item_left_out, 0 },
-    { "normal", default_normal, 0 },   { NULL, NULL, 0 },
+    { "texture", item_texture_part, TEXTURE_WHOLE },
+    { "pigment", item_texture_part, TEXTURE_PIGMENT },
+    { "finish", item_texture_part, TEXTURE_FINISH },
+    { "normal", item_texture_part, TEXTURE_NORMAL },
+    { "camera", item_left_out, 0 },
+    { NULL, NULL, 0 },
 };
 
 static const struct grammar default_grammar = { "texture, pigment, normal or finish",

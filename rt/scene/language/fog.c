@@ -4,13 +4,6 @@
 
 #include <string.h>
 
-static bool read_distance(struct reader *reader, const struct item *item)
-{
-    struct fog_setting *reading = item->subject;
-
-    return read_number(reader, &reading->fog.distance);
-}
-
 static bool read_type(struct reader *reader, const struct item *item)
 {
     struct fog_setting *reading = item->subject;
@@ -42,7 +35,7 @@ static bool read_fog_color(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword words[] = {
-    { "distance", read_distance, 0 },
+    { "distance", item_number, offsetof(struct fog_setting, fog.distance) },
     { "fog_type", read_type, 0 },
     { COLOR_WORDS, read_fog_color, 0 },
     /* Words of ground fog, and of turbulence, which itself is reported. */

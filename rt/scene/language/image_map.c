@@ -138,15 +138,6 @@ static const struct kept_image *image_of(struct reader *reader,
 
 /* ---- Words --------------------------------------------------------------- */
 
-static bool read_once(struct reader *reader, const struct item *item)
-{
-    struct image_reading *reading = item->subject;
-
-    (void)reader;
-    reading->map.once = true;
-    return true;
-}
-
 /* The mappings are POV-Ray's numbers 0, 1, 2 and 5. */
 static bool read_type(struct reader *reader, const struct item *item)
 {
@@ -215,7 +206,7 @@ static bool read_passing(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword words[] = {
-    { "once", read_once, 0 },
+    { "once", item_flag, offsetof(struct image_reading, map.once) },
     { "map_type", read_type, 0 },
     { "interpolate", read_sampling, 0 },
     { "gamma", read_gamma, 0 },

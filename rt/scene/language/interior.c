@@ -1,18 +1,8 @@
 /* interior.c - parses interior { ... }. */
-#include "rt/scene/language/scene_expression.h"
 #include "rt/scene/language/scene_statement.h"
 
-static bool read_ior(struct reader *reader, const struct item *item)
-{
-    double *ior = item->subject;
-
-    if (!read_number(reader, ior))
-        return false;
-    return *ior > 0 || reader_fault(reader, &item->at, "ior must be above 0");
-}
-
 static const struct keyword words[] = {
-    { "ior", read_ior, 0 },
+    { "ior", item_above_0, 0 },
     { "caustics dispersion dispersion_samples fade_color fade_colour fade_distance "
       "fade_power media",
       item_left_out, 0 },

@@ -10,6 +10,15 @@
  * the kernels in range. */
 enum { TIGHTNESS_LEAST = -100 };
 
+/* Sets a member of all lights of the subject; detail: its offset. */
+static void set_member(const struct item *item, const void *value, size_t size)
+{
+    const struct scene_object *object = item->subject;
+
+    for (size_t i = 0; i < object->light_count; i++)
+        memcpy((char *)&object->lights[i] + item->keyword->detail, value, size);
+}
+
 /* As in POV-Ray a light has one kind, the last that is named. The rays of a former
  * cylinder stay parallel. */
 static bool read_shadowless(struct reader *reader, const struct item *item)
@@ -63,40 +72,32 @@ static bool read_beam(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_parallel(struct reader *reader, const struct item *item)
+static bool read_flag(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = item->subject;
+    bool on = true;
 
     (void)reader;
-    for (size_t i = 0; i < object->light_count; i++)
-        object->lights[i].parallel = true;
+    set_member(item, &on, sizeof on);
     return true;
 }
 
 static bool read_point_at(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = item->subject;
     double point[3];
 
     if (!read_vector(reader, point))
         return false;
-    for (size_t i = 0; i < object->light_count; i++)
-        copy3(point, object->lights[i].point_at);
+    set_member(item, point, sizeof point);
     return true;
 }
 
-/* detail: offset of the member */
 static bool read_fading(struct reader *reader, const struct item *item)
 {
-    struct scene_object *object = item->subject;
     double number;
 
     if (!read_number(reader, &number))
         return false;
-    for (size_t i = 0; i < object->light_count; i++) {
-        char *light = (char *)&object->lights[i];
-        memcpy(light + item->keyword->detail, &number, sizeof number);
-    }
+    set_member(item, &number, sizeof number);
     return true;
 }
 
@@ -153,25 +154,15 @@ static bool read_area(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_circular(struct reader *reader, const struct item *item)
-{
-    struct scene_object *object = item->subject;
-
-    (void)reader;
-    for (size_t i = 0; i < object->light_count; i++)
-        object->lights[i].circular = true;
-    return true;
-}
-
 static const struct keyword words[] = {
     { "area_light", read_area, 0 },
-    { "circular", read_circular, 0 },
+    { "circular", read_flag, offsetof(struct light, circular) },
     { "shadowless", read_shadowless, 0 },
     { "looks_like", read_looks_like, 0 },
     { "spotlight", read_beam, BEAM_CONE },
     { "cylinder", read_beam, BEAM_CYLINDER },
-    { "parallel", read_parallel, 0 },
-    { "point_at", read_point_at, 0 },
+    { "parallel", read_flag, offsetof(struct light, parallel) },
+    { "point_at", read_point_at, offsetof(struct light, point_at) },
     { "radius", read_measure, offsetof(struct light, radius) },
     { "falloff", read_measure, offsetof(struct light, falloff) },
     { "tightness", read_measure, offsetof(struct light, tightness) },

@@ -83,14 +83,6 @@ static bool read_quilted(struct reader *reader, const struct item *item)
     return read_amount(reader, reading);
 }
 
-/* detail: the index of the control */
-static bool read_control(struct reader *reader, const struct item *item)
-{
-    struct normal_reading *reading = item->subject;
-
-    return read_number(reader, &reading->list.bump.controls[item->keyword->detail]);
-}
-
 /* A quilted normal has no values, so maps do not apply. */
 static void finish_quilted(struct reader *reader, struct bump_list *list,
                            const struct scene_token *at)
@@ -121,13 +113,6 @@ static bool read_unsupported(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_bump_size(struct reader *reader, const struct item *item)
-{
-    struct normal_reading *reading = item->subject;
-
-    return read_number(reader, &reading->list.bump.amount);
-}
-
 static bool read_accuracy(struct reader *reader, const struct item *item)
 {
     struct normal_reading *reading = item->subject;
@@ -138,13 +123,7 @@ static bool read_accuracy(struct reader *reader, const struct item *item)
            || reader_fault(reader, &item->at, "the accuracy must not be 0");
 }
 
-static bool read_no_bump_scale(struct reader *reader, const struct item *item)
-{
-    struct normal_reading *reading = item->subject;
-
-    (void)reader;
-    return reading->unscaled = true;
-}
+#define OF(member) offsetof(struct normal_reading, member)
 
 static const struct keyword words[] = {
     PATTERN_FUNCTION_WORDS(read_function),
@@ -154,10 +133,10 @@ static const struct keyword words[] = {
     { "quilted", read_quilted, 0 },
     { "bump_map " PATTERN_WORDS, read_unsupported, 0 },
     { "accuracy", read_accuracy, 0 },
-    { "bump_size", read_bump_size, 0 },
-    { "control0", read_control, 0 },
-    { "control1", read_control, 1 },
-    { "no_bump_scale", read_no_bump_scale, 0 },
+    { "bump_size", item_number, OF(list.bump.amount) },
+    { "control0", item_number, OF(list.bump.controls[0]) },
+    { "control1", item_number, OF(list.bump.controls[1]) },
+    { "no_bump_scale", item_flag, OF(unscaled) },
     { "normal_map", read_normal_map, 0 },
     { "slope_map", read_slope_map, 0 },
     { NULL, NULL, 0 },

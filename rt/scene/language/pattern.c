@@ -77,15 +77,6 @@ static bool read_wave(struct reader *reader, const struct item *item)
                            EXPONENT_LEAST);
 }
 
-/* detail: offset of the member */
-static bool read_amount(struct reader *reader, const struct item *item)
-{
-    struct pattern *pattern = &((struct pigment *)item->subject)->pattern;
-    void *amount = (char *)pattern + item->keyword->detail;
-
-    return read_number(reader, amount);
-}
-
 static bool read_brick_size(struct reader *reader, const struct item *item)
 {
     double *size = ((struct pigment *)item->subject)->pattern.brick_size;
@@ -99,9 +90,9 @@ static bool read_brick_size(struct reader *reader, const struct item *item)
 }
 
 const struct keyword pattern_words[] = {
-    { "frequency", read_amount, offsetof(struct pattern, frequency) },
-    { "phase", read_amount, offsetof(struct pattern, phase) },
-    { "mortar", read_amount, offsetof(struct pattern, mortar) },
+    { "frequency", item_number, offsetof(struct pigment, pattern.frequency) },
+    { "phase", item_number, offsetof(struct pigment, pattern.phase) },
+    { "mortar", item_number, offsetof(struct pigment, pattern.mortar) },
     { "brick_size", read_brick_size, 0 },
     { "ramp_wave", read_wave, WAVE_RAMP },
     { "triangle_wave", read_wave, WAVE_TRIANGLE },

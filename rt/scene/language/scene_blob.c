@@ -75,34 +75,20 @@ static void part_move(void *subject, const struct placement *step)
     pigment_move(&reading->texture.pigment, step);
 }
 
-static struct texture *own_texture(struct part_reading *reading,
-                                   const struct item *item)
+static bool read_texture_part(struct reader *reader, const struct item *item)
 {
+    struct part_reading *reading = item->subject;
+
     if (!reading->textured)
         reading->look_at = item->at;
     reading->textured = true;
-    return &reading->texture;
-}
-
-static bool read_texture(struct reader *reader, const struct item *item)
-{
-    return texture_read(reader, own_texture(item->subject, item));
-}
-
-static bool read_pigment(struct reader *reader, const struct item *item)
-{
-    return pigment_read(reader, &own_texture(item->subject, item)->pigment);
-}
-
-static bool read_finish(struct reader *reader, const struct item *item)
-{
-    return finish_read(reader, &own_texture(item->subject, item)->finish);
+    return texture_part_read(reader, item, &reading->texture);
 }
 
 static const struct keyword part_words[] = {
-    { "texture", read_texture, 0 },
-    { "pigment", read_pigment, 0 },
-    { "finish", read_finish, 0 },
+    { "texture", read_texture_part, TEXTURE_WHOLE },
+    { "pigment", read_texture_part, TEXTURE_PIGMENT },
+    { "finish", read_texture_part, TEXTURE_FINISH },
     { "normal uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };

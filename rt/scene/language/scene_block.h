@@ -80,6 +80,13 @@ void block_pass(struct reader *reader, const struct block *block);
 /* Skips from '{' to its '}'. */
 void block_skip(struct reader *reader);
 
+/* Returns the member of the subject at the offset that is the row's detail. */
+void *item_member(const struct item *item);
+/* Read that member: a double, a double above 0, a double that is 1 if it is not given, a
+ * vector, three colours, or a bool that the word makes true. */
+item_reader item_number, item_above_0, item_number_or_1, item_vector, item_rgb,
+    item_flag;
+
 /* Reports and ignores a word without effect on this renderer. */
 item_reader item_left_out;
 /* Ignores a word without a report: it has no effect on a picture, or only with another

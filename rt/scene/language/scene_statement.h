@@ -17,6 +17,11 @@ bool pigment_read(struct reader *reader, struct pigment *pigment);
 bool finish_read(struct reader *reader, struct finish *finish);
 bool normal_read(struct reader *reader, struct bumps *bumps);
 bool texture_read(struct reader *reader, struct texture *texture);
+/* A texture, or what its detail says of it: the words of a row. */
+enum texture_part { TEXTURE_PIGMENT, TEXTURE_NORMAL, TEXTURE_FINISH, TEXTURE_WHOLE };
+bool texture_part_read(struct reader *reader, const struct item *item,
+                       struct texture *texture);
+item_reader item_texture_part; /* subject: the texture */
 /* Adds a layer to a texture. */
 bool texture_layer_read(struct reader *reader, const struct scene_token *at,
                         struct texture *texture);

@@ -19,13 +19,6 @@ static bool read_gamma(struct reader *reader, const struct item *item)
            || reader_fault(reader, &item->at, "assumed_gamma must be above 0");
 }
 
-static bool read_ambient_light(struct reader *reader, const struct item *item)
-{
-    struct scene *scene = item->subject;
-
-    return read_rgb(reader, scene->ambient_light);
-}
-
 static bool read_trace_level(struct reader *reader, const struct item *item)
 {
     enum { LEAST = 1, MAX = 256 };
@@ -41,13 +34,6 @@ static bool read_trace_level(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_bailout(struct reader *reader, const struct item *item)
-{
-    struct scene *scene = item->subject;
-
-    return read_number(reader, &scene->adc_bailout);
-}
-
 static bool read_charset(struct reader *reader, const struct item *item)
 {
     reader_report(reader, &item->at, "'charset' is not supported and is ignored");
@@ -59,9 +45,9 @@ static bool read_charset(struct reader *reader, const struct item *item)
 
 static const struct keyword words[] = {
     { "assumed_gamma", read_gamma, 0 },
-    { "ambient_light", read_ambient_light, 0 },
+    { "ambient_light", item_rgb, offsetof(struct scene, ambient_light) },
     { "max_trace_level", read_trace_level, 0 },
-    { "adc_bailout", read_bailout, 0 },
+    { "adc_bailout", item_number, offsetof(struct scene, adc_bailout) },
     { "charset", read_charset, 0 },
     /* Words about noise, iridescence, or the internals of POV-Ray. They have no effect
      * here. */

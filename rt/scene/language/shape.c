@@ -78,32 +78,20 @@ static bool read_texture(struct reader *reader, const struct item *item)
     return true;
 }
 
-/* Returns the texture of the object, which pigment, finish and normal modify; it is the
- * default texture at first. */
-static struct texture *own_texture(struct reader *reader, struct scene_object *object)
+/* Pigment, finish and normal modify the texture of the object, which is the default
+ * texture at first. */
+static bool read_texture_part(struct reader *reader, const struct item *item)
 {
+    struct scene_object *object = item->subject;
+
     if (!object->textured)
         object->texture = reader->default_texture;
     object->textured = true;
-    return &object->texture;
-}
-
-static bool read_pigment(struct reader *reader, const struct item *item)
-{
-    return pigment_read(reader, &own_texture(reader, item->subject)->pigment);
-}
-
-static bool read_finish(struct reader *reader, const struct item *item)
-{
-    if (!finish_read(reader, &own_texture(reader, item->subject)->finish))
+    if (!texture_part_read(reader, item, &object->texture))
         return false;
-    take_ior(reader, item->subject);
+    if (item->keyword->detail == TEXTURE_FINISH)
+        take_ior(reader, object);
     return true;
-}
-
-static bool read_normal(struct reader *reader, const struct item *item)
-{
-    return normal_read(reader, &own_texture(reader, item->subject)->bumps);
 }
 
 void object_fill(struct reader *reader, struct scene_object *object, double ior)
@@ -225,9 +213,9 @@ static bool read_material(struct reader *reader, const struct item *item)
 
 static const struct keyword modifiers[] = {
     { "texture", read_texture, 0 },
-    { "pigment", read_pigment, 0 },
-    { "finish", read_finish, 0 },
-    { "normal", read_normal, 0 },
+    { "pigment", read_texture_part, TEXTURE_PIGMENT },
+    { "finish", read_texture_part, TEXTURE_FINISH },
+    { "normal", read_texture_part, TEXTURE_NORMAL },
     { "interior", read_interior, 0 },
     { "material", read_material, 0 },
     { "inverse", read_inverse, 0 },

@@ -115,17 +115,8 @@ static void move(void *subject, const struct placement *step)
     reading->placement = placement_then(&reading->placement, step);
 }
 
-static bool read_inverse(struct reader *reader, const struct item *item)
-{
-    struct transform_reading *reading = item->subject;
-
-    (void)reader;
-    reading->inverse = true;
-    return true;
-}
-
 static const struct keyword words[] = {
-    { "inverse", read_inverse, 0 },
+    { "inverse", item_flag, offsetof(struct transform_reading, inverse) },
     { NULL, NULL, 0 },
 };
 

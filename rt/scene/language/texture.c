@@ -4,29 +4,6 @@
 
 #include <string.h>
 
-static bool read_ambient(struct reader *reader, const struct item *item)
-{
-    struct finish *finish = item->subject;
-
-    return read_rgb(reader, finish->ambient);
-}
-
-static bool read_emission(struct reader *reader, const struct item *item)
-{
-    struct finish *finish = item->subject;
-
-    return read_rgb(reader, finish->emission);
-}
-
-/* Reads a number, which is 1 if it is missing; detail: offset of the member. */
-static bool read_metallic(struct reader *reader, const struct item *item)
-{
-    double *amount = (double *)((char *)item->subject + item->keyword->detail);
-
-    *amount = 1;
-    return !starts_expression(reader) || read_number(reader, amount);
-}
-
 /* A finish while `reflection` modifies it. As in POV-Ray a parameter that is not given
  * keeps its value from an earlier `reflection`. */
 struct mirror_reading {
@@ -45,17 +22,11 @@ static bool read_fresnel(struct reader *reader, const struct item *item)
     return true;
 }
 
-static bool read_falloff(struct reader *reader, const struct item *item)
-{
-    struct mirror_reading *mirror = item->subject;
-
-    return read_number(reader, &mirror->finish.reflection_falloff);
-}
-
 static const struct keyword reflection_words[] = {
-    { "falloff", read_falloff, 0 },
+    { "falloff", item_number,
+      offsetof(struct mirror_reading, finish.reflection_falloff) },
     { "fresnel", read_fresnel, 0 },
-    { "metallic", read_metallic,
+    { "metallic", item_number_or_1,
       offsetof(struct mirror_reading, finish.reflection_metallic) },
     { "exponent", item_left_out, 0 },
     { NULL, NULL, 0 },
@@ -121,38 +92,24 @@ static bool read_amount(struct reader *reader, const struct item *item)
     return read_number(reader, &inside);
 }
 
-static bool read_roughness(struct reader *reader, const struct item *item)
-{
-    struct finish *finish = item->subject;
-
-    if (!read_number(reader, &finish->roughness))
-        return false;
-    return finish->roughness > 0
-           || reader_fault(reader, &item->at, "roughness must be above 0");
-}
-
 static bool read_old_ior(struct reader *reader, const struct item *item)
 {
-    struct finish *finish = item->subject;
-
     reader_warn(reader, &item->at,
                 "'ior' of a finish is read as 'ior' of the interior");
-    if (!read_number(reader, &finish->ior))
-        return false;
-    return finish->ior > 0 || reader_fault(reader, &item->at, "ior must be above 0");
+    return item_above_0(reader, item);
 }
 
 static const struct keyword finish_words[] = {
-    { "ambient", read_ambient, 0 },
+    { "ambient", item_rgb, offsetof(struct finish, ambient) },
     { "brilliance", read_amount, offsetof(struct finish, brilliance) },
     { "diffuse", read_amount, offsetof(struct finish, diffuse) },
-    { "emission", read_emission, 0 },
-    { "ior", read_old_ior, 0 },
-    { "metallic", read_metallic, offsetof(struct finish, metallic) },
+    { "emission", item_rgb, offsetof(struct finish, emission) },
+    { "ior", read_old_ior, offsetof(struct finish, ior) },
+    { "metallic", item_number_or_1, offsetof(struct finish, metallic) },
     { "phong", read_amount, offsetof(struct finish, phong) },
     { "phong_size", read_amount, offsetof(struct finish, phong_size) },
     { "specular", read_amount, offsetof(struct finish, specular) },
-    { "roughness", read_roughness, 0 },
+    { "roughness", item_above_0, offsetof(struct finish, roughness) },
     { "reflection", read_reflection, 0 },
     { "conserve_energy crand caustics fresnel irid reflection_exponent refraction "
       "subsurface use_alpha",
@@ -171,33 +128,21 @@ bool finish_read(struct reader *reader, struct finish *finish)
            && block_items(reader, &block, &finish_grammar, finish, true);
 }
 
-static bool read_pigment(struct reader *reader, const struct item *item)
+bool texture_part_read(struct reader *reader, const struct item *item,
+                       struct texture *texture)
 {
-    struct texture *texture = item->subject;
-
-    return pigment_read(reader, &texture->pigment);
+    switch ((enum texture_part)item->keyword->detail) {
+    case TEXTURE_PIGMENT: return pigment_read(reader, &texture->pigment);
+    case TEXTURE_NORMAL: return normal_read(reader, &texture->bumps);
+    case TEXTURE_FINISH: return finish_read(reader, &texture->finish);
+    case TEXTURE_WHOLE: break;
+    }
+    return texture_read(reader, texture);
 }
 
-static bool read_finish(struct reader *reader, const struct item *item)
+bool item_texture_part(struct reader *reader, const struct item *item)
 {
-    struct texture *texture = item->subject;
-
-    return finish_read(reader, &texture->finish);
-}
-
-static bool read_normal(struct reader *reader, const struct item *item)
-{
-    struct texture *texture = item->subject;
-
-    return normal_read(reader, &texture->bumps);
-}
-
-static bool read_no_bump_scale(struct reader *reader, const struct item *item)
-{
-    struct texture *texture = item->subject;
-
-    (void)reader;
-    return texture->bumps.unscaled = true;
+    return texture_part_read(reader, item, item->subject);
 }
 
 /* The texture of the first entry replaces the map. */
@@ -244,10 +189,10 @@ static bool read_tiles(struct reader *reader, const struct item *item)
 }
 
 static const struct keyword texture_words[] = {
-    { "pigment", read_pigment, 0 },
-    { "finish", read_finish, 0 },
-    { "normal", read_normal, 0 },
-    { "no_bump_scale", read_no_bump_scale, 0 },
+    { "pigment", item_texture_part, TEXTURE_PIGMENT },
+    { "finish", item_texture_part, TEXTURE_FINISH },
+    { "normal", item_texture_part, TEXTURE_NORMAL },
+    { "no_bump_scale", item_flag, offsetof(struct texture, bumps.unscaled) },
     PATTERN_FUNCTION_WORDS(read_pattern),
     { "checker gradient image_map " PATTERN_WORDS, read_pattern, 0 },
     { "texture_map", read_texture_map, 0 },
