@@ -178,8 +178,8 @@ enum {
     DIRECTIONS = 8, /* signs of a ray's direction: 1 of x, 2 of y, 4 of z */
     NODE_FIRST = NODE_LINKS + 2 * DIRECTIONS,
     NODE_COUNT,
-    EYES_FIRST = NODE_FIRST, /* in the end row */
-    EYES_COUNT = NODE_COUNT,
+    VIEWPOINTS_FIRST = NODE_FIRST, /* in the end row */
+    VIEWPOINTS_COUNT = NODE_COUNT,
     FLAT_ROW = 13,
     SMOOTH_ROW = 21
 };
@@ -373,10 +373,10 @@ static size_t table_size(const struct primitive *primitive,
     return nodes_size(triangles) + row_size(primitive) * triangles->count;
 }
 
-static bool put_windows(const struct primitive *primitive,
-                        const struct mesh_hierarchy *hierarchy,
-                        const struct viewpoints *viewpoints, size_t place,
-                        double *table)
+static bool put_screen_bounds(const struct primitive *primitive,
+                              const struct mesh_hierarchy *hierarchy,
+                              const struct viewpoints *viewpoints, size_t place,
+                              double *table)
 {
     size_t nodes = NODE_ROW * (hierarchy->node_count + 1);
     struct screen_bounds bounds = { .hierarchy = hierarchy,
@@ -387,8 +387,8 @@ static bool put_windows(const struct primitive *primitive,
     bool good = screen_bounds_put(&bounds, viewpoints, (double)place, table + place,
                                   &planned);
 
-    table[EYES_FIRST] = (double)place;
-    table[EYES_COUNT] = (double)planned;
+    table[VIEWPOINTS_FIRST] = (double)place;
+    table[VIEWPOINTS_COUNT] = (double)planned;
     return good;
 }
 
@@ -401,7 +401,7 @@ static bool put_hierarchy(const struct primitive *primitive,
     struct mesh_hierarchy hierarchy = { 0 };
     bool good = plan(primitive, triangles, &hierarchy)
                 && fill_table(primitive, triangles, &hierarchy, table)
-                && put_windows(primitive, &hierarchy, viewpoints, place, table);
+                && put_screen_bounds(primitive, &hierarchy, viewpoints, place, table);
 
     mesh_hierarchy_free(&hierarchy);
     return good;
@@ -426,8 +426,8 @@ size_t mesh_row(const struct primitive *mesh, size_t words)
 }
 
 /* Returns the size of the windows of the visible triangles. */
-static size_t windows_size(const struct primitive *primitive,
-                           const struct viewpoints *viewpoints, size_t *seeing)
+static size_t bounds_size(const struct primitive *primitive,
+                          const struct viewpoints *viewpoints, size_t *seeing)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     struct box box = box_of(primitive, seen);
@@ -437,7 +437,7 @@ static size_t windows_size(const struct primitive *primitive,
 }
 
 /* Returns the offset of the windows, after the visible triangles and the body. */
-static size_t eyes_place(const struct primitive *primitive)
+static size_t bounds_place(const struct primitive *primitive)
 {
     const struct triangles *body = &primitive->shape.mesh.body;
 
@@ -451,7 +451,7 @@ static size_t put_table(const struct primitive *primitive,
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
-    size_t size = table_size(primitive, seen), place = eyes_place(primitive);
+    size_t size = table_size(primitive, seen), place = bounds_place(primitive);
     size_t seeing;
 
     if (table && !put_hierarchy(primitive, seen, viewpoints, place, table))
@@ -459,7 +459,7 @@ static size_t put_table(const struct primitive *primitive,
     if (table && body->count > 0
         && !put_hierarchy(primitive, body, NULL, 0, table + size))
         return 0;
-    return place + windows_size(primitive, viewpoints, &seeing);
+    return place + bounds_size(primitive, viewpoints, &seeing);
 }
 
 /* Checks the words of the triangles; boxes are between their corners. */
@@ -497,9 +497,9 @@ static void mark_integers(const struct primitive *primitive,
     mark_links(seen, marks);
     if (body->count > 0)
         mark_links(body, marks + table_size(primitive, seen));
-    windows_size(primitive, viewpoints, &seeing);
+    bounds_size(primitive, viewpoints, &seeing);
     screen_bounds_mark(seeing, mesh_hierarchy_nodes(seen->count),
-                       marks + eyes_place(primitive));
+                       marks + bounds_place(primitive));
 }
 
 /* A line crosses each triangle at most once. If that number is odd, the line begins

@@ -6,24 +6,24 @@
 
 #include "rt/scene/vector3.h"
 
-/* The rows of a viewpoint and of a node: EYE and WINDOW of records.s. */
+/* The rows of a viewpoint and of a node: VIEWPOINT and SCREEN of records.s. */
 enum {
-    EYE_PLACE,
-    EYE_AXIS = 3,
-    EYE_SIGN,
-    EYE_FAR,
-    EYE_WINDOWS,
-    EYE_ROW,
+    VIEWPOINT_POSITION,
+    VIEWPOINT_AXIS = 3,
+    VIEWPOINT_SIGN,
+    VIEWPOINT_FAR,
+    VIEWPOINT_BOUNDS,
+    VIEWPOINT_ROW,
 
-    WINDOW_LOW_U = 0,
-    WINDOW_HIGH_U,
-    WINDOW_LOW_V,
-    WINDOW_HIGH_V,
-    WINDOW_NEAR,
-    WINDOW_LINKS, /* from here on integers */
-    WINDOW_FIRST = WINDOW_LINKS + 2,
-    WINDOW_COUNT,
-    WINDOW_ROW
+    SCREEN_LOW_U = 0,
+    SCREEN_HIGH_U,
+    SCREEN_LOW_V,
+    SCREEN_HIGH_V,
+    SCREEN_NEAR,
+    SCREEN_LINKS, /* from here on integers */
+    SCREEN_FIRST = SCREEN_LINKS + 2,
+    SCREEN_COUNT,
+    SCREEN_ROW
 };
 
 /* ---- Viewpoints ---------------------------------------------------------- */
@@ -39,7 +39,7 @@ enum { MAX_FAR = 512 };
 enum { MAX_SLOPE = 64 };
 /* The limit of words for the windows of a viewpoint. Larger tables would not stay in
  * the real memory of the machine, and each ray would cause page faults. */
-enum { MAX_WINDOWS = 1 << 20 };
+enum { MAX_BOUNDS_WORDS = 1 << 20 };
 
 struct viewpoint {
     const double *place;
@@ -59,8 +59,8 @@ static double greatest_side(const struct box *box, const double place[3])
 }
 
 /* Fails if the point is inside the box, or too close to it. */
-static bool eye_find(const double place[3], const struct box *whole,
-                     struct viewpoint *viewpoint)
+static bool viewpoint_find(const double place[3], const struct box *whole,
+                           struct viewpoint *viewpoint)
 {
     *viewpoint = (struct viewpoint){ .place = place };
     for (int k = 0; k < 3; k++) {
@@ -82,28 +82,28 @@ static bool eye_find(const double place[3], const struct box *whole,
 size_t screen_bounds_size(const struct viewpoints *viewpoints, const struct box *whole,
                           size_t nodes, size_t *seeing)
 {
-    size_t words = (nodes + 1) * WINDOW_ROW;
+    size_t words = (nodes + 1) * SCREEN_ROW;
     struct viewpoint viewpoint;
 
     *seeing = 0;
-    if (words > MAX_WINDOWS)
+    if (words > MAX_BOUNDS_WORDS)
         return 0;
     for (size_t i = 0; viewpoints && i < viewpoints->count; i++)
-        *seeing += eye_find(viewpoints->places[i], whole, &viewpoint);
-    return *seeing * (EYE_ROW + words);
+        *seeing += viewpoint_find(viewpoints->places[i], whole, &viewpoint);
+    return *seeing * (VIEWPOINT_ROW + words);
 }
 
 /* ---- Windows ------------------------------------------------------------- */
 
-struct mesh_window {
+struct node_bounds {
     double low[2], high[2], near;
 };
 
-static const struct mesh_window no_window = { { INFINITY, INFINITY },
+static const struct node_bounds no_bounds = { { INFINITY, INFINITY },
                                               { -INFINITY, -INFINITY },
                                               INFINITY };
 
-static void join(struct mesh_window *window, const struct mesh_window *other)
+static void join(struct node_bounds *window, const struct node_bounds *other)
 {
     for (int i = 0; i < 2; i++) {
         window->low[i] = fmin(window->low[i], other->low[i]);
@@ -112,10 +112,10 @@ static void join(struct mesh_window *window, const struct mesh_window *other)
     window->near = fmin(window->near, other->near);
 }
 
-static struct mesh_window window_of(const struct viewpoint *viewpoint,
-                                    const double corner[3])
+static struct node_bounds bounds_of_point(const struct viewpoint *viewpoint,
+                                          const double corner[3])
 {
-    struct mesh_window window;
+    struct node_bounds window;
     double away[3];
 
     subtract3(corner, viewpoint->place, away);
@@ -127,16 +127,18 @@ static struct mesh_window window_of(const struct viewpoint *viewpoint,
 }
 
 /* The loop is backwards because the children of a node come after it. */
-static void find_windows(const struct screen_bounds *of,
-                         const struct viewpoint *viewpoint, struct mesh_window *bounds)
+static void find_node_bounds(const struct screen_bounds *of,
+                             const struct viewpoint *viewpoint,
+                             struct node_bounds *bounds)
 {
     const struct mesh_node *nodes = of->hierarchy->nodes;
 
     for (size_t i = of->hierarchy->node_count; i-- > 0;) {
-        bounds[i] = no_window;
+        bounds[i] = no_bounds;
         for (size_t k = 0; k < 3 * nodes[i].count; k++) {
             const double *triangle = of->triangles + of->row * (nodes[i].first + k / 3);
-            struct mesh_window corner = window_of(viewpoint, triangle + k % 3 * 3);
+            struct node_bounds corner = bounds_of_point(viewpoint,
+                                                        triangle + k % 3 * 3);
 
             join(&bounds[i], &corner);
         }
@@ -152,7 +154,7 @@ static void find_windows(const struct screen_bounds *of,
 /* Clocks of a vector program per ray, estimated from its instructions: a test of a box,
  * a test of a window, a test of a triangle. The estimate only selects the method; no
  * frame depends on it. */
-enum { BOX_CLOCKS = 25, WINDOW_CLOCKS = 14, TRIANGLE_CLOCKS = 60 };
+enum { BOX_CLOCKS = 25, BOUNDS_CLOCKS = 14, TRIANGLE_CLOCKS = 60 };
 
 /* Returns the cost of the rays that hit a node. Their number is proportional to the
  * node's area in the plane z = 1. Each tests both children, or the triangles of a
@@ -179,25 +181,25 @@ static double silhouette(const struct box *box, const struct viewpoint *viewpoin
     return area;
 }
 
-static double area_of(const struct mesh_window *window)
+static double area_of(const struct node_bounds *window)
 {
     return (window->high[0] - window->low[0]) * (window->high[1] - window->low[1]);
 }
 
 /* Returns true if windows cost less than boxes for rays through the viewpoint. */
-static bool windows_pay(const struct screen_bounds *of,
-                        const struct viewpoint *viewpoint,
-                        const struct mesh_window *bounds)
+static bool bounds_pay(const struct screen_bounds *of,
+                       const struct viewpoint *viewpoint,
+                       const struct node_bounds *bounds)
 {
-    double by_boxes = 0, by_windows = 0;
+    double by_boxes = 0, by_bounds = 0;
 
     for (size_t i = 0; i < of->hierarchy->node_count; i++) {
         const struct mesh_node *node = &of->hierarchy->nodes[i];
 
         by_boxes += cost_below(node, silhouette(&node->box, viewpoint), BOX_CLOCKS);
-        by_windows += cost_below(node, area_of(&bounds[i]), WINDOW_CLOCKS);
+        by_bounds += cost_below(node, area_of(&bounds[i]), BOUNDS_CLOCKS);
     }
-    return by_windows <= by_boxes;
+    return by_bounds <= by_boxes;
 }
 
 /* ---- Traversal ----------------------------------------------------------- */
@@ -220,7 +222,7 @@ static bool upper_is_first(const struct mesh_node *nodes, size_t node,
  * .6. */
 static void plan_orders(const struct mesh_node *nodes, size_t node,
                         const struct viewpoint *viewpoint,
-                        const struct mesh_window *bounds, double above,
+                        const struct node_bounds *bounds, double above,
                         unsigned char *orders)
 {
     double area = area_of(&bounds[node]);
@@ -241,9 +243,9 @@ static void plan_orders(const struct mesh_node *nodes, size_t node,
 /* ---- Words --------------------------------------------------------------- */
 
 /* The margin is divided by the least depth. */
-static void put_window(const struct screen_bounds *of,
-                       const struct viewpoint *viewpoint,
-                       const struct mesh_window *window, size_t node, double *row)
+static void put_node_bounds(const struct screen_bounds *of,
+                            const struct viewpoint *viewpoint,
+                            const struct node_bounds *window, size_t node, double *row)
 {
     const struct mesh_node *from = &of->hierarchy->nodes[node];
     double margin = MARGIN * viewpoint->size;
@@ -252,26 +254,26 @@ static void put_window(const struct screen_bounds *of,
         double most = fmax(fabs(window->low[i]), fabs(window->high[i]));
         double wider = margin / viewpoint->near * (1 + most);
 
-        row[WINDOW_LOW_U + 2 * i] = window->low[i] - wider;
-        row[WINDOW_HIGH_U + 2 * i] = window->high[i] + wider;
+        row[SCREEN_LOW_U + 2 * i] = window->low[i] - wider;
+        row[SCREEN_HIGH_U + 2 * i] = window->high[i] + wider;
     }
-    row[WINDOW_NEAR] = window->near - margin;
-    row[WINDOW_FIRST] = of->triangles_place + (double)(of->row * from->first);
-    row[WINDOW_COUNT] = (double)from->count;
+    row[SCREEN_NEAR] = window->near - margin;
+    row[SCREEN_FIRST] = of->triangles_place + (double)(of->row * from->first);
+    row[SCREEN_COUNT] = (double)from->count;
 }
 
-static void put_eye(const struct viewpoint *viewpoint, double bounds, double *row)
+static void put_viewpoint(const struct viewpoint *viewpoint, double bounds, double *row)
 {
-    copy3(viewpoint->place, row + EYE_PLACE);
-    row[EYE_AXIS] = viewpoint->axis;
-    row[EYE_SIGN] = viewpoint->sign;
-    row[EYE_FAR] = MAX_FAR * viewpoint->size;
-    row[EYE_WINDOWS] = bounds;
+    copy3(viewpoint->place, row + VIEWPOINT_POSITION);
+    row[VIEWPOINT_AXIS] = viewpoint->axis;
+    row[VIEWPOINT_SIGN] = viewpoint->sign;
+    row[VIEWPOINT_FAR] = MAX_FAR * viewpoint->size;
+    row[VIEWPOINT_BOUNDS] = bounds;
 }
 
 /* Working storage of one viewpoint: its windows, and the traversal of all nodes. */
 struct view {
-    struct mesh_window *bounds;
+    struct node_bounds *bounds;
     unsigned char *orders;
 };
 
@@ -281,16 +283,16 @@ static bool put_view(const struct screen_bounds *of, const struct viewpoint *vie
                      const struct view *view, double *rows)
 {
     const struct mesh_hierarchy *hierarchy = of->hierarchy;
-    double *first = rows + WINDOW_ROW;
+    double *first = rows + SCREEN_ROW;
 
-    find_windows(of, viewpoint, view->bounds);
-    if (!windows_pay(of, viewpoint, view->bounds))
+    find_node_bounds(of, viewpoint, view->bounds);
+    if (!bounds_pay(of, viewpoint, view->bounds))
         return false;
     plan_orders(hierarchy->nodes, 0, viewpoint, view->bounds, 0, view->orders);
     for (size_t i = 0; i < hierarchy->node_count; i++)
-        put_window(of, viewpoint, &view->bounds[i], i, first + WINDOW_ROW * i);
+        put_node_bounds(of, viewpoint, &view->bounds[i], i, first + SCREEN_ROW * i);
     mesh_hierarchy_thread(hierarchy, view->orders,
-                          &(struct mesh_rows){ first + WINDOW_LINKS, WINDOW_ROW });
+                          &(struct mesh_rows){ first + SCREEN_LINKS, SCREEN_ROW });
     return true;
 }
 
@@ -304,16 +306,16 @@ bool screen_bounds_put(const struct screen_bounds *of,
     bool good = view.bounds && view.orders;
 
     screen_bounds_size(viewpoints, whole, nodes, &seeing);
-    at = seeing * EYE_ROW;
+    at = seeing * VIEWPOINT_ROW;
     *planned = 0;
     for (size_t i = 0; good && seeing > 0 && i < viewpoints->count; i++) {
         struct viewpoint viewpoint;
 
-        if (!eye_find(viewpoints->places[i], whole, &viewpoint)
+        if (!viewpoint_find(viewpoints->places[i], whole, &viewpoint)
             || !put_view(of, &viewpoint, &view, words + at))
             continue;
-        put_eye(&viewpoint, place + (double)at, words + EYE_ROW * *planned);
-        at += WINDOW_ROW * (nodes + 1);
+        put_viewpoint(&viewpoint, place + (double)at, words + VIEWPOINT_ROW * *planned);
+        at += SCREEN_ROW * (nodes + 1);
         ++*planned;
     }
     free(view.bounds);
@@ -325,9 +327,10 @@ void screen_bounds_mark(size_t seeing, size_t nodes, bool *marks)
 {
     size_t rows = seeing * (nodes + 1);
 
-    for (size_t i = 0; i < seeing * EYE_ROW; i++)
-        marks[i] = i % EYE_ROW == EYE_AXIS || i % EYE_ROW == EYE_WINDOWS;
-    marks += seeing * EYE_ROW;
-    for (size_t i = 0; i < rows * WINDOW_ROW; i++)
-        marks[i] = i % WINDOW_ROW >= WINDOW_LINKS;
+    for (size_t i = 0; i < seeing * VIEWPOINT_ROW; i++)
+        marks[i] = i % VIEWPOINT_ROW == VIEWPOINT_AXIS
+                   || i % VIEWPOINT_ROW == VIEWPOINT_BOUNDS;
+    marks += seeing * VIEWPOINT_ROW;
+    for (size_t i = 0; i < rows * SCREEN_ROW; i++)
+        marks[i] = i % SCREEN_ROW >= SCREEN_LINKS;
 }

@@ -17,8 +17,8 @@
  * Source: the buffers of Weghorst, Hooper and Greenberg 1984 and of Haines and
  * Greenberg 1986, here with a tree of windows in place of cells.
  */
-#ifndef RT_MESH_WINDOWS_H
-#define RT_MESH_WINDOWS_H
+#ifndef RT_SCREEN_BOUNDS_H
+#define RT_SCREEN_BOUNDS_H
 
 #include "rt/shapes/viewpoints.h"
 #include "rt/shapes/mesh_hierarchy.h"

@@ -1,7 +1,7 @@
 /* viewpoints.h - viewpoints that many rays pass through: the positions of cameras and
  * lights. */
-#ifndef RT_EYES_H
-#define RT_EYES_H
+#ifndef RT_VIEWPOINTS_H
+#define RT_VIEWPOINTS_H
 
 #include <stddef.h>
 

@@ -5,7 +5,7 @@
         .share  loop
         .regs   r156, first_pixel, to_dx, to_dy, to_dz
         .regs   r160, made_dx, made_dy, made_dz
-        .if     EYES_APART
+        .if     ORIGINS_DIFFER
         .regs   r178, to_ox, to_oy, to_oz, made_ox, made_oy, made_oz
         .endif
         .endshare
@@ -28,12 +28,12 @@ generate:
         ADDX    s1, position, s1
         hand_over s1
         hand_over adx, 3, 1
-        .if     EYES_APART
+        .if     ORIGINS_DIFFER
         hand_over aox, 3, 4
         .endif
         to_scalar
         load_at operands, 4, first_pixel
-        .if     EYES_APART
+        .if     ORIGINS_DIFFER
         load_at operands + 64 * 4, 3, to_ox
         .endif
         RTOR    n, loop_count
@@ -72,7 +72,7 @@ generate_aimed:
         STO     [to_dx, loop_index], made_dx
         STO     [to_dy, loop_index], made_dy
         STO     [to_dz, loop_index], made_dz
-        .if     EYES_APART
+        .if     ORIGINS_DIFFER
         load_at made_ray, 3, made_ox
         STO     [to_ox, loop_index], made_ox
         STO     [to_oy, loop_index], made_oy

@@ -61,7 +61,7 @@ generate_ray:
         MPYS    g_dy, g_t, g_dy
         MPYS    g_dz, g_t, g_dz
         .endif
-        .if     ! EYES_APART
+        .if     ! ORIGINS_DIFFER
         RTOR    g_lx, g_ox
         RTOR    g_ly, g_oy
         RTOR    g_lz, g_oz

@@ -10,7 +10,7 @@
 ; Queues of tiles: order_vector.s.
 ;
 ; In:  position (the first k, relative to the band's first pixel), n; view.
-; Out: adx ady adz; if EYES_APART also aox aoy aoz.
+; Out: adx ady adz; if ORIGINS_DIFFER also aox aoy aoz.
 ; Source: camera.s for the formula. Vectors of any length are derived here.
 
         .share  scratch

@@ -243,7 +243,7 @@
         .endif
 
 ; 1: the camera's rays have many origins.
-        .equ    EYES_APART, ORTHOGRAPHIC || LENS
+        .equ    ORIGINS_DIFFER, ORTHOGRAPHIC || LENS
 
 ; 1: there are fogs (light/fog.s).
         .ifndef FOG
@@ -344,20 +344,20 @@
         .equ    MESH_MET, 1 << 40
 
 ; A viewpoint, and a row of its windows. Nodes are in the same order as above.
-        .record EYE
-        .field  EYE_PLACE, 3
-        .field  EYE_AXIS           ; it looks along x, y, z: 0, 1, 2
-        .field  EYE_SIGN           ; 1, or -1: down that axis; a number
-        .field  EYE_FAR            ; windows serve no ray from farther away
-        .field  EYE_WINDOWS        ; offset of its windows
+        .record VIEWPOINT
+        .field  VIEWPOINT_POSITION, 3
+        .field  VIEWPOINT_AXIS     ; it looks along x, y, z: 0, 1, 2
+        .field  VIEWPOINT_SIGN     ; 1, or -1: down that axis; a number
+        .field  VIEWPOINT_FAR      ; windows serve no ray from farther away
+        .field  VIEWPOINT_BOUNDS   ; offset of its windows
         .endrecord
 
-        .record WINDOW
-        .field  WINDOW_SIDES, 4    ; least and greatest u, then v
-        .field  WINDOW_NEAR        ; the least z
-        .field  WINDOW_LINKS, 2    ; near, not near
-        .field  WINDOW_FIRST       ; as MESH_FIRST
-        .field  WINDOW_COUNT       ; as MESH_COUNT; the size is odd, for banks
+        .record SCREEN
+        .field  SCREEN_SIDES, 4    ; least and greatest u, then v
+        .field  SCREEN_NEAR        ; the least z
+        .field  SCREEN_LINKS, 2    ; near, not near
+        .field  SCREEN_FIRST       ; as MESH_FIRST
+        .field  SCREEN_COUNT       ; as MESH_COUNT; the size is odd, for banks
         .endrecord
 
 ; 1: tests boxes for all rays, also for those through a viewpoint.

@@ -103,7 +103,7 @@ shade:
         hand_over nearest, 4, 0, shade_operands
         hand_over aox, 6, 4, shade_operands
         hand_over out_red, 8, 10, shade_operands
-        .if     EYES_APART
+        .if     ORIGINS_DIFFER
         load_word scene_levels, s1
         ES      s2, 1
         IBXEQ   level, r0, s1, shade_first

@@ -65,10 +65,10 @@
         IBXNE   parts_left, minus_one_index, r0, \again, parts_left
         .endm
 
-; Branches to other if the rays are not camera rays.  Without EYES_APART these
+; Branches to other if the rays are not camera rays.  Without ORIGINS_DIFFER these
 ; are the only ones that start at one point.
         .macro  unless_first_level other
-        .if     EYES_APART
+        .if     ORIGINS_DIFFER
         load_word scene_levels, s0
         IBXNE   level, r0, s0, \other
         .else

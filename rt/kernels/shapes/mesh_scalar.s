@@ -172,7 +172,7 @@ limit_none\@:
         .endm
 
         .if     MESH_BOXES == 0
-        .include "shapes/mesh_windows_scalar.s"
+        .include "shapes/mesh_screen_bounds_scalar.s"
         .endif
 
 ; Traverses the nodes nearer than tin.  sides tests a triangle.  rows is the
@@ -280,8 +280,8 @@ mesh:
         begin_mesh
         begin_limit
         .if     MESH_BOXES == 0
-        begin_windows mesh_boxes, mesh_missed
-        walk_mesh nearest_sides, windows, mesh_windows, WINDOW_SIZE, WINDOW_FIRST - WINDOW_LINKS
+        begin_screen_bounds mesh_boxes, mesh_missed
+        walk_mesh nearest_sides, screen_bounds, mesh_bounds, SCREEN_SIZE, SCREEN_FIRST - SCREEN_LINKS
         BIM     mesh_walk_done
         .endif
 mesh_boxes:

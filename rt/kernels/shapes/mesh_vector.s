@@ -332,7 +332,7 @@ side_bases:
         .endm
 
         .if     MESH_BOXES == 0
-        .include "shapes/mesh_windows_vector.s"
+        .include "shapes/mesh_screen_bounds_vector.s"
         .endif
 
 ; Traverses to the end.  The routine meet tests the pairs; limits = 1: it may
@@ -422,14 +422,14 @@ mesh:
 mesh_begin:
         VTOV    r0, [patch_t]
         .if     MESH_BOXES == 0
-        find_eye mesh_no_eye
-        start_windows mesh_by_windows
-        walk_mesh meet_sides, 1, windows, WINDOW_FIRST - WINDOW_LINKS
-mesh_by_windows:
+        find_viewpoint mesh_no_viewpoint
+        start_screen_bounds mesh_by_screen_bounds
+        walk_mesh meet_sides, 1, screen_bounds, SCREEN_FIRST - SCREEN_LINKS
+mesh_by_screen_bounds:
         find_far mesh_walk_done
         BIM     mesh_boxes
-mesh_no_eye:
-        ES      mesh_eye, 0
+mesh_no_viewpoint:
+        ES      mesh_viewpoint, 0
 mesh_boxes:
         start_walk near_limit, far
         .else

@@ -215,7 +215,7 @@ first_in_rows:
         ES      s2, IMAGE_RAYS
         STO     [s3], s2
         .endif
-        ES      from_one_point, 1 - EYES_APART
+        ES      from_one_point, 1 - ORIGINS_DIFFER
         EX      target, generate
         BSAVE   link_kernel, [target]
         BIM     0, link_walk

@@ -1,6 +1,7 @@
-; mesh_windows_vector.s - tests a queue of rays against the windows of a mesh if
-; they all go through one viewpoint: a camera or a light.  From there the mesh
-; is seen as windows (rt/shapes/screen_bounds.h), which replace the boxes.
+; mesh_screen_bounds_vector.s - tests a queue of rays against the windows of a
+; mesh if they all go through one viewpoint: a camera or a light.  From there
+; the mesh is seen as windows (rt/shapes/screen_bounds.h), which replace the
+; boxes.
 ;
 ; The choice depends on the ray alone and not on its queue, because the results
 ; can differ: if the viewpoint is in the plane of a triangle, rounding decides
@@ -19,19 +20,19 @@
 
         .reg    mesh_u, mesh_ox
         .reg    mesh_v, mesh_oy
-        .reg    mesh_forth, mesh_oz             ; |g|
+        .reg    mesh_forward, mesh_oz           ; |g|
         .share  hits
-        .reg    mesh_eye, r167                  ; address of the viewpoint's row
+        .reg    mesh_viewpoint, r167            ; address of the viewpoint's row
         .endshare
 
 ; Finds the viewpoint that the near rays go through, or branches to none.
-        .macro  find_eye none
+        .macro  find_viewpoint none
         RTOR    shadows, s0
-        if_to_point eye_place\@, s1
+        if_to_point viewpoint_position\@, s1
         IBXNE   shadows, r0, r0, \none
         IBXEQ   from_one_point, r0, r0, \none
         EX      s0, queue_origin
-eye_place\@:
+viewpoint_position\@:
         ELEN    s0, 3
         SWAP    [s0], s1, [r0]                  ; the point
         RTOR    mesh_table, s0
@@ -39,88 +40,88 @@ eye_place\@:
         ELEN    s0, 2
         SWAP    [s0], s4, [r0]                  ; also s5: their number
         SHIFTI  s4, 6, s4
-        ADDX    mesh_table, s4, mesh_eye
-        BIM     eye_next\@
-eye_look\@:
-        RTOR    mesh_eye, s0
+        ADDX    mesh_table, s4, mesh_viewpoint
+        BIM     viewpoint_next\@
+viewpoint_compare\@:
+        RTOR    mesh_viewpoint, s0
         ELEN    s0, 3
         SWAP    [s0], s6, [r0]
-        CFPNE   s6, s1, eye_other\@
-        CFPNE   s7, s2, eye_other\@
-        CFPEQ   s8, s3, eye_found\@
-eye_other\@:
-        IX      mesh_eye, 64 * EYE_SIZE
-eye_next\@:
-        IBXNE   s5, minus_one_index, minus_one_index, eye_look\@, s5
+        CFPNE   s6, s1, viewpoint_differs\@
+        CFPNE   s7, s2, viewpoint_differs\@
+        CFPEQ   s8, s3, viewpoint_found\@
+viewpoint_differs\@:
+        IX      mesh_viewpoint, 64 * VIEWPOINT_SIZE
+viewpoint_next\@:
+        IBXNE   s5, minus_one_index, minus_one_index, viewpoint_compare\@, s5
         BIM     \none
-eye_found\@:
+viewpoint_found\@:
         .endm
 
 ; s2, s3, s4 = the directions along the viewpoint's axes w, u, v; s5, s6, s7 =
-; EYE_AXIS and the next two words.
-        .macro  eye_axes
-        RTOR    mesh_eye, s0
-        IX      s0, 64 * EYE_AXIS
+; VIEWPOINT_AXIS and the next two words.
+        .macro  viewpoint_axes
+        RTOR    mesh_viewpoint, s0
+        IX      s0, 64 * VIEWPOINT_AXIS
         ELEN    s0, 3
         SWAP    [s0], s5, [r0]
         RTOR    dx, s2
         RTOR    dy, s3
         RTOR    dz, s4
-        IBXEQ   s5, r0, r0, eye_turned\@
+        IBXEQ   s5, r0, r0, viewpoint_turned\@
         RTOR    dy, s2
         RTOR    dz, s3
         RTOR    dx, s4
-        IBXEQ   s5, r0, one_index, eye_turned\@
+        IBXEQ   s5, r0, one_index, viewpoint_turned\@
         RTOR    dz, s2
         RTOR    dx, s3
         RTOR    dy, s4
-eye_turned\@:
+viewpoint_turned\@:
         .endm
 
 ; Starts the rays that go towards the mesh at the first node, except rays to a
 ; light from far away.  Branches to none if there are none.
-        .macro  start_windows none
+        .macro  start_screen_bounds none
         place_rays
-        eye_axes
-        VXTOV   [mesh_place], [s2], [mesh_forth]
+        viewpoint_axes
+        VXTOV   [mesh_place], [s2], [mesh_forward]
         VXTOV   [mesh_place], [s3], [mesh_u]
         VXTOV   [mesh_place], [s4], [mesh_v]
-        MPYSV   [mesh_forth], s6, [mesh_forth]
-        CMPLTV  r0, [mesh_forth], [mesh_bits]
-        IBXEQ   shadows, r0, r0, windows_bound\@
-        CMPLTV  [mesh_forth], r0, [mesh_bits]
+        MPYSV   [mesh_forward], s6, [mesh_forward]
+        CMPLTV  r0, [mesh_forward], [mesh_bits]
+        IBXEQ   shadows, r0, r0, screen_bounds_tested\@
+        CMPLTV  [mesh_forward], r0, [mesh_bits]
         VXTOV   [mesh_place], [near_limit], [mesh_limit]
         CMPGEV  s7, [mesh_limit], [mesh_met]
         ANDB    [mesh_bits], [mesh_met], [mesh_bits]
-windows_bound\@:
+screen_bounds_tested\@:
         CNTOB   [mesh_bits], m
         IBXEQ   m, r0, r0, \none
         walk_keep mesh_place
         walk_keep mesh_u
         walk_keep mesh_v
-        walk_keep mesh_forth
+        walk_keep mesh_forward
         set_walk
-        DIVSV   one, [mesh_forth], [mesh_g0]
+        DIVSV   one, [mesh_forward], [mesh_g0]
         MPYSV   [mesh_u], [mesh_g0], [mesh_u]
         MPYSV   [mesh_v], [mesh_g0], [mesh_v]
-        ABSV    [mesh_forth], [mesh_forth]
-        limit_windows near_limit
-        ES      s2, WINDOW_SIZE
+        ABSV    [mesh_forward], [mesh_forward]
+        limit_screen_bounds near_limit
+        ES      s2, SCREEN_SIZE
         VTOV    s2, [mesh_at]
-        RTOR    mesh_eye, s0
-        IX      s0, 64 * EYE_WINDOWS
+        RTOR    mesh_viewpoint, s0
+        IX      s0, 64 * VIEWPOINT_BOUNDS
         LOD     [s0], s0
         SHIFTI  s0, 6, s0
         ADDX    mesh_table, s0, mesh_links
-        IX      mesh_links, 64 * WINDOW_LINKS
+        IX      mesh_links, 64 * SCREEN_LINKS
         .endm
 
 ; Prepares the rays that use boxes instead, or branches to none if there are
 ; none.
         .macro  find_far none
         IBXEQ   shadows, r0, r0, \none
-        RTOR    mesh_eye, s0
-        IX      s0, 64 * EYE_FAR
+        RTOR    mesh_viewpoint, s0
+        IX      s0, 64 * VIEWPOINT_FAR
         LOD     [s0], s0
         CMPLTV  s0, [near_limit], [bits0]
         CNTOB   [bits0], s0
@@ -133,9 +134,9 @@ windows_bound\@:
 
 ; Keeps these rays among the placed ones, if there is a viewpoint.
         .macro  among_far
-        IBXEQ   mesh_eye, r0, r0, far_placed\@
-        RTOR    mesh_eye, s2
-        IX      s2, 64 * EYE_FAR
+        IBXEQ   mesh_viewpoint, r0, r0, far_placed\@
+        RTOR    mesh_viewpoint, s2
+        IX      s2, 64 * VIEWPOINT_FAR
         LOD     [s2], s2
         CMPLTV  s2, [mesh_limit], [mesh_bits]
         CNTOB   [mesh_bits], m
@@ -145,46 +146,46 @@ windows_bound\@:
 far_placed\@:
         .endm
 
-        .macro  window_below least, greatest
+        .macro  screen_bounds_below least, greatest
         CMPGEV  \greatest, \least, [mesh_met]
         ANDB    [mesh_bits], [mesh_met], [mesh_bits]
         .endm
 
 ; Gathers the next word of the windows.
-        .macro  window_word
+        .macro  screen_bounds_word
         VXTOV   [mesh_at], [s0], [mesh_g0]
         IX      s0, 64
         .endm
 
-        .macro  step_windows
+        .macro  step_screen_bounds
         RTOR    mesh_links, s0
-        IX      s0, -64 * WINDOW_LINKS
-        window_word
+        IX      s0, -64 * SCREEN_LINKS
+        screen_bounds_word
         CMPGEV  [mesh_u], [mesh_g0], [mesh_bits]
-        window_word
-        window_below [mesh_u], [mesh_g0]
-        window_word
-        window_below [mesh_g0], [mesh_v]
-        window_word
-        window_below [mesh_v], [mesh_g0]
-        window_word
+        screen_bounds_word
+        screen_bounds_below [mesh_u], [mesh_g0]
+        screen_bounds_word
+        screen_bounds_below [mesh_g0], [mesh_v]
+        screen_bounds_word
+        screen_bounds_below [mesh_v], [mesh_g0]
+        screen_bounds_word
         CMPLTV  [mesh_g0], [mesh_limit], [mesh_met]
         ANDB    [mesh_bits], [mesh_met], [mesh_bits]
         ADDXV   [mesh_at], one_index, [mesh_at] ?! [mesh_bits]
         VXTOV   [mesh_at], [s0], [mesh_g1]
         .endm
 
-        .macro  keep_windows
+        .macro  keep_screen_bounds
         walk_keep mesh_at
         walk_keep mesh_place
         walk_keep mesh_u
         walk_keep mesh_v
-        walk_keep mesh_forth
+        walk_keep mesh_forward
         walk_keep mesh_limit
         .endm
 
-        .macro  limit_windows limits
+        .macro  limit_screen_bounds limits
         VXTOV   [mesh_place], [\limits], [mesh_limit]
-        MPYSV   [mesh_limit], [mesh_forth], [mesh_limit]
+        MPYSV   [mesh_limit], [mesh_forward], [mesh_limit]
         .endm
 

@@ -1,9 +1,9 @@
-/* test_mesh_windows.c - the traversal of a mesh by windows is compared with the
+/* test_screen_bounds.c - the traversal of a mesh by windows is compared with the
  * triangles at which rays through a viewpoint are aimed, and frames by windows with
  * frames by boxes, over random meshes, viewpoints and lights. A window that is too
  * small, or used for rays that miss the viewpoint, fails here.
  *
- *     test_mesh_windows [SCENES [SEED]]
+ *     test_screen_bounds [SCENES [SEED]]
  */
 #define SMALL_FRAMES
 #include "rt/layout/find_viewpoints.h"
@@ -20,51 +20,52 @@ static char text[1 << 20];
 
 /* Offsets of records.s. */
 enum {
-    TABLE_EYES = 22,
-    TABLE_EYE_COUNT,
-    EYE_AXIS = 3,
-    EYE_SIGN,
-    EYE_FAR,
-    EYE_WINDOWS,
-    EYE_ROW,
-    WINDOW_NEAR = 4,
-    WINDOW_LINKS,
-    WINDOW_FIRST = 7,
-    WINDOW_COUNT
+    TABLE_VIEWPOINTS = 22,
+    TABLE_VIEWPOINT_COUNT,
+    VIEWPOINT_AXIS = 3,
+    VIEWPOINT_SIGN,
+    VIEWPOINT_FAR,
+    VIEWPOINT_BOUNDS,
+    VIEWPOINT_ROW,
+    SCREEN_NEAR = 4,
+    SCREEN_LINKS,
+    SCREEN_FIRST = 7,
+    SCREEN_COUNT
 };
 #define MET 0x1p40
 
 /* A ray through a viewpoint: its slopes, and its extent along the axis. */
-struct look {
+struct screen_point {
     double u, v, z;
 };
 
-static struct look look_at(const double *eye, const double point[3])
+static struct screen_point project(const double *eye, const double point[3])
 {
-    int w = (int)eye[EYE_AXIS], u = (w + 1) % 3, v = (w + 2) % 3;
-    double z = eye[EYE_SIGN] * (point[w] - eye[w]);
-    return (struct look){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z, z };
+    int w = (int)eye[VIEWPOINT_AXIS], u = (w + 1) % 3, v = (w + 2) % 3;
+    double z = eye[VIEWPOINT_SIGN] * (point[w] - eye[w]);
+    return (struct screen_point){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z, z };
 }
 
 /* Returns whether the traversal reaches the triangle. Adds the tested windows to
  * *asked. */
-static bool comes_to(const double *table, const double *eye, const struct look *look,
-                     double triangle, double row, size_t *asked)
+static bool traversal_reaches(const double *table, const double *eye,
+                              const struct screen_point *look, double triangle,
+                              double row, size_t *asked)
 {
-    const double *rows = table + (size_t)eye[EYE_WINDOWS];
+    const double *rows = table + (size_t)eye[VIEWPOINT_BOUNDS];
     bool found = false;
     for (double at = 9; at != 0;) {
         const double *window = rows + (size_t)at;
         bool within = window[0] <= look->u && look->u <= window[1]
                       && window[2] <= look->v && look->v <= window[3]
-                      && window[WINDOW_NEAR] < look->z;
-        at = window[WINDOW_LINKS + !within];
+                      && window[SCREEN_NEAR] < look->z;
+        at = window[SCREEN_LINKS + !within];
         ++*asked;
         if (at < MET)
             continue;
         at -= MET;
-        for (double i = 0; i < window[WINDOW_COUNT]; i++)
-            found = found || window[WINDOW_FIRST] + row * i == triangle;
+        for (double i = 0; i < window[SCREEN_COUNT]; i++)
+            found = found || window[SCREEN_FIRST] + row * i == triangle;
     }
     return found;
 }
@@ -111,17 +112,17 @@ static void random_point(const double *corners, double point[3])
 }
 
 /* Aims a ray at every triangle. Returns the mean number of tested windows. */
-static double check_eye(const struct primitive *mesh, const double *table,
-                        const double *eye, double row)
+static double check_viewpoint(const struct primitive *mesh, const double *table,
+                              const double *eye, double row)
 {
     size_t count = mesh->shape.mesh.triangles.count, asked = 0;
     double first = 25. * (double)(mesh_hierarchy_nodes(count) + 1);
     for (size_t i = 0; i < count; i++) {
         double place = first + row * (double)i, point[3];
         random_point(table + (size_t)place, point);
-        struct look look = look_at(eye, point);
+        struct screen_point look = project(eye, point);
         assert_true(look.z > 0);
-        if (!comes_to(table, eye, &look, place, row, &asked))
+        if (!traversal_reaches(table, eye, &look, place, row, &asked))
             fail_msg("from %.17g, %.17g, %.17g a ray to %.17g, %.17g, %.17g "
                      "does not come to triangle %zu of %zu",
                      eye[0], eye[1], eye[2], point[0], point[1], point[2], i, count);
@@ -182,16 +183,16 @@ static void check_net(size_t *seeing, size_t *within)
     assert_non_null(table);
     if (net.smooth)
         row = 21;
-    for (size_t i = 0; i < table[TABLE_EYE_COUNT]; i++) {
-        const double *eye = table + (size_t)table[TABLE_EYES] + EYE_ROW * i;
-        assert_true(eye[EYE_WINDOWS] < (double)count);
+    for (size_t i = 0; i < table[TABLE_VIEWPOINT_COUNT]; i++) {
+        const double *eye = table + (size_t)table[TABLE_VIEWPOINTS] + VIEWPOINT_ROW * i;
+        assert_true(eye[VIEWPOINT_BOUNDS] < (double)count);
         assert_false(is_inside(eye, table, row, mesh.shape.mesh.triangles.count));
-        check_eye(&mesh, table, eye, row);
+        check_viewpoint(&mesh, table, eye, row);
     }
     for (size_t i = 0; i < viewpoints.count; i++)
         *within += is_inside(viewpoints.places[i], table, row,
                              mesh.shape.mesh.triangles.count);
-    *seeing += (size_t)table[TABLE_EYE_COUNT];
+    *seeing += (size_t)table[TABLE_VIEWPOINT_COUNT];
     free(mesh.shape.mesh.triangles.list);
 }
 
@@ -217,8 +218,9 @@ TEST(few_are_asked)
     FREED double *table = shape_table(&mesh, &viewpoints,
                                       shape_table_count(&mesh, &viewpoints));
     assert_non_null(table);
-    assert_int_equal((int)table[TABLE_EYE_COUNT], 1);
-    assert_in_range((int)check_eye(&mesh, table, table + (size_t)table[TABLE_EYES], 13),
+    assert_int_equal((int)table[TABLE_VIEWPOINT_COUNT], 1);
+    assert_in_range((int)check_viewpoint(&mesh, table,
+                                         table + (size_t)table[TABLE_VIEWPOINTS], 13),
                     8, 48);
     free(mesh.shape.mesh.triangles.list);
 }
@@ -527,7 +529,7 @@ TEST(where_they_do_not_pay)
     FREED double *table = shape_table(&mesh, &viewpoints,
                                       shape_table_count(&mesh, &viewpoints));
     assert_non_null(table);
-    assert_int_equal((int)table[TABLE_EYE_COUNT], 0);
+    assert_int_equal((int)table[TABLE_VIEWPOINT_COUNT], 0);
 }
 
 /* Two lights are at one place, and one of them has parallel rays. A third light is
