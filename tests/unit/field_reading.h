@@ -11,6 +11,8 @@
 extern char field_path[64];
 int field_begin(void **state);
 int field_end(void **state);
+#undef FILE_FIXTURES
+#define FILE_FIXTURES field_begin, field_end
 /* Writes these bytes to the file. */
 void field_keep(const char *bytes, size_t count);
 

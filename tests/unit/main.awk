@@ -37,6 +37,6 @@ END {
     printf "%s", reads ? reads : "    (void)argc, (void)argv;\n"
     title = FILENAME
     gsub(/.*\/test_|\.c$/, "", title)
-    print "    return cmocka_run_group_tests_name(\"" title "\", tests, " \
-        (group ? group : "NULL, NULL") ");\n}"
+    print "    return RUN_TESTS(\"" title "\", tests, " \
+        (group ? group : "FILE_FIXTURES") ");\n}"
 }

@@ -20,5 +20,7 @@ int set_up_oracle(void **state);
 int tear_down_oracle(void **state);
 int set_up_both(void **state);
 int tear_down_both(void **state);
+#undef FILE_FIXTURES
+#define FILE_FIXTURES set_up_model, tear_down_model
 
 #endif

@@ -10,6 +10,8 @@ extern char temporary_folder[64];
 /* Fixtures. The last one fails if the folder still has files. */
 int make_folder(void **state);
 int remove_folder(void **state);
+#undef FILE_FIXTURES
+#define FILE_FIXTURES make_folder, remove_folder
 
 /* Returns the path of a file of the folder, until the next call. */
 const char *in_folder(const char *name);

@@ -270,5 +270,3 @@ TEST(times_are_short)
         assert_string_equal(text, times[i].text);
     }
 }
-
-GROUP(set_up_model, tear_down_model);

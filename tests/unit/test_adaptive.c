@@ -367,5 +367,3 @@ TEST(kept)
     assert_int_equal(trace_accounts(trace)->clocks, trace_accounts(whole)->clocks);
     trace_forget(trace);
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -162,5 +162,3 @@ TEST(inside)
 }
 
 COUNT_AND_SEED(scene_count, traced.random);
-
-GROUP(set_up_frames, tear_down_model);

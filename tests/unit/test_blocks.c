@@ -495,5 +495,3 @@ TEST(many_flights)
     SCOPED_VALUE(both) both = compare(text);
     assert_true(both.whole->clock->generation > 1);
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -230,5 +230,3 @@ TEST(protocol)
     check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"again\"}", true);
     client_leave(&client);
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -250,5 +250,3 @@ TEST_WITH(solids, NULL, look_at_shell)
 }
 
 COUNT_AND_SEED(scene_count, traced.random);
-
-GROUP(set_up_frames, tear_down_model);

@@ -129,5 +129,3 @@ TEST(trees)
     assert_memory_equal(today, then, sizeof *today);
     traced.historical = false;
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -329,5 +329,3 @@ TEST(broken)
     assert_non_null(strstr(client.output.text, "expected a value at byte 0"));
     assert_int_equal(client_end(&client), 0);
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -200,5 +200,3 @@ TEST(defines)
     client_event(&client, "initialized");
     client_leave(&client);
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -179,5 +179,3 @@ TEST(objects)
         text_buffer_free(&text);
     }
 }
-
-GROUP(set_up_model, tear_down_model);

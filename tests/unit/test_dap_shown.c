@@ -170,5 +170,3 @@ TEST(extension)
     client_stopped(&client, "entry");
     client_leave(&client);
 }
-
-GROUP(set_up_model, tear_down_model);

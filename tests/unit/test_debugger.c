@@ -199,5 +199,3 @@ TEST(far_back)
     }
     end(&session);
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -289,5 +289,3 @@ TEST(sessions)
                       sessions[i].faults);
     }
 }
-
-GROUP(set_up_model, tear_down_model);

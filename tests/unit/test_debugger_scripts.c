@@ -345,5 +345,3 @@ ARGUMENTS(argc, argv)
     if (argc == 4 && strcmp(argv[1], "draw") == 0)
         exit(print_script(argv[2], argv[3]));
 }
-
-GROUP(set_up_model, tear_down_model);

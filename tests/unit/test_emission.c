@@ -449,5 +449,3 @@ TEST(clocks)
 }
 
 COUNT_AND_SEED(tries, state);
-
-GROUP(set_up_model, tear_down_model);

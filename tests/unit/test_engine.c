@@ -261,5 +261,3 @@ TEST(chance)
         talk_bytes(&talk, text, strlen(text));
     }
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -112,5 +112,3 @@ TEST(limit)
                     "' EXIT'}], 'limit': 262145, 'clocks': 1}");
     talk_refused(&talk, "the clock limit is reached", "{'do': 'more', 'clocks': 1}");
 }
-
-GROUP(set_up_model, tear_down_model);

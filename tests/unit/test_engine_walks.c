@@ -504,5 +504,3 @@ TEST(cut)
     assert_string_equal(text_of(talk.reply, "printed"),
                         "100000000000000100000000000000");
 }
-
-GROUP(set_up_model, tear_down_model);

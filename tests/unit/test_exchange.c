@@ -254,5 +254,3 @@ TEST(refused)
     other.count = 0;
     refuses(&other, "0 surfaces: the number must be between 1 and 4096");
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -149,5 +149,3 @@ TEST(sights)
                      depth);
     }
 }
-
-GROUP(set_up_frames, tear_down_model);

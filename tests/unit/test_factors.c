@@ -360,5 +360,3 @@ ARGUMENTS(argc, argv)
 {
     seed = argument(argc, argv, 1, seed);
 }
-
-GROUP(set_up_model, tear_down_model);

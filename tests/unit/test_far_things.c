@@ -169,5 +169,3 @@ TEST(random_scenes)
     }
     assert_true(scenes > share_of(SCENES) / 2);
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -406,5 +406,3 @@ TEST(sessions)
         session_end(&session);
     }
 }
-
-GROUP(set_up_frames, tear_down_model);

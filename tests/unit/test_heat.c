@@ -94,5 +94,3 @@ TEST(same)
     last->tried--;
     assert_true(heat_is_same(&one, &other));
 }
-
-GROUP(set_up_model, tear_down_model);

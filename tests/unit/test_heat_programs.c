@@ -235,5 +235,3 @@ TEST(gaps)
         }
     }
 }
-
-GROUP(set_up_model, tear_down_model);

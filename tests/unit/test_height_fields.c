@@ -288,5 +288,3 @@ TEST(errors)
 }
 
 COUNT_AND_SEED(field_count, random_state);
-
-GROUP(field_begin, field_end);

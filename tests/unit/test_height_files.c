@@ -190,5 +190,3 @@ TEST(no_adapter)
             assert_non_null(strstr(reports.items->message, "are supported here"));
     }
 }
-
-GROUP(field_begin, field_end);

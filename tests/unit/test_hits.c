@@ -211,5 +211,3 @@ TEST(refused)
             " cylinder { 3*x, 4*x, 1 }",
             "A", "a plane is infinite");
 }
-
-GROUP(set_up_model, tear_down_model);

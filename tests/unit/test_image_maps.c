@@ -348,5 +348,3 @@ TEST(many)
     assert_error(text, &with_images, 2, 87 + strlen(field_path),
                  "more than 1000 images");
 }
-
-GROUP(field_begin, field_end);

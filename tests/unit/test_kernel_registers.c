@@ -405,5 +405,3 @@ TEST(emission)
 }
 
 COUNT_AND_SEED(scene_count, traced.random);
-
-GROUP(set_up_frames, tear_down_model);

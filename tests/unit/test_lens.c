@@ -159,5 +159,3 @@ TEST(samples)
     assert_int_equal(across("camera { " FOCUS "aperture 0 }", 2), 2);
     assert_int_equal(across("camera { " FOCUS "blur_samples 1 }", 1), 1);
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -154,5 +154,3 @@ TEST(lines)
     }
     assert_int_equal(shown, table_rows(columns));
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -120,5 +120,3 @@ TEST(under_way)
     assert_true(shown.some > 0);
     frame_free(&shown.frame);
 }
-
-GROUP(set_up_frames, tear_down_model);

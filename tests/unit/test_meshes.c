@@ -368,5 +368,3 @@ TEST(distant)
 }
 
 COUNT_AND_SEED(scene_count, traced.random);
-
-GROUP(set_up_frames, tear_down_model);

@@ -94,5 +94,3 @@ TEST(tiles_meet_less)
     assert_int_equal(work_of(scene, TRACE_SCALAR, ORDER_TILES),
                      work_of(scene, TRACE_SCALAR, ORDER_ROWS));
 }
-
-GROUP(set_up_frames, tear_down_model);

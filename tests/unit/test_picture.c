@@ -352,5 +352,3 @@ TEST(frame_sizes)
     assert_false(frame_allocate(&frame, 3, 0));
     assert_false(frame_allocate(&frame, SIZE_MAX / 2, SIZE_MAX / 2));
 }
-
-GROUP(make_folder, remove_folder);

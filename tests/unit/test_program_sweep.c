@@ -559,5 +559,3 @@ TEST(pictures)
         swept_free(&sweep);
     }
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -98,5 +98,3 @@ ARGUMENTS(argc, argv)
     scene_count = argument(argc, argv, 1, share_of(scene_count));
     traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -530,5 +530,3 @@ TEST(bodies)
         assert_integer(region(&stage, 0, "R_BODY"), cases[i].body);
     }
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -132,5 +132,3 @@ TEST(left_alone)
         check(text, 0, "");
     }
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -211,5 +211,3 @@ TEST(iterations)
         }
     }
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -144,5 +144,3 @@ TEST(stopped)
     assert_false(trace_run(trace, &error));
     assert_int_equal(trace_rows_done(trace), 20 * trace_bands_done(trace));
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -291,5 +291,3 @@ TEST(no_room)
         assert_true(error.message[0]);
     }
 }
-
-GROUP(set_up_model, tear_down_model);

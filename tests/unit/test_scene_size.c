@@ -197,5 +197,3 @@ TEST(heat)
         assert_near(found[2], same[2], 2, decade);
     }
 }
-
-GROUP(set_up_frames, tear_down_model);

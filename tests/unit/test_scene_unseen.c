@@ -213,5 +213,3 @@ TEST(flat)
         assert_false(scene->primitives[0].transformed);
     }
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -553,5 +553,3 @@ TEST(lights)
 }
 
 COUNT_AND_SEED(scene_count, traced.random);
-
-GROUP(set_up_frames, tear_down_model);

@@ -354,5 +354,3 @@ TEST(straight)
 
     check_sights(STRAIGHT, sights, COUNT(sights));
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -239,5 +239,3 @@ TEST(refused)
     other.count = 0;
     refuses(&other, "0 surfaces: the number must be between 1 and 1024");
 }
-
-GROUP(set_up_model, tear_down_model);

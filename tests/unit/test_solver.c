@@ -436,5 +436,3 @@ TEST(signs_of_sharp)
     for (int i = 0; i < LANES; i++)
         assert_same_roots(all.out[i], signs.out[i]);
 }
-
-GROUP(set_up_model, tear_down_model);

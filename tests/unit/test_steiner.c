@@ -153,5 +153,3 @@ TEST(the_way_of_1984)
     test_the_triple_point(test_state);
     traced.historical = false;
 }
-
-GROUP(set_up_frames, tear_down_model);

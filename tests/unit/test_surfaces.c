@@ -194,5 +194,3 @@ TEST(levels)
                               &word, 1));
     }
 }
-
-GROUP(set_up_model, tear_down_model);

@@ -242,5 +242,3 @@ TEST(wrong_values)
     assert_false(named_add(&given, "a=adiabatic", &error));
     named_free(&given);
 }
-
-GROUP(set_up_model, tear_down_model);

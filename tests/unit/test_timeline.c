@@ -281,5 +281,3 @@ TEST(reader)
         assert_int_equal(line, wrong[i].line);
     }
 }
-
-GROUP(set_up_model, tear_down_model);

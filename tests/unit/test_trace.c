@@ -192,5 +192,3 @@ TEST(empty_scene)
     assert_int_equal(hits(words), 0);
     assert_float_equal(c205_to_double(words->channel[CHANNEL_GREEN][7]), .25, 0);
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -109,5 +109,3 @@ TEST(limits_of_rays)
         check_paper_stage(texts[i], frame);
     }
 }
-
-GROUP(set_up_frames, tear_down_model);

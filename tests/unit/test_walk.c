@@ -204,5 +204,3 @@ ARGUMENTS(count, words)
     traced.random ^= argument(count, words, 2, 0) * 0x9E3779B97F4A7C15;
     traced.reported = true;
 }
-
-GROUP(set_up_frames, tear_down_model);

@@ -69,6 +69,8 @@ static inline int set_up_frames(void **state)
     memcpy(traced.queues, queues, sizeof queues);
     return set_up_model(state);
 }
+#undef FILE_FIXTURES
+#define FILE_FIXTURES set_up_frames, tear_down_model
 
 struct scene *read_text(const char *text);
 /* Traces a scene to its end. */

@@ -51,9 +51,12 @@
 /* Begins such a function; it returns 0 if it succeeds. */
 #define FIXTURE(name) static int name(STATE)
 
-/* Sets the functions that run before and after all tests of a file, at its end. */
+/* Sets the functions that run before and after all tests of a file, at its end. Without
+ * it they are the FILE_FIXTURES of the header that the file includes. */
 #define GROUP(before, after) \
     static const CMFixtureFunction before_all = before, after_all = after
+#define FILE_FIXTURES NULL, NULL
+#define RUN_TESTS(...) cmocka_run_group_tests_name(__VA_ARGS__)
 
 /* Returns whether to test everything, as make check-long does. Otherwise slow tests are
  * skipped and a third of the random cases is drawn. */
