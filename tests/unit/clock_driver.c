@@ -6,10 +6,9 @@ const struct effect no_effect;
 
 struct clock *clock_of(const char *text)
 {
-    c205_error error;
-    SCOPED(c205_model) *model = c205_model_parse("test", text, &error);
+    SCOPED(c205_model) *model = c205_model_parse("test", text, &failure);
     REQUIRE(model);
-    struct clock *clock = clock_new(model, &error);
+    struct clock *clock = clock_new(model, &failure);
     assert_non_null(clock);
     return clock;
 }

@@ -132,22 +132,21 @@ static struct dap_message next_message(struct dap_client *client)
 {
     struct dap_message message;
     struct message_content content;
-    c205_error error = { "" };
 
     for (;;) {
-        enum message_state state = message_find(&client->input, &content, &error);
+        enum message_state state = message_find(&client->input, &content, &failure);
 
         if (state == MESSAGE_WHOLE)
             break;
         if (state == MESSAGE_BROKEN)
-            fail_msg("%s: %s", error.message, client->input.text);
+            fail_msg("%s: %s", failure.message, client->input.text);
         receive_more(client);
     }
     message.text = arena_text(&client->arena, client->input.text + content.begin,
                               content.length);
-    message.value = json_read(&client->arena, message.text, content.length, &error);
+    message.value = json_read(&client->arena, message.text, content.length, &failure);
     if (!message.value)
-        fail_msg("%s: %s", error.message, client->input.text);
+        fail_msg("%s: %s", failure.message, client->input.text);
     message_drop(&client->input, content.begin + content.length);
     assert_int_equal(the_whole(message.value, "seq"), ++client->heard);
     return message;

@@ -9,10 +9,9 @@ void session_begin(struct debug_session *session, struct object *object,
                                     .model = prior_model,
                                     .out = text_buffer_sink(&session->said),
                                     .clocks_most = 1000000000 };
-    c205_error error;
 
     *session = (struct debug_session){ .object = object };
-    session->debugger = debugger_new(&setup, &error);
+    session->debugger = debugger_new(&setup, &failure);
     assert_non_null(session->debugger);
 }
 

@@ -30,14 +30,13 @@ const struct json_value *talk_bytes(struct talk *talk, const char *request,
                                     size_t length)
 {
     const struct json_value *ok;
-    c205_error error;
 
     forget(talk);
     talk->text = engine_answer(talk->engine, request, length);
     assert_non_null(talk->text);
-    talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text), &error);
+    talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text), &failure);
     if (!talk->reply)
-        fail_msg("%.*s\n%s: %s", (int)length, request, talk->text, error.message);
+        fail_msg("%.*s\n%s: %s", (int)length, request, talk->text, failure.message);
     ok = json_member(talk->reply, "ok");
     assert_non_null(ok);
     assert_int_equal(ok->kind, JSON_TRUTH);
@@ -101,13 +100,12 @@ const struct json_value *talk_load(struct talk *talk, const char *text,
 {
     struct text_buffer line = { .text = NULL };
     struct sink sink = text_buffer_sink(&line);
-    c205_error error;
-    struct json *json = json_open_line(&line, &error);
+    struct json *json = json_open_line(&line, &failure);
     size_t length;
 
     json_text(json, "do", "load");
     json_text(json, "text", text);
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     length = line.length -= strlen("}");
     sink_print(&sink, "%s}", more);
     talk_quote(line.text + length);

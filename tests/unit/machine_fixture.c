@@ -30,11 +30,10 @@ void begin(struct small_machine *fixture)
 struct small_machine make_small_machine(void)
 {
     struct small_machine fixture;
-    c205_error error = { "" };
     begin(&fixture);
-    fixture.model = c205_model_find("cyber205-2pipe-prior", &error);
+    fixture.model = c205_model_find("cyber205-2pipe-prior", &failure);
     assert_non_null(fixture.model);
-    fixture.machine = c205_new(fixture.model, &error);
+    fixture.machine = c205_new(fixture.model, &failure);
     REQUIRE(fixture.machine);
     return fixture;
 }
@@ -50,8 +49,7 @@ void load(struct small_machine *fixture, size_t data_words)
     c205_segment segments[] = { { CODE, CODE_WORDS, fixture->code },
                                 { DATA, data_words, NULL } };
     c205_program program = { CODE, 2, segments, 0, NULL, false };
-    c205_error error = { "" };
-    REQUIRE(c205_load(fixture->machine, &program, &error));
+    REQUIRE(c205_load(fixture->machine, &program, &failure));
 }
 
 c205_stop run(struct small_machine *fixture)

@@ -3,16 +3,14 @@
 
 c205_model *named_model(const char *name)
 {
-    c205_error error = { "" };
-    c205_model *model = c205_model_find(name, &error);
+    c205_model *model = c205_model_find(name, &failure);
     REQUIRE(model);
     return model;
 }
 
 c205_model *parsed_model(const char *text)
 {
-    c205_error error = { "" };
-    c205_model *model = c205_model_parse("test", text, &error);
+    c205_model *model = c205_model_parse("test", text, &failure);
     REQUIRE(model);
     return model;
 }

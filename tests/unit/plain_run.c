@@ -16,15 +16,14 @@ struct moment moment_of(const c205 *machine, uint64_t watched)
 struct plain run_plainly(struct object *object, uint64_t *random_state)
 {
     struct plain plain = { .object = object };
-    c205_error error;
-    SCOPED(c205) *machine = c205_new(prior_model, &error);
+    SCOPED(c205) *machine = c205_new(prior_model, &failure);
     c205_stop stop;
     assert_non_null(object);
     const c205_segment *last = &object->program
                                     .segments[object->program.segment_count - 1];
     plain.watched = last->address + 64 * (xorshift(random_state) % last->length);
     plain.moments = malloc((MAX_PLAIN_STEPS + 1) * sizeof *plain.moments);
-    assert_true(c205_load(machine, &object->program, &error));
+    assert_true(c205_load(machine, &object->program, &failure));
     plain.moments[0] = moment_of(machine, plain.watched);
     for (bool goes_on = true; goes_on && plain.end < MAX_PLAIN_STEPS;) {
         goes_on = c205_step(machine, &stop);

@@ -7,8 +7,7 @@ c205_model *prior_model;
 
 int set_up_model(STATE)
 {
-    c205_error error;
-    prior_model = c205_model_find("cyber205-2pipe-prior", &error);
+    prior_model = c205_model_find("cyber205-2pipe-prior", &failure);
     return !prior_model;
 }
 

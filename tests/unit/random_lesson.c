@@ -256,18 +256,14 @@ static void put_test(const struct random_lesson *drawn, const struct random_test
 
 static void take(struct lesson *lesson, const char *file, const char *text)
 {
-    c205_error error;
-
-    if (!lesson_take(lesson, file, text, strlen(text), &error))
-        fail_msg("%s\n%s", error.message, text);
+    if (!lesson_take(lesson, file, text, strlen(text), &failure))
+        fail_msg("%s\n%s", failure.message, text);
 }
 
 void random_open(const struct random_lesson *drawn, struct lesson *lesson)
 {
-    c205_error error;
-
     *lesson = (struct lesson){ 0 };
-    assert_true(lesson_begin(lesson, "07-drawn", &error));
+    assert_true(lesson_begin(lesson, "07-drawn", &failure));
     for (size_t i = 0; i < drawn->count; i++) {
         char file[] = "test-0.s";
         struct text_buffer text = { 0 };
@@ -281,15 +277,13 @@ void random_open(const struct random_lesson *drawn, struct lesson *lesson)
     take(lesson, "start.s", "        EXIT\n");
     take(lesson, "solution.s", "nothing of it is read\n");
     take(lesson, "lesson.md", "# Drawn at random\n\nText.\n");
-    REQUIRE(lesson_end(lesson, &error));
+    REQUIRE(lesson_end(lesson, &failure));
 }
 
 void grade_well(struct lesson_verdict *verdict, const struct lesson *lesson,
                 const char *answer)
 {
-    c205_error error;
-
     *verdict = (struct lesson_verdict){ 0 };
-    if (!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer), &error))
-        fail_msg("%s\n%s", error.message, answer);
+    if (!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer), &failure))
+        fail_msg("%s\n%s", failure.message, answer);
 }

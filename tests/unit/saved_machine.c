@@ -24,15 +24,13 @@ bool append(void *context, const void *more, size_t count)
 struct bytes save(const c205 *machine)
 {
     struct bytes bytes = { 0, 0, NULL, 0 };
-    c205_error error = { "" };
-    REQUIRE(c205_save(machine, append, &bytes, &error));
+    REQUIRE(c205_save(machine, append, &bytes, &failure));
     return bytes;
 }
 
 c205 *restore(const struct bytes *bytes, const c205_model *model)
 {
-    c205_error error = { "" };
-    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
+    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &failure);
     REQUIRE(machine);
     return machine;
 }
@@ -71,9 +69,8 @@ void assert_same_stop(const c205_stop *a, const c205_stop *b)
 
 c205 *machine_with(const c205_program *program, const c205_model *model)
 {
-    c205_error error = { "" };
-    c205 *machine = c205_new(model, &error);
-    REQUIRE(machine && c205_load(machine, program, &error));
+    c205 *machine = c205_new(model, &failure);
+    REQUIRE(machine && c205_load(machine, program, &failure));
     return machine;
 }
 
@@ -85,18 +82,16 @@ c205 *machine_from(const char *path, const c205_model *model)
 
 c205_model *model_of(const struct random_program *program)
 {
-    c205_error error;
     c205_model *model = c205_model_parse("random", random_models[program->model],
-                                         &error);
+                                         &failure);
     assert_non_null(model);
     return model;
 }
 
 c205 *machine_of(const struct random_program *program, const c205_model *model)
 {
-    c205_error error;
-    c205 *machine = c205_new(model, &error);
+    c205 *machine = c205_new(model, &failure);
     assert_non_null(machine);
-    assert_true(random_load(machine, program, &error));
+    assert_true(random_load(machine, program, &failure));
     return machine;
 }

@@ -55,15 +55,15 @@ static struct object *stage_program(void)
 struct stage stage_of(const char *text, enum bounding bounding)
 {
     struct frame_layout frame = { .width = 4, .height = 2, .rows = 2 };
-    c205_error error = { "" };
     struct stage stage = { .scene = read_scene(text),
                            .program = stage_program(),
-                           .machine = c205_new(prior_model, &error) };
-    stage.layout = layout_new(stage.program, stage.scene, bounding, NULL, NULL, &error);
+                           .machine = c205_new(prior_model, &failure) };
+    stage.layout = layout_new(stage.program, stage.scene, bounding, NULL, NULL,
+                              &failure);
     if (!stage.machine || !stage.layout
-        || !c205_load(stage.machine, &stage.program->program, &error)
-        || !layout_put(stage.layout, stage.machine, &frame, &error))
-        fail_msg("%s: %s", text, error.message);
+        || !c205_load(stage.machine, &stage.program->program, &failure)
+        || !layout_put(stage.layout, stage.machine, &frame, &failure))
+        fail_msg("%s: %s", text, failure.message);
     return stage;
 }
 

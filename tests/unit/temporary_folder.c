@@ -49,8 +49,7 @@ void write_file(const char *name, const char *text)
 char *text_of_file(const char *name)
 {
     size_t length;
-    c205_error error = { "" };
-    char *text = file_read(in_folder(name), FILE_LARGEST, &length, &error);
+    char *text = file_read(in_folder(name), FILE_LARGEST, &length, &failure);
     REQUIRE(text);
     return text;
 }

@@ -330,7 +330,7 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
                                             .progress = patience ? wait_on : NULL,
                                             .job_set = job_set, .context = patience);
     c205_error error = { "" };
-    struct trace *trace = trace_new(scene, &options, &error);
+    struct trace *trace = trace_new(scene, &options, &failure);
     REQUIRE(trace);
     assert_int_equal(trace_bands(trace), 3);
     if (job_set && !trace_keep(trace, &error)) {
@@ -350,19 +350,18 @@ TEST(kept)
     SCOPED(scene) *scene = read_text(shades);
     struct patience patience = { 0, SIZE_MAX };
     SCOPED(trace) *whole = begin_kept(scene, .02, &patience, NULL);
-    c205_error error = { "" };
     close(mkstemp(path));
-    assert_true(trace_run(whole, &error));
+    assert_true(trace_run(whole, &failure));
     patience = (struct patience){ 0, patience.asked * 3 / 4 };
     SCOPED(trace) *trace = begin_kept(scene, .02, &patience, &job_set);
-    assert_false(trace_run(trace, &error));
+    assert_false(trace_run(trace, &failure));
     assert_true(trace_bands_done(trace) > 0);
     assert_int_equal(trace_rows_done(trace), TRACE_BLOCK * trace_bands_done(trace));
     trace_free(trace);
     assert_null(begin_kept(scene, .03, NULL, &job_set));
     trace = begin_kept(scene, .02, NULL, &job_set);
     assert_true(job_set.kept > 0);
-    assert_true(trace_run(trace, &error));
+    assert_true(trace_run(trace, &failure));
     assert_int_equal(trace_checksum(trace), trace_checksum(whole));
     assert_int_equal(trace_accounts(trace)->clocks, trace_accounts(whole)->clocks);
     trace_forget(trace);

@@ -560,12 +560,11 @@ TEST(untouched_page)
  * of attempted allocations. */
 static size_t calls_without_memory(const char *loop, size_t steps)
 {
-    c205_error error = { "" };
-    SCOPED(object) *program = assembled(loop, &error);
+    SCOPED(object) *program = assembled(loop, &failure);
     c205_stop stop;
     assert_non_null(program);
-    SCOPED(c205_history) *history = c205_history_new(loaded(program, &error), SIZE_MAX,
-                                                     &error);
+    SCOPED(c205_history) *history = c205_history_new(loaded(program, &failure),
+                                                     SIZE_MAX, &failure);
     assert_non_null(history);
     while (c205_history_step(history) < 16)
         assert_true(c205_history_forward(history, &stop));

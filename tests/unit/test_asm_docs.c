@@ -13,8 +13,7 @@ static size_t blocks; /* that were checked */
 
 static void run(const struct object *object, const char *name)
 {
-    c205_error error;
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &failure);
     SCOPED(c205) *machine = machine_with(&object->program, model);
     SCOPED_VALUE(text_buffer) printed = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };
@@ -51,9 +50,8 @@ static void check_block(const char *name, const char *text, size_t length)
  * start. */
 static void check_file(const char *path)
 {
-    c205_error error;
     size_t length;
-    FREED char *text = file_read(path, FILE_LARGEST, &length, &error);
+    FREED char *text = file_read(path, FILE_LARGEST, &length, &failure);
     const char *at = text;
     assert_non_null(text);
     while ((at = strstr(at, fence)) != NULL) {

@@ -86,23 +86,22 @@ TEST(sample)
 {
     static const char path[] = "test_asm_files.tmp";
     SCOPED(object) *object = good(sample);
-    c205_error error;
     size_t length;
     assert_int_equal(object->expectation_count, EXPECT_KINDS);
     check_disassembly(object);
     check_object_file(object);
-    assert_true(object_save(object, path, &error));
-    FREED char *text = file_read(path, FILE_LARGEST, &length, &error);
+    assert_true(object_save(object, path, &failure));
+    FREED char *text = file_read(path, FILE_LARGEST, &length, &failure);
     assert_non_null(text);
     assert_true(object_recognise(text, length));
     assert_false(object_recognise(text, 11));
     assert_false(object_recognise(text + 1, length - 1));
-    SCOPED(object) *again = object_load(path, &error);
+    SCOPED(object) *again = object_load(path, &failure);
     assert_non_null(again);
     assert_same_program(&object->program, &again->program);
     assert_int_equal(remove(path), 0);
-    assert_false(object_save(object, "no/such/folder", &error));
-    assert_null(object_load(path, &error));
+    assert_false(object_save(object, "no/such/folder", &failure));
+    assert_null(object_load(path, &failure));
 }
 
 static bool is_disassembled_as(const struct object *object, const char *section)
@@ -163,8 +162,7 @@ TEST(names)
     static const char *const lines[] = { ".entry main\n",  "\nmain:\n",
                                          "EX r2, twice\n", "\nlist:\n",
                                          "\ntwice:\n",     "\n$end.:\n" };
-    c205_error error;
-    SCOPED(object) *object = object_read(file, sizeof file - 1, &error);
+    SCOPED(object) *object = object_read(file, sizeof file - 1, &failure);
     assert_non_null(object);
     check_disassembly(object);
     SCOPED_VALUE(text_buffer) text = disassembled(object);
@@ -182,16 +180,15 @@ TEST(broken_files)
     SCOPED_VALUE(text_buffer) text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
     uint64_t seed = 1;
-    c205_error error;
     object_write(object, &sink);
     for (size_t i = 0; i < text.length; i++)
-        assert_null(object_read(text.text, i, &error));
+        assert_null(object_read(text.text, i, &failure));
     for (size_t i = 0; i < 20000; i++) {
         char *byte = &text.text[xorshift(&seed) % text.length];
         char kept = *byte;
 
         *byte = (char)xorshift(&seed);
-        object_free(object_read(text.text, text.length, &error));
+        object_free(object_read(text.text, text.length, &failure));
         *byte = kept;
     }
 }
@@ -208,8 +205,7 @@ static void check_refused(const char *text, const char *message)
 TEST(refused_files)
 {
     static const char last[] = "c205-object 1\nzeros FFFFFFFFFFC0 1\nend\n";
-    c205_error error;
-    SCOPED(object) *accepted = object_read(last, sizeof last - 1, &error);
+    SCOPED(object) *accepted = object_read(last, sizeof last - 1, &failure);
     assert_non_null(accepted);
     check_refused("", "the end line is missing");
     check_refused("hello\n", "not an object file");

@@ -94,9 +94,8 @@ TEST(mutations)
     uint64_t seed = RANDOM_SEED;
     size_t i, k, wrong = 0;
     for (i = 0; i < COUNT(programs); i++) {
-        c205_error error;
         size_t length;
-        FREED char *text = file_read(programs[i], FILE_LARGEST, &length, &error);
+        FREED char *text = file_read(programs[i], FILE_LARGEST, &length, &failure);
         FREED char *copy = text ? malloc(length + 100 * MISTAKES) : NULL;
 
         assert_non_null(copy);

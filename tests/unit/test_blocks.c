@@ -222,11 +222,10 @@ TEST(fault)
                                "        .org    0x10000000 - 64 * 20\n"
                                "        .space  20\n";
     SCOPED_VALUE(both) both = compare(text);
-    c205_error error;
     assert_int_equal(both.stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(both.stop.address, 0x10000000);
-    assert_true(c205_map(both.whole, 0x10000000, 100, C205_READ_WRITE, &error));
-    assert_true(c205_map(both.stepped, 0x10000000, 100, C205_READ_WRITE, &error));
+    assert_true(c205_map(both.whole, 0x10000000, 100, C205_READ_WRITE, &failure));
+    assert_true(c205_map(both.stepped, 0x10000000, 100, C205_READ_WRITE, &failure));
     c205_run(both.whole, C205_NO_LIMIT);
     step_to_end(both.stepped);
     assert_same(both.whole, both.stepped);
@@ -408,10 +407,9 @@ TEST(programs)
     c205_model *usual = prior_model;
     for (size_t i = 0; i < COUNT(programs); i++) {
         char constants[300];
-        c205_error error;
         snprintf(constants, sizeof constants, "title T\nlike cyber205-2pipe-prior\n%s",
                  programs[i].constants);
-        SCOPED(c205_model) *model = c205_model_parse("other", constants, &error);
+        SCOPED(c205_model) *model = c205_model_parse("other", constants, &failure);
         assert_non_null(model);
         prior_model = model;
         SCOPED_VALUE(both) both = compare(programs[i].text);

@@ -306,8 +306,7 @@ static void check_history(uint64_t seed)
     struct places places = draw_places(&program, model);
     c205 *machine = machine_of(&program, model);
     SCOPED(c205) *plain = machine_of(&program, model);
-    c205_error error;
-    c205_history *history = c205_history_new(machine, 1 << 20, &error);
+    c205_history *history = c205_history_new(machine, 1 << 20, &failure);
     uint64_t pc[STEPS + 1], steps = 0;
     c205_stop stop;
 
@@ -325,7 +324,7 @@ static void check_history(uint64_t seed)
     for (int i = 0; i < 30 && steps > 0; i++) {
         uint64_t step = below(steps + 1);
 
-        assert_true(c205_history_back(history, step, &error));
+        assert_true(c205_history_back(history, step, &failure));
         while (c205_history_step(history) < step)
             c205_history_forward(history, &stop);
         assert_int_equal(c205_pc(c205_history_machine(history)), pc[step]);

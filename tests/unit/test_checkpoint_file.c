@@ -48,8 +48,7 @@ static struct serialized_result words_of(uint64_t number)
 static void add(struct checkpoint_file *file, uint64_t number)
 {
     struct serialized_result words = words_of(number);
-    c205_error error = { "" };
-    REQUIRE(checkpoint_add(file, number, &words, &error));
+    REQUIRE(checkpoint_add(file, number, &words, &failure));
     result_free(&words);
 }
 
@@ -66,8 +65,7 @@ static void assert_unit(struct checkpoint_file *file, uint64_t number)
 
 static struct checkpoint_file *open_file(size_t i)
 {
-    c205_error error = { "" };
-    struct checkpoint_file *file = checkpoint_open(paths[i], KEY, &error);
+    struct checkpoint_file *file = checkpoint_open(paths[i], KEY, &failure);
     REQUIRE(file);
     return file;
 }
@@ -185,7 +183,6 @@ static void check_merge(void)
 {
     bool there[UNITS] = { false };
     struct written written;
-    c205_error error = { "" };
     size_t count = 2 + below(FILES - 1);
     for (size_t i = 0; i < count; i++) {
         write_some(i, &written);
@@ -194,7 +191,7 @@ static void check_merge(void)
     }
     struct checkpoint_file *file = open_file(0);
     for (size_t i = 1; i < count; i++)
-        REQUIRE(checkpoint_merge(file, paths[i], &error));
+        REQUIRE(checkpoint_merge(file, paths[i], &failure));
     assert_units(file, there);
     checkpoint_close(file, false);
     expect(0, there);
@@ -219,13 +216,12 @@ static void refuse_merge(struct checkpoint_file *file, const char *path,
 TEST_WITH(not_merged, set_up, tear_down)
 {
     struct written written;
-    c205_error error;
     write_some(0, &written);
     struct checkpoint_file *file = open_file(0);
     refuse_merge(file, paths[0], "named twice");
     refuse_merge(file, paths[1], "No such file");
     assert_int_not_equal(access(paths[1], F_OK), 0);
-    struct checkpoint_file *other = checkpoint_open(paths[1], KEY + 1, &error);
+    struct checkpoint_file *other = checkpoint_open(paths[1], KEY + 1, &failure);
     assert_non_null(other);
     checkpoint_close(other, false);
     refuse_merge(file, paths[1], "belongs to another run");
@@ -266,8 +262,7 @@ static pid_t open_elsewhere(void)
     pid_t child = fork();
     assert_true(child >= 0);
     if (child == 0) {
-        c205_error error;
-        if (checkpoint_open(paths[0], KEY, &error) && write(ready[1], "", 1) == 1)
+        if (checkpoint_open(paths[0], KEY, &failure) && write(ready[1], "", 1) == 1)
             pause();
         _exit(1);
     }

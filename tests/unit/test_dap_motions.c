@@ -165,10 +165,9 @@ TEST(objects)
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };
         struct text_buffer text;
-        c205_error error;
         draw_walk(&random_state, &text);
         SCOPED(object) *object = good(text.text);
-        assert_true(object_save(object, client_path, &error));
+        assert_true(object_save(object, client_path, &failure));
         client_launch_file(&walk.client, ", \"stopOnEntry\": true");
         client_ask(&walk.client, "configurationDone", NULL);
         client_stopped(&walk.client, "entry");

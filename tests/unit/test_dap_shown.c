@@ -106,15 +106,14 @@ TEST(time)
 static const struct json_value *read_file(struct arena *arena, const char *name)
 {
     char whole[100];
-    c205_error error = { "" };
     size_t length;
     snprintf(whole, sizeof whole, "docs/editors/vscode/%s", name);
-    FREED char *text = file_read(whole, FILE_LARGEST, &length, &error);
+    FREED char *text = file_read(whole, FILE_LARGEST, &length, &failure);
     if (!text)
-        fail_msg("%s: %s", whole, error.message);
-    const struct json_value *tree = json_read(arena, text, length, &error);
+        fail_msg("%s: %s", whole, failure.message);
+    const struct json_value *tree = json_read(arena, text, length, &failure);
     if (!tree)
-        fail_msg("%s: %s", whole, error.message);
+        fail_msg("%s: %s", whole, failure.message);
     return tree;
 }
 
@@ -146,11 +145,10 @@ TEST(extension)
     struct dap_client client;
     SCOPED_VALUE(text_buffer) launch_text = { 0 };
     SCOPED_VALUE(arena) arena = { 0 };
-    c205_error error;
     const struct json_value *package = read_file(&arena, "package.json");
     const struct json_value *entry = the(the(package, "contributes"), "debuggers")
                                          ->first;
-    struct json *json = json_open_line(&launch_text, &error);
+    struct json *json = json_open_line(&launch_text, &failure);
 
     read_file(&arena, "language-configuration.json");
     read_file(&arena, "c205.tmLanguage.json");
@@ -161,7 +159,7 @@ TEST(extension)
     client_write(client_program);
     put_defaults(json, the(the(the(entry, "configurationAttributes"), "launch"),
                            "properties"));
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     client_begin(&client, NULL);
     client_ask(&client, "initialize", NULL);
     client_ask(&client, "launch", "%s", launch_text.text);

@@ -202,8 +202,7 @@ static struct debugger *begin(const struct object *object, const char *name,
                                     .model = prior_model,
                                     .out = text_buffer_sink(said),
                                     .clocks_most = 10000000 };
-    c205_error error;
-    struct debugger *debugger = debugger_new(&setup, &error);
+    struct debugger *debugger = debugger_new(&setup, &failure);
 
     assert_non_null(debugger);
     debugger_greet(debugger);

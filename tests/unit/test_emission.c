@@ -38,8 +38,7 @@ static void run(const struct emission *emission, size_t count,
                 struct accounts *accounts)
 {
     static c205_word planes[EMITTED_PLANES * MAX_EMISSION];
-    c205_error error = { "" };
-    REQUIRE(emission_run(emission, choice, planes, accounts, &error));
+    REQUIRE(emission_run(emission, choice, planes, accounts, &failure));
     for (size_t i = 0; i < count; i++) {
         struct emitted_point *point = &points[i];
         for (size_t k = 0; k < EMITTED_PLANES; k++)
@@ -56,9 +55,8 @@ static void run(const struct emission *emission, size_t count,
 static void emit(const struct primitive *primitive, struct emission_options options,
                  struct emission_choice choice, struct emitted_point *points)
 {
-    c205_error error = { "" };
     options.model = prior_model;
-    SCOPED(emission) *emission = emission_new(primitive, &options, &error);
+    SCOPED(emission) *emission = emission_new(primitive, &options, &failure);
     REQUIRE(emission);
     run(emission, options.points, &choice, points, NULL);
 }
@@ -417,8 +415,7 @@ static double print_clocks(const struct primitive *primitive, enum trace_mode mo
 {
     struct emission_options options = { mode, queue, MAX_EMISSION, false, model };
     SCOPED_VALUE(accounts) accounts = { .model = model };
-    c205_error error = { "" };
-    SCOPED(emission) *emission = emission_new(primitive, &options, &error);
+    SCOPED(emission) *emission = emission_new(primitive, &options, &failure);
     assert_non_null(emission);
     run(emission, MAX_EMISSION, &(struct emission_choice){ .seed = 1 }, emitted[0],
         &accounts);
@@ -436,8 +433,7 @@ TEST(clocks)
     static const enum primitive_kind kinds[] = { PRIMITIVE_SPHERE, PRIMITIVE_CYLINDER,
                                                  PRIMITIVE_BOX, PRIMITIVE_TORUS,
                                                  PRIMITIVE_STEINER_PATCH };
-    c205_error error = { "" };
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &failure);
     print_message("surface        form    queue   emit  carry  direction    all\n");
     for (size_t i = 0; i < COUNT(kinds); i++) {
         struct primitive primitive = draw_emitting(kinds[i], &state);

@@ -14,7 +14,6 @@ TEST(about)
     const struct json_value *about, *item;
     SCOPED_VALUE(lessons) lessons = { .count = 0 };
     SCOPED_VALUE(talk) talk = talk_with(NULL, "");
-    c205_error error;
     size_t i = 0;
 
     about = talk_ask(&talk, "{'do': 'about'}");
@@ -28,7 +27,7 @@ TEST(about)
     talk_says(&talk, "'.rept'");
     talk_says(&talk, "'.word'");
     talk_says(&talk, "'.ifndef'");
-    assert_true(lessons_open(&lessons, &error));
+    assert_true(lessons_open(&lessons, &failure));
     assert_int_equal(items_of(json_member(about, "lessons")), lessons.count);
     for (i = 0; i < lessons.count; i++)
         talk_ask(&talk, "{'do': 'grade', 'lesson': '%s', 'text': ' EXIT\\n'}",

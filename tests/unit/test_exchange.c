@@ -33,10 +33,9 @@ static void solve(const struct enclosure *enclosure, struct exchange *vector)
     struct exchange_given given = given_of(enclosure, TRACE_VECTOR);
     SCOPED_VALUE(exchange) scalar;
     size_t size = enclosure->count * sizeof(double);
-    c205_error error = { "" };
-    REQUIRE(exchange_find(&given, vector, &error));
+    REQUIRE(exchange_find(&given, vector, &failure));
     given.mode = TRACE_SCALAR;
-    assert_true(exchange_find(&given, &scalar, &error));
+    assert_true(exchange_find(&given, &scalar, &failure));
     assert_memory_equal(vector->radiosity, scalar.radiosity, size);
     assert_memory_equal(vector->irradiation, scalar.irradiation, size);
     assert_memory_equal(vector->flow, scalar.flow, size);

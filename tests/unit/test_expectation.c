@@ -20,9 +20,8 @@ static const char program[] = " .include \"print.s\"\n"
 static bool holds(const char *expectation)
 {
     char text[600];
-    c205_error error;
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
-    SCOPED(c205) *machine = c205_new(model, &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &failure);
+    SCOPED(c205) *machine = c205_new(model, &failure);
     SCOPED_VALUE(text_buffer) printed = { NULL, 0, 0, false };
     SCOPED_VALUE(text_buffer) said = { NULL, 0, 0, false };
     struct printer printer = { text_buffer_sink(&printed) };
@@ -33,7 +32,7 @@ static bool holds(const char *expectation)
     snprintf(text, sizeof text, "%s; %s\n", program, expectation);
     SCOPED(object) *object = good(text);
     assert_true(c205_listen(machine, printer_listen, &printer));
-    assert_true(c205_load(machine, &object->program, &error));
+    assert_true(c205_load(machine, &object->program, &failure));
     stop = c205_run(machine, 100000);
     good_end = expect_check(object, machine, &stop, printed.text, 0, &report);
     assert_int_equal(good_end, said.length == 0);

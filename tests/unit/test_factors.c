@@ -12,7 +12,6 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-static c205_error error; /* of the last call that failed */
 
 static uint64_t seed = 1;
 
@@ -24,7 +23,7 @@ static struct factors *begin(const struct scene *scene, struct factors_options o
 {
     options.seed = seed;
     options.model = prior_model;
-    struct factors *factors = factors_new(scene, &options, &error);
+    struct factors *factors = factors_new(scene, &options, &failure);
     REQUIRE(factors);
     return factors;
 }
@@ -33,7 +32,7 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
 {
     struct factor_row row;
     uint64_t sum = 0;
-    REQUIRE(factors_find(factors, &primitive, 1, &row, &error));
+    REQUIRE(factors_find(factors, &primitive, 1, &row, &failure));
     for (size_t j = 0; j < row.receivers; j++)
         sum += row.count[j];
     assert_int_equal(sum, row.sent); /* closure */
@@ -317,14 +316,14 @@ TEST(pieces)
     programs.options.model = prior_model;
     SCOPED(factors) *factors = begin(scene, programs.options);
     SCOPED_VALUE(factor_row) row = find(factors, 1);
-    assert_true(packet_programs_begin(&programs, &error));
-    struct heat_source *source = source_new(scene, 1, &half, &error);
+    assert_true(packet_programs_begin(&programs, &failure));
+    struct heat_source *source = source_new(scene, 1, &half, &failure);
     assert_non_null(source);
     for (size_t i = 0; i < 4; i++) { /* the halves of two repeats */
         struct packet_choice choice = { 1, i / 2, i % 2 * half.points };
         struct packet packet;
         assert_true(packet_begin(&packet, &programs));
-        assert_true(packet_run(&programs, source, &choice, &packet, &error));
+        assert_true(packet_run(&programs, source, &choice, &packet, &failure));
         assert_int_equal(packet_receivers(&programs), COUNT(counts));
         for (size_t j = 0; j < COUNT(counts); j++)
             counts[j] += (uint64_t)c205_to_integer(packet.counts[j]);
@@ -344,16 +343,16 @@ TEST(refused)
     SCOPED(scene) *scene = read_scene("plane { y, 0 } sphere { 0, 1 }");
     SCOPED(factors) *factors = begin(scene, usual);
     struct factor_row row;
-    assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
-    assert_non_null(strstr(error.message, "a plane is infinite"));
+    assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &failure));
+    assert_non_null(strstr(failure.message, "a plane is infinite"));
     options.repeats = 1;
     options.model = prior_model;
-    assert_null(factors_new(scene, &options, &error));
-    assert_non_null(strstr(error.message, "two repeats"));
+    assert_null(factors_new(scene, &options, &failure));
+    assert_non_null(strstr(failure.message, "two repeats"));
     options.repeats = 2;
     options.points = MAX_FACTORS_POINTS + 1;
-    assert_null(factors_new(scene, &options, &error));
-    assert_non_null(strstr(error.message, "1048576"));
+    assert_null(factors_new(scene, &options, &failure));
+    assert_non_null(strstr(failure.message, "1048576"));
 }
 
 ARGUMENTS(argc, argv)

@@ -9,7 +9,6 @@
 
 #include <math.h>
 
-static c205_error error; /* of the last call that failed */
 
 static c205_model *model;
 
@@ -48,7 +47,7 @@ static const char *file_of(const char *text)
 static struct fit_run *new_run(const char *program)
 {
     struct run_options how = small();
-    struct fit_run *run = run_new(program, &how, &error);
+    struct fit_run *run = run_new(program, &how, &failure);
     REQUIRE(run);
     return run;
 }
@@ -86,8 +85,8 @@ static double clocks_of(const struct fit_run *run, const char *region,
 {
     bool chosen[MAX_RUN_REGIONS];
     double clocks[MAX_RUN_REGIONS], sum = 0;
-    assert_true(run_select(run, region, chosen, &error));
-    REQUIRE(run_time(run, model, setting, setting != NULL, RUN_FINE, clocks, &error));
+    assert_true(run_select(run, region, chosen, &failure));
+    REQUIRE(run_time(run, model, setting, setting != NULL, RUN_FINE, clocks, &failure));
     for (size_t i = 0; i < run->region_count; i++)
         if (chosen[i])
             sum += clocks[i];
@@ -111,7 +110,7 @@ TEST(fewer_rays)
             continue;
         snprintf(program, sizeof program, "%s scalar", subject->name);
         struct fit_run *run = new_run(program);
-        REQUIRE(speedup_measure(subject, &view, &options, &all, &error));
+        REQUIRE(speedup_measure(subject, &view, &options, &all, &failure));
         assert_int_equal(run->rays, 640);
         double scaled = clocks_of(run, "", NULL) * 25000 / 640;
         if (fabs(scaled / (double)all.total - 1) > .01)
@@ -151,7 +150,7 @@ TEST(units)
         assert_non_null(clocks);
         for (size_t k = 0; k < all.timing_count; k++)
             assert_true(run_time(all.timings[k].run, all.timings[k].model, NULL, 0,
-                                 RUN_FINE, clocks[k], &error));
+                                 RUN_FINE, clocks[k], &failure));
         assert_near(observation_predict(&all, &all.items[0], clocks), rows[i].expected,
                     rows[i].row);
     }
@@ -297,7 +296,7 @@ TEST(constants)
     c205_setting settings[MAX_SETTINGS];
     double places[MAX_FREE] = { .5 };
     const struct free_constant *first = &constants.items[0];
-    SCOPED(c205_model) *like = c205_model_find("eta10g", &error);
+    SCOPED(c205_model) *like = c205_model_find("eta10g", &failure);
     assert_non_null(like);
     read_constants(&constants, "a,cyber205,latency.load swap.word,R,5,40,?\n"
                                "b,cyber720,time.add,S,5,40,?\n");
@@ -351,7 +350,7 @@ TEST(unidentifiable)
                       "b,stride.s:gather,cyber205-2pipe,1,clk,1,,s,compare\n");
     read_constants(&constants,
                    "start-ups,cyber205,startup.vadd startup.vdivide,R,5,90,?\n");
-    assert_true(unidentifiable_find(&fit, &none, &unidentifiable, &error));
+    assert_true(unidentifiable_find(&fit, &none, &unidentifiable, &failure));
     for (size_t i = 0; i < COUNT(rows); i++) {
         const char *found = moved_by(&unidentifiable, rows[i][0]);
         if (!found != !rows[i][1] || (found && strcmp(found, rows[i][1]) != 0))
@@ -362,7 +361,7 @@ TEST(unidentifiable)
 
 FIXTURE(find_model)
 {
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe", &failure);
     return !model;
 }
 

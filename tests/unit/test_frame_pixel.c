@@ -11,7 +11,6 @@
 #include "rt/view/pixel_rays.h"
 #include "rt/view/pixel_verbs.h"
 
-static c205_error error; /* of the last call that failed */
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -64,7 +63,7 @@ static c205_word channel_of(const struct frame_pixel *pixel, enum frame_channel 
 /* Returns the band's machine at an instruction boundary near the clock. */
 static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
 {
-    c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
+    c205 *machine = trace_machine(pixel->trace, pixel->band, &failure);
     c205_stop stop;
     assert_non_null(machine);
     while (c205_clock(machine) < clock && c205_step(machine, &stop))
@@ -108,7 +107,7 @@ static void check_queue(const struct frame_pixel *pixel,
 {
     c205_word depth = channel_of(pixel, CHANNEL_DEPTH);
     SCOPED_VALUE(timeline) timeline = { .from = stretch->from, .to = stretch->to };
-    SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
+    SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &failure);
     SCOPED(c205) *before = machine_at(pixel, stretch->from);
     SCOPED(c205) *after = machine_at(pixel, stretch->to);
     int64_t clocks[C205_CAUSES] = { 0 };
@@ -141,7 +140,7 @@ static void check_region(const struct frame_pixel *pixel,
     const char *region = regions[some(0, 2)];
     struct clock_stretch stretch = *queue;
     c205_stop stop;
-    if (!pixel_region_clocks(pixel, region, &stretch, &error))
+    if (!pixel_region_clocks(pixel, region, &stretch, &failure))
         return;
     assert_true(stretch.to <= queue->to && stretch.from < stretch.to);
     SCOPED(c205) *machine = machine_at(pixel, queue->from);
@@ -171,7 +170,7 @@ static struct frame_pixel some_pixel(const struct trace *trace)
     const struct trace_options *how = trace_how(trace);
     struct frame_pixel pixel;
     assert_true(frame_pixel_find(&pixel, trace, some(0, how->width - 1),
-                                 some(0, how->height - 1), &error));
+                                 some(0, how->height - 1), &failure));
     return pixel;
 }
 
@@ -183,7 +182,7 @@ TEST(queues)
         for (size_t k = 0; k < 4; k++) {
             struct frame_pixel pixel = some_pixel(trace);
             struct clock_stretch stretch;
-            REQUIRE(pixel_queue_clocks(&pixel, &stretch, &error));
+            REQUIRE(pixel_queue_clocks(&pixel, &stretch, &failure));
             check_queue(&pixel, &stretch);
             check_region(&pixel, &stretch);
         }
@@ -287,7 +286,7 @@ static void check_rays(struct following *following)
     uint64_t shade = label(pixel, "shade");
     uint64_t shaded = label(pixel, "shade_store_colours");
     const char *region = "";
-    SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
+    SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &failure);
     c205_stop stop;
     do {
         uint64_t pc = c205_pc(machine);
@@ -376,7 +375,7 @@ TEST(sessions)
                                         .verbs = pixel_verbs,
                                         .context = &pixel };
         char again[200];
-        session.debugger = debugger_new(&setup, &error);
+        session.debugger = debugger_new(&setup, &failure);
         assert_non_null(session.debugger);
         session_check(&session, lines, 1);
         session_obey(&session, "seek");
@@ -390,7 +389,7 @@ TEST(sessions)
         assert_string_equal(session.said.text, again);
         session_check(&session, lines + 1, 2);
         const c205 *machine = debugger_machine(session.debugger);
-        SCOPED(c205) *plain = trace_machine(pixel.trace, pixel.band, &error);
+        SCOPED(c205) *plain = trace_machine(pixel.trace, pixel.band, &failure);
         assert_int_equal(c205_run(plain, C205_NO_LIMIT).trap, C205_TRAP_NONE);
         assert_int_equal(c205_account_count(plain), c205_account_count(machine));
         for (size_t k = 0; k < c205_account_count(plain); k++)

@@ -22,9 +22,8 @@ static struct {
 FIXTURE(find_models)
 {
     const char *const *name = c205_model_names();
-    c205_error error;
     for (; *name && models.count < MAX_MODELS; name++) {
-        c205_model *model = c205_model_find(*name, &error);
+        c205_model *model = c205_model_find(*name, &failure);
         if (model && !c205_model_is_projection(model))
             models.list[models.count++] = model;
         else

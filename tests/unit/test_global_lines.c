@@ -21,11 +21,10 @@ static struct global_lines find(const char *text, struct global_lines_options op
 {
     SCOPED(scene) *scene = read_scene(text);
     struct global_lines found;
-    c205_error error = { "" };
     options.seed = seed;
     options.model = prior_model;
-    if (!global_lines_find(scene, &options, &found, &error))
-        fail_msg("%s: %s", text, error.message);
+    if (!global_lines_find(scene, &options, &found, &failure))
+        fail_msg("%s: %s", text, failure.message);
     return found;
 }
 
@@ -129,7 +128,7 @@ static void assert_fails(const char *text, struct global_lines_options options,
     c205_error error = { "" };
     options.model = prior_model;
     assert_false(global_lines_find(scene, &options, &found, &error));
-    REQUIRE(strstr(error.message, message));
+    REQUIRE_OF(strstr(error.message, message), error);
 }
 
 TEST(refusals)

@@ -17,8 +17,7 @@ static struct heat_request usual(void)
 static void find(const struct scene *scene, const struct heat_request *request,
                  struct heat *heat)
 {
-    c205_error error = { "" };
-    REQUIRE(heat_begin(scene, request, heat, &error) && heat_find(heat, &error));
+    REQUIRE(heat_begin(scene, request, heat, &failure) && heat_find(heat, &failure));
 }
 
 static size_t random_of(const char *text, const struct heat_request *request,

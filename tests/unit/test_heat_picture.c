@@ -63,8 +63,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
     SCOPED_VALUE(frame) frame;
     bool seen[5] = { false };
     double least = INFINITY, most = -INFINITY;
-    c205_error error = { "" };
-    REQUIRE(heat_draw(heat, &look, &drawn, &error));
+    REQUIRE(heat_draw(heat, &look, &drawn, &failure));
     assert_true(picture_read_layer(path, heat_shown_name(shown), &frame, &why));
     for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
         size_t id = (size_t)frame.channel[CHANNEL_ID][i];
@@ -107,8 +106,7 @@ TEST(values)
     struct heat_request request = usual();
     SCOPED(scene) *scene = read_scene(text);
     SCOPED_VALUE(heat) heat;
-    c205_error error = { "" };
-    REQUIRE(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
+    REQUIRE(heat_begin(scene, &request, &heat, &failure) && heat_find(&heat, &failure));
     check_picture(&heat, SHOWN_FLOW, NULL, 0);
     check_picture(&heat, SHOWN_FACTOR, "Block", 1);
     check_picture(&heat, SHOWN_FACTOR, "Sheet", 2);

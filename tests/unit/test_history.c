@@ -7,7 +7,6 @@
 
 #include "base/fnv_hash.h"
 
-static c205_error error; /* of the last call that failed */
 
 SCOPED_BY_FREE(c205_history);
 
@@ -38,7 +37,7 @@ static bool add_to_hash(void *context, const void *bytes, size_t count)
 static uint64_t hash_of(const c205 *machine)
 {
     uint64_t hash = HASH_START;
-    assert_true(c205_save(machine, add_to_hash, &hash, &error));
+    assert_true(c205_save(machine, add_to_hash, &hash, &failure));
     return hash;
 }
 
@@ -106,24 +105,24 @@ TEST(jumps)
         SCOPED(c205_history) *history = c205_history_new(machine_of(&story.program,
                                                                     story.model),
                                                          below(2) * below(1 << 20),
-                                                         &error);
+                                                         &failure);
         assert_non_null(history);
         /* In half of the stories the history first moves to the end of the unchanged
          * run, before a trap, and back. Then all changes are applied. */
         if (below(2)) {
             go_on_to(history, story.steps_before);
-            assert_true(c205_history_back(history, 0, &error));
+            assert_true(c205_history_back(history, 0, &failure));
         }
         for (uint64_t step = 0; step <= story.steps; step++) {
             go_on_to(history, step);
             if (change_at(&story, c205_history_machine(history), step))
-                assert_true(c205_history_changed(history, &error));
+                assert_true(c205_history_changed(history, &failure));
         }
         for (size_t i = 0; i < jumps; i++) {
             size_t target = below(TARGETS);
             uint64_t step = story.target[target];
             if (step < c205_history_step(history))
-                assert_true(c205_history_back(history, step, &error));
+                assert_true(c205_history_back(history, step, &failure));
             else
                 go_on_to(history, step);
             assert_int_equal(c205_history_step(history), step);
@@ -142,9 +141,9 @@ TEST(jumps)
 /* A program that has ended does not continue, but can move backward. */
 TEST(end)
 {
-    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &failure);
     c205 *machine = machine_from("asm/examples/dot.s", model);
-    SCOPED(c205_history) *history = c205_history_new(machine, 1 << 20, &error);
+    SCOPED(c205_history) *history = c205_history_new(machine, 1 << 20, &failure);
     c205_stop stop, again;
     uint64_t end, clock;
     while (c205_history_forward(history, &stop))
@@ -155,7 +154,7 @@ TEST(end)
     assert_false(c205_history_forward(history, &again));
     assert_same_stop(&stop, &again);
     assert_int_equal(c205_history_step(history), end);
-    assert_true(c205_history_back(history, end - 2, &error));
+    assert_true(c205_history_back(history, end - 2, &failure));
     assert_true(c205_history_forward(history, &again));
     assert_false(c205_history_forward(history, &again));
     assert_same_stop(&stop, &again);
@@ -241,7 +240,7 @@ static void check_times(c205 *machine)
 
 static void check_program(const char *path)
 {
-    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &failure);
     check_times(machine_from(path, model));
 }
 
@@ -262,7 +261,7 @@ TEST(times)
 TEST(pages)
 {
     struct random_program program = random_program(RANDOM_SEED);
-    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    SCOPED(c205_model) *model = c205_model_find(C205_DEFAULT_MODEL, &failure);
     SCOPED(c205) *machine = machine_of(&program, model);
     c205_page page = { 0 };
     uint64_t from = 0;

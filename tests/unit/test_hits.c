@@ -92,8 +92,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     static c205_word planes[6 * MAX_RAYS], words[WORDS * MAX_CYLINDERS];
     size_t n = bundle->rays;
     struct single_run run;
-    c205_error error = { "" };
-    SCOPED(object) *program = program_assemble(form, defines, &error);
+    SCOPED(object) *program = program_assemble(form, defines, &failure);
     uint64_t clocks = 0;
     assert_non_null(program);
     for (size_t i = 0; i < n; i++)
@@ -102,7 +101,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
             planes[(3 + k) * n + i] = c205_from_double(bundle->direction[i][k]);
         }
     put_numbers(words, bundle->words[0], WORDS * bundle->cylinders);
-    single_run_begin(&run, program, prior_model, &error);
+    single_run_begin(&run, program, prior_model, &failure);
     single_run_word(&run, "hits_rays", n);
     uint64_t at = single_run_room(&run, "hits_from", planes, 6 * n);
     layout_word(&run.layout, "hits_towards", at + UINT64_C(192) * n);
@@ -153,9 +152,8 @@ static void find(const struct scene *scene, const char *from, enum trace_mode mo
                                            .repeats = 4, .lattice = true, .seed = 3,
                                            .from = from);
     SCOPED_VALUE(named_parts) parts;
-    c205_error error = { "" };
     assert_true(named_parts_find(scene, &parts));
-    REQUIRE(hits_find(scene, &parts, &options, hits, &error));
+    REQUIRE(hits_find(scene, &parts, &options, hits, &failure));
 }
 
 /* The number of hits must equal that of the first crossings of the same rays. */
@@ -165,13 +163,12 @@ TEST(scene)
     struct factors_options options = ON_PRIOR(.mode = TRACE_VECTOR, .queue = 100,
                                               .points = 256, .repeats = 4,
                                               .lattice = true, .seed = 3);
-    c205_error error;
-    SCOPED(factors) *factors = factors_new(scene, &options, &error);
+    SCOPED(factors) *factors = factors_new(scene, &options, &failure);
     SCOPED_VALUE(factor_row) row;
     SCOPED_VALUE(hits) vector;
     SCOPED_VALUE(hits) scalar;
     assert_non_null(factors);
-    assert_true(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
+    assert_true(factors_find(factors, &(size_t){ 0 }, 1, &row, &failure));
     find(scene, "Burner", TRACE_VECTOR, 77, &vector);
     find(scene, "Burner", TRACE_SCALAR, 0, &scalar);
     assert_int_equal(vector.cylinders, 4);

@@ -394,10 +394,9 @@ TEST(limit_before_undefined)
 static void map_next_page(c205 *machine)
 {
     c205_word words[60];
-    c205_error error;
     for (size_t i = 0; i < 60; i++)
         words[i] = C205_ONE;
-    assert_true(c205_map(machine, NEXT_PAGE, 60, C205_READ_WRITE, &error));
+    assert_true(c205_map(machine, NEXT_PAGE, 60, C205_READ_WRITE, &failure));
     assert_true(c205_write(machine, NEXT_PAGE, words, 60));
 }
 
@@ -448,8 +447,7 @@ TEST(missing_page)
 
 static void set_access(struct small_machine *fixture, c205_access access)
 {
-    c205_error error;
-    assert_true(c205_map(fixture->machine, DATA, 300, access, &error));
+    assert_true(c205_map(fixture->machine, DATA, 300, access, &failure));
 }
 
 /* An instruction that traps when it continues stays at the same element. */
@@ -493,13 +491,12 @@ TEST(bad_index_behind_the_limit)
 
 FIXTURE(find_models)
 {
-    c205_error error;
     slow = c205_model_parse("slow",
                             "title one element a clock\n"
                             "like cyber205-1pipe-prior\n"
                             "stream.vbits 1 clk/bit R\n"
                             "page_fault.clocks 1 clk R\n",
-                            &error);
+                            &failure);
     divided = calloc(c205_insn_count, sizeof *divided);
     return set_up_model(test_state) || !slow || !divided;
 }

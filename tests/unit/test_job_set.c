@@ -100,8 +100,7 @@ TEST(threads)
     for (int i = 0; i < TRIES; i++) {
         struct bench bench = new_bench(between(0, MAX));
         struct job_set job_set = { .parts = 0 };
-        c205_error error = { "" };
-        assert_true(do_job_set(&job_set, &bench, between(0, 5), &error));
+        assert_true(do_job_set(&job_set, &bench, between(0, 5), &failure));
         assert_all_taken(&bench, false);
     }
 }
@@ -132,7 +131,6 @@ TEST(shares)
         struct bench bench = new_bench(between(0, MAX));
         size_t parts = between(1, SHARES), first = between(0, parts - 1);
         struct job_set all = { .paths = paths, .path_count = parts };
-        c205_error error = { "" };
         for (size_t k = 0; k < parts; k++) {
             size_t part = (first + k) % parts;
             struct job_set job_set = {
@@ -140,10 +138,10 @@ TEST(shares)
             };
 
             assert_false(job_set_collects(&job_set));
-            assert_true(do_job_set(&job_set, &bench, between(1, 3), &error));
+            assert_true(do_job_set(&job_set, &bench, between(1, 3), &failure));
             job_set_close(&job_set, false);
         }
-        assert_true(do_job_set(&all, &bench, 2, &error));
+        assert_true(do_job_set(&all, &bench, 2, &failure));
         assert_int_equal(all.kept, bench.count);
         assert_all_taken(&bench, false);
         job_set_close(&all, true);
@@ -156,9 +154,8 @@ TEST(killed)
 {
     struct bench whole = new_bench(MAX);
     struct job_set alone = { .parts = 0 };
-    c205_error error = { "" };
     size_t kept = 0;
-    assert_true(do_job_set(&alone, &whole, 1, &error));
+    assert_true(do_job_set(&alone, &whole, 1, &failure));
     for (int i = 0; i < KILLS; i++) {
         struct bench bench = new_bench(MAX), killed = new_bench(MAX);
         struct job_set job_set = { .paths = paths, .path_count = 1 };
@@ -169,12 +166,12 @@ TEST(killed)
         /* The process ends in a random unit while its other thread is working. */
         assert_true(child >= 0);
         if (child == 0) {
-            do_job_set(&job_set, &killed, 2, &error);
+            do_job_set(&job_set, &killed, 2, &failure);
             _exit(1);
         }
         assert_int_equal(waitpid(child, &status, 0), child);
         assert_true(WIFSIGNALED(status));
-        assert_true(do_job_set(&job_set, &bench, 2, &error));
+        assert_true(do_job_set(&job_set, &bench, 2, &failure));
         assert_all_taken(&bench, true);
         assert_int_equal(bench.sum, whole.sum);
         kept += job_set.kept;

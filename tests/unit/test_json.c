@@ -110,11 +110,10 @@ static void check_value(const struct json_value *value, unsigned depth)
 
 static void write_document(struct text_buffer *text)
 {
-    c205_error error;
-    struct json *json = json_open_line(text, &error);
+    struct json *json = json_open_line(text, &failure);
 
     write_value(json, "value", 0);
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     assert_null(strchr(text->text, '\n'));
 }
 
@@ -125,13 +124,12 @@ TEST(written_and_read)
         SCOPED_VALUE(text_buffer) text = { 0 };
         SCOPED_VALUE(arena) arena = { 0 };
         const struct json_value *tree;
-        c205_error error;
 
         write_document(&text);
         random_state = seed;
-        tree = read_in(&arena, text.text, &error);
+        tree = read_in(&arena, text.text, &failure);
         if (!tree)
-            fail_msg("%s: %s", error.message, text.text);
+            fail_msg("%s: %s", failure.message, text.text);
         check_value(tree->first, 0);
         assert_string_equal(tree->first->key, "value");
     }
@@ -236,12 +234,11 @@ TEST(members)
 {
     static const char *const keys[] = { "a", "none", "b", "d", "e", "g" };
     SCOPED_VALUE(arena) arena = { 0 };
-    c205_error error;
     const struct json_value
         *tree = read_in(&arena,
                         "{\"a\": 1, \"a\": 2, \"b\": null, \"c\": [5], \"d\": 1.5, "
                         "\"e\": \"x\", \"f\": false, \"g\": 9007199254740992}",
-                        &error);
+                        &failure);
     int64_t value = 7;
 
     for (size_t i = 0; i < COUNT(keys); i++) /* the last three are no integers */
@@ -263,8 +260,7 @@ TEST(bytes)
 {
     for (size_t i = 0; i < ROUNDS; i++) {
         SCOPED_VALUE(text_buffer) line = { 0 };
-        c205_error error;
-        struct json *json = json_open_line(&line, &error);
+        struct json *json = json_open_line(&line, &failure);
         char bytes[30];
         size_t length = below(sizeof bytes);
 
@@ -272,7 +268,7 @@ TEST(bytes)
             bytes[k] = (char)(1 + below(255));
         bytes[length] = '\0';
         json_text(json, "bytes", bytes);
-        assert_true(json_close(json, &error));
+        assert_true(json_close(json, &failure));
         assert_true(is_read(line.text, line.length));
     }
 }

@@ -40,8 +40,7 @@ static struct trace_options how(enum trace_mode mode)
 static struct trace *begin(const struct scene *scene,
                            const struct trace_options *options)
 {
-    c205_error error = { "" };
-    struct trace *trace = trace_new(scene, options, &error);
+    struct trace *trace = trace_new(scene, options, &failure);
     REQUIRE(trace);
     return trace;
 }
@@ -123,17 +122,16 @@ TEST(stopped)
 static void plant(struct trace *trace, struct job_set *job_set, uint64_t unit,
                   size_t rows)
 {
-    c205_error error = { "" };
     SCOPED_VALUE(band) band = { .rows = rows };
     size_t count = FRAME_CHANNELS * rows * WIDTH;
     struct serialized_result words = { .items = NULL };
-    assert_true(trace_keep(trace, &error));
+    assert_true(trace_keep(trace, &failure));
     band.words = malloc(count * sizeof *band.words);
     assert_non_null(band.words);
     for (size_t i = 0; i < count; i++)
         band.words[i] = c205_from_integer(205);
     band_put(&band, WIDTH, &words);
-    assert_true(checkpoint_add(job_set->file, unit, &words, &error));
+    assert_true(checkpoint_add(job_set->file, unit, &words, &failure));
     result_free(&words);
 }
 
@@ -145,11 +143,10 @@ static void check_planted(const struct scene *scene, const struct trace *whole,
     const char *const paths[] = { path };
     struct job_set job_set = { .paths = paths, .path_count = 1 };
     struct trace_options options = how(TRACE_VECTOR);
-    c205_error error = { "" };
     options.job_set = &job_set;
     SCOPED(trace) *trace = begin(scene, &options);
     plant(trace, &job_set, unit, rows);
-    assert_true(trace_run(trace, &error));
+    assert_true(trace_run(trace, &failure));
     assert_int_equal(trace_rows_done(trace), TALL);
     assert_int_equal(trace_checksum(trace) == trace_checksum(whole), !taken);
     assert_int_equal(trace_accounts(trace)->clocks == trace_accounts(whole)->clocks,

@@ -20,7 +20,6 @@
 #include "tests/oracle/register_owners.h"
 #include "vm/text.h"
 
-static c205_error error; /* of the last call that failed */
 
 enum { COLUMNS = 8, ROWS = 6 };
 static size_t scene_count = 8;
@@ -119,20 +118,20 @@ static void run_watched(const struct object *program, c205 *machine, const char 
     assert_int_equal(c205_loaded_program(machine),
                      c205_program_hash(&program->program));
     assert_true(c205_listen(machine, register_owners_listen, owners));
-    bool good = program_run(machine, NULL, NULL, NULL, &error);
+    bool good = program_run(machine, NULL, NULL, NULL, &failure);
     register_owners_print(owners, &sink);
     if (!good || register_owners_found(owners) > 0)
-        fail_msg("%s: %s", what, error.message);
+        fail_msg("%s: %s", what, failure.message);
     assert_true(register_owners_read(owners) > 1000);
 }
 
 static void trace_watched(const struct scene *scene,
                           const struct trace_options *options, const char *what)
 {
-    SCOPED(trace) *trace = trace_new(scene, options, &error);
-    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+    SCOPED(trace) *trace = trace_new(scene, options, &failure);
+    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &failure) : NULL;
     if (!machine)
-        fail_msg("%s: %s", what, error.message);
+        fail_msg("%s: %s", what, failure.message);
     run_watched(trace_program(trace), machine, what);
 }
 
@@ -156,11 +155,11 @@ static void trace_modes(const struct scene *scene, size_t queue, const char *wha
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = along.mode = (enum trace_mode)mode;
         trace_watched(scene, &options, what);
-        SCOPED(ray_query) *lines = ray_query_new(scene, &along, &error);
-        SCOPED(c205) *machine = lines ? ray_query_machine(lines, list, LINES, &error)
+        SCOPED(ray_query) *lines = ray_query_new(scene, &along, &failure);
+        SCOPED(c205) *machine = lines ? ray_query_machine(lines, list, LINES, &failure)
                                       : NULL;
         if (!machine)
-            fail_msg("%s: %s", what, error.message);
+            fail_msg("%s: %s", what, failure.message);
         run_watched(ray_query_program(lines), machine, what);
     }
 }
@@ -284,10 +283,10 @@ TEST(nothing_is_saved_in_vain)
     for (int historical = 0; historical < 2; historical++) {
         memset(&saves, 0, sizeof saves);
         options.historical = historical;
-        SCOPED(trace) *trace = trace_new(scene, &options, &error);
-        SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+        SCOPED(trace) *trace = trace_new(scene, &options, &failure);
+        SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &failure) : NULL;
         REQUIRE(machine && c205_listen(machine, listen_to_saves, NULL)
-                && program_run(machine, NULL, NULL, NULL, &error));
+                && program_run(machine, NULL, NULL, NULL, &failure));
         assert_in_range(saves.count, 6, MAX_AREAS);
         for (size_t i = 0; i < saves.count; i++) {
             const struct area *area = &saves.areas[i];
@@ -349,11 +348,11 @@ TEST(roots)
                                               { "FALSI", options.falsi },
                                               { NULL, 0 } };
         struct root_search *search = roots_new(polynomials, POLYNOMIALS, &options,
-                                               &error);
+                                               &failure);
         SCOPED(object) *program = program_assemble(options.mode == TRACE_SCALAR
                                                        ? "roots/roots_scalar.s"
                                                        : "roots/roots_vector.s",
-                                                   defines, &error);
+                                                   defines, &failure);
         REQUIRE(search && program);
         run_watched(program, (c205 *)(uintptr_t)roots_machine(search), "roots");
         roots_free(search);
@@ -374,8 +373,8 @@ TEST(points)
             .points = 500,
             .coordinates = STREAM_DRAWS,
         };
-        SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
-        c205 *machine = maker ? point_maker_load(maker, &choice, &error) : NULL;
+        SCOPED(point_maker) *maker = point_maker_new(&kind, &failure);
+        c205 *machine = maker ? point_maker_load(maker, &choice, &failure) : NULL;
         REQUIRE(machine);
         run_watched(point_maker_program(maker), machine, "points");
     }
@@ -396,8 +395,8 @@ TEST(emission)
                                                        i % TRACE_FORMS),
                                                    .queue = 7, .points = 200,
                                                    .lattice = i / TRACE_FORMS % 2);
-        SCOPED(emission) *emission = emission_new(primitive, &options, &error);
-        SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &error)
+        SCOPED(emission) *emission = emission_new(primitive, &options, &failure);
+        SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &failure)
                                          : NULL;
         REQUIRE(machine);
         run_watched(emission_program(emission), machine, "emission");

@@ -29,12 +29,11 @@ static void run_plainly(const struct random_lesson *drawn,
     struct asm_define defines[] = { { "n", (int64_t)test->n }, { NULL, 0 } };
     struct asm_options options = { .defines = defines };
     SCOPED_VALUE(diagnostics) errors = { 0 };
-    c205_error error;
 
     plain->object = assemble_text("my.s", drawn->answer, &options, &errors);
     if (!plain->object)
         fail_msg("%s\n%s", errors.items[0].message, drawn->answer);
-    plain->model = c205_model_find(test->model, &error);
+    plain->model = c205_model_find(test->model, &failure);
     plain->machine = machine_with(&plain->object->program, plain->model);
     plain->profile = line_profile_new(plain->object);
     const struct asm_symbol *x = object_symbol(plain->object, "x");
@@ -227,12 +226,11 @@ static void check_json(const struct lesson_verdict *verdict)
     SCOPED_VALUE(text_buffer) line = { 0 };
     SCOPED_VALUE(arena) arena = { 0 };
     const struct json_value *read, *test;
-    c205_error error;
-    struct json *json = json_open_line(&line, &error);
+    struct json *json = json_open_line(&line, &failure);
 
     lesson_verdict_json(verdict, json);
-    assert_true(json_close(json, &error));
-    read = json_read(&arena, line.text, line.length, &error);
+    assert_true(json_close(json, &failure));
+    read = json_read(&arena, line.text, line.length, &failure);
     assert_non_null(read);
     assert_string_equal(json_member_text(read, "lesson"), "drawn");
     assert_string_equal(json_member_text(read, "title"), "Drawn at random");

@@ -29,9 +29,8 @@ static void check_run(const char *test, const char *answer, const char *wanted)
     SCOPED_VALUE(lesson) lesson;
     SCOPED_VALUE(lesson_verdict) verdict;
     const struct lesson_report *report;
-    c205_error error;
 
-    assert_true(open_with(&lesson, test, &error));
+    assert_true(open_with(&lesson, test, &failure));
     grade_well(&verdict, &lesson, answer);
     report = verdict.graded ? &verdict.trials[0].report : &verdict.report;
     assert_int_equal(verdict.passed, wanted == NULL);

@@ -178,7 +178,6 @@ TEST(messages)
 {
     static const c205_fields at_0 = { .r = 0, .t = 5 }, at_data = { .r = 1, .t = 1 };
     SCOPED_VALUE(small_machine) fixture = make_small_machine();
-    c205_error error;
     add(&fixture, "LOD", at_0);
     load(&fixture, 1);
     expect_message(&fixture, run(&fixture),
@@ -188,7 +187,7 @@ TEST(messages)
     add(&fixture, "STO", at_data);
     load(&fixture, 1);
     set(&fixture, 1, DATA);
-    assert_true(c205_map(fixture.machine, DATA, 1, C205_READ_ONLY, &error));
+    assert_true(c205_map(fixture.machine, DATA, 1, C205_READ_ONLY, &failure));
     c205_stop stop = run(&fixture);
     assert_string_equal(c205_trap_name(stop.trap), "protected-address");
     expect_message(&fixture, stop,
@@ -256,11 +255,10 @@ TEST(regions)
                               { "late", CODE + 128, CODE + 160 } };
     c205_segment segment = { CODE, CODE_WORDS, fixture.code };
     c205_program program = { CODE, 1, &segment, 3, regions, false };
-    c205_error error = { "" };
     for (unsigned i = 0; i < 5; i++)
         add(&fixture, "RTOR", F(.r = 0, .t = 0));
     add(&fixture, "EXIT", F(.r = 0));
-    assert_true(c205_load(fixture.machine, &program, &error));
+    assert_true(c205_load(fixture.machine, &program, &failure));
     expect_stop(&fixture, C205_TRAP_NONE, 0);
     assert_int_equal(c205_account_count(fixture.machine), 3);
     const c205_account *late = c205_account_at(fixture.machine, 1);

@@ -91,9 +91,9 @@ TEST(formulas)
     double rays = asked ? strtod(asked, NULL) : 1 << 15;
     size_t rays_log = (size_t)lround(log2(rays / 16));
     FREED struct csv_table *table = calloc(1, sizeof *table);
-    c205_error error;
     size_t length;
-    FREED char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length, &error);
+    FREED char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length,
+                                 &failure);
     assert_non_null(table);
     assert_non_null(text);
     csv_table(text, table);

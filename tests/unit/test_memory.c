@@ -12,10 +12,9 @@
 static struct memory *memory_of(uint64_t address, size_t words)
 {
     struct memory *memory = calloc(1, sizeof *memory);
-    c205_error error;
     assert_non_null(memory);
     memory_init(memory);
-    assert_true(memory_map(memory, address, words, C205_READ_WRITE, &error));
+    assert_true(memory_map(memory, address, words, C205_READ_WRITE, &failure));
     return memory;
 }
 
@@ -50,12 +49,11 @@ static void assert_stores(struct memory *memory, uint64_t address, c205_word wor
 TEST(check)
 {
     SCOPED(memory) *memory = memory_of(PAGE_BITS, 2 * C205_PAGE_WORDS);
-    c205_error error;
     assert_check(memory, 0, 0, true, C205_TRAP_NONE, 1);
     assert_check(memory, PAGE_BITS, 2 * PAGE_BITS, true, C205_TRAP_NONE, 1);
     assert_check(memory, PAGE_BITS + 1, 2 * PAGE_BITS, false,
                  C205_TRAP_UNMAPPED_ADDRESS, 3 * PAGE_BITS);
-    assert_true(memory_map(memory, 2 * PAGE_BITS, 1, C205_READ_ONLY, &error));
+    assert_true(memory_map(memory, 2 * PAGE_BITS, 1, C205_READ_ONLY, &failure));
     assert_check(memory, PAGE_BITS, PAGE_BITS + 1, true, C205_TRAP_PROTECTED_ADDRESS,
                  2 * PAGE_BITS);
     assert_check(memory, PAGE_BITS, PAGE_BITS + 1, false, C205_TRAP_NONE, 1);
@@ -67,20 +65,19 @@ TEST(untouched)
     size_t pages = 200000; /* 105 GB */
     SCOPED(memory) *memory = memory_of(0, 1);
     uint64_t last = (pages - 1) * PAGE_BITS;
-    c205_error error;
     assert_true(
-        memory_map(memory, 0, pages * C205_PAGE_WORDS, C205_WHEN_TOUCHED, &error));
+        memory_map(memory, 0, pages * C205_PAGE_WORDS, C205_WHEN_TOUCHED, &failure));
     assert_int_equal(memory_next_page(memory, 7 * PAGE_BITS), 7 * PAGE_BITS);
     assert_int_equal(memory_next_page(memory, last + PAGE_BITS), SPACE);
     assert_word(memory, last, 0);
     assert_stores(memory, last - PAGE_BITS, 5);
     assert_word(memory, last, 0);
     assert_check(memory, 9 * PAGE_BITS - 64, 128, true, C205_TRAP_NONE, 1);
-    assert_true(memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_ONLY, &error));
+    assert_true(memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_ONLY, &failure));
     assert_int_equal(memory_store(memory, 3 * PAGE_BITS, 5),
                      C205_TRAP_PROTECTED_ADDRESS);
     assert_word(memory, 3 * PAGE_BITS, 0);
-    assert_true(memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_WRITE, &error));
+    assert_true(memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_WRITE, &failure));
     assert_stores(memory, 3 * PAGE_BITS, 5);
     assert_word(memory, 4 * PAGE_BITS, 0);
     memory_clear(memory);
@@ -91,12 +88,11 @@ TEST(untouched)
 TEST(clear)
 {
     SCOPED(memory) *memory = memory_of(PAGE_BITS, 1);
-    c205_error error;
     assert_stores(memory, PAGE_BITS, 5);
     memory_mark_code(memory, PAGE_BITS);
     memory_clear(memory);
     assert_check(memory, PAGE_BITS, 64, false, C205_TRAP_UNMAPPED_ADDRESS, PAGE_BITS);
-    assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &error));
+    assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &failure));
     assert_word(memory, 0, 0);
     assert_false(memory_page(memory, 0)->holds_code);
     assert_check(memory, PAGE_BITS, 64, false, C205_TRAP_UNMAPPED_ADDRESS, PAGE_BITS);
@@ -178,18 +174,17 @@ TEST(near_pages)
 {
     uint64_t alike = NEAR_PAGES * PAGE_BITS; /* has the same cache slot as page 0 */
     SCOPED(memory) *memory = memory_of(0, 2 * C205_PAGE_WORDS);
-    c205_error error;
     assert_null(memory_near(memory, alike));
     assert_ptr_equal(memory_near(memory, 64)->word, memory_page(memory, 0)->word);
     assert_true(memory_near(memory, 64)->stores);
     assert_null(memory_near(memory, alike));
-    assert_true(memory_map(memory, alike, 1, C205_READ_WRITE, &error));
+    assert_true(memory_map(memory, alike, 1, C205_READ_WRITE, &failure));
     assert_ptr_equal(memory_near(memory, alike)->word,
                      memory_page(memory, alike)->word);
     assert_ptr_equal(memory_near(memory, 0)->word, memory_page(memory, 0)->word);
-    assert_true(memory_map(memory, 0, 1, C205_READ_ONLY, &error));
+    assert_true(memory_map(memory, 0, 1, C205_READ_ONLY, &failure));
     assert_false(memory_near(memory, 0)->stores);
-    assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &error));
+    assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &failure));
     assert_true(memory_near(memory, 0)->stores);
     assert_true(memory_near(memory, PAGE_BITS)->stores);
     memory_mark_code(memory, PAGE_BITS + 640);

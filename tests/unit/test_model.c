@@ -118,9 +118,8 @@ TEST(change)
     static const c205_setting settings[] = { { "machine.pipes", 4 },
                                              { "page.words", 2048 },
                                              { "stream.vadd", 1.25 } };
-    c205_error error;
     SCOPED(c205_model) *model = named_model("cyber205-2pipe");
-    SCOPED(c205_model) *changed = c205_model_change(model, settings, 3, &error);
+    SCOPED(c205_model) *changed = c205_model_change(model, settings, 3, &failure);
     assert_non_null(changed);
     assert_string_equal(c205_model_name(changed),
                         "cyber205-2pipe with machine.pipes 4, "
@@ -149,11 +148,10 @@ TEST(change_again)
     static const c205_setting third = { "time.add", 10 };
     SCOPED(c205_model) *model = parsed_model(PRIOR);
     SCOPED(c205_model) *projection = parsed_model("title T\nlike cyber720-prior\n");
-    c205_error error;
-    SCOPED(c205_model) *four = c205_model_change(model, &first, 1, &error);
-    SCOPED(c205_model) *one = c205_model_change(four, &second, 1, &error);
-    SCOPED(c205_model) *same = c205_model_change(one, NULL, 0, &error);
-    SCOPED(c205_model) *other = c205_model_change(projection, &third, 1, &error);
+    SCOPED(c205_model) *four = c205_model_change(model, &first, 1, &failure);
+    SCOPED(c205_model) *one = c205_model_change(four, &second, 1, &failure);
+    SCOPED(c205_model) *same = c205_model_change(one, NULL, 0, &failure);
+    SCOPED(c205_model) *other = c205_model_change(projection, &third, 1, &failure);
     assert_int_equal(model_whole(four, CONSTANT_PIPES), 4);
     assert_string_equal(c205_model_name(same), "test with machine.pipes 4 "
                                                "with machine.pipes 1");

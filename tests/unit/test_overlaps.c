@@ -119,15 +119,14 @@ static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
         .jobs = 2,
         .model = model
     };
-    c205_error error;
     assert_true(named_parts_find(scene, &found->parts));
     assert_true(overlaps_find(scene, found->parts.part_of, found->parts.count,
                               &found->overlaps));
     options.part_count = found->parts.count;
     options.part_of = found->parts.part_of;
     options.overlaps = &found->overlaps;
-    if (!columns_sum(scene, &options, &found->sums, &error))
-        fail_msg("%s%s", crowd->text, error.message);
+    if (!columns_sum(scene, &options, &found->sums, &failure))
+        fail_msg("%s%s", crowd->text, failure.message);
     found->checksum = columns_checksum(&found->sums);
 }
 

@@ -173,8 +173,7 @@ TEST(plain_list)
 
 static void write_clock(struct clock *clock, struct bytes *bytes)
 {
-    c205_error error;
-    struct serializer tape = serializer_to(append, bytes, &error);
+    struct serializer tape = serializer_to(append, bytes, &failure);
     bytes->count = 0;
     clock_walk(clock, &tape);
     assert_false(tape.failed);
@@ -199,14 +198,13 @@ static void use_pages(struct clock *clock, int count, uint64_t seed)
 TEST(saved)
 {
     static struct bytes bytes, again;
-    c205_error error;
     SCOPED(clock) *clock = pages_of(512, 20000, 7);
     SCOPED(clock) *other = pages_of(512, 20000, 7);
     for (int uses = 0; uses < 200; uses += 9) {
         use_pages(clock, uses, 5);
         use_pages(other, 30, 6);
         write_clock(clock, &bytes);
-        assert_true(read_clock(other, &bytes, &error));
+        assert_true(read_clock(other, &bytes, &failure));
         write_clock(other, &again);
         assert_int_equal(again.count, bytes.count);
         assert_memory_equal(again.byte, bytes.byte, bytes.count);
@@ -229,10 +227,9 @@ TEST(damaged)
 {
     static struct bytes bytes;
     SCOPED(clock) *clock = pages_of(512, 20000, 7);
-    c205_error error;
     use_pages(clock, 100, 5);
     write_clock(clock, &bytes);
-    assert_true(read_clock(clock, &bytes, &error));
+    assert_true(read_clock(clock, &bytes, &failure));
     unsigned char *last = bytes.byte + bytes.count - SERIALIZER_WORD_BYTES;
     unsigned char kept[SERIALIZER_WORD_BYTES];
     memcpy(kept, last, sizeof kept);
@@ -244,5 +241,5 @@ TEST(damaged)
     last[3] = 2; /* a page after the end of the address space */
     assert_refused(clock, &bytes);
     memcpy(last, kept, sizeof kept);
-    assert_true(read_clock(clock, &bytes, &error));
+    assert_true(read_clock(clock, &bytes, &failure));
 }

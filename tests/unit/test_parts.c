@@ -82,10 +82,9 @@ TEST(choice)
     SCOPED(scene) *solids = read_scene(assembly);
     struct named_parts parts;
     struct scene bodies;
-    c205_error error;
     assert_true(named_parts_find(scene, &parts));
     assert_true(bodies_find_endless(scene, &parts));
-    assert_true(named_parts_choose(&parts, NULL, 0, &error));
+    assert_true(named_parts_choose(&parts, NULL, 0, &failure));
     assert_true(parts.list[0].left_out);
     assert_true(bodies_take(scene, &parts, &bodies));
     assert_int_equal(bodies.region_count, 0);
@@ -93,14 +92,14 @@ TEST(choice)
     named_parts_free(&parts);
     assert_true(named_parts_find(solids, &parts));
     assert_true(bodies_find_endless(solids, &parts));
-    assert_true(named_parts_choose(&parts, names, 2, &error));
+    assert_true(named_parts_choose(&parts, names, 2, &failure));
     for (size_t i = 0; i < parts.count; i++)
         assert_true(parts.list[i].left_out == (i > 1 && i != 5));
     assert_true(bodies_take(solids, &parts, &bodies));
     assert_int_equal(bodies.region_count, 4);
     assert_int_equal(bodies.primitive_count, 6);
     bodies_free(&bodies);
-    assert_true(named_parts_choose(&parts, names + 1, 1, &error));
+    assert_true(named_parts_choose(&parts, names + 1, 1, &failure));
     assert_true(bodies_take(solids, &parts, &bodies));
     assert_int_equal(bodies.region_count, 3);
     for (size_t i = 0; i < 2; i++) {
@@ -109,7 +108,7 @@ TEST(choice)
         assert_int_equal(bodies.nodes[i].primitive, i);
         assert_int_equal(bodies.primitives[i].kind, PRIMITIVE_CYLINDER);
     }
-    assert_false(named_parts_choose(&parts, names, 3, &error));
+    assert_false(named_parts_choose(&parts, names, 3, &failure));
     bodies_free(&bodies);
     named_parts_free(&parts);
 }

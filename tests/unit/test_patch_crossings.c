@@ -126,10 +126,9 @@ static void check_memory(const char *text)
     struct trace_options options = ON_PRIOR(.mode = TRACE_VECTOR, .width = WIDTH,
                                             .height = HEIGHT, .queue = PIXELS,
                                             .no_bounds = true);
-    c205_error error;
-    SCOPED(trace) *trace = trace_new(scene, &options, &error);
-    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
-    REQUIRE(machine && program_run(machine, NULL, NULL, NULL, &error));
+    SCOPED(trace) *trace = trace_new(scene, &options, &failure);
+    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &failure) : NULL;
+    REQUIRE(machine && program_run(machine, NULL, NULL, NULL, &failure));
     check_behind_crossings(scene, trace, machine, text);
 }
 

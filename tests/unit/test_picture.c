@@ -84,8 +84,9 @@ TEST(round_trips)
         SCOPED_VALUE(frame) back;
         const struct round_trip *trip = &round_trips[i];
         const char *path = in_folder(trip->name);
-        REQUIRE(picture_write(path, &frame, notes, trip->half, &error)
-                && picture_read(path, &back, &error));
+        REQUIRE_OF(picture_write(path, &frame, notes, trip->half, &error)
+                       && picture_read(path, &back, &error),
+                   error);
         assert_int_equal(back.width, WIDTH);
         assert_int_equal(back.height, HEIGHT);
         for (size_t channel = 0; channel < FRAME_CHANNELS; channel++)
@@ -159,8 +160,10 @@ TEST(notes)
     for (size_t i = 0; i < COUNT(rows); i++) {
         const char *path = in_folder(rows[i].file);
         char text[256];
-        REQUIRE(picture_write(path, &frame, notes, false, &error)
-                && picture_read_note(path, rows[i].name, text, sizeof text, &error));
+        REQUIRE_OF(picture_write(path, &frame, notes, false, &error)
+                       && picture_read_note(path, rows[i].name, text, sizeof text,
+                                            &error),
+                   error);
         assert_string_equal(text, rows[i].text);
     }
 }
@@ -186,8 +189,10 @@ TEST(date)
             setenv("SOURCE_DATE_EPOCH", cases[i / 2].epoch, 1);
         else
             unsetenv("SOURCE_DATE_EPOCH");
-        REQUIRE(picture_write(path, &frame, notes, false, &error)
-                && picture_read_note(path, "DateTime", text, sizeof text, &error));
+        REQUIRE_OF(picture_write(path, &frame, notes, false, &error)
+                       && picture_read_note(path, "DateTime", text, sizeof text,
+                                            &error),
+                   error);
         assert_string_equal(text, cases[i / 2].date);
     }
     unsetenv("SOURCE_DATE_EPOCH");

@@ -98,8 +98,7 @@ static bool write_plot(const struct plot *plot, const char *name, c205_error *er
 /* Draws a plot. Returns the text of one of its files, which the caller frees. */
 static char *drawn(const struct plot *plot, const char *name)
 {
-    c205_error error = { "" };
-    REQUIRE(write_plot(plot, "a b'c.svg", &error));
+    REQUIRE(write_plot(plot, "a b'c.svg", &failure));
     return text_of_file(name);
 }
 
@@ -165,12 +164,11 @@ TEST_WITH(names_are_names, set_up, tear_down)
 {
     static const char *const names[] = { "<ls", "|cat", "-x", "~", "+", "`" };
     static const char *const ends[] = { "svg", "dat", "gp" };
-    c205_error error = { "" };
     char name[16];
     for (size_t i = 0; i < COUNT(names); i++) {
         snprintf(name, sizeof name, "%s.svg", names[i]);
-        if (!write_plot(&lines, name, &error))
-            fail_msg("%s: %s", name, error.message);
+        if (!write_plot(&lines, name, &failure))
+            fail_msg("%s: %s", name, failure.message);
         for (size_t j = 0; j < 3; j++) {
             snprintf(name, sizeof name, "%s.%s", names[i], ends[j]);
             remove_file(name);
@@ -180,14 +178,13 @@ TEST_WITH(names_are_names, set_up, tear_down)
 
 TEST_WITH(bad_paths, set_up, tear_down)
 {
-    c205_error error = { "" };
     expect_error(&lines, "plot.pdf", "must end in .svg or .png");
     expect_error(&lines, ".svg", "must end in .svg");
     expect_error(&lines, "two\nlines.svg", "one line");
     expect_error(&lines, "none/plot.svg", "No such file");
-    assert_false(plot_check_path(in_folder("none/plot.svg"), &error));
-    assert_true(plot_check_path(in_folder("plot.svg"), &error));
-    assert_true(plot_check_path("plot.svg", &error));
+    assert_false(plot_check_path(in_folder("none/plot.svg"), &failure));
+    assert_true(plot_check_path(in_folder("plot.svg"), &failure));
+    assert_true(plot_check_path("plot.svg", &failure));
 }
 
 /* If one file cannot be written, none is. */

@@ -35,9 +35,8 @@ static size_t some_length(void)
 static void make(const struct point_kind *kind, const struct point_choice *choice,
                  c205_word *into)
 {
-    c205_error error = { "" };
-    SCOPED(point_maker) *maker = point_maker_new(kind, &error);
-    REQUIRE(maker && point_maker_run(maker, choice, into, &error));
+    SCOPED(point_maker) *maker = point_maker_new(kind, &failure);
+    REQUIRE(maker && point_maker_run(maker, choice, into, &failure));
 }
 
 /* ---- Comparison with the definition ------------------------------------- */
@@ -250,13 +249,12 @@ struct estimate {
 static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_t seed)
 {
     double value[SHIFTS], sum = 0, squares = 0;
-    c205_error error = { "" };
     for (uint64_t k = 0; k < SHIFTS; k++) {
         struct point_choice choice = {
             .seed = seed, .first = lattice ? 0 : k * N, .m = M, .shift = k
         };
 
-        REQUIRE(point_maker_run(maker, &choice, words[0], &error));
+        REQUIRE(point_maker_run(maker, &choice, words[0], &failure));
         value[k] = mean_of_function(words[0]);
         sum += value[k];
     }
@@ -281,8 +279,7 @@ static struct quality try_seeds(bool lattice, size_t seeds)
                                      .points = N,
                                      .coordinates = STREAM_DRAWS };
     double squares = 0, sum = 0, covered = 0;
-    c205_error error = { "" };
-    SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
+    SCOPED(point_maker) *maker = point_maker_new(&kind, &failure);
     REQUIRE(maker);
     for (size_t seed = 0; seed < seeds; seed++) {
         struct estimate found = estimate(maker, lattice, seed);

@@ -43,12 +43,11 @@ static char *table_text_of(enum profile_table kind)
     size_t size;
     FILE *file = open_memstream(&text, &size);
     SCOPED(table) *table = profile_table(kind, &profile);
-    c205_error error = { "" };
-    struct json *json = json_open_stream(file, NULL, &error);
+    struct json *json = json_open_stream(file, NULL, &failure);
     assert_non_null(table);
     assert_non_null(json);
     table_json(table, json, "rows");
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     fclose(file);
     return text;
 }
@@ -158,8 +157,7 @@ FIXTURE(trace_stages)
     scene = read_text(SCENE);
     struct trace_options options = ON_PRIOR(.width = WIDTH, .height = HEIGHT,
                                             .queue = 200, .band = 5 * WIDTH, .jobs = 2);
-    c205_error error = { "" };
-    REQUIRE(profile_run(&profile, scene, &options, &error));
+    REQUIRE(profile_run(&profile, scene, &options, &failure));
     return 0;
 }
 

@@ -43,10 +43,8 @@ static char *file_text(const char *path)
 
 static void run(struct program_sweep *sweep)
 {
-    c205_error error;
-
-    if (!swept_run(sweep, &error))
-        fail_msg("%s", error.message);
+    if (!swept_run(sweep, &failure))
+        fail_msg("%s", failure.message);
 }
 
 /* ---- Plain runs ------------------------------------------------------------ */
@@ -60,11 +58,10 @@ static c205 *run_plainly(const struct program_sweep *sweep, int which, uint64_t 
     SCOPED_VALUE(diagnostics) errors = { 0 };
     SCOPED(object) *object = assemble_text(program->path, program->text, &options,
                                            &errors);
-    c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
+    c205 *machine = c205_new(prior_model, &failure);
 
     assert_non_null(object);
-    assert_true(c205_load(machine, &object->program, &error));
+    assert_true(c205_load(machine, &object->program, &failure));
     if (sweep->warm)
         c205_warm(machine);
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
@@ -150,13 +147,12 @@ static void try_program(const char *path)
     struct program_sweep sweep = sweep_of("no_change", 1, 2);
     SCOPED_VALUE(text_buffer) report = { 0 };
     FREED char *text = file_text(path);
-    c205_error error;
 
     strcat(text, "\n        .ifdef no_change\n        .endif\n");
     sweep.report = text_buffer_sink(&report);
     sweep.warm = tried++ % 2;
     add_text(&sweep, path, text);
-    if (swept_run(&sweep, &error)) {
+    if (swept_run(&sweep, &failure)) {
         check_points(&sweep);
         ended++;
     }

@@ -29,11 +29,10 @@ static char *as_json(const c205_model *model)
 {
     char *text;
     size_t size;
-    c205_error error;
     FILE *file = open_memstream(&text, &size);
-    struct json *json = json_open_stream(file, NULL, &error);
+    struct json *json = json_open_stream(file, NULL, &failure);
     provenance_json(model, json);
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     fclose(file);
     return text;
 }

@@ -22,11 +22,10 @@ struct run {
 
 static void assert_runs(c205 *machine)
 {
-    c205_error error;
     c205_stop stop = c205_run(machine, C205_NO_LIMIT);
-    c205_describe_stop(machine, &stop, &error);
+    c205_describe_stop(machine, &stop, &failure);
     if (stop.trap != C205_TRAP_NONE)
-        fail_msg("%s", error.message);
+        fail_msg("%s", failure.message);
 }
 
 static struct object *program_of(const char *path)
@@ -43,11 +42,10 @@ static struct object *program_of(const char *path)
 /* Loads a program into a machine, which is recorded. */
 static struct run loaded(c205_model *model, struct object *object)
 {
-    c205_error error;
     struct run run = { .model = model,
                        .object = object,
                        .machine = machine_with(&object->program, model),
-                       .recording = c205_recording_new(&error) };
+                       .recording = c205_recording_new(&failure) };
     assert_non_null(run.recording);
     assert_true(c205_listen(run.machine, c205_record, run.recording));
     return run;
@@ -78,10 +76,9 @@ static void assert_retimes(const char *name, const struct run *recorded,
 {
     double clocks[REGIONS];
     size_t count = machine ? c205_account_count(machine) : REGIONS;
-    c205_error error;
     assert_true(count <= REGIONS);
     assert_true(c205_retime(recorded->recording, model, settings, setting_count, 1,
-                            clocks, REGIONS, &error));
+                            clocks, REGIONS, &failure));
     for (size_t i = 0; i < count; i++) {
         uint64_t expected = machine ? accounts_clocks(c205_account_at(machine, i))
                                     : c205_projected_clocks(projection, i);
@@ -104,10 +101,9 @@ static void check(const char *name, struct object *object)
     SCOPED(c205) *other_machine = machine_with(&object->program, other);
     c205_model *models[PROJECTIONS];
     c205_projection *projection[PROJECTIONS];
-    c205_error error;
     for (size_t i = 0; i < PROJECTIONS; i++) {
         models[i] = named_model(names[i]);
-        projection[i] = c205_projection_new(models[i], &error);
+        projection[i] = c205_projection_new(models[i], &failure);
         assert_true(c205_listen(run.machine, c205_project, projection[i]));
     }
     assert_runs(run.machine);
@@ -194,8 +190,7 @@ TEST(settings)
 static void compare_pages(const char *path, const c205_setting *settings, size_t count)
 {
     SCOPED_VALUE(run) recorded = run_of(named_model(PRIOR), path);
-    c205_error error;
-    c205_model *changed = c205_model_change(recorded.model, settings, count, &error);
+    c205_model *changed = c205_model_change(recorded.model, settings, count, &failure);
     assert_non_null(changed);
     SCOPED_VALUE(run) ran = run_of(changed, path);
     assert_true(c205_clock(ran.machine) > c205_clock(recorded.machine));
@@ -223,9 +218,8 @@ static double retimed(const struct run *run, const c205_setting *setting,
                       unsigned ticks)
 {
     double clocks[REGIONS];
-    c205_error error;
     assert_true(c205_retime(run->recording, run->model, setting, setting != NULL, ticks,
-                            clocks, REGIONS, &error));
+                            clocks, REGIONS, &failure));
     return clocks[1];
 }
 
@@ -303,16 +297,16 @@ static const char chain[] =
 
 static uint64_t projected(const char *text, const char *model_text)
 {
-    c205_error error;
     SCOPED(object) *object = good(text);
     SCOPED(c205_model) *model = named_model(PRIOR);
     SCOPED(c205_model) *projection_model = parsed_model(model_text);
     SCOPED(c205) *machine = machine_with(&object->program, model);
-    SCOPED(c205_projection) *projection = c205_projection_new(projection_model, &error);
+    SCOPED(c205_projection) *projection = c205_projection_new(projection_model,
+                                                              &failure);
     assert_non_null(projection);
     assert_true(c205_listen(machine, c205_project, projection));
     assert_runs(machine);
-    assert_true(c205_projection_holds(projection, &error));
+    assert_true(c205_projection_holds(projection, &failure));
     assert_int_equal(c205_projected_clocks(projection, 5), 0);
     return c205_projected_clocks(projection, 0);
 }

@@ -57,11 +57,11 @@ enum { KNOWN = COUNT(known) };
 static struct polynomial_roots *solve(const struct polynomial *polynomials,
                                       size_t count, const struct roots_options *options)
 {
-    c205_error error = { "" };
-    struct root_search *search = roots_new(polynomials, count, options, &error);
+    struct root_search *search = roots_new(polynomials, count, options, &failure);
     struct polynomial_roots *roots = calloc(count, sizeof *roots);
     assert_non_null(roots);
-    REQUIRE(search && roots_run(search, &error) && roots_read(search, roots, &error));
+    REQUIRE(search && roots_run(search, &failure)
+            && roots_read(search, roots, &failure));
     roots_free(search);
     return roots;
 }
@@ -147,8 +147,8 @@ TEST(falsi)
                              { "PEGASUS", FALSI_PEGASUS },
                              { "ANDERSON_BJORCK", FALSI_ANDERSON_BJORCK } };
     const struct asm_define defines[] = { { "QUEUE", 1 }, { NULL, 0 } };
-    c205_error error = { "" };
-    SCOPED(object) *program = program_assemble("roots/roots_vector.s", defines, &error);
+    SCOPED(object) *program = program_assemble("roots/roots_vector.s", defines,
+                                               &failure);
 
     REQUIRE(program);
     for (int i = 0; i < FALSI_RULES; i++)
@@ -181,10 +181,9 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
     struct roots_options options = ON_PRIOR(.mode = mode, .queue = queue);
     struct polynomial polynomials[KNOWN];
     struct iterations iterations;
-    c205_error error = { "" };
     read_known(polynomials);
-    struct root_search *search = roots_new(polynomials, KNOWN, &options, &error);
-    REQUIRE(search && roots_watch(search, &iterations) && roots_run(search, &error));
+    struct root_search *search = roots_new(polynomials, KNOWN, &options, &failure);
+    REQUIRE(search && roots_watch(search, &iterations) && roots_run(search, &failure));
     roots_free(search);
     return iterations;
 }

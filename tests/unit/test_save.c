@@ -63,9 +63,8 @@ static void compare_frame(const struct scene *scene, enum trace_mode mode)
     struct trace_options options = {
         .mode = mode, .width = 8, .height = 6, .queue = 30, .model = prior_model
     };
-    c205_error error = { "" };
-    SCOPED(trace) *trace = trace_new(scene, &options, &error);
-    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+    SCOPED(trace) *trace = trace_new(scene, &options, &failure);
+    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &failure) : NULL;
     REQUIRE(machine);
     SCOPED_VALUE(bytes) begin = save(machine);
     compare_runs(&begin, 20011);
@@ -87,9 +86,8 @@ TEST(access)
     uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
     SCOPED(c205) *machine = machine_from("asm/examples/dot.s", prior_model);
     c205_word word = 205;
-    c205_error error;
     uint64_t fault;
-    assert_true(c205_map(machine, address, 1, C205_READ_ONLY, &error));
+    assert_true(c205_map(machine, address, 1, C205_READ_ONLY, &failure));
     assert_true(c205_write(machine, address, &word, 1));
     machine = replace(machine);
     word = 0;
@@ -106,10 +104,9 @@ TEST(untouched)
     const c205_access access[] = { C205_READ_WRITE, C205_WHEN_TOUCHED };
     struct bytes saved[2];
     for (size_t i = 0; i < 2; i++) {
-        c205_error error;
-        SCOPED(c205) *machine = c205_new(prior_model, &error);
+        SCOPED(c205) *machine = c205_new(prior_model, &failure);
         assert_non_null(machine);
-        assert_true(c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &error));
+        assert_true(c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &failure));
         saved[i] = save(machine);
         assert_int_equal(memory_is_untouched(
                              memory_peek(&machine->memory, UINT64_C(1) << 22)),
@@ -124,8 +121,7 @@ TEST(untouched)
 /* A machine without a program can be saved. */
 TEST(empty_machine)
 {
-    c205_error error;
-    SCOPED(c205) *machine = c205_new(prior_model, &error);
+    SCOPED(c205) *machine = c205_new(prior_model, &failure);
     assert_non_null(machine);
     machine = replace(machine);
     assert_int_equal(c205_loaded_program(machine), 0);
@@ -257,8 +253,7 @@ TEST(foreign)
 {
     static const char text[] = "c205-object 1\nentry 400000\nend\n";
     SCOPED_VALUE(bytes) bytes = in_the_middle();
-    c205_error error;
-    SCOPED(c205_model) *other = c205_model_find("cyber205-4pipe-prior", &error);
+    SCOPED(c205_model) *other = c205_model_find("cyber205-4pipe-prior", &failure);
     assert_non_null(other);
     assert_rejected(bytes.byte, bytes.count, other, "cyber205-2pipe-prior");
     assert_rejected(text, sizeof text, prior_model, "not a saved machine");
@@ -270,13 +265,12 @@ TEST(foreign)
 /* A model with other names and sources but the same constants is accepted. */
 TEST(same_constants)
 {
-    c205_error error = { "" };
     static const char text[] = "title As before\nlike cyber205-2pipe-prior\n"
                                "latency.load 15.0 clk P\n";
-    SCOPED(c205_model) *same = c205_model_parse("renamed", text, &error);
+    SCOPED(c205_model) *same = c205_model_parse("renamed", text, &failure);
     SCOPED_VALUE(bytes) bytes = in_the_middle();
     assert_non_null(same);
-    SCOPED(c205) *machine = c205_restore(bytes.byte, bytes.count, same, &error);
+    SCOPED(c205) *machine = c205_restore(bytes.byte, bytes.count, same, &failure);
     assert_non_null(machine);
 }
 

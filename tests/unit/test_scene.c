@@ -517,9 +517,8 @@ TEST(our_scenes)
 static size_t read_examples(const char *page)
 {
     static const char open[] = "\n```pov\n", close[] = "\n```\n";
-    c205_error error = { "" };
     size_t length, count = 0;
-    FREED char *text = file_read(page, FILE_LARGEST, &length, &error);
+    FREED char *text = file_read(page, FILE_LARGEST, &length, &failure);
     REQUIRE(text);
     char *end = text, *start = strstr(text, open);
     for (; start; start = strstr(end, open), count++) {

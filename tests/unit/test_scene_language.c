@@ -22,13 +22,12 @@ TEST(lists)
                                          "arrays", "functions", "splines" };
     for (size_t i = 0; i < COUNT(names); i++) {
         SCOPED_VALUE(diagnostics) reports = { 0 };
-        c205_error error = { "" };
         size_t length;
         char path[100];
         snprintf(path, sizeof path, "tests/language/%s.pov", names[i]);
         SCOPED(scene) *scene = scene_read(path, &reading_options, &reports);
         snprintf(path, sizeof path, "tests/language/%s.txt", names[i]);
-        FREED char *expected = file_read(path, FILE_LARGEST, &length, &error);
+        FREED char *expected = file_read(path, FILE_LARGEST, &length, &failure);
         REQUIRE(expected);
         if (!scene || reports.count != 1) {
             diagnostics_print(&reports, stderr);

@@ -138,10 +138,9 @@ static struct mass_figures figures_of(int decade)
                                            .repeats = 8, .seed = 1, .jobs = 1);
     SCOPED(scene) *scene = bodies_of(decade);
     struct diagnostics reports = { 0 };
-    c205_error error = { "" };
     SCOPED_VALUE(mass) mass;
-    REQUIRE(mass_begin(scene, &request, &mass, &reports, &error)
-            && mass_find(&mass, &error));
+    REQUIRE(mass_begin(scene, &request, &mass, &reports, &failure)
+            && mass_find(&mass, &failure));
     return mass.rows[mass.row_count - 1].figures;
 }
 
@@ -178,9 +177,8 @@ static void heat_of(int decade, double found[3])
                                            .temperatures = temperatures,
                                            .temperature_count = 1);
     SCOPED(scene) *scene = bodies_of(decade);
-    c205_error error = { "" };
     SCOPED_VALUE(heat) heat;
-    REQUIRE(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
+    REQUIRE(heat_begin(scene, &request, &heat, &failure) && heat_find(&heat, &failure));
     found[0] = heat.surfaces.list[0].area.value;
     found[1] = heat.surfaces.list[0].factor[1].value;
     found[2] = heat.thermal.exchange.flow[0];

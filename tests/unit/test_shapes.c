@@ -52,13 +52,12 @@ static void check_program(const char *kernel, bool historical)
         { "MESH_CROSSINGS", 1 }, /* all other fields are NULL */
     };
     struct asm_define *next = &defines[3];
-    c205_error error = { "" };
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++)
         if (shapes[i]->symbol)
             *next++ = (struct asm_define){ shapes[i]->symbol, 1 };
     if (historical)
         *next = (struct asm_define){ "HISTORICAL", 1 };
-    SCOPED(object) *program = program_assemble(kernel, defines, &error);
+    SCOPED(object) *program = program_assemble(kernel, defines, &failure);
     REQUIRE(program);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const struct shape *shape = shapes[i];

@@ -174,10 +174,9 @@ TEST(by_chance)
     for (int i = 0; i < 60; i++) {
         struct found found;
         double scalar[MAX * (MAX + 1)], vector[MAX * (MAX + 1)];
-        c205_error error = { "" };
         draw(&found, &random);
-        REQUIRE(run(&found, TRACE_SCALAR, scalar, &error)
-                && run(&found, TRACE_VECTOR, vector, &error));
+        REQUIRE(run(&found, TRACE_SCALAR, scalar, &failure)
+                && run(&found, TRACE_VECTOR, vector, &failure));
         assert_memory_equal(scalar, vector,
                             found.count * (found.count + 1) * sizeof *scalar);
         check_rules(&found, vector);
@@ -196,10 +195,9 @@ TEST(left_alone)
                                   .flows = { 0, .5, .5, .5, 0, 1.5 },
                                   .variances = { 0, .1, .2, .1, 0, .3 } };
     double smooth[6];
-    c205_error error = { "" };
-    assert_true(run(&exact, TRACE_VECTOR, smooth, &error));
+    assert_true(run(&exact, TRACE_VECTOR, smooth, &failure));
     assert_memory_equal(smooth, exact.flows, sizeof smooth);
-    assert_true(run(&closed, TRACE_SCALAR, smooth, &error));
+    assert_true(run(&closed, TRACE_SCALAR, smooth, &failure));
     assert_memory_equal(smooth, closed.flows, sizeof smooth);
 }
 

@@ -22,8 +22,7 @@ static void measure(const struct speedup_subject *subject,
                                          .height = 50,
                                          .queue = TRACE_QUEUE,
                                          .model = model };
-        c205_error error = { "" };
-        REQUIRE(speedup_measure(subject, from, &options, &measures[mode], &error));
+        REQUIRE(speedup_measure(subject, from, &options, &measures[mode], &failure));
     }
 }
 
@@ -380,8 +379,7 @@ TEST(projection_models)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        c205_error error;
-        SCOPED(c205_model) *on = c205_model_find(rows[i][0], &error);
+        SCOPED(c205_model) *on = c205_model_find(rows[i][0], &failure);
         assert_non_null(on);
         assert_string_equal(speedup_projection_model(on, SPEEDUP_720), rows[i][1]);
         assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
@@ -393,10 +391,9 @@ TEST(projection_models)
 TEST(projected)
 {
     c205_model *priors = model;
-    c205_error error;
     struct speedup_measure prior[TRACE_FORMS], fitted[TRACE_FORMS];
     measure(&speedup_subjects[0], &view, prior);
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe", &failure);
     measure(&speedup_subjects[0], &view, fitted);
     c205_model_free(model);
     model = priors;
@@ -408,8 +405,7 @@ TEST(projected)
 
 FIXTURE(set_up)
 {
-    c205_error error;
-    model = c205_model_find("cyber205-2pipe-prior", &error);
+    model = c205_model_find("cyber205-2pipe-prior", &failure);
     if (model)
         report = report_all();
     return !report;

@@ -29,8 +29,7 @@ static struct sweep sweep_of(const char *subject, size_t width, size_t height)
 
 static void run(const struct sweep_kind *kind, struct sweep *sweep)
 {
-    c205_error error = { "" };
-    REQUIRE(kind->measure(sweep, &error));
+    REQUIRE(kind->measure(sweep, &failure));
 }
 
 /* Sets the lengths of a sweep to an array. */
@@ -93,7 +92,6 @@ TEST(queue)
     for (size_t i = 0; i < sweep.count; i++) {
         const struct sweep_measure *measure = &sweep.measures[i];
         struct speedup_measure other;
-        c205_error error;
         assert_true(sweep_cost(sweep_best(&sweep), SWEEP_QUEUED)
                     <= sweep_cost(measure, SWEEP_QUEUED));
         struct sweep_point point = measure->point;
@@ -101,7 +99,7 @@ TEST(queue)
         for (int form = 0; form < SWEEP_FORMS; form++) {
             point.trace.mode = form == SWEEP_SCALAR ? TRACE_SCALAR : TRACE_VECTOR;
             assert_true(speedup_measure(sweep.subject, &point.view, &point.trace,
-                                        &other, &error));
+                                        &other, &failure));
             assert_true(other.total == measure->forms[form].total);
             assert_int_equal(other.hits, measure->hits);
         }
@@ -126,8 +124,7 @@ TEST(small_memory)
     static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
     SCOPED(scene) *scene = read_scene(balls);
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
-    c205_error error;
-    SCOPED(c205_model) *small = c205_model_change(model, settings, 3, &error);
+    SCOPED(c205_model) *small = c205_model_change(model, settings, 3, &failure);
     assert_non_null(small);
     sweep.subject = NULL;
     sweep.scene = scene;
@@ -151,17 +148,16 @@ TEST(memory)
     SCOPED(scene) *scene = read_scene(balls);
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     struct sweep_memory memory;
-    c205_error error = { "" };
     uint64_t words;
     sweep.subject = NULL;
     sweep.scene = scene;
-    assert_true(sweep_memory(&sweep, &memory, &error));
+    assert_true(sweep_memory(&sweep, &memory, &failure));
     assert_int_equal(memory.crossings, 2 * 15);
     assert_true(memory.a_ray > 2 * 15);
     struct sweep_point point = sweep.base;
     point.trace.width = point.trace.height = 96;
     point.trace.queue = 96 * 96;
-    assert_true(sweep_touched(&sweep, &point, 512, &words, &error));
+    assert_true(sweep_touched(&sweep, &point, 512, &words, &failure));
     double expected = memory.fixed + 96 * 96 * memory.a_ray;
     assert_true(fabs((double)words / expected - 1) < .05);
     assert_true(fabs(memory.fixed + memory.fills * memory.a_ray - memory.real) < 1);
@@ -171,11 +167,10 @@ TEST(queue_report)
 {
     SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     SCOPED_VALUE(sweep_report) report = { .part_count = 0 };
-    c205_error error = { "" };
     double sum = 0;
     run(&sweep_queue, &sweep);
     assert_int_equal(sweep.count, 14);
-    assert_true(sweep_queue.report(&sweep, &report, &error));
+    assert_true(sweep_queue.report(&sweep, &report, &failure));
     assert_int_equal(table_rows(report.parts[0].table), sweep.count);
     const struct table *difference = report.parts[2].table;
     assert_int_equal(table_rows(difference), SWEEP_GROUPS + 1);
@@ -388,8 +383,7 @@ TEST(progress)
 
 FIXTURE(find_model)
 {
-    c205_error error;
-    model = c205_model_find("cyber205-2pipe", &error);
+    model = c205_model_find("cyber205-2pipe", &failure);
     return !model;
 }
 

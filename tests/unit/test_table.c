@@ -141,10 +141,9 @@ static void expect_written(const struct table *table, enum table_format format,
 TEST_WITH(formats, set_up, tear_down)
 {
     SCOPED(table) *table = some_table();
-    c205_error error;
-    struct json *json = json_open(folder.path, &error);
+    struct json *json = json_open(folder.path, &failure);
     table_json(table, json, "rows");
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     expect_text(folder.path, "{\n  \"rows\": [\n"
                              "    {\n      \"name\": \"a\",\n"
                              "      \"clocks\": 12345678,\n"
@@ -304,27 +303,25 @@ TEST_WITH(json_on_stream, set_up, tear_down)
     FREED char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
-    c205_error error;
-    struct json *json = json_open_stream(stream, folder.path, &error);
+    struct json *json = json_open_stream(stream, folder.path, &failure);
     json_count(json, "one", 1);
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     expect_text(folder.path, "{\n  \"one\": 1\n}\n");
-    json = json_open_stream(stream, NULL, &error);
+    json = json_open_stream(stream, NULL, &failure);
     json_count(json, "two", 2);
-    assert_true(json_close(json, &error));
-    json = json_open_stream(stream, folder.path, &error);
+    assert_true(json_close(json, &failure));
+    json = json_open_stream(stream, folder.path, &failure);
     json_count(json, "three", 3);
     json_discard(json);
     expect_text(folder.path, "{\n  \"one\": 1\n}\n");
-    assert_null(json_open_stream(stream, "/nonexistent/file", &error));
+    assert_null(json_open_stream(stream, "/nonexistent/file", &failure));
     fclose(stream);
     assert_string_equal(text, "{\n  \"one\": 1\n}\n{\n  \"two\": 2\n}\n");
 }
 
 TEST_WITH(json_values, set_up, tear_down)
 {
-    c205_error error;
-    struct json *json = json_open(folder.path, &error);
+    struct json *json = json_open(folder.path, &failure);
     json_text(json, "text", "line\n\ttab \\ \x01");
     json_number(json, "tenth", 0.1);
     json_number(json, "third", 1.0 / 3.0);
@@ -332,7 +329,7 @@ TEST_WITH(json_values, set_up, tear_down)
     json_bool(json, "true", true);
     json_array(json, "empty");
     json_end(json);
-    assert_true(json_close(json, &error));
+    assert_true(json_close(json, &failure));
     expect_text(folder.path, "{\n  \"text\": \"line\\u000a\\u0009tab \\\\ \\u0001\",\n"
                              "  \"tenth\": 0.1,\n"
                              "  \"third\": 0.33333333333333331,\n"
@@ -343,16 +340,15 @@ TEST_WITH(json_values, set_up, tear_down)
 
 TEST_WITH(old_file_stays, set_up, tear_down)
 {
-    c205_error error;
-    struct atomic_file *whole = atomic_file_open(folder.path, &error);
+    struct atomic_file *whole = atomic_file_open(folder.path, &failure);
     fputs("old", whole->file);
-    assert_true(atomic_file_commit(whole, &error));
-    whole = atomic_file_open(folder.path, &error);
+    assert_true(atomic_file_commit(whole, &failure));
+    whole = atomic_file_open(folder.path, &failure);
     fputs("new", whole->file);
     expect_text(folder.path, "old");
     atomic_file_discard(whole);
     expect_text(folder.path, "old");
-    assert_true(atomic_file_check(folder.path, &error));
+    assert_true(atomic_file_check(folder.path, &failure));
     expect_text(folder.path, "old");
 }
 
@@ -372,12 +368,11 @@ TEST_WITH(nothing_is_left, set_up, tear_down)
 TEST_WITH(other_file_stays, set_up, tear_down)
 {
     char beside[80];
-    c205_error error;
     snprintf(beside, sizeof beside, "%s.new0", folder.path);
     write_bytes(beside, "theirs", strlen("theirs"));
-    struct atomic_file *whole = atomic_file_open(folder.path, &error);
+    struct atomic_file *whole = atomic_file_open(folder.path, &failure);
     fputs("ours", whole->file);
-    assert_true(atomic_file_commit(whole, &error));
+    assert_true(atomic_file_commit(whole, &failure));
     expect_text(folder.path, "ours");
     expect_text(beside, "theirs");
     assert_int_equal(unlink(beside), 0);
@@ -399,12 +394,11 @@ TEST(no_folder)
 /* A device must not be replaced by a file. */
 TEST(device_stays)
 {
-    c205_error error;
     struct stat status;
-    struct atomic_file *whole = atomic_file_open("/dev/full", &error);
+    struct atomic_file *whole = atomic_file_open("/dev/full", &failure);
     assert_non_null(whole);
     fputs("lost", whole->file);
-    assert_false(atomic_file_commit(whole, &error));
+    assert_false(atomic_file_commit(whole, &failure));
     assert_int_equal(stat("/dev/full", &status), 0);
     assert_true(S_ISCHR(status.st_mode));
 }

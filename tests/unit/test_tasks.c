@@ -77,13 +77,12 @@ static size_t below(uint64_t *random, size_t most)
 TEST(each_once)
 {
     uint64_t random = RANDOM_SEED + 1;
-    c205_error error;
     for (int i = 0; i < 200; i++) {
         struct bench bench = { .count = below(&random, MAX + 1),
                                .bad = MAX,
                                .stop_at = SIZE_MAX };
         bool watched = below(&random, 2) > 0;
-        assert_true(go(&bench, below(&random, 9), watched, &error));
+        assert_true(go(&bench, below(&random, 9), watched, &failure));
         for (size_t k = 0; k < MAX; k++)
             assert_int_equal(bench.times[k], k < bench.count);
         assert_false(bench.falls);

@@ -239,10 +239,9 @@ static void check_font(const char *name, bool points)
     SCOPED_VALUE(arena) arena = { NULL, false };
     const char *fault;
     char path[100];
-    c205_error error;
     size_t length;
     snprintf(path, sizeof path, "/usr/share/povray-3.7/include/%s.ttf", name);
-    FREED char *bytes = file_read(path, FILE_LARGEST, &length, &error);
+    FREED char *bytes = file_read(path, FILE_LARGEST, &length, &failure);
     assert_non_null(bytes);
     if (points)
         leave_points((unsigned char *)bytes);

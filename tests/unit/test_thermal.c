@@ -31,15 +31,14 @@ static void find_rows(struct study *study)
                                               .receiver_of = study->surfaces.surface_of,
                                               .receivers = study->surfaces.count);
     size_t count = study->scene->primitive_count;
-    c205_error error = { "" };
-    SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
+    SCOPED(factors) *factors = factors_new(study->scene, &options, &failure);
     const char **refusals = source_refusals(study->scene);
     assert_non_null(factors);
     assert_non_null(refusals);
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
-        if (!refusals[i] && !factors_find(factors, &i, 1, &study->rows[i], &error))
-            fail_msg("%s", error.message);
+        if (!refusals[i] && !factors_find(factors, &i, 1, &study->rows[i], &failure))
+            fail_msg("%s", failure.message);
     free(refusals);
     surfaces_combine(&study->surfaces, study->rows);
 }
@@ -68,12 +67,11 @@ static void give(const struct study *study, const struct value_kind *kind,
                  const char *texts, struct named_values *given)
 {
     char copy[200];
-    c205_error error = { "" };
     named_begin(given, kind);
     snprintf(copy, sizeof copy, "%s", texts);
     for (char *text = strtok(copy, " "); text; text = strtok(NULL, " "))
-        REQUIRE(named_add(given, text, &error));
-    assert_true(named_add_scene(given, study->scene, &error));
+        REQUIRE(named_add(given, text, &failure));
+    assert_true(named_add_scene(given, study->scene, &failure));
 }
 
 static bool exchange(const struct study *study, const char *temperatures,
@@ -137,8 +135,7 @@ TEST(flows)
     double pi = acos(-1), fourth = 3e2 * 3e2 * 3e2 * 3e2;
     SCOPED_VALUE(study) study = begin(ball, BY_PRIMITIVE);
     SCOPED_VALUE(thermal) thermal;
-    c205_error error;
-    assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
+    assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &failure));
     assert_int_equal(thermal.count, 3);
     const double *flow = thermal.exchange.flow;
     double from_outside = .5 * SIGMA * fourth * 4 * pi * 6.25;
@@ -159,17 +156,16 @@ TEST(lines)
     struct global_lines_options by_part = options;
     SCOPED_VALUE(global_lines) found;
     SCOPED_VALUE(thermal) thermal;
-    c205_error error = { "" };
     assert_true(named_parts_find(study.scene, &study.parts));
     assert_true(surfaces_find(study.scene, &study.parts, BY_PART, &study.surfaces));
     by_part.surface_of = study.surfaces.surface_of;
     by_part.surfaces = study.surfaces.count;
-    assert_true(global_lines_find(study.scene, &by_part, &found, &error));
+    assert_true(global_lines_find(study.scene, &by_part, &found, &failure));
     surfaces_take_lines(&study.surfaces, &found);
     assert_estimate(study.surfaces.list[1].area, 4 * pi * (4 + 6.25));
     assert_estimate(study.surfaces.list[1].factor[0], .25 * 4 / 10.25);
     assert_true(surfaces_reciprocity(&study.surfaces, 0, 1) == 0);
-    assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
+    assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &failure));
     assert_true(fabs(thermal.exchange.sum) < 1e-9 * fabs(thermal.exchange.flow[0]));
     study.rows = calloc(study.scene->primitive_count, sizeof *study.rows);
 }
@@ -180,9 +176,8 @@ TEST(adiabatic)
     double pi = acos(-1), fourth = 5e2 * 5e2 * 5e2 * 5e2;
     SCOPED_VALUE(study) study = begin(ball, BY_PART);
     SCOPED_VALUE(thermal) thermal;
-    c205_error error;
     assert_true(exchange(&study, "Shell=adiabatic environment=300", "Ball=1", &thermal,
-                         &error));
+                         &failure));
     assert_close(thermal.outside, 300, 0);
     assert_true(isnan(thermal.temperature[1]));
     assert_true(fabs(thermal.exchange.flow[1]) < 1e-6);

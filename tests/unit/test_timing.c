@@ -25,12 +25,11 @@ static size_t cases = DEFAULT_CASES;
 
 FIXTURE(make_machines)
 {
-    c205_error error = { "" };
     for (int i = 0; i < MODELS; i++) {
         begin(&fixture[i]);
-        fixture[i].model = c205_model_find(model_names[i], &error);
+        fixture[i].model = c205_model_find(model_names[i], &failure);
         assert_non_null(fixture[i].model);
-        fixture[i].machine = c205_new(fixture[i].model, &error);
+        fixture[i].machine = c205_new(fixture[i].model, &failure);
         assert_non_null(fixture[i].machine);
     }
     return 0;
@@ -316,10 +315,9 @@ static void try_program(uint64_t seed)
 {
     enum { STEPS = 200 };
     struct random_program program = random_program(seed);
-    c205_error error = { "" };
 
     for (int i = 0; i < MODELS; i++)
-        assert_true(random_load(fixture[i].machine, &program, &error));
+        assert_true(random_load(fixture[i].machine, &program, &failure));
     for (int step = 0; step < STEPS && step_all(); step++)
         if (c205_clock(fixture[0].machine) < c205_clock(fixture[1].machine)
             || c205_clock(fixture[1].machine) < c205_clock(fixture[2].machine))
@@ -381,8 +379,7 @@ TEST(small_programs)
     for (size_t i = 0; i < COUNT(programs); i++) {
         SCOPED(object) *object = good(programs[i].text);
         c205 *machine = fixture[1].machine;
-        c205_error error = { "" };
-        assert_true(c205_load(machine, &object->program, &error));
+        assert_true(c205_load(machine, &object->program, &failure));
         assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
         if (c205_clock(machine) != programs[i].clocks)
             fail_msg("%llu clocks, not %llu: %s",

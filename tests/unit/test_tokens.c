@@ -78,10 +78,9 @@ TEST(any_cut)
     assert_non_null(fresh);
     for (size_t i = 0; i < TEXTS; i++) {
         char text[MAX_TEXT];
-        c205_error error;
         draw_text(text);
         struct scene_source *source = source_add(&sources, "drawn", text, strlen(text),
-                                                 &error);
+                                                 &failure);
         assert_non_null(source);
         if (i % 2) { /* otherwise the body is that of the main file */
             assert_true(lexer_open(keeping, source));

@@ -8,8 +8,7 @@
 /* Returns the report of a program that runs on a model. */
 static char *run_on(const char *model_name, const char *text)
 {
-    c205_error error;
-    SCOPED(c205_model) *model = c205_model_find(model_name, &error);
+    SCOPED(c205_model) *model = c205_model_find(model_name, &failure);
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
     SCOPED(object) *object = good(text);

@@ -7,8 +7,7 @@
 
 static void check(const char *text, bool lines, const char *const *said)
 {
-    c205_error error;
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &failure);
     SCOPED_VALUE(text_buffer) report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);
     SCOPED(object) *object = good(text);

@@ -277,12 +277,10 @@ static c205_fields draw_fields(struct bench *bench, const c205_insn *row)
 
 static void map(struct bench *bench, uint64_t page, c205_access access)
 {
-    c205_error error = { "" };
-
     plain_map(&bench->reference.memory, DATA + page * PAGE, C205_PAGE_WORDS, access);
     if (!c205_map(bench->fixture.machine, DATA + page * PAGE, C205_PAGE_WORDS, access,
-                  &error))
-        fail_msg("%s", error.message);
+                  &failure))
+        fail_msg("%s", failure.message);
 }
 
 static void fill(struct bench *bench, size_t border, enum contents contents)

@@ -11,10 +11,9 @@
 static struct vector_use use_of(const char *instruction)
 {
     char text[600];
-    c205_error error;
     struct vector_use sum = { 0, 0, 0, 0 };
     struct observer observer = vector_use_observer(&sum);
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &failure);
     snprintf(text, sizeof text,
              " .include \"core.s\"\n .data\n"
              "bits: .word X'FFFFFFFFFF3FFFFF', X'FFFFFFFFFFFFFFFF'\n"
@@ -26,7 +25,7 @@ static struct vector_use use_of(const char *instruction)
              instruction);
     SCOPED(object) *object = good(text);
     SCOPED(c205) *machine = machine_with(&object->program, model);
-    void *use = observer.begin(observer.context, object, &error);
+    void *use = observer.begin(observer.context, object, &failure);
     assert_true(c205_listen(machine, observer.listen, use));
     assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
     observer.merge(observer.context, use);

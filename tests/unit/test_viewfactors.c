@@ -150,9 +150,8 @@ static bool seen[CSV_ROWS];
 FIXTURE(read_table)
 {
     size_t length;
-    c205_error error;
     FREED char *text = file_read("tests/unit/viewfactors.csv", 1 << 20, &length,
-                                 &error);
+                                 &failure);
     assert_non_null(text);
     csv_table(text, &table);
     return set_up_model(test_state);
@@ -217,14 +216,13 @@ static void find_rows(const struct factor_scene *what, struct study *study,
                                               .receiver_of = study->surfaces.surface_of,
                                               .receivers = study->surfaces.count);
     size_t count = study->scene->primitive_count;
-    c205_error error = { "" };
-    SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
+    SCOPED(factors) *factors = factors_new(study->scene, &options, &failure);
     assert_non_null(factors);
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
         if (emits(what, &study->surfaces, study->surfaces.surface_of[i])
-            && !factors_find(factors, &i, 1, &study->rows[i], &error))
-            fail_msg("%s: %s", what->text, error.message);
+            && !factors_find(factors, &i, 1, &study->rows[i], &failure))
+            fail_msg("%s: %s", what->text, failure.message);
     surfaces_combine(&study->surfaces, study->rows);
 }
 

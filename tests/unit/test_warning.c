@@ -104,9 +104,8 @@ TEST(choice)
 /* The manual describes each warning. */
 TEST(manual)
 {
-    c205_error error;
     size_t length;
-    FREED char *text = file_read("docs/assembly.md", FILE_LARGEST, &length, &error);
+    FREED char *text = file_read("docs/assembly.md", FILE_LARGEST, &length, &failure);
     assert_non_null(text);
     for (unsigned i = 0; i < WARNINGS; i++) {
         char row[80];

@@ -13,8 +13,7 @@
 
 static char *watched(const struct object *object, const struct warning_choice *choice)
 {
-    c205_error error;
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &failure);
     SCOPED(c205) *machine = machine_with(&object->program, model);
     struct text_buffer report = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&report);

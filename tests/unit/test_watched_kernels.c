@@ -69,13 +69,12 @@ static void check(const char *path, const c205_model *model, enum trace_mode mod
                                            .visible = visible,
                                            .observers = observers,
                                            .model = model };
-    c205_error error = { "" };
 
     if (!scene)
         diagnostics_print(&reports, stderr);
     assert_non_null(scene);
-    SCOPED(trace) *trace = trace_new(scene, &options, &error);
-    REQUIRE(trace && trace_run(trace, &error));
+    SCOPED(trace) *trace = trace_new(scene, &options, &failure);
+    REQUIRE(trace && trace_run(trace, &failure));
     assert_int_equal(warned, 0);
 }
 
@@ -93,8 +92,7 @@ TEST(kernels)
         "tests/scenes/mesh.pov",
     };
     struct sink sink = stream_sink(stderr);
-    c205_error error;
-    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &failure);
     report = &sink;
     assert_non_null(model);
     for (size_t i = 0; i < COUNT(scenes); i++) {

@@ -13,9 +13,8 @@ struct scene *read_text(const char *text)
 
 struct trace *run_trace(const struct scene *scene, const struct trace_options *options)
 {
-    c205_error error = { "" };
-    struct trace *trace = trace_new(scene, options, &error);
-    REQUIRE(trace && trace_run(trace, &error));
+    struct trace *trace = trace_new(scene, options, &failure);
+    REQUIRE(trace && trace_run(trace, &failure));
     return trace;
 }
 

@@ -19,6 +19,7 @@
 #include <cmocka.h>
 
 #include "tests/unit/scoped.h"
+#include "vm/c205.h"
 
 /* Undefines the macro of cmocka: a function of asm/check/expect.h has the same name. */
 #undef expect_check
@@ -29,8 +30,13 @@
 
 #define TEST(name) static void test_##name(STATE)
 
-/* Fails the test with the message of `error` unless the value is true. */
-#define REQUIRE(value) \
+/* The error of the last call that failed. */
+static c205_error failure __attribute__((unused));
+
+/* Fails the test unless the value is true, with the message of `failure` or of another
+ * error. */
+#define REQUIRE(value) REQUIRE_OF(value, failure)
+#define REQUIRE_OF(value, error) \
     do { \
         if (!(value)) \
             fail_msg("%s", error.message); \
