@@ -46,43 +46,6 @@ static int finish(const char *name, int code)
     return code;
 }
 
-/* ---- Running a command -------------------------------------------------- */
-
-static int start(const struct command_program *program, const struct command *command,
-                 int argc, char **argv, void *arguments)
-{
-    int code = command_parse(program, command, argc, argv, arguments);
-    switch (code) {
-    case CMD_DONE: return command->function(arguments);
-    case COMMAND_ASKS_HELP:
-        command_print_help(program, command, stdout);
-        return CMD_DONE;
-    case COMMAND_ASKS_VERSION: return print_version(program);
-    default: return code;
-    }
-}
-
-static int run(const struct command_program *program, const struct command *command,
-               int argc, char **argv)
-{
-    char name[COMMAND_NAME_SIZE];
-    const char *full_name = name;
-    void *arguments = calloc(1, program->arguments_size);
-    command_full_name(program, command, name);
-    if (!arguments) {
-        return cmd_failed(name, "out of memory");
-    }
-    if (program->arguments) {
-        memcpy(arguments, program->arguments, program->arguments_size);
-    }
-    memcpy(arguments, &full_name, sizeof full_name);
-    int code = start(program, command, argc, argv, arguments);
-    command_free(command, arguments);
-    outputs_clear();
-    free(arguments);
-    return finish(name, code);
-}
-
 /* ---- Selecting a command ------------------------------------------------ */
 
 static int no_command(const struct command_program *program, const char *word)
@@ -130,25 +93,60 @@ static bool asks_for_page(int argc, char **argv)
     return argc > 2 && strcmp(argv[1], "help") == 0 && strncmp(argv[2], "--", 2) == 0;
 }
 
+/* Returns the command of the line; NULL: none, and the line is executed, with the exit
+ * code. */
+static const struct command *select_command(const struct command_program *program,
+                                            int argc, char **argv, int *code)
+{
+    const struct command *command = NULL;
+    if (asks_for_page(argc, argv)) {
+        *code = command_print_page(program, argc - 2, argv + 2);
+    } else if (is_one_command(program)) {
+        command = program->commands[0];
+    } else if (argc < 2) {
+        command_print_summary(program, stderr);
+        *code = CMD_USAGE;
+    } else if (is_option(argv[1], &command_version_option)) {
+        *code = print_version(program);
+    } else if (is_option(argv[1], &command_help_option)
+               || strcmp(argv[1], "help") == 0) {
+        *code = help(program, argc - 1, argv + 1);
+    } else {
+        command = command_named(program, argv[1]);
+        if (!command) {
+            *code = no_command(program, argv[1]);
+        }
+    }
+    return command;
+}
+
 int command_main(const struct command_program *program, int argc, char **argv)
 {
-    if (asks_for_page(argc, argv)) {
-        return finish(program->name, command_print_page(program, argc - 2, argv + 2));
+    int code = CMD_DONE;
+    const struct command *command = select_command(program, argc, argv, &code);
+    if (!command) {
+        return finish(program->name, code);
     }
-    if (is_one_command(program)) {
-        return run(program, program->commands[0], argc, argv);
+    char name[COMMAND_NAME_SIZE];
+    const char *full_name = name;
+    int words = command->name ? 1 : 0; /* before the arguments of the command */
+    void *arguments = calloc(1, command->arguments_size);
+    command_full_name(program, command, name);
+    if (!arguments) {
+        return cmd_failed(name, "out of memory");
     }
-    if (argc < 2) {
-        command_print_summary(program, stderr);
-        return CMD_USAGE;
+    memcpy(arguments, &full_name, sizeof full_name);
+    code = command_parse(program, command, argc - words, argv + words, arguments);
+    if (code == CMD_DONE) {
+        code = command->function(arguments);
+    } else if (code == COMMAND_ASKS_HELP) {
+        command_print_help(program, command, stdout);
+        code = CMD_DONE;
+    } else if (code == COMMAND_ASKS_VERSION) {
+        code = print_version(program);
     }
-    if (is_option(argv[1], &command_version_option)) {
-        return finish(program->name, print_version(program));
-    }
-    if (is_option(argv[1], &command_help_option) || strcmp(argv[1], "help") == 0) {
-        return finish(program->name, help(program, argc - 1, argv + 1));
-    }
-    const struct command *command = command_named(program, argv[1]);
-    return command ? run(program, command, argc - 1, argv + 1)
-                   : no_command(program, argv[1]);
+    command_free(command, arguments);
+    outputs_clear();
+    free(arguments);
+    return finish(name, code);
 }

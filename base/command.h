@@ -1,8 +1,8 @@
 /* command.h - the command line interface of all programs: parsing, help and exit codes.
  *
- * A program is a list of commands. A command is a row with its options and operands. An
- * option is a row with the kind of its value and the destination of the value. These
- * rows generate the parsing, -h and --help, help COMMAND, --version, and the messages
+ * A program is a list of commands. A command is a row with its options and operands, and
+ * a structure of arguments. An option is a row with the kind of its value and the offset
+ * of the value in this structure. These rows generate the parsing, -h and --help, help COMMAND, --version, and the messages
  * on wrong usage, which name the option and list the valid values. No other place lists
  * commands or options.
  *
@@ -53,8 +53,8 @@ struct command_option {
     bool many;     /* texts and files, any number: struct command_texts */
     bool optional; /* an operand that may be missing, like all after it */
     double least, most;
-    double preset;           /* default of a count, number or choice; 0: none, or the
-                                first choice; -1: no choice */
+    double preset;           /* default of a number of any kind or a choice; 0: none, or
+                                the first choice; -1: no choice, or UINT64_MAX clocks */
     const char *preset_text; /* default of a text or file, or the default shown in
                                 help */
     command_choice *choice;  /* the names of a choice; for a text: examples */
@@ -75,14 +75,16 @@ struct command_example {
     const char *line, *meaning;
 };
 
-/* The arguments begin with a const char *, the full name of the command for error
- * messages: "c205 run". All values are set. Returns the exit code. */
+/* The arguments are a structure of the command's own. It begins with a const char *, the
+ * full name of the command for error messages: "c205 run". The values of all rows are
+ * set, and all other members are zero. Returns the exit code. */
 typedef int command_function(void *arguments);
 
 struct command {
     const char *name; /* NULL: the program has only this command */
     const char *summary;
     command_function *function;
+    size_t arguments_size;
     const struct command_option *options, *operands; /* NULL: none */
     const char *details;                             /* paragraphs, or NULL */
     const struct command_example *examples;          /* the last has no line */
@@ -93,8 +95,6 @@ struct command_program {
     const struct command *const *commands; /* NULL at the end */
     const struct command_example *files;   /* for the man page: files and variables with
                                               their meaning, or NULL */
-    size_t arguments_size;
-    const void *arguments; /* the initial arguments, or NULL: zero */
 };
 
 /* Does all the work of main. Returns the exit code. */

@@ -127,6 +127,7 @@ static bool take(char *text, const struct command_option *option, void *place)
 static bool prepare_row(const struct command_option *option, size_t room, void *place)
 {
     size_t count = option->preset > 0 ? (size_t)option->preset : 0;
+    uint64_t clocks = option->preset < 0 ? UINT64_MAX : (uint64_t)option->preset;
     if (option->many) {
         struct command_texts *texts = place;
         texts->items = calloc(room, sizeof *texts->items);
@@ -134,8 +135,8 @@ static bool prepare_row(const struct command_option *option, size_t room, void *
     }
     switch (option->kind) {
     case COMMAND_FLAG:
-    case COMMAND_CLOCKS:
     case COMMAND_CUSTOM: break;
+    case COMMAND_CLOCKS: memcpy(place, &clocks, sizeof clocks); break;
     case COMMAND_COUNT: memcpy(place, &count, sizeof count); break;
     case COMMAND_NUMBER: memcpy(place, &option->preset, sizeof option->preset); break;
     case COMMAND_CHOICE: put_choice((int)option->preset, place); break;

@@ -10,7 +10,6 @@ int main(int argc, char **argv)
         &isa_command,      &model_command, &time_command,  &compare_command,
         &timeline_command, &sweep_command, &check_command, NULL
     };
-    static const struct c205_arguments arguments = { .limit = C205_NO_LIMIT };
     static const struct command_example files[] = {
         { "NAME.s",
           "A program text. The library files that it includes by name, such as "
@@ -26,8 +25,6 @@ int main(int argc, char **argv)
         .version = C205_VERSION,
         .commands = commands,
         .files = files,
-        .arguments_size = sizeof arguments,
-        .arguments = &arguments,
     };
     return command_main(&program, argc, argv);
 }

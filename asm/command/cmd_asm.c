@@ -52,6 +52,7 @@ const struct command asm_command = {
     .name = "asm",
     .summary = "assemble a program",
     .function = assemble,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .details =

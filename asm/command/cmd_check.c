@@ -208,6 +208,7 @@ const struct command check_command = {
     .name = "check",
     .summary = "print lessons and grade answers to their exercises",
     .function = run,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -205,6 +205,7 @@ const struct command compare_command = {
     .name = "compare",
     .summary = "compare two programs and show the cause of the difference",
     .function = run,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -89,6 +89,7 @@ const struct command debug_command = {
     .name = "debug",
     .summary = "step through a program, forward and back",
     .function = run,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -23,6 +23,7 @@ const struct command dis_command = {
     .name = "dis",
     .summary = "disassemble a program",
     .function = disassemble_file,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
 };

@@ -300,6 +300,7 @@ const struct command isa_command = {
     .name = "isa",
     .summary = "list or describe the instructions",
     .function = run,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .details = "Without a MNEMONIC: all instructions, one line each.",

@@ -94,6 +94,7 @@ const struct command model_command = {
     .name = "model",
     .summary = "list machine models and their constants",
     .function = run,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .details =

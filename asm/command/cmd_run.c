@@ -385,6 +385,7 @@ static const struct command_option options[] = {
       .value = "CLOCKS",
       .kind = COMMAND_CLOCKS,
       .offset = CMD_PLACE(limit),
+      .preset = -1,
       .help =
           "stop the program after this number of clocks (1000000000, then it fails)" },
     { .name = "no-limit",
@@ -441,6 +442,7 @@ const struct command run_command = {
     .name = "run",
     .summary = "run a program and account for its clocks",
     .function = run_command_line,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -355,6 +355,7 @@ const struct command sweep_command = {
     .name = "sweep",
     .summary = "measure one or two programs over a range of a constant",
     .function = run,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

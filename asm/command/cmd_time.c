@@ -317,6 +317,7 @@ const struct command time_command = {
     .name = "time",
     .summary = "measure the vector instructions",
     .function = run,
+    .arguments_size = sizeof(struct c205_arguments),
     .options = options,
     .operands = operands,
     .details =

@@ -455,6 +455,7 @@ const struct command heat_command = {
     .name = "heat",
     .summary = "shape factors between the surfaces of a scene",
     .function = run_command_line,
+    .arguments_size = sizeof(struct rt205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

@@ -376,6 +376,7 @@ const struct command mass_command = {
     .name = "mass",
     .summary = "volume, area, mass, centroid and inertia of solids",
     .function = run_command_line,
+    .arguments_size = sizeof(struct rt205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

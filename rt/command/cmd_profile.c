@@ -108,6 +108,7 @@ const struct command profile_command = {
     .name = "profile",
     .summary = "clocks of each part of a frame, in three stages",
     .function = run_command_line,
+    .arguments_size = sizeof(struct rt205_arguments),
     .options = options,
     .operands = operands,
     .details = "Traces the frame three times: scalar; kernels, as in 1984 "

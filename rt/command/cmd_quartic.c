@@ -375,6 +375,7 @@ const struct command quartic_command = {
     .name = "quartic",
     .summary = "real roots of polynomials, and their clocks",
     .function = run_command_line,
+    .arguments_size = sizeof(struct rt205_arguments),
     .options = options,
     .operands = operands,
     .details = "Prints index: root root .., the real roots above the bound, "

@@ -506,6 +506,7 @@ const struct command render_command = {
     .name = "render",
     .summary = "trace a scene, write a picture",
     .function = run_command_line,
+    .arguments_size = sizeof(struct rt205_arguments),
     .options = options,
     .operands = operands,
     .examples = examples,

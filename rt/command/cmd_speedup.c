@@ -277,6 +277,7 @@ const struct command speedup_command = {
     .name = "speedup",
     .summary = "scalar against vector, kernel by kernel",
     .function = run_command_line,
+    .arguments_size = sizeof(struct rt205_arguments),
     .options = options,
     .operands = operands,
     .details =

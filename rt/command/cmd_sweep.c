@@ -343,6 +343,7 @@ const struct command sweep_command = {
     .name = "sweep",
     .summary = "clocks per ray against one quantity, as table and plot",
     .function = run_command_line,
+    .arguments_size = sizeof(struct rt205_arguments),
     .options = options,
     .operands = operands,
     .details = "A primitive is sphere, cylinder, Steiner, 'Steiner, ours' or torus; "

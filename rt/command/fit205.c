@@ -239,6 +239,7 @@ int main(int argc, char **argv)
     static const struct command command = {
         .summary = "constants of the timing model, fitted to published times",
         .function = run,
+        .arguments_size = sizeof(struct arguments),
         .options = options,
     };
     static const struct command *const commands[] = { &command, NULL };
@@ -247,7 +248,6 @@ int main(int argc, char **argv)
         .summary = "constants of the timing model, fitted to published times",
         .version = C205_VERSION,
         .commands = commands,
-        .arguments_size = sizeof(struct arguments),
     };
 
     return command_main(&program, argc, argv);

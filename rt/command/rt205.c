@@ -23,8 +23,6 @@ int main(int argc, char **argv)
         &sweep_command,  &quartic_command,  &heat_command,
         &mass_command,   &timeline_command, NULL
     };
-    static const struct rt205_arguments arguments = { .from = C205_NO_LIMIT,
-                                                      .to = C205_NO_LIMIT };
     static const struct command_example files[] = {
         { "NAME.pov", "A scene, in the supported part of POV-Ray's language." },
         { "NAME.model",
@@ -42,8 +40,6 @@ int main(int argc, char **argv)
         .version = C205_VERSION,
         .commands = commands,
         .files = files,
-        .arguments_size = sizeof arguments,
-        .arguments = &arguments,
     };
 
     keep_memory();

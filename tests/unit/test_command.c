@@ -17,7 +17,7 @@ struct arguments {
     bool loud;
     const char *text, *input, *output, *kept, *folder;
     size_t count;
-    uint64_t clocks;
+    uint64_t clocks, end;
     double number;
     enum colour colour;
     size_t length; /* of the text that `take` received */
@@ -57,7 +57,8 @@ static const struct command_option options[] = {
     OPTION("folder", FOLDER, folder, .value = "DIR"),
     OPTION("count", COUNT, count, .letter = 'c', .value = "N", .least = 3, .most = 1000,
            .preset = 77),
-    OPTION("clocks", CLOCKS, clocks, .value = "N"),
+    OPTION("clocks", CLOCKS, clocks, .value = "N", .preset = 205),
+    OPTION("end", CLOCKS, end, .value = "N", .preset = -1),
     OPTION("number", NUMBER, number, .value = "X", .least = -2, .most = 2,
            .preset = 0.5),
     OPTION("colour", CHOICE, colour, .value = "COLOUR", .choice = colour_choice,
@@ -82,12 +83,12 @@ static char seen[4096];
 
 static void describe(const struct arguments *a, char text[4096])
 {
-    int length = snprintf(text, 4096, "%d|%s|%s|%s|%s|%s|%zu|%llu|%g|%d|%zu|%s",
+    int length = snprintf(text, 4096, "%d|%s|%s|%s|%s|%s|%zu|%llu|%llu|%g|%d|%zu|%s",
                           a->loud, a->text ? a->text : "", a->input ? a->input : "",
                           a->output ? a->output : "", a->kept ? a->kept : "",
                           a->folder ? a->folder : "", a->count,
-                          (unsigned long long)a->clocks, a->number, (int)a->colour,
-                          a->length, a->first);
+                          (unsigned long long)a->clocks, (unsigned long long)a->end,
+                          a->number, (int)a->colour, a->length, a->first);
 
     for (size_t i = 0; i < a->words.count; i++)
         length += snprintf(text + length, 4096 - (size_t)length, "|%s",
@@ -108,21 +109,22 @@ static int run(int argc, char **argv)
     static const struct command look_command = { .name = "look",
                                                  .summary = "look",
                                                  .function = look,
+                                                 .arguments_size = sizeof(
+                                                     struct arguments),
                                                  .options = options,
                                                  .operands = operands };
     static const struct command other_command = { .name = "other",
                                                   .summary = "another",
-                                                  .function = look };
+                                                  .function = look,
+                                                  .arguments_size = sizeof(
+                                                      struct arguments) };
     static const struct command *const commands[] = { &look_command, &other_command,
                                                       NULL };
-    static const struct arguments arguments = { .clocks = 205 };
     static const struct command_program program = {
         .name = "test",
         .summary = "a test",
         .version = "1",
         .commands = commands,
-        .arguments_size = sizeof arguments,
-        .arguments = &arguments,
     };
 
     seen[0] = '\0';
@@ -172,6 +174,7 @@ static const char *make_value(struct line *line, const struct command_option *op
 {
     struct arguments *expected = &line->expected;
     static const enum colour colours[] = { RED, GREEN, BLUE };
+    uint64_t clocks;
 
     make_word(line, text);
     switch (option->kind) {
@@ -180,8 +183,9 @@ static const char *make_value(struct line *line, const struct command_option *op
         snprintf(text, WORD_SIZE, "%zu", expected->count);
         break;
     case COMMAND_CLOCKS:
-        expected->clocks = xorshift(&line->random);
-        snprintf(text, WORD_SIZE, "%llu", (unsigned long long)expected->clocks);
+        clocks = xorshift(&line->random);
+        memcpy((char *)expected + option->offset, &clocks, sizeof clocks);
+        snprintf(text, WORD_SIZE, "%llu", (unsigned long long)clocks);
         break;
     case COMMAND_NUMBER:
         expected->number = (double)below(line, 3999) / 1000 - 1.999;
@@ -231,6 +235,7 @@ static void begin(struct line *line, uint64_t seed)
                            .expected = { .text = "usual",
                                          .count = 77,
                                          .clocks = 205,
+                                         .end = UINT64_MAX,
                                          .number = .5,
                                          .colour = GREEN,
                                          .words = { .items = line->texts[0] },
