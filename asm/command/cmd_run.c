@@ -5,6 +5,7 @@
 #include "asm/command/c205_command.h"
 #include "asm/measure/line_profile.h"
 #include "asm/object/disassemble.h"
+#include "asm/view/operand_view.h"
 #include "asm/view/print.h"
 #include "asm/view/state.h"
 #include "asm/view/trap_report.h"
@@ -13,25 +14,13 @@
 #include "base/interrupt.h"
 #include "base/plural.h"
 
-/* Reads the word at an instruction, which may start on a half word. At the end of
- * memory only the first word can be read, which is enough for a short instruction. */
-static c205_word word_at(const c205 *machine, uint64_t address)
-{
-    c205_word pair[2] = { 0, 0 };
-    uint64_t first = address & ~UINT64_C(63);
-    if (!c205_read(machine, first, pair, 2)) {
-        c205_read(machine, first, pair, 1);
-    }
-    return first == address ? pair[0] : pair[0] << 32 | pair[1] >> 32;
-}
-
 static void trace(void *context, const c205 *machine, const c205_event *event)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
     if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST) {
         return;
     }
-    disassemble_one(word_at(machine, event->pc), event->pc, text);
+    disassemble_one(view_word_at(machine, event->pc), event->pc, text);
     sink_print(context, "%10" PRIu64 " %+6" PRId64 " %10" PRIX64 "  %s\n",
                event->issued, (int64_t)event->clocks, event->pc, text);
 }

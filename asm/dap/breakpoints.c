@@ -151,13 +151,10 @@ bool request_breakpoint_locations(struct dap *dap, const struct json_value *argu
  * those of regions and instructions. */
 static const char *kind_of(const struct dap *dap, const char *name)
 {
-    const c205_program *program = &dap->object->program;
-
     if (object_symbol(dap->object, name))
         return "";
-    for (size_t i = 0; i < program->region_count; i++)
-        if (strcmp(program->regions[i].name, name) == 0)
-            return "region ";
+    if (object_region_named(dap->object, name))
+        return "region ";
     return c205_insn_named(name, strlen(name)) ? "insn " : "";
 }
 

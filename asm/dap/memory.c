@@ -191,21 +191,12 @@ static void put_code(struct json *body, c205_word word, unsigned halves)
     json_text(body, "instructionBytes", hex);
 }
 
-static const char *label_at(const struct dap *dap, uint64_t address)
-{
-    for (size_t i = 0; i < dap->object->symbol_count; i++)
-        if (dap->object->symbols[i].is_label
-            && (uint64_t)dap->object->symbols[i].value == address)
-            return dap->object->symbols[i].name;
-    return NULL;
-}
-
 static void put_origin(struct dap *dap, struct json *body, uint64_t address)
 {
     const struct asm_line *line = object_line(dap->object, address);
-    const char *label = label_at(dap, address);
+    const char *label = object_label(dap->object, address);
 
-    if (label)
+    if (*label)
         json_text(body, "symbol", label);
     if (!line)
         return;

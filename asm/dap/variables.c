@@ -121,7 +121,7 @@ static void put_registers(struct dap *dap, struct json *json)
 
 const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME])
 {
-    const char *name = debug_register_name(dap->debugger, number);
+    const char *name = object_register_name(dap->object, number, false);
     struct text_cursor cursor = { name };
     struct register_of named;
 

@@ -27,9 +27,6 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
 /* Prints the reason why the program cannot continue. */
 void show_halt(struct debugger *debugger);
 
-/* Returns the last name that the program gave a register, or "". */
-const char *debug_register_name(const struct debugger *debugger, unsigned number);
-
 /* Sets a breakpoint at a source line, or at the next line that has code, and returns
  * that line in *line. Reports an error and returns false if there is none.
  * debugger_forget_lines deletes all breakpoints that were set in this way. */

@@ -17,8 +17,8 @@ static void put_register(const struct debugger *debugger, unsigned number,
     if (elements > 0)
         snprintf(length, sizeof length, "%u", elements);
     sink_print(&debugger->out, "r%-3u %-12s X'%s' %-22s %6s %12" PRIX64 "\n", number,
-               debug_register_name(debugger, number), hex, text, length,
-               c205_descriptor_address(word));
+               object_register_name(debugger->setup.object, number, false), hex, text,
+               length, c205_descriptor_address(word));
 }
 
 /* Lists the registers that are not 0. */

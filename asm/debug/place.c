@@ -8,19 +8,6 @@
 #include "asm/debug/debug_internal.h"
 #include "asm/view/operand_view.h"
 
-static bool is_region(const struct debugger *debugger, const char *name,
-                      const char **region)
-{
-    const c205_program *program = &debugger->setup.object->program;
-
-    for (size_t i = 0; i < program->region_count; i++)
-        if (strcmp(program->regions[i].name, name) == 0) {
-            *region = program->regions[i].name;
-            return true;
-        }
-    return false;
-}
-
 /* ---- Source lines --------------------------------------------------------- */
 
 /* A file "dir/name.s" is also found as name.s. */
@@ -200,38 +187,15 @@ static bool begins_line(const struct debugger *debugger, uint64_t address)
     return line && line->is_code && line->address == address;
 }
 
-/* Returns the segment with words that contains the address, or NULL. */
-static const c205_segment *segment_of(const c205_program *program, uint64_t address)
-{
-    for (size_t i = 0; i < program->segment_count; i++) {
-        const c205_segment *segment = &program->segments[i];
-
-        if (segment->words && address >= segment->address
-            && address - segment->address < 64 * (uint64_t)segment->length)
-            return segment;
-    }
-    return NULL;
-}
-
-/* Without source lines, the segments that contain the entry or the start of a region
- * are code, and are decoded from their first word. */
-static bool is_code(const c205_program *program, const c205_segment *segment)
-{
-    bool code = segment_of(program, program->entry) == segment;
-
-    for (size_t i = 0; !code && i < program->region_count; i++)
-        code = segment_of(program, program->regions[i].begin) == segment;
-    return code;
-}
-
+/* Without source lines, code segments are decoded from their first word. */
 static bool begins_decoded(const struct debugger *debugger, uint64_t address)
 {
-    const c205_program *program = &debugger->setup.object->program;
-    const c205_segment *segment = segment_of(program, address);
+    const struct object *object = debugger->setup.object;
+    const c205_segment *segment = object_segment(object, address);
     struct instruction_view view = { .insn = NULL };
     uint64_t at;
 
-    if (!segment || !is_code(program, segment))
+    if (!segment || !object_is_code(object, segment))
         return false;
     for (at = segment->address; at <= address; at += 32 * (uint64_t)view.halves) {
         view_decode(&view, machine_of(debugger), at);
@@ -353,10 +317,13 @@ static bool read_place(struct debugger *debugger, struct text_cursor *cursor,
         return stop->insn || debug_fault(debugger, "unknown instruction '%.60s'", name);
     }
     if (text_cursor_take(cursor, "region")) {
+        const c205_region *region;
+
         take_name(cursor, name);
+        region = object_region_named(debugger->setup.object, name);
         stop->kind = BREAK_ENTRY;
-        return is_region(debugger, name, &stop->region)
-               || debug_fault(debugger, "unknown region '%.60s'", name);
+        stop->region = region ? region->name : NULL;
+        return region || debug_fault(debugger, "unknown region '%.60s'", name);
     }
     return read_address(debugger, cursor, stop, ended);
 }
@@ -407,7 +374,7 @@ static uint64_t read_from(const struct debugger *debugger, uint64_t address)
     if (line)
         return line->is_code ? line->address : address;
     if (object->line_count == 0)
-        segment = segment_of(&object->program, address);
+        segment = object_segment(object, address);
     if (!segment)
         return address;
     return address - segment->address < FAR_BACK ? segment->address

@@ -15,7 +15,7 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
 
     switch (piece->wait) {
     case C205_WAIT_REGISTER:
-        name = debug_register_name(debugger, piece->number);
+        name = object_register_name(debugger->setup.object, piece->number, false);
         sink_print(sink, "waits for r%u%s%s", piece->number, *name ? ", " : "", name);
         break;
     case C205_WAIT_UNIT:

@@ -257,16 +257,6 @@ bool debug_register(const struct debugger *debugger, struct text_cursor *cursor,
     return true;
 }
 
-const char *debug_register_name(const struct debugger *debugger, unsigned number)
-{
-    const struct object *object = debugger->setup.object;
-
-    for (size_t i = object->register_count; i-- > 0;)
-        if (!object->registers[i].half && object->registers[i].number == number)
-            return object->registers[i].name;
-    return "";
-}
-
 c205_word debug_register_word(const struct debugger *debugger, struct register_of named)
 {
     c205 *machine = machine_of(debugger);

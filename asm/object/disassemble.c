@@ -92,16 +92,6 @@ static bool lies_in(uint64_t address, const c205_segment *segment)
     return address >= segment->address && address < end_of(segment);
 }
 
-static bool is_code(const c205_program *program, const c205_segment *segment)
-{
-    size_t i;
-
-    for (i = 0; i < program->region_count; i++)
-        if (lies_in(program->regions[i].begin, segment))
-            return segment->words != NULL;
-    return segment->words && lies_in(program->entry, segment);
-}
-
 /* Returns the next address that no instruction may cross. */
 static uint64_t next_stop(const c205_program *program, const c205_segment *segment,
                           uint64_t address)
@@ -351,7 +341,7 @@ static bool can_be_labelled(const struct disassembler *disassembler, uint64_t ad
 
     for (i = 0; i < program->segment_count; i++)
         if (lies_in(address, &program->segments[i]))
-            return is_code(program, &program->segments[i])
+            return object_is_code(disassembler->object, &program->segments[i])
                        ? addresses_hold(&disassembler->boundaries, address)
                        : address % WORD_BITS == 0;
     return false;
@@ -380,7 +370,7 @@ static void collect(struct disassembler *disassembler)
     size_t i;
 
     for (i = 0; i < program->segment_count; i++)
-        if (is_code(program, &program->segments[i]))
+        if (object_is_code(disassembler->object, &program->segments[i]))
             walk(disassembler, &program->segments[i], note);
     add_address(disassembler, &disassembler->targets, program->entry);
     sort(&disassembler->boundaries);
@@ -396,7 +386,7 @@ static void collect(struct disassembler *disassembler)
 
 static void show_segment(struct disassembler *disassembler, const c205_segment *segment)
 {
-    bool code = is_code(disassembler->program, segment);
+    bool code = object_is_code(disassembler->object, segment);
 
     sink_print(disassembler->sink, "%s%s\n%s.org 0x%" PRIX64 "\n", indent,
                code ? ".code" : ".data", indent, segment->address);

@@ -1,4 +1,5 @@
-/* object.c - looks up the lines, regions and symbols of a program. */
+/* object.c - looks up the lines, segments, regions, symbols and register names of a
+ * program. */
 #include "asm/object/object.h"
 
 #include <stdlib.h>
@@ -26,6 +27,32 @@ const struct asm_line *object_line(const struct object *object, uint64_t address
                : NULL;
 }
 
+static bool holds(const c205_segment *segment, uint64_t address)
+{
+    return segment->words && address >= segment->address
+           && address - segment->address < 64 * (uint64_t)segment->length;
+}
+
+const c205_segment *object_segment(const struct object *object, uint64_t address)
+{
+    const c205_segment *segments = object->program.segments;
+
+    for (size_t i = 0; i < object->program.segment_count; i++)
+        if (holds(&segments[i], address))
+            return &segments[i];
+    return NULL;
+}
+
+bool object_is_code(const struct object *object, const c205_segment *segment)
+{
+    const c205_program *program = &object->program;
+    bool code = holds(segment, program->entry);
+
+    for (size_t i = 0; !code && i < program->region_count; i++)
+        code = holds(segment, program->regions[i].begin);
+    return code;
+}
+
 const char *object_region(const struct object *object, uint64_t address)
 {
     const c205_region *regions = object->program.regions;
@@ -34,6 +61,16 @@ const char *object_region(const struct object *object, uint64_t address)
         if (address >= regions[i].begin && address < regions[i].end)
             return regions[i].name;
     return "";
+}
+
+const c205_region *object_region_named(const struct object *object, const char *name)
+{
+    const c205_region *regions = object->program.regions;
+
+    for (size_t i = 0; i < object->program.region_count; i++)
+        if (strcmp(regions[i].name, name) == 0)
+            return &regions[i];
+    return NULL;
 }
 
 struct position asm_line_position(const struct asm_line *line)
@@ -56,4 +93,22 @@ const struct asm_symbol *object_symbol(const struct object *object, const char *
         return NULL;
     return bsearch(name, object->symbols, object->symbol_count, sizeof *object->symbols,
                    compare_name);
+}
+
+const char *object_label(const struct object *object, uint64_t address)
+{
+    for (size_t i = 0; i < object->symbol_count; i++)
+        if (object->symbols[i].is_label
+            && (uint64_t)object->symbols[i].value == address)
+            return object->symbols[i].name;
+    return "";
+}
+
+const char *object_register_name(const struct object *object, unsigned number,
+                                 bool half)
+{
+    for (size_t i = object->register_count; i-- > 0;)
+        if (object->registers[i].half == half && object->registers[i].number == number)
+            return object->registers[i].name;
+    return "";
 }

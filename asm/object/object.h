@@ -83,11 +83,22 @@ void object_free(struct object *object);
 
 /* Returns the line whose words contain an address, or NULL if none is known. */
 const struct asm_line *object_line(const struct object *object, uint64_t address);
+/* Returns the segment with words that contains an address, or NULL. */
+const c205_segment *object_segment(const struct object *object, uint64_t address);
+/* Returns whether a segment is code: it contains the entry or the start of a region. */
+bool object_is_code(const struct object *object, const c205_segment *segment);
 /* Returns the name of the region that contains an address, or "". */
 const char *object_region(const struct object *object, uint64_t address);
+/* Returns the region of a name, or NULL. */
+const c205_region *object_region_named(const struct object *object, const char *name);
 /* Returns the source position of the first word of a line. */
 struct position asm_line_position(const struct asm_line *line);
 /* Returns NULL if there is no such symbol. */
 const struct asm_symbol *object_symbol(const struct object *object, const char *name);
+/* Returns the first label at an address, by name, or "". */
+const char *object_label(const struct object *object, uint64_t address);
+/* Returns the last name that the program gives a register, or half register, or "". */
+const char *object_register_name(const struct object *object, unsigned number,
+                                 bool half);
 
 #endif

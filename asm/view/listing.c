@@ -3,29 +3,15 @@
 
 #include <inttypes.h>
 
-static const c205_segment *find_segment(const c205_program *program, uint64_t address)
-{
-    size_t i;
-
-    for (i = 0; i < program->segment_count; i++) {
-        const c205_segment *segment = &program->segments[i];
-
-        if (address >= segment->address
-            && address - segment->address < 64 * (uint64_t)segment->length)
-            return segment;
-    }
-    return NULL;
-}
-
 /* Prints eight hex digits. Returns false for zeros that are not stored. */
-static bool put_half(const c205_program *program, uint64_t address,
+static bool put_half(const struct object *object, uint64_t address,
                      const struct sink *sink)
 {
-    const c205_segment *segment = find_segment(program, address);
+    const c205_segment *segment = object_segment(object, address);
     uint64_t offset;
     c205_word word;
 
-    if (!segment || !segment->words)
+    if (!segment)
         return false;
     offset = address - segment->address;
     word = segment->words[offset / 64];
@@ -34,7 +20,7 @@ static bool put_half(const c205_program *program, uint64_t address,
 }
 
 /* Prints two halves in a row, and the source in the first row. */
-static void put_line(const c205_program *program, const struct asm_line *line,
+static void put_line(const struct object *object, const struct asm_line *line,
                      const struct sink *sink)
 {
     uint64_t at = 0;
@@ -44,10 +30,10 @@ static void put_line(const c205_program *program, const struct asm_line *line,
         bool shown;
 
         sink_print(sink, "%12" PRIX64 "  ", address);
-        shown = put_half(program, address, sink);
+        shown = put_half(object, address, sink);
         if (!shown)
             sink_put(sink, "...             ");
-        else if (at + 1 == line->halves || !put_half(program, address + 32, sink))
+        else if (at + 1 == line->halves || !put_half(object, address + 32, sink))
             sink_put(sink, "        ");
         if (at == 0)
             sink_print(sink, "  %5zu  %s", line->number, line->source);
@@ -70,6 +56,6 @@ void listing(const struct object *object, const struct sink *sink)
         if (*a != *b)
             sink_print(sink, "%s\n", line->file);
         file = line->file;
-        put_line(&object->program, line, sink);
+        put_line(object, line, sink);
     }
 }

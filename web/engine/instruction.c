@@ -45,7 +45,7 @@ static void put_operand(const struct engine *engine,
     json_text(reply, "name",
               operand->is_half
                   ? ""
-                  : debug_register_name(engine->debugger, operand->number));
+                  : object_register_name(engine->object, operand->number, false));
     if (operand->is_half)
         put_half(reply, "text", operand->word);
     else

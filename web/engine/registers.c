@@ -39,18 +39,6 @@ static bool is_written(const struct engine *engine, unsigned number)
     return last && last->written[number / 64] >> number % 64 & 1;
 }
 
-/* Returns the label at the start of a vector, or "". */
-static const char *label_of(const struct engine *engine, uint64_t address)
-{
-    const struct object *object = engine->object;
-
-    for (size_t i = 0; i < object->symbol_count; i++)
-        if (object->symbols[i].is_label
-            && (uint64_t)object->symbols[i].value == address)
-            return object->symbols[i].name;
-    return "";
-}
-
 static void put_descriptor(const struct engine *engine, c205_word word,
                            struct json *reply)
 {
@@ -62,19 +50,8 @@ static void put_descriptor(const struct engine *engine, c205_word word,
     json_count(reply, "address", vector.address);
     json_count(reply, "count", vector.length);
     json_text(reply, "kind", vector_elements(vector.width));
-    json_text(reply, "label", label_of(engine, vector.address));
+    json_text(reply, "label", object_label(engine->object, vector.address));
     json_end(reply);
-}
-
-/* Returns the last name that was given to a half register, or NULL. */
-static const char *half_name(const struct engine *engine, unsigned number)
-{
-    const struct object *object = engine->object;
-
-    for (size_t i = object->register_count; i-- > 0;)
-        if (object->registers[i].half && object->registers[i].number == number)
-            return object->registers[i].name;
-    return NULL;
 }
 
 static void put_halves(const struct engine *engine, unsigned number, c205_word word,
@@ -83,9 +60,10 @@ static void put_halves(const struct engine *engine, unsigned number, c205_word w
     static const char *const keys[] = { "left", "right" };
 
     for (unsigned side = 0; side < 2; side++) {
-        const char *name = half_name(engine, 2 * number + side);
+        const char *name = object_register_name(engine->object, 2 * number + side,
+                                                true);
 
-        if (!name)
+        if (!*name)
             continue;
         json_object(reply, keys[side]);
         json_count(reply, "number", 2 * number + side);
@@ -102,7 +80,7 @@ static void put_register(const struct engine *engine, unsigned number,
 
     json_object(reply, NULL);
     json_count(reply, "number", number);
-    json_text(reply, "name", debug_register_name(engine->debugger, number));
+    json_text(reply, "name", object_register_name(engine->object, number, false));
     put_hex(reply, "hex", word);
     put_word(reply, "text", word);
     json_number(reply, "integer", (double)c205_to_integer(word));
@@ -115,8 +93,9 @@ static void put_register(const struct engine *engine, unsigned number,
 static bool is_shown(const struct engine *engine, unsigned number)
 {
     return c205_register(engine_machine(engine), number) != 0
-           || *debug_register_name(engine->debugger, number)
-           || half_name(engine, 2 * number) || half_name(engine, 2 * number + 1)
+           || *object_register_name(engine->object, number, false)
+           || *object_register_name(engine->object, 2 * number, true)
+           || *object_register_name(engine->object, 2 * number + 1, true)
            || is_written(engine, number);
 }
 
