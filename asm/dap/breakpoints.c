@@ -2,7 +2,6 @@
  * breakpoints of one kind; its response reports the result for each of them.
  */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "asm/dap/dap_internal.h"
@@ -49,15 +48,13 @@ static void put_stop(struct dap *dap, struct json *body,
 {
     struct breakpoint stop = { .group = group };
     bool good = make_stop(dap, wanted, file, read, &stop);
-    char *why = good ? NULL : dap_take_said(dap);
 
     json_object(body, NULL);
     json_bool(body, "verified", good);
     if (good)
         put_place(dap, body, &stop);
     else
-        json_text(body, "message", why ? why : "");
-    free(why);
+        dap_put_said(dap, body, "message");
     json_end(body);
 }
 
@@ -273,7 +270,7 @@ bool request_data_breakpoint_info(struct dap *dap, const struct json_value *argu
     const char *name = json_member_text(arguments, "name");
     int64_t bytes = 8;
     uint64_t address;
-    char *why;
+    const char *why;
 
     if (!dap_whole(dap, arguments, "bytes", &bytes))
         return false;
@@ -282,11 +279,11 @@ bool request_data_breakpoint_info(struct dap *dap, const struct json_value *argu
         put_data(body, address, bytes);
         return true;
     }
-    why = dap_take_said(dap);
+    why = debugger_report(&dap->said);
     json_null(body, "dataId");
     json_text(body, "description",
-              why ? why : "only 1 to 64 words of memory can be watched");
-    free(why);
+              *why ? why : "only 1 to 64 words of memory can be watched");
+    text_buffer_free(&dap->said);
     return true;
 }
 

@@ -95,15 +95,15 @@ bool dap_check(struct dap *dap, const char *owner, const struct json_value *obje
 
 /* ---- Reports and messages (respond.c) ------------------------------------ */
 
-/* Reports an error of one sentence and returns false. */
+/* Reports an error of one sentence and returns false. debugger_report returns the
+ * reports. */
 bool dap_fault(struct dap *dap, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
-/* Returns the reports since the last call, without "error: " and the last newline, and
- * NULL if there were none. The caller frees the text. */
-char *dap_take_said(struct dap *dap);
+/* Writes the reports since the last call as a member. */
+void dap_put_said(struct dap *dap, struct json *json, const char *key);
 /* Returns a sink that appends to the reports. */
 struct sink dap_output_sink(struct dap *dap);
 

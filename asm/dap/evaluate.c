@@ -1,18 +1,9 @@
 /* evaluate.c - evaluates expressions and executes debugger commands for the client. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "asm/dap/dap_internal.h"
 
 /* ---- Expressions --------------------------------------------------------- */
-
-static void put_result(struct dap *dap, struct json *body, const char *key)
-{
-    char *said = dap_take_said(dap);
-
-    json_text(body, key, said ? said : "");
-    free(said);
-}
 
 /* The value of a register includes its vector. */
 static bool put_value(struct dap *dap, struct json *body, const char *text,
@@ -23,7 +14,7 @@ static bool put_value(struct dap *dap, struct json *body, const char *text,
 
     if (!verb_print(dap->debugger, &cursor))
         return false;
-    put_result(dap, body, key);
+    dap_put_said(dap, body, key);
     if (debug_register(dap->debugger, &again, &named) && text_cursor_end(&again))
         put_word_members(dap, body, named);
     else
@@ -106,7 +97,7 @@ bool request_evaluate(struct dap *dap, const struct json_value *arguments,
         return dap_fault(
             dap, "debugger commands are accepted only while the program is stopped");
     obey_line(dap, text);
-    put_result(dap, body, "result");
+    dap_put_said(dap, body, "result");
     json_number(body, "variablesReference", 0);
     return true;
 }

@@ -1,7 +1,6 @@
 /* execution.c - executes the program for requests, and reports to the client why the
  * execution ended. */
 #include <inttypes.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "asm/dap/dap_internal.h"
@@ -47,7 +46,7 @@ static void send_stopped(struct dap *dap, const char *reason, bool met)
 {
     struct text_buffer text;
     struct json *body;
-    char *said;
+    const char *said;
 
     dap->state = DAP_STANDING;
     send_printed(dap);
@@ -61,12 +60,12 @@ static void send_stopped(struct dap *dap, const char *reason, bool met)
         put_met(dap, body);
         breakpoints_pass(dap->debugger, true);
     }
-    said = dap_take_said(dap);
-    if (said) {
+    said = debugger_report(&dap->said);
+    if (*said) {
         json_text(body, "description", said);
         json_text(body, "text", said);
     }
-    free(said);
+    text_buffer_free(&dap->said);
     event_end(dap, "stopped", body, &text);
 }
 
@@ -331,16 +330,13 @@ bool request_exception_info(struct dap *dap, const struct json_value *arguments,
                             struct json *body)
 {
     const struct debugger *debugger = dap->debugger;
-    char *report;
 
     (void)arguments;
     if (!debugger->halted || debugger->halt.trap == C205_TRAP_NONE)
         return dap_fault(dap, "no trap has stopped the program");
     show_halt(dap->debugger);
-    report = dap_take_said(dap);
     json_text(body, "exceptionId", c205_trap_name(debugger->halt.trap));
-    json_text(body, "description", report ? report : "");
+    dap_put_said(dap, body, "description");
     json_text(body, "breakMode", "unhandled");
-    free(report);
     return true;
 }

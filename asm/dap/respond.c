@@ -28,19 +28,10 @@ bool dap_fault(struct dap *dap, const char *format, ...)
     return false;
 }
 
-char *dap_take_said(struct dap *dap)
+void dap_put_said(struct dap *dap, struct json *json, const char *key)
 {
-    static const char error[] = "error: ";
-    static const struct text_buffer empty;
-    char *text = dap->said.text;
-    size_t length = dap->said.length;
-
-    dap->said = empty;
-    if (length > 0 && text[length - 1] == '\n')
-        text[--length] = '\0';
-    if (text && strncmp(text, error, sizeof error - 1) == 0)
-        memmove(text, text + sizeof error - 1, length - sizeof error + 2);
-    return text;
+    json_text(json, key, debugger_report(&dap->said));
+    text_buffer_free(&dap->said);
 }
 
 /* ---- Messages ----------------------------------------------------------------- */

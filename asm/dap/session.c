@@ -90,19 +90,15 @@ static bool answer(struct dap *dap, const struct json_value *request, struct jso
 
 static void refuse(struct dap *dap, const struct json_value *request)
 {
-    char *why = dap_take_said(dap);
+    const char *why = debugger_report(&dap->said);
 
-    send_refusal(dap, request, why ? why : "out of memory");
-    free(why);
+    send_refusal(dap, request, *why ? why : "out of memory");
 }
 
 /* Sends the reports of a successful request as console output, then the response. */
 static void respond(struct dap *dap, const struct json_value *request, const char *body)
 {
-    char *said = dap_take_said(dap);
-
-    send_output(dap, "console", said);
-    free(said);
+    send_output(dap, "console", debugger_report(&dap->said));
     send_response(dap, request, body);
 }
 

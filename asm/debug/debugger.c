@@ -235,6 +235,19 @@ const c205_times *debugger_end(const struct debugger *debugger)
     return debugger->has_end ? &debugger->end : NULL;
 }
 
+const char *debugger_report(struct text_buffer *said)
+{
+    static const char error[] = "error: ";
+
+    if (said->length == 0)
+        return "";
+    if (said->text[said->length - 1] == '\n')
+        said->text[--said->length] = '\0';
+    return strncmp(said->text, error, sizeof error - 1) == 0
+               ? said->text + sizeof error - 1
+               : said->text;
+}
+
 void debugger_greet(struct debugger *debugger)
 {
     show_place(debugger);

@@ -26,6 +26,9 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
                const struct sink *sink);
 /* Prints the reason why the program cannot continue. */
 void show_halt(struct debugger *debugger);
+/* Returns the debugger's reports in a buffer, without "error: " and the last newline, or
+ * "" if there are none. The text is valid until the buffer changes. */
+const char *debugger_report(struct text_buffer *said);
 
 /* Sets a breakpoint at a source line, or at the next line that has code, and returns
  * that line in *line. Reports an error and returns false if there is none.

@@ -1,6 +1,4 @@
 /* answer.c - reads requests, dispatches them, and divides long work into slices. */
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -9,68 +7,35 @@
 
 /* ---- Errors ------------------------------------------------------------------ */
 
-bool refuse(c205_error *error, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
 bool refuse_of(c205_error *error, const char *name)
 {
     c205_error why = *error;
 
-    return refuse(error, "%.80s: %.160s", name, why.message);
-}
-
-/* Returns the debugger's report without "error: " and the last newline, or
- * NULL if there is none. */
-static const char *said_text(struct engine *engine)
-{
-    static const char error[] = "error: ";
-    struct text_buffer *said = &engine->said;
-
-    if (said->length == 0)
-        return NULL;
-    if (said->text[said->length - 1] == '\n')
-        said->text[--said->length] = '\0';
-    return strncmp(said->text, error, sizeof error - 1) == 0
-               ? said->text + sizeof error - 1
-               : said->text;
-}
-
-static void forget_said(struct engine *engine)
-{
-    text_buffer_free(&engine->said);
-    engine->said = (struct text_buffer){ .text = NULL };
+    return error_set(error, "%.80s: %.160s", name, why.message);
 }
 
 bool refuse_as_said(struct engine *engine, c205_error *error)
 {
-    const char *said = said_text(engine);
+    const char *said = debugger_report(&engine->said);
 
-    refuse(error, "%s", said ? said : "out of memory");
-    forget_said(engine);
+    error_set(error, "%s", *said ? said : "out of memory");
+    text_buffer_free(&engine->said);
     return false;
 }
 
 bool put_said(struct engine *engine, struct json *reply, const char *key,
               c205_error *error)
 {
-    const char *said = said_text(engine);
     bool good = !engine->said.failed;
 
-    json_text(reply, key, said ? said : "");
-    forget_said(engine);
-    return good || refuse(error, "out of memory");
+    json_text(reply, key, debugger_report(&engine->said));
+    text_buffer_free(&engine->said);
+    return good || error_set(error, "out of memory");
 }
 
 bool needs_program(const struct engine *engine, c205_error *error)
 {
-    return engine->debugger || refuse(error, "no program is loaded");
+    return engine->debugger || error_set(error, "no program is loaded");
 }
 
 char *copy_of(const char *text)
@@ -88,7 +53,7 @@ bool take_text_or(const struct json_value *request, const char *key, const char 
     const struct json_value *value = json_member(request, key);
 
     if (value && value->kind != JSON_TEXT)
-        return refuse(error, "\"%s\" is not a string", key);
+        return error_set(error, "\"%s\" is not a string", key);
     if (value)
         *text = value->text;
     return true;
@@ -99,7 +64,7 @@ bool take_text(const struct json_value *request, const char *key, const char **t
 {
     *text = NULL;
     return take_text_or(request, key, text, error)
-           && (*text || refuse(error, "\"%s\" is missing", key));
+           && (*text || error_set(error, "\"%s\" is missing", key));
 }
 
 bool take_truth(const struct json_value *request, const char *key, bool *truth,
@@ -108,7 +73,7 @@ bool take_truth(const struct json_value *request, const char *key, bool *truth,
     const struct json_value *value = json_member(request, key);
 
     if (value && value->kind != JSON_TRUTH)
-        return refuse(error, "\"%s\" must be true or false", key);
+        return error_set(error, "\"%s\" must be true or false", key);
     if (value)
         *truth = value->truth;
     return true;
@@ -122,7 +87,7 @@ bool take_count(const struct json_value *request, const char *key, uint64_t *cou
     if (!json_member(request, key))
         return true;
     if (!json_member_whole(request, key, &value) || value < 0)
-        return refuse(error, "\"%s\" is not an integer from 0 on", key);
+        return error_set(error, "\"%s\" is not an integer from 0 on", key);
     *count = (uint64_t)value;
     return true;
 }
@@ -207,7 +172,7 @@ static bool answer_more(struct engine *engine, const struct json_value *request,
     engine_slice *goes_on = engine->goes_on;
 
     if (!goes_on)
-        return refuse(error, "no work is left to continue");
+        return error_set(error, "no work is left to continue");
     return take_slice(engine, request, error) && goes_on(engine, reply, error);
 }
 
@@ -242,13 +207,13 @@ static bool answer(struct engine *engine, const struct json_value *request,
     size_t i = 0;
 
     if (request->kind != JSON_OBJECT)
-        return refuse(error, "a request must be an object");
+        return error_set(error, "a request must be an object");
     if (!take_text(request, "do", &name, error))
         return false;
     while (i < REQUESTS && strcmp(requests[i].name, name) != 0)
         i++;
     if (i == REQUESTS)
-        return refuse(error, "unknown request \"%.60s\"", name);
+        return error_set(error, "unknown request \"%.60s\"", name);
     if (requests[i].keeps == KEEPS_NOTHING
         || (requests[i].keeps == KEEPS_MOVEMENT && engine->replay.begun))
         drop_work(engine);
@@ -326,6 +291,6 @@ void engine_free(struct engine *engine)
         return;
     drop_work(engine);
     program_drop(engine);
-    forget_said(engine);
+    text_buffer_free(&engine->said);
     free(engine);
 }

@@ -54,7 +54,7 @@ static bool run(struct engine *engine, struct text_comparison *comparison, bool 
     *over = stop.trap == C205_TRAP_NONE;
     if (*over)
         return compared_take(&comparison->sides[comparison->which].run, machine)
-               || refuse(error, "out of memory");
+               || error_set(error, "out of memory");
     if (stop.trap == C205_TRAP_CLOCK_LIMIT && !last)
         return true;
     c205_describe_stop(machine, &stop, error);
@@ -147,7 +147,7 @@ static bool take_side(struct engine *engine, const struct json_value *request,
         return false;
     side->name = copy_of(name);
     if (!side->name)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     side->object = engine_assemble(engine, name, text, options, error);
     if (!side->object || !take_warm(request, side->object, error))
         return false;
@@ -169,7 +169,7 @@ static bool take_sides(struct engine *engine, const struct json_value *request,
     for (int i = 0; i < count; i++)
         objects[i] = engine->comparison->sides[i].object;
     return ((!text && count == COMPARED_RUNS)
-            || refuse(error, "\"texts\" must be a list of two programs"))
+            || error_set(error, "\"texts\" must be a list of two programs"))
            && uses_defines(options, objects, COMPARED_RUNS, error);
 }
 
@@ -182,7 +182,7 @@ bool answer_compare(struct engine *engine, const struct json_value *request,
     bool good;
 
     if (!comparison)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     engine->comparison = comparison;
     comparison->limit = ENGINE_LIMIT;
     good = take_slice(engine, request, error)

@@ -13,6 +13,7 @@
 #include "asm/measure/line_profile.h"
 #include "asm/text/assemble.h"
 #include "asm/timeline/timeline.h"
+#include "base/error.h"
 #include "base/json.h"
 #include "base/json_read.h"
 #include "base/table.h"
@@ -133,12 +134,6 @@ bool slice_is_over(void *engine);
 /* Returns whether the slice is over, for other work, by its `spent`. */
 bool slice_is_full(const struct engine *engine);
 
-/* Sets the error to a sentence and returns false. */
-bool refuse(c205_error *error, const char *format, ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
 /* Prefixes the error with a name and returns false. */
 bool refuse_of(c205_error *error, const char *name);
 /* Sets the error to the debugger's report, without "error: ", and returns false. */

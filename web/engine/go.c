@@ -149,10 +149,10 @@ static bool take_movement(struct engine *engine, const struct json_value *reques
     while (i < WAYS && strcmp(ways[i].how, how) != 0)
         i++;
     if (i == WAYS)
-        return refuse(error, "unknown value of \"how\": \"%.40s\"", how);
+        return error_set(error, "unknown value of \"how\": \"%.40s\"", how);
     given = n != UINT64_MAX;
     if (!given && strstr(how, "-to"))
-        return refuse(error, "\"n\" is missing: expected a step or a clock");
+        return error_set(error, "\"n\" is missing: expected a step or a clock");
     n = given ? n : 1;
     engine->execution = (struct execution){
         .move = ways[i].move, .step = n, .clock = n, .left = n
@@ -187,7 +187,7 @@ bool answer_printf(struct engine *engine, const struct json_value *request,
         || !take_text(request, "line", &line, error))
         return false;
     if (strpbrk(line, "\r\n"))
-        return refuse(error, "\"line\" must be one line");
+        return error_set(error, "\"line\" must be one line");
     engine->slice.ends_at = plus(c205_clock(engine_machine(engine)), limit);
     debugger_obey(engine->debugger, line);
     printed_forget(&engine->printed, debugger_known(engine->debugger));

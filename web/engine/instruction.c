@@ -120,7 +120,7 @@ static bool put_formula(const c205_event *event, struct json *reply, c205_error 
     if (good)
         json_text(reply, "formula", text.text);
     text_buffer_free(&text);
-    return good || refuse(error, "out of memory");
+    return good || error_set(error, "out of memory");
 }
 
 static void put_constant(const c205_constant *constant, struct json *reply)

@@ -59,7 +59,7 @@ static bool put_words(const struct lesson_verdict *verdict, struct json *reply,
     if (!text.failed)
         json_text(reply, "words", text.text ? text.text : "");
     text_buffer_free(&text);
-    return !text.failed || refuse(error, "out of memory");
+    return !text.failed || error_set(error, "out of memory");
 }
 
 static bool grade(const struct lesson *lesson, const char *name, const char *text,

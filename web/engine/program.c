@@ -81,15 +81,15 @@ static bool take_defines(const struct json_value *request, struct arena *arena,
 
     options->defines = list;
     if (!list)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     if (!is_object(defines) || count > MAX_DEFINES)
-        return refuse(error, "\"defines\" must have at most %d names with integers",
-                      MAX_DEFINES);
+        return error_set(error, "\"defines\" must have at most %d names with integers",
+                         MAX_DEFINES);
     for (const struct json_value *item = defines ? defines->first : NULL; item;
          item = item->next, list++) {
         if (item->kind != JSON_NUMBER
             || !json_member_whole(defines, item->key, &list->value))
-            return refuse(error, "\"defines\" must have names with integers");
+            return error_set(error, "\"defines\" must have names with integers");
         list->name = arena_text(arena, item->key, strlen(item->key));
     }
     return true;
@@ -106,15 +106,15 @@ static bool take_files(const struct json_value *request, struct arena *arena,
     const char **lines = arena_take(arena, (2 * count + 1) * sizeof *lines);
 
     if (!is_object(files))
-        return refuse(error, "\"files\" must have names with strings");
+        return error_set(error, "\"files\" must have names with strings");
     if (!texts || !tables || !lines)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     tables[0] = texts;
     options->texts = tables;
     for (const struct json_value *item = files ? files->first : NULL; item;
          item = item->next, texts++, lines += 2) {
         if (item->kind != JSON_TEXT)
-            return refuse(error, "\"files\" must have names with strings");
+            return error_set(error, "\"files\" must have names with strings");
         lines[0] = arena_text(arena, item->text, strlen(item->text));
         texts->name = arena_text(arena, item->key, strlen(item->key));
         texts->lines = lines;
@@ -128,7 +128,7 @@ bool take_options(const struct json_value *request, struct arena *arena,
     options->sealed = true;
     return take_defines(request, arena, options, error)
            && take_files(request, arena, options, error)
-           && (!arena->failed || refuse(error, "out of memory"));
+           && (!arena->failed || error_set(error, "out of memory"));
 }
 
 bool uses_defines(const struct asm_options *options, struct object *const *objects,
@@ -136,7 +136,7 @@ bool uses_defines(const struct asm_options *options, struct object *const *objec
 {
     const char *unused = asm_unused_define(options->defines, objects, count);
 
-    return !unused || refuse(error, "'%.100s' is defined, and not used", unused);
+    return !unused || error_set(error, "'%.100s' is defined, and not used", unused);
 }
 
 struct object *engine_assemble(struct engine *engine, const char *name,
@@ -146,10 +146,11 @@ struct object *engine_assemble(struct engine *engine, const char *name,
     struct object *object = assemble_text(name, text, options, &engine->diagnostics);
 
     if (!object && engine->diagnostics.errors == 0)
-        refuse(error, "out of memory");
+        error_set(error, "out of memory");
     else if (!object)
-        refuse(error, "%.100s cannot be assembled: %zu error%s", name,
-               engine->diagnostics.errors, engine->diagnostics.errors == 1 ? "" : "s");
+        error_set(error, "%.100s cannot be assembled: %zu error%s", name,
+                  engine->diagnostics.errors,
+                  engine->diagnostics.errors == 1 ? "" : "s");
     return object;
 }
 
@@ -162,14 +163,14 @@ c205_model *program_model(const char *name, const struct object *object,
 
     name = name && *name ? name : own ? own : C205_DEFAULT_MODEL;
     if (c205_model_is_file(name)) {
-        refuse(error, "'%.60s' is not a built-in model", name);
+        error_set(error, "'%.60s' is not a built-in model", name);
         return NULL;
     }
     model = c205_model_find(name, error);
     if (!model || !c205_model_is_projection(model))
         return model;
     c205_model_free(model);
-    refuse(error, "programs cannot run on '%.60s', which only gives times", name);
+    error_set(error, "programs cannot run on '%.60s', which only gives times", name);
     return NULL;
 }
 
@@ -356,7 +357,7 @@ static bool put_lines(const struct engine *engine, struct json *reply,
     size_t count = 0;
 
     if (!lines)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     for (size_t i = 0; i < object->line_count; i++) {
         size_t line = program_line(engine, object->lines[i].address);
 
@@ -387,7 +388,7 @@ static bool begin_program(struct engine *engine, const char *name,
     engine->object = object;
     engine->model = model;
     engine->name = copy_of(name);
-    if (engine->name ? make_debugger(engine, error) : refuse(error, "out of memory"))
+    if (engine->name ? make_debugger(engine, error) : error_set(error, "out of memory"))
         return true;
     program_drop(engine);
     return false;
@@ -465,11 +466,11 @@ bool answer_breaks(struct engine *engine, const struct json_value *request,
     if (!needs_program(engine, error))
         return false;
     if (!lines || lines->kind != JSON_ARRAY)
-        return refuse(error, "\"lines\" must be a list of line numbers");
+        return error_set(error, "\"lines\" must be a list of line numbers");
     for (const struct json_value *line = lines->first; line; line = line->next)
         if (line->kind != JSON_NUMBER || line->number != floor(line->number)
             || fabs(line->number) > 1e9)
-            return refuse(error, "\"lines\" must be a list of line numbers");
+            return error_set(error, "\"lines\" must be a list of line numbers");
     debugger_forget_lines(engine->debugger);
     json_array(reply, "lines");
     for (const struct json_value *line = lines->first; line && good; line = line->next)

@@ -229,9 +229,9 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
     if (!take_count(request, "elements", &window.most, error))
         return false;
     if (first && first->kind != JSON_OBJECT)
-        return refuse(error, "\"first\" must have names with integers");
+        return error_set(error, "\"first\" must have names with integers");
     if (window.most > MAX_ELEMENTS)
-        return refuse(error, "\"elements\" must be at most %d", MAX_ELEMENTS);
+        return error_set(error, "\"elements\" must be at most %d", MAX_ELEMENTS);
     json_array(reply, "vectors");
     for (size_t i = 0; good && i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
@@ -240,7 +240,7 @@ bool put_vectors(const struct engine *engine, const struct json_value *request,
             continue;
         good = take_window(request, symbol->name, &window, error)
                && (put_symbol(engine, symbol, &window, reply)
-                   || refuse(error, "out of memory"));
+                   || error_set(error, "out of memory"));
     }
     json_end(reply);
     return good;

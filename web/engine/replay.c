@@ -51,7 +51,7 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
     struct replay *replay = &engine->replay;
 
     if (!profile && !timeline)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     replay->begun = true;
     replay->stands = debugger_step(engine->debugger);
     replay->halted = debugger_halt(engine->debugger);

@@ -45,7 +45,7 @@ static bool put_picture(const struct program_sweep *sweep, struct json *reply,
     if (good)
         json_text(reply, "svg", text.text);
     text_buffer_free(&text);
-    return good || refuse(error, "out of memory");
+    return good || error_set(error, "out of memory");
 }
 
 /* Writes the members of c205 sweep --json, and the picture. */
@@ -102,13 +102,13 @@ static bool take_values(const struct engine *engine, const struct json_value *re
     sweep->asked = (size_t)points;
     if (range->from < 1 || range->from >= range->to || range->to > SWEPT_LARGEST
         || range->factor == 1 || (range->step > 0 && range->factor > 0))
-        return refuse(
+        return error_set(
             error,
             "the range must rise from 1 or more, with a \"step\", a \"factor\" or "
             "neither");
     if (points == 1 || points > MAX_SWEPT_POINTS
         || swept_values(range, sweep->asked, values) < 2)
-        return refuse(error, "a sweep must have 2 to %d points", MAX_SWEPT_POINTS);
+        return error_set(error, "a sweep must have 2 to %d points", MAX_SWEPT_POINTS);
     return true;
 }
 
@@ -155,7 +155,7 @@ static bool take_program(struct engine *engine, const struct json_value *request
         return true;
     first = at_first(laboratory);
     if (!first)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     object = engine_assemble(engine, name, text, first, error);
     if (object && !laboratory->model)
         laboratory->model = program_model(model, object, error);
@@ -168,7 +168,7 @@ static bool take_program(struct engine *engine, const struct json_value *request
         arena_text(&laboratory->arena, name, strlen(name)),
         arena_text(&laboratory->arena, text, strlen(text)), strlen(text)
     };
-    return !laboratory->arena.failed || refuse(error, "out of memory");
+    return !laboratory->arena.failed || error_set(error, "out of memory");
 }
 
 static bool take_sweep(struct engine *engine, const struct json_value *request,
@@ -190,12 +190,12 @@ static bool take_sweep(struct engine *engine, const struct json_value *request,
     sweep->options = &laboratory->options;
     sweep->report = text_buffer_sink(&laboratory->report);
     if (!sweep->constant)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     if (!take_program(engine, request, "text", "name", error)
         || !take_program(engine, request, "other", "other-name", error))
         return false;
     sweep->model = laboratory->model;
-    return sweep->program_count > 0 || refuse(error, "\"text\" is missing");
+    return sweep->program_count > 0 || error_set(error, "\"text\" is missing");
 }
 
 bool answer_sweep(struct engine *engine, const struct json_value *request,
@@ -204,7 +204,7 @@ bool answer_sweep(struct engine *engine, const struct json_value *request,
     struct laboratory *laboratory = calloc(1, sizeof *laboratory);
 
     if (!laboratory)
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     engine->laboratory = laboratory;
     laboratory->sweep.clocks_most = ENGINE_SWEEP_LIMIT;
     if (take_slice(engine, request, error) && take_sweep(engine, request, error))

@@ -98,7 +98,7 @@ static bool put_spans(const struct engine *engine, struct json *reply,
     if (good)
         put_lanes(timeline, &lanes, reply);
     arena_free(&arena);
-    return good || refuse(error, "out of memory");
+    return good || error_set(error, "out of memory");
 }
 
 /* ---- Files --------------------------------------------------------------- */
@@ -118,7 +118,7 @@ static bool put_file(const struct engine *engine, struct json *reply, c205_error
     if (good)
         json_text(reply, "file", text.text);
     text_buffer_free(&text);
-    return good || refuse(error, "out of memory");
+    return good || error_set(error, "out of memory");
 }
 
 /* ---- timeline ------------------------------------------------------------ */
@@ -128,7 +128,7 @@ static bool put_timeline(struct engine *engine, struct json *reply, c205_error *
     struct timeline *timeline = engine->replay.timeline;
 
     if (!timeline_is_good(timeline))
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     timeline_finish(timeline);
     json_count(reply, "from", timeline->from);
     json_count(reply, "to", timeline->to);
@@ -152,7 +152,7 @@ static bool take_form(const struct json_value *request,
         return false;
     *form = file ? timeline_form_of(file) : NULL;
     return !file || *form
-           || refuse(error, "the name \"file\" must end in .svg, .kanata or .json");
+           || error_set(error, "the name \"file\" must end in .svg, .kanata or .json");
 }
 
 /* Replays all steps so far, also those after the current one. */
@@ -172,7 +172,7 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
         || !take_form(request, &form, error))
         return false;
     if (timeline->from >= timeline->to)
-        return refuse(error, "\"from\" must be before \"to\"");
+        return error_set(error, "\"from\" must be before \"to\"");
     timeline->most = most < MAX_TIMELINE ? (size_t)most : MAX_TIMELINE;
     if (!replay_begin(engine, NULL, timeline, debugger_known(engine->debugger), error))
         return false;

@@ -54,7 +54,7 @@ bool put_accounts(const struct engine *engine, struct json *reply, c205_error *e
 
     if (!accounts_add(&accounts, engine_machine(engine))) {
         accounts_free(&accounts);
-        return refuse(error, "out of memory");
+        return error_set(error, "out of memory");
     }
     all = accounts_together(&accounts);
     json_object(reply, "accounts");
@@ -80,7 +80,7 @@ bool put_table(struct table *table, const char *key, struct json *reply,
     bool good = table && table_json(table, reply, key);
 
     table_free(table);
-    return good || refuse(error, "out of memory");
+    return good || error_set(error, "out of memory");
 }
 
 /* Writes the accounts as c205 run --json does. */
@@ -98,7 +98,7 @@ bool answer_accounts(struct engine *engine, const struct json_value *request,
                ? put_table(accounts_by_cause(&accounts), "causes", reply, error)
                      && put_table(accounts_by_region(&accounts), "regions", reply,
                                   error)
-               : refuse(error, "out of memory");
+               : error_set(error, "out of memory");
     accounts_free(&accounts);
     return good;
 }
@@ -139,7 +139,7 @@ static bool put_printed(const struct engine *engine, struct json *reply,
         json_bool(reply, "printed_cut", printed_is_cut(printed, step));
     }
     arena_free(&arena);
-    return text || refuse(error, "out of memory");
+    return text || error_set(error, "out of memory");
 }
 
 bool answer_view(struct engine *engine, const struct json_value *request,
