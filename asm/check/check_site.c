@@ -128,7 +128,7 @@ static void check_indices(struct runtime_checker *watch, const c205 *machine,
 
     for (first = 0; first < list->length; first += n) {
         n = min_size(CHUNK, list->length - first);
-        if (!view_read(machine, list, first, n, words))
+        if (!view_read(machine, list->address, list->width, first, n, words))
             return;
         for (i = 0; i < n; i++) {
             struct text_line which = { "", 0 };
@@ -211,7 +211,7 @@ static bool fetch(const c205 *machine, const struct operand_view *source, size_t
     size_t i;
 
     if (source && source->is_vector)
-        return view_read(machine, source, first, n, words);
+        return view_read(machine, source->address, source->width, first, n, words);
     for (i = 0; i < n; i++)
         words[i] = source ? source->word : 0;
     return true;

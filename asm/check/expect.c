@@ -1,5 +1,6 @@
 /* expect.c - compares the result of a run with the expectations of the program. */
 #include "asm/check/expect.h"
+#include "asm/view/word_text.h"
 #include "base/plural.h"
 
 #include <inttypes.h>
@@ -23,19 +24,6 @@ static void print_where(const struct outcome *outcome,
 {
     sink_print(outcome->report, "%s:%zu: expected ", expectation->file,
                expectation->line);
-}
-
-/* Prints a word, or a half word, which is left-aligned, with 8 digits. */
-static void print_value(const struct outcome *outcome, bool half, c205_word word)
-{
-    enum { HALF_DIGITS = 9 }; /* and the blank between them */
-    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
-
-    c205_to_hex(word, hex);
-    if (half)
-        hex[HALF_DIGITS] = '\0';
-    (half ? c205_half_to_text : c205_to_text)(word, text);
-    sink_print(outcome->report, "X'%s' (%s)", hex, text);
 }
 
 static void print_tolerance(const struct outcome *outcome,
@@ -86,11 +74,11 @@ static bool compare(const struct outcome *outcome,
         return true;
     print_where(outcome, expectation);
     sink_print(outcome->report, "%s = ", place);
-    print_value(outcome, half, wanted);
+    word_print(wanted, half, outcome->report);
     if (expectation->has_tolerance)
         print_tolerance(outcome, expectation);
     sink_put(outcome->report, ", found ");
-    print_value(outcome, half, found);
+    word_print(found, half, outcome->report);
     print_why(outcome, expectation, half, wanted, found);
     sink_put(outcome->report, "\n");
     return false;

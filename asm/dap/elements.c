@@ -3,20 +3,16 @@
 #include <stdlib.h>
 
 #include "asm/dap/dap_internal.h"
+#include "asm/view/word_text.h"
 
 void put_bits(c205_word word, unsigned width, const struct sink *sink)
 {
-    char number[C205_TEXT_SIZE], hex[C205_TEXT_SIZE];
+    struct word_text text = word_text(word, width == 32);
 
-    if (width == 1) {
+    if (width == 1)
         sink_print(sink, "%u", (unsigned)word & 1);
-        return;
-    }
-    (width == 32 ? c205_half_to_text : c205_to_text)(word, number);
-    c205_to_hex(word, hex);
-    if (width == 32)
-        hex[9] = '\0';
-    sink_print(sink, "%s  X'%s'", number, hex);
+    else
+        sink_print(sink, "%s  X'%s'", text.number, text.hex);
 }
 
 /* Prints the control bit, which determines whether the result of an element is

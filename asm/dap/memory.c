@@ -9,7 +9,7 @@
 
 #include "asm/dap/dap_internal.h"
 #include "asm/object/disassemble.h"
-#include "asm/view/operand_view.h"
+#include "asm/view/word_text.h"
 
 /* ---- Base64 -------------------------------------------------------------- */
 
@@ -181,16 +181,6 @@ static uint64_t move_address(const struct dap *dap, uint64_t address,
     return address;
 }
 
-static void put_code(struct json *body, c205_word word, unsigned halves)
-{
-    char hex[C205_TEXT_SIZE];
-
-    c205_to_hex(word, hex);
-    if (halves == 1)
-        hex[9] = '\0';
-    json_text(body, "instructionBytes", hex);
-}
-
 static void put_origin(struct dap *dap, struct json *body, uint64_t address)
 {
     const struct asm_line *line = object_line(dap->object, address);
@@ -213,13 +203,15 @@ static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t add
     c205_word word = view_word_at(machine, address), there;
     char text[DISASSEMBLE_TEXT_SIZE];
     struct instruction_view view;
+    struct word_text code;
 
     view_decode(&view, machine, address);
+    code = word_text(word, view.halves == 1);
     json_object(body, NULL);
     dap_put_address(body, "address", address);
     if (c205_read(machine, address - address % 64, &there, 1)) {
         disassemble_one(word, address, text);
-        put_code(body, word, view.halves);
+        json_text(body, "instructionBytes", code.hex);
         json_text(body, "instruction", text);
         put_origin(dap, body, address);
     } else {

@@ -1,7 +1,6 @@
 /* operands.c - the operands of the next instruction as variables. */
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "asm/dap/variables.h"
 #include "asm/view/operand_view.h"
@@ -22,7 +21,7 @@ static void put_operand(struct dap *dap, struct json *json,
                operand->is_half ? register_name
                                 : name_of(dap, operand->number, register_name));
     if (listed)
-        put_extent(&vector, &sink);
+        vector_extent(&vector, &sink);
     else if (operand->is_vector)
         sink_print(&sink, "%s from %" PRIX64 " on", vector_elements(operand->width),
                    operand->address);
@@ -35,14 +34,6 @@ static void put_operand(struct dap *dap, struct json *json,
     json_end(json);
 }
 
-/* Immediates, branch targets, registers that are only written, and an absent control
- * vector are not shown. */
-static bool is_shown(const struct operand_view *operand)
-{
-    return operand->field && !strchr("wWpP", operand->letter)
-           && !(operand->letter == 'z' && operand->number == 0);
-}
-
 void put_operands(struct dap *dap, struct json *json)
 {
     struct instruction_view views[VIEW_NEXT];
@@ -53,7 +44,7 @@ void put_operands(struct dap *dap, struct json *json)
         const struct instruction_view *view = &views[i];
 
         for (size_t k = 0; view->insn && k < view->count; k++)
-            if (is_shown(&view->operands[k]))
+            if (view_is_read(&view->operands[k]))
                 put_operand(dap, json, view, &view->operands[k], i * VIEW_OPERANDS + k);
     }
 }

@@ -45,12 +45,6 @@ static bool is_vector(const struct dap *dap, unsigned number,
     return vector_recognise(machine, c205_register(machine, number), vector);
 }
 
-void put_extent(const struct vector_view *vector, const struct sink *sink)
-{
-    sink_print(sink, "%zu %s from %" PRIX64 " on", vector->length,
-               vector_elements(vector->width), vector->address);
-}
-
 void put_word_members(struct dap *dap, struct json *json, struct register_of named)
 {
     struct vector_view vector;
@@ -79,7 +73,7 @@ static void put_register(struct dap *dap, struct json *json, const char *name,
     put_bits(debug_register_word(dap->debugger, named), named.half ? 32 : 64, &sink);
     if (!named.half && is_vector(dap, named.number, &vector)) {
         sink_put(&sink, "  ");
-        put_extent(&vector, &sink);
+        vector_extent(&vector, &sink);
     }
     json_object(json, NULL);
     json_text(json, "name", name);
@@ -143,7 +137,7 @@ static void put_vectors(struct dap *dap, struct json *json)
 
         if (!is_vector(dap, i, &vector))
             continue;
-        put_extent(&vector, &sink);
+        vector_extent(&vector, &sink);
         json_object(json, NULL);
         json_text(json, "name", name);
         json_text(json, "value", text.text);

@@ -31,8 +31,6 @@ static inline int64_t reference_of(enum reference_kind kind, size_t number)
 /* Opens an object. The caller adds members and closes it. */
 void put_variable(struct json *json, const char *name, const char *value,
                   int64_t reference);
-/* Prints "100 words from 801900 on". */
-void put_extent(const struct vector_view *vector, const struct sink *sink);
 /* Returns the program's name of a register, or its number if the name denotes another
  * register. */
 enum { REGISTER_NAME = 8 };

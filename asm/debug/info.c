@@ -4,21 +4,21 @@
 
 #include "asm/debug/debug_internal.h"
 #include "asm/view/trap_report.h"
+#include "asm/view/word_text.h"
 #include "base/plural.h"
 
 static void put_register(const struct debugger *debugger, unsigned number,
                          c205_word word)
 {
-    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE], length[12] = "";
+    struct word_text text = word_text(word, false);
+    char length[12] = "";
     unsigned elements = (unsigned)c205_descriptor_length(word);
 
-    c205_to_hex(word, hex);
-    c205_to_text(word, text);
     if (elements > 0)
         snprintf(length, sizeof length, "%u", elements);
     sink_print(&debugger->out, "r%-3u %-12s X'%s' %-22s %6s %12" PRIX64 "\n", number,
-               object_register_name(debugger->setup.object, number, false), hex, text,
-               length, c205_descriptor_address(word));
+               object_register_name(debugger->setup.object, number, false), text.hex,
+               text.number, length, c205_descriptor_address(word));
 }
 
 /* Lists the registers that are not 0. */
@@ -80,12 +80,6 @@ static bool info_pages(struct debugger *debugger)
 
 static bool info_symbols(struct debugger *debugger)
 {
-    static const char *const kinds[] = {
-        [ASM_WORDS] = "words",
-        [ASM_HALF_WORDS] = "half words",
-        [ASM_BITS] = "bits",
-        [ASM_BYTES] = "bytes",
-    };
     const struct object *object = debugger->setup.object;
 
     for (size_t i = 0; i < object->symbol_count; i++) {
@@ -99,7 +93,7 @@ static bool info_symbols(struct debugger *debugger)
             sink_put(&debugger->out, ", code");
         else if (symbol->contents != ASM_NOTHING)
             sink_print(&debugger->out, ", %" PRIu64 " %s", symbol->count,
-                       kinds[symbol->contents]);
+                       asm_contents_name(symbol->contents));
         sink_put(&debugger->out, "\n");
     }
     return true;

@@ -1,22 +1,18 @@
 /* print.c - prints values, registers and vectors in memory. */
 #include <ctype.h>
 #include <inttypes.h>
-#include <stdio.h>
 
 #include "asm/debug/debug_internal.h"
-#include "asm/view/operand_view.h"
+#include "asm/view/vector_view.h"
+#include "asm/view/word_text.h"
 
 /* ---- Values --------------------------------------------------------------- */
 
 void show_word(c205_word word, bool half, const struct sink *sink)
 {
-    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
+    struct word_text text = word_text(word, half);
 
-    c205_to_hex(word, hex);
-    (half ? c205_half_to_text : c205_to_text)(word, text);
-    if (half)
-        hex[9] = '\0';
-    sink_print(sink, "X'%s'  number %s", hex, text);
+    sink_print(sink, "X'%s'  number %s", text.hex, text.number);
     if (!half && c205_descriptor_length(word) == 0)
         sink_print(sink, "  address %" PRIX64, word);
     else if (!half)
@@ -67,30 +63,24 @@ enum { ELEMENTS_USUAL = 16 };
 
 /* How the elements of a vector are shown. */
 struct element_look {
-    struct operand_view of;
+    struct vector_view of;
     char format; /* f numbers, i integers, x hex, b bits */
-    bool controlled;
-    struct operand_view control;
 };
 
 static void put_element(const struct debugger *debugger,
                         const struct element_look *look, c205_word word)
 {
     bool half = look->of.width == 32;
-    char text[C205_TEXT_SIZE];
+    struct word_text text = word_text(word, half);
 
     if (look->of.width == 1)
-        snprintf(text, sizeof text, "%u", (unsigned)word);
-    else if (look->format == 'x')
-        c205_to_hex(word, text);
+        sink_print(&debugger->out, "%u", (unsigned)word);
     else if (look->format == 'i')
-        snprintf(text, sizeof text, "%" PRId64,
-                 half ? (int64_t)(int32_t)(word >> 24) / 256 : c205_to_integer(word));
+        sink_print(&debugger->out, "  %14" PRId64,
+                   half ? (int64_t)(int32_t)(word >> 24) / 256 : c205_to_integer(word));
     else
-        (half ? c205_half_to_text : c205_to_text)(word, text);
-    if (half && look->format == 'x')
-        text[9] = '\0';
-    sink_print(&debugger->out, look->of.width == 1 ? "%s" : "  %14s", text);
+        sink_print(&debugger->out, "  %14s",
+                   look->format == 'x' ? text.hex : text.number);
 }
 
 static unsigned in_row(const struct element_look *look)
@@ -102,16 +92,17 @@ static unsigned in_row(const struct element_look *look)
 static bool put_element_at(const struct debugger *debugger,
                            const struct element_look *look, size_t i)
 {
-    c205_word word, bit = 0;
+    const struct vector_view *of = &look->of;
+    c205_word word;
+    bool bit = false;
 
-    if (!view_read(machine_of(debugger), &look->of, i, 1, &word)
-        || (look->controlled
-            && !view_read(machine_of(debugger), &look->control, i, 1, &bit)))
+    if (!view_read(machine_of(debugger), of->address, of->width, i, 1, &word)
+        || (of->controlled && !vector_control(machine_of(debugger), of, i, &bit)))
         return false;
     if (i % in_row(look) == 0)
-        sink_print(&debugger->out, "%6zu%s", i, look->of.width == 1 ? "  " : "");
-    if (look->controlled)
-        sink_print(&debugger->out, "  %u", (unsigned)bit);
+        sink_print(&debugger->out, "%6zu%s", i, of->width == 1 ? "  " : "");
+    if (of->controlled)
+        sink_print(&debugger->out, "  %d", bit);
     put_element(debugger, look, word);
     return true;
 }
@@ -131,20 +122,6 @@ static bool put_elements(struct debugger *debugger, const struct element_look *l
     if (!good && i % row != 0)
         sink_put(&debugger->out, "\n");
     return good || debug_fault(debugger, "not all of this memory is mapped");
-}
-
-/* Sets the vector that a register describes. */
-static void look_at_register(const struct debugger *debugger, struct register_of named,
-                             unsigned width, struct operand_view *of)
-{
-    c205_word word = debug_register_word(debugger, named);
-
-    *of = (struct operand_view){ .letter = 'v',
-                                 .is_vector = true,
-                                 .width = width,
-                                 .word = word,
-                                 .address = c205_descriptor_address(word),
-                                 .length = c205_descriptor_length(word) };
 }
 
 /* Parses "/", a count and letters: f numbers, i integers, x hex, h half words, b
@@ -191,8 +168,8 @@ static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
     if (!debug_register(debugger, cursor, &named))
         return debug_fault(debugger,
                            "expected the register of a control vector after ?");
-    look->controlled = true;
-    look_at_register(debugger, named, 1, &look->control);
+    look->of.controlled = true;
+    look->of.control = c205_descriptor_address(debug_register_word(debugger, named));
     return text_cursor_finish(debugger, cursor);
 }
 
@@ -201,14 +178,11 @@ static bool read_control(struct debugger *debugger, struct text_cursor *cursor,
 static void look_at_label(const struct debugger *debugger, uint64_t address,
                           bool width_asked, struct element_look *look)
 {
-    static const unsigned widths[] = {
-        [ASM_WORDS] = 64, [ASM_HALF_WORDS] = 32, [ASM_BITS] = 1
-    };
     const struct object *object = debugger->setup.object;
 
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
-        unsigned width = symbol->contents < ASM_BYTES ? widths[symbol->contents] : 0;
+        unsigned width = vector_width(symbol->contents);
 
         if (!symbol->is_label || (uint64_t)symbol->value != address || width == 0
             || (width_asked && width != look->of.width))
@@ -233,11 +207,10 @@ bool verb_x(struct debugger *debugger, struct text_cursor *cursor)
         return false;
     width = look.of.width;
     if (debug_register(debugger, cursor, &named)) {
-        look_at_register(debugger, named, width, &look.of);
+        look.of = vector_described(debug_register_word(debugger, named), width);
         sink_print(&debugger->out, "%zu from %" PRIX64 " on\n", look.of.length,
                    look.of.address);
     } else if (debug_address(debugger, cursor, &address)) {
-        look_at_register(debugger, (struct register_of){ 0, false }, width, &look.of);
         look.of.address = address;
         look.of.length = count == UINT64_MAX ? ELEMENTS_USUAL : (size_t)count;
         if (count == UINT64_MAX)

@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "asm/debug/debug_internal.h"
+#include "asm/view/operand_view.h"
 #include "base/visible_text.h"
 
 enum { MAX_DEPTH = 100, HALF_DIGITS = 8 };
@@ -259,12 +260,7 @@ bool debug_register(const struct debugger *debugger, struct text_cursor *cursor,
 
 c205_word debug_register_word(const struct debugger *debugger, struct register_of named)
 {
-    c205 *machine = machine_of(debugger);
-
-    if (!named.half)
-        return c205_register(machine, named.number);
-    return c205_register(machine, named.number / 2u) << named.number % 2 * 32
-           & ~(c205_word)UINT32_MAX;
+    return view_register(machine_of(debugger), named.number, named.half);
 }
 
 /* Reads ".i", the low 48 bits as an integer, or ".length", the high 16 bits. */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "asm/lesson/lesson_internal.h"
+#include "asm/view/word_text.h"
 
 /* ---- Elements -------------------------------------------------------------- */
 
@@ -258,21 +259,17 @@ enum { MAX_LISTED = 3 };
 static void print_value(const struct test_item *item, c205_word element, bool with_bits,
                         const struct sink *sink)
 {
-    char text[C205_TEXT_SIZE], bits[C205_TEXT_SIZE];
     bool half = item->contents == ASM_HALF_WORDS;
+    struct word_text text = word_text(element, half);
 
     if (item->contents == ASM_BITS || item->contents == ASM_BYTES) {
         sink_print(sink, "%.0f", number_of(item, element));
         return;
     }
-    (half ? c205_half_to_text : c205_to_text)(element, text);
-    c205_to_hex(element, bits);
-    if (half)
-        bits[9] = '\0'; /* 8 digits and a blank */
     if (with_bits)
-        sink_print(sink, "X'%s' (%s)", bits, text);
+        word_print(element, half, sink);
     else
-        sink_put(sink, text);
+        sink_put(sink, text.number);
 }
 
 static void print_element(const struct test_item *item, size_t i,

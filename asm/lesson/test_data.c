@@ -4,29 +4,20 @@
 #include <string.h>
 
 #include "asm/lesson/lesson_internal.h"
+#include "asm/view/vector_view.h"
 
 /* ---- Elements -------------------------------------------------------------- */
 
 static unsigned width_of(enum asm_contents contents)
 {
-    switch (contents) {
-    case ASM_BITS: return 1;
-    case ASM_BYTES: return 8;
-    case ASM_HALF_WORDS: return 32;
-    default: return 64;
-    }
+    return contents == ASM_BYTES ? 8 : vector_width(contents);
 }
 
 static const char *kind_name(enum asm_contents contents)
 {
-    switch (contents) {
-    case ASM_CODE: return "instructions";
-    case ASM_WORDS: return "words";
-    case ASM_HALF_WORDS: return "half words";
-    case ASM_BITS: return "bits";
-    case ASM_BYTES: return "bytes";
-    default: return "nothing";
-    }
+    return contents == ASM_CODE      ? "instructions"
+           : contents == ASM_NOTHING ? "nothing"
+                                     : asm_contents_name(contents);
 }
 
 /* Elements are left-aligned in a word, with zeros after them. */

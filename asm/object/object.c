@@ -7,6 +7,17 @@
 
 enum { HALF_BITS = 32 };
 
+const char *asm_contents_name(enum asm_contents contents)
+{
+    static const char *const names[] = {
+        [ASM_NOTHING] = "",    [ASM_CODE] = "code",
+        [ASM_WORDS] = "words", [ASM_HALF_WORDS] = "half words",
+        [ASM_BITS] = "bits",   [ASM_BYTES] = "bytes",
+    };
+
+    return names[contents];
+}
+
 const struct asm_line *object_line(const struct object *object, uint64_t address)
 {
     const struct asm_line *lines = object->lines;

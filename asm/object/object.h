@@ -18,6 +18,9 @@ enum asm_contents {
     ASM_BYTES
 };
 
+/* Returns "words", "half words", "bits", "bytes", "code" or "". */
+const char *asm_contents_name(enum asm_contents contents);
+
 struct asm_symbol {
     const char *name;
     int64_t value; /* labels: bit address */

@@ -16,6 +16,13 @@ c205_word view_word_at(const c205 *machine, uint64_t address)
     return first == address ? pair[0] : pair[0] << HALF_BITS | pair[1] >> HALF_BITS;
 }
 
+c205_word view_register(const c205 *machine, unsigned number, bool half)
+{
+    return half ? c205_register(machine, number / 2) << number % 2 * HALF_BITS
+                      & ~(c205_word)UINT32_MAX
+                : c205_register(machine, number);
+}
+
 /* ---- Decode ---- */
 
 static uint8_t field_of(const c205_fields *fields, char field)
@@ -154,11 +161,7 @@ void view_fill(struct instruction_view *view, const c205 *machine)
 
         if (!operand->field)
             continue;
-        operand->word = c205_register(machine, operand->is_half ? operand->number / 2u
-                                                                : operand->number);
-        if (operand->is_half)
-            operand->word = operand->word << operand->number % 2 * HALF_BITS
-                            & ~(c205_word)UINT32_MAX;
+        operand->word = view_register(machine, operand->number, operand->is_half);
         if (reads_zero(operand))
             operand->word = C205_MACHINE_ZERO;
         if (operand->is_vector)
@@ -196,29 +199,35 @@ const struct operand_view *view_find(const struct instruction_view *view,
     return NULL;
 }
 
-/* ---- Elements ---- */
-
-static void pick(const struct operand_view *operand, uint64_t bit, c205_word *element)
+bool view_is_present(const struct operand_view *operand)
 {
-    if (operand->width == HALF_BITS)
-        *element = *element << bit & ~(c205_word)UINT32_MAX;
-    else if (operand->width == 1)
-        *element = *element >> (WORD_BITS - 1 - bit) & 1;
+    return operand->field && !(operand->letter == 'z' && operand->number == 0);
 }
 
-bool view_read(const c205 *machine, const struct operand_view *operand, size_t first,
+bool view_is_read(const struct operand_view *operand)
+{
+    return view_is_present(operand) && !strchr("wWpP", operand->letter);
+}
+
+/* ---- Elements ---- */
+
+static c205_word pick(c205_word word, uint64_t bit, unsigned width)
+{
+    return width == HALF_BITS ? word << bit & ~(c205_word)UINT32_MAX
+                              : word >> (WORD_BITS - 1 - bit) & 1;
+}
+
+bool view_read(const c205 *machine, uint64_t address, unsigned width, size_t first,
                size_t n, c205_word *words)
 {
-    uint64_t at = c205_descriptor_address(operand->address
-                                          + (uint64_t)first * operand->width);
-    size_t i;
+    uint64_t at = c205_descriptor_address(address + (uint64_t)first * width);
 
-    if (operand->width == WORD_BITS)
+    if (width == WORD_BITS)
         return c205_read(machine, at, words, n);
-    for (i = 0; i < n; i++, at += operand->width) {
+    for (size_t i = 0; i < n; i++, at += width) {
         if (!c205_read(machine, at / WORD_BITS * WORD_BITS, &words[i], 1))
             return false;
-        pick(operand, at % WORD_BITS, &words[i]);
+        words[i] = pick(words[i], at % WORD_BITS, width);
     }
     return true;
 }

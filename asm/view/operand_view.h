@@ -48,11 +48,21 @@ size_t view_next(struct instruction_view views[VIEW_NEXT], const c205 *machine);
 const struct operand_view *view_find(const struct instruction_view *view,
                                      const char *letters);
 
-/* Reads n elements from the first on. Elements of 32 bits are left-aligned in words,
- * bits are right-aligned. Fails if memory is not mapped. */
-bool view_read(const c205 *machine, const struct operand_view *operand, size_t first,
+/* Returns whether the instruction has the operand. An immediate and a branch target are
+ * not operands in registers, and register 0 means that there is no control vector. */
+bool view_is_present(const struct operand_view *operand);
+/* Returns the same for an operand that the instruction reads. A vector that it writes
+ * counts, since its descriptor is read. */
+bool view_is_read(const struct operand_view *operand);
+
+/* Reads n elements of a width in bits, from the element `first` after an address on.
+ * Elements of 32 bits are left-aligned in words, bits are right-aligned. Fails if memory
+ * is not mapped. */
+bool view_read(const c205 *machine, uint64_t address, unsigned width, size_t first,
                size_t n, c205_word *words);
 
+/* Returns the word of a register, or a half register left-aligned in a word. */
+c205_word view_register(const c205 *machine, unsigned number, bool half);
 /* Returns the word at an address of a half word; unmapped memory reads as zero. */
 c205_word view_word_at(const c205 *machine, uint64_t address);
 

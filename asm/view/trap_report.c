@@ -6,65 +6,52 @@
 #include <inttypes.h>
 #include <string.h>
 
-#include "asm/view/operand_view.h"
-
-static void put_number(const struct sink *sink, const struct operand_view *operand)
-{
-    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
-
-    c205_to_hex(operand->word, hex);
-    if (operand->is_half)
-        hex[9] = '\0'; /* 8 digits and a blank */
-    (operand->is_half ? c205_half_to_text : c205_to_text)(operand->word, text);
-    sink_print(sink, "X'%s' (%s)\n", hex, text);
-}
+#include "asm/view/vector_view.h"
+#include "asm/view/word_text.h"
 
 /* Prints an operand that is often an address: hex, and the decimal integer. */
 static void put_integer(const struct sink *sink, const struct operand_view *operand)
 {
-    char hex[C205_TEXT_SIZE];
+    struct word_text text = word_text(operand->word, false);
 
-    c205_to_hex(operand->word, hex);
-    sink_print(sink, "X'%s' (%" PRId64 ")\n", hex, c205_to_integer(operand->word));
+    sink_print(sink, "X'%s' (%" PRId64 ")", text.hex, c205_to_integer(operand->word));
 }
 
-static void put_vector(const struct sink *sink, const struct operand_view *operand)
+static void put_vector(const struct sink *sink, const struct instruction_view *view,
+                       const struct operand_view *operand)
 {
-    const char *elements = operand->width == 64   ? "words"
-                           : operand->width == 32 ? "half words"
-                                                  : "bits";
+    struct vector_view vector = vector_of_operand(view, operand);
     char letter = (char)tolower((unsigned char)operand->letter);
 
     if (operand->is_bad)
-        sink_put(sink, "its offset is negative\n");
-    else if (letter == 'x')
-        sink_print(sink, "a table of %s from %" PRIX64 " on\n", elements,
-                   operand->address);
-    else if (letter == 'z')
-        sink_print(sink, "bits from %" PRIX64 " on\n", operand->address);
+        sink_put(sink, "its offset is negative");
+    else if (letter == 'x' || letter == 'z')
+        sink_print(sink, "%s%s from %" PRIX64 " on", letter == 'x' ? "a table of " : "",
+                   vector_elements(operand->width), operand->address);
     else
-        sink_print(sink, "%zu %s from %" PRIX64 " on\n", operand->length, elements,
-                   operand->address);
+        vector_extent(&vector, sink);
 }
 
-static void put_operand(const struct sink *sink, const struct operand_view *operand)
+static void put_operand(const struct sink *sink, const struct instruction_view *view,
+                        const struct operand_view *operand)
 {
-    bool number = strchr("fFvV", operand->letter) != NULL;
     char name = operand->is_half ? 'h' : 'r';
 
-    if (!operand->field || strchr("wWpP", operand->letter)
-        || (operand->letter == 'z' && operand->number == 0))
+    if (!view_is_read(operand))
         return;
-    if (!operand->is_vector) {
-        sink_print(sink, "    %c%u = ", name, operand->number);
-        (number || operand->is_half ? put_number : put_integer)(sink, operand);
-        return;
-    }
-    sink_print(sink, "    [r%u", operand->number);
+    sink_print(sink, operand->is_vector ? "    [%c%u" : "    %c%u = ", name,
+               operand->number);
     if (operand->offset)
         sink_print(sink, ", r%u", operand->offset);
-    sink_put(sink, "]: ");
-    put_vector(sink, operand);
+    if (operand->is_vector) {
+        sink_put(sink, "]: ");
+        put_vector(sink, view, operand);
+    } else if (strchr("fFvV", operand->letter) || operand->is_half) {
+        word_print(operand->word, operand->is_half, sink);
+    } else {
+        put_integer(sink, operand);
+    }
+    sink_put(sink, "\n");
 }
 
 void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *sink)
@@ -84,7 +71,7 @@ void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *s
         if (i > 0)
             sink_print(sink, "    %s:\n", view.insn->mnemonic);
         for (k = 0; k < view.count; k++)
-            put_operand(sink, &view.operands[k]);
+            put_operand(sink, &view, &view.operands[k]);
         pc += 32 * (uint64_t)view.halves;
     }
 }

@@ -2,11 +2,28 @@
  * reads their elements. */
 #include "asm/view/vector_view.h"
 
+#include <inttypes.h>
 #include <string.h>
+
+unsigned vector_width(enum asm_contents contents)
+{
+    switch (contents) {
+    case ASM_WORDS: return 64;
+    case ASM_HALF_WORDS: return 32;
+    case ASM_BITS: return 1;
+    default: return 0;
+    }
+}
 
 const char *vector_elements(unsigned width)
 {
     return width == 64 ? "words" : width == 32 ? "half words" : "bits";
+}
+
+void vector_extent(const struct vector_view *vector, const struct sink *sink)
+{
+    sink_print(sink, "%zu %s from %" PRIX64 " on", vector->length,
+               vector_elements(vector->width), vector->address);
 }
 
 struct vector_view vector_described(c205_word word, unsigned width)
@@ -47,24 +64,11 @@ struct vector_view vector_of_operand(const struct instruction_view *view,
 
 /* ---- Elements ---------------------------------------------------------------- */
 
-/* Makes the view that the reader of operands needs. */
-static struct operand_view elements_at(uint64_t address, size_t length, unsigned width)
-{
-    return (struct operand_view){ .letter = 'v',
-                                  .is_vector = true,
-                                  .width = width,
-                                  .address = address,
-                                  .length = length };
-}
-
 bool vector_get(const c205 *machine, const struct vector_view *vector, size_t first,
                 size_t count, c205_word *words)
 {
-    struct operand_view elements = elements_at(vector->address, vector->length,
-                                               vector->width);
-
     return vector->address % vector->width == 0
-           && view_read(machine, &elements, first, count, words);
+           && view_read(machine, vector->address, vector->width, first, count, words);
 }
 
 /* A vector of words has at most 65,535 elements, less than a page, so it is in at most
@@ -80,10 +84,9 @@ bool vector_is_mapped(const c205 *machine, const struct vector_view *vector)
 bool vector_control(const c205 *machine, const struct vector_view *vector, size_t i,
                     bool *bit)
 {
-    struct operand_view bits = elements_at(vector->control, vector->length, 1);
     c205_word word;
 
-    if (!vector->controlled || !view_read(machine, &bits, i, 1, &word))
+    if (!vector->controlled || !view_read(machine, vector->control, 1, i, 1, &word))
         return false;
     *bit = word & 1;
     return true;

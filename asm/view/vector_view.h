@@ -3,7 +3,9 @@
 #ifndef ASM_VECTOR_VIEW_H
 #define ASM_VECTOR_VIEW_H
 
+#include "asm/object/object.h"
 #include "asm/view/operand_view.h"
+#include "base/sink.h"
 
 struct vector_view {
     uint64_t address;
@@ -13,8 +15,12 @@ struct vector_view {
     uint64_t control; /* bit address of the control vector */
 };
 
+/* Returns the width of the elements at a label, or 0 if they form no vector. */
+unsigned vector_width(enum asm_contents contents);
 /* Returns "words", "half words" or "bits". */
 const char *vector_elements(unsigned width);
+/* Prints "100 words from 801900 on". */
+void vector_extent(const struct vector_view *vector, const struct sink *sink);
 
 /* Interprets a word of a register as a descriptor. */
 struct vector_view vector_described(c205_word word, unsigned width);

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "asm/view/word_text.h"
 #include "base/error.h"
 #include "rt/view/pixel_rays.h"
 
@@ -54,16 +55,15 @@ static void put_element(void *context, const struct pixel_element *element)
 {
     struct lane_report *report = context;
     const struct pixel_element *last = &report->last;
-    char number[C205_TEXT_SIZE], hex[C205_TEXT_SIZE];
+    struct word_text text = word_text(element->word, false);
 
     if (!is_asked(report, element->vector))
         return;
     if (last->length == 0 || last->group != element->group
         || last->lane != element->lane)
         put_heading(report, element);
-    c205_to_text(element->word, number);
-    c205_to_hex(element->word, hex);
-    sink_print(report->out, "    %-10s X'%s'  %s\n", element->vector, hex, number);
+    sink_print(report->out, "    %-10s X'%s'  %s\n", element->vector, text.hex,
+               text.number);
     report->last = *element;
 }
 

@@ -182,8 +182,7 @@ bool printed_is_cut(const struct printed *printed, uint64_t step);
 
 const c205 *engine_machine(const struct engine *engine);
 void put_hex(struct json *json, const char *key, c205_word word);
-void put_word(struct json *json, const char *key, c205_word word);
-void put_half(struct json *json, const char *key, c205_word half);
+void put_number(struct json *json, const char *key, c205_word word, bool half);
 void put_registers(const struct engine *engine, bool all, struct json *reply);
 bool put_vectors(const struct engine *engine, const struct json_value *request,
                  struct json *reply, c205_error *error);

@@ -46,19 +46,10 @@ static void put_operand(const struct engine *engine,
               operand->is_half
                   ? ""
                   : object_register_name(engine->object, operand->number, false));
-    if (operand->is_half)
-        put_half(reply, "text", operand->word);
-    else
-        put_word(reply, "text", operand->word);
+    put_number(reply, "text", operand->word, operand->is_half);
     if (vector_has_elements(operand))
         put_vector(&vector, reply);
     json_end(reply);
-}
-
-/* Immediates, branch targets and an absent control vector are not shown. */
-static bool is_shown(const struct operand_view *operand)
-{
-    return operand->field && !(operand->letter == 'z' && operand->number == 0);
 }
 
 static void put_operands(const struct engine *engine, struct json *reply)
@@ -69,7 +60,7 @@ static void put_operands(const struct engine *engine, struct json *reply)
     json_array(reply, "operands");
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; views[i].insn && k < views[i].count; k++)
-            if (is_shown(&views[i].operands[k]))
+            if (view_is_present(&views[i].operands[k]))
                 put_operand(engine, &views[i], &views[i].operands[k], reply);
     json_end(reply);
 }

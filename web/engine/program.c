@@ -310,17 +310,6 @@ size_t program_line(const struct engine *engine, uint64_t address)
     return line && strcmp(line->call_file, engine->name) == 0 ? line->call_number : 0;
 }
 
-static const char *contents_name(enum asm_contents contents)
-{
-    static const char *const names[] = {
-        [ASM_NOTHING] = "",    [ASM_CODE] = "code",
-        [ASM_WORDS] = "words", [ASM_HALF_WORDS] = "half words",
-        [ASM_BITS] = "bits",   [ASM_BYTES] = "bytes",
-    };
-
-    return names[contents];
-}
-
 static void put_symbols(const struct object *object, struct json *reply)
 {
     json_array(reply, "symbols");
@@ -334,7 +323,7 @@ static void put_symbols(const struct object *object, struct json *reply)
             put_hex(reply, "hex", (c205_word)symbol->value);
         else
             json_number(reply, "value", (double)symbol->value);
-        json_text(reply, "contents", contents_name(symbol->contents));
+        json_text(reply, "contents", asm_contents_name(symbol->contents));
         json_count(reply, "count", symbol->count);
         json_end(reply);
     }

@@ -2,32 +2,23 @@
 #include <stdlib.h>
 
 #include "asm/view/vector_view.h"
+#include "asm/view/word_text.h"
 #include "web/engine/engine_internal.h"
 
 /* ---- Words --------------------------------------------------------------- */
 
 void put_hex(struct json *json, const char *key, c205_word word)
 {
-    char text[C205_TEXT_SIZE];
+    struct word_text text = word_text(word, false);
 
-    c205_to_hex(word, text);
-    json_text(json, key, text);
+    json_text(json, key, text.hex);
 }
 
-void put_word(struct json *json, const char *key, c205_word word)
+void put_number(struct json *json, const char *key, c205_word word, bool half)
 {
-    char text[C205_TEXT_SIZE];
+    struct word_text text = word_text(word, half);
 
-    c205_to_text(word, text);
-    json_text(json, key, text);
-}
-
-void put_half(struct json *json, const char *key, c205_word half)
-{
-    char text[C205_TEXT_SIZE];
-
-    c205_half_to_text(half, text);
-    json_text(json, key, text);
+    json_text(json, key, text.number);
 }
 
 /* ---- Registers ----------------------------------------------------------- */
@@ -54,8 +45,7 @@ static void put_descriptor(const struct engine *engine, c205_word word,
     json_end(reply);
 }
 
-static void put_halves(const struct engine *engine, unsigned number, c205_word word,
-                       struct json *reply)
+static void put_halves(const struct engine *engine, unsigned number, struct json *reply)
 {
     static const char *const keys[] = { "left", "right" };
 
@@ -68,7 +58,9 @@ static void put_halves(const struct engine *engine, unsigned number, c205_word w
         json_object(reply, keys[side]);
         json_count(reply, "number", 2 * number + side);
         json_text(reply, "name", name);
-        put_half(reply, "text", word << 32 * side & ~(c205_word)UINT32_MAX);
+        put_number(reply, "text",
+                   view_register(engine_machine(engine), 2 * number + side, true),
+                   true);
         json_end(reply);
     }
 }
@@ -82,10 +74,10 @@ static void put_register(const struct engine *engine, unsigned number,
     json_count(reply, "number", number);
     json_text(reply, "name", object_register_name(engine->object, number, false));
     put_hex(reply, "hex", word);
-    put_word(reply, "text", word);
+    put_number(reply, "text", word, false);
     json_number(reply, "integer", (double)c205_to_integer(word));
     put_descriptor(engine, word, reply);
-    put_halves(engine, number, word, reply);
+    put_halves(engine, number, reply);
     json_bool(reply, "changed", is_written(engine, number));
     json_end(reply);
 }
@@ -116,14 +108,7 @@ enum { MAX_VECTORS = 256, MAX_ELEMENTS = 65536 };
  * no data with elements. */
 static unsigned width_of(const struct asm_symbol *symbol)
 {
-    if (!symbol->is_label || symbol->count == 0)
-        return 0;
-    switch (symbol->contents) {
-    case ASM_WORDS: return 64;
-    case ASM_HALF_WORDS: return 32;
-    case ASM_BITS: return 1;
-    default: return 0;
-    }
+    return symbol->is_label && symbol->count > 0 ? vector_width(symbol->contents) : 0;
 }
 
 /* Writes the ranges of elements that the last instruction has stored. */
@@ -172,7 +157,7 @@ static bool put_values(const struct engine *engine, const struct vector_view *ve
         if (bits)
             bits[i] = words[i] & 1 ? '1' : '0';
         else
-            (vector->width == 32 ? put_half : put_word)(reply, NULL, words[i]);
+            put_number(reply, NULL, words[i], vector->width == 32);
     if (bits)
         json_text(reply, "values", bits);
     else if (good)

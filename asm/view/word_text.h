@@ -1,0 +1,18 @@
+/* word_text.h - a word or a half word of the machine as a number and in hex. */
+#ifndef ASM_WORD_TEXT_H
+#define ASM_WORD_TEXT_H
+
+#include "base/sink.h"
+#include "vm/c205.h"
+
+struct word_text {
+    char number[C205_TEXT_SIZE];
+    char hex[C205_TEXT_SIZE]; /* groups of 4 digits */
+};
+
+/* A half word is left-aligned in the word. */
+struct word_text word_text(c205_word word, bool half);
+/* Prints "X'0000 0000 0000 0005' (5)". */
+void word_print(c205_word word, bool half, const struct sink *sink);
+
+#endif
