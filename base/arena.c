@@ -69,25 +69,46 @@ char *arena_text(struct arena *arena, const char *text, size_t length)
     return copy;
 }
 
-void *arena_grow(struct arena *arena, void *items, size_t count, size_t *capacity,
-                 size_t item_size)
+/* Returns the array with room for one more item, or NULL. */
+static void *grow(struct arena *arena, void *items, size_t count, size_t *capacity,
+                  size_t size)
 {
     size_t larger = *capacity ? 2 * *capacity : 16;
     void *moved;
 
     if (count < *capacity)
         return items;
-    if (larger > SIZE_MAX / 2 / item_size) {
+    if (larger > SIZE_MAX / 2 / size) {
         arena->failed = true;
         return NULL;
     }
-    moved = arena_take(arena, larger * item_size);
+    moved = arena_take(arena, larger * size);
     if (!moved)
         return NULL;
     if (count > 0)
-        memcpy(moved, items, count * item_size);
+        memcpy(moved, items, count * size);
     *capacity = larger;
     return moved;
+}
+
+/* The pointer to the array has the type of its items, so its bytes are copied. */
+void *arena_add(struct arena *arena, void *items, size_t *count, size_t *capacity,
+                const void *item, size_t size)
+{
+    void *array;
+    char *added;
+
+    memcpy(&array, items, sizeof array);
+    array = grow(arena, array, *count, capacity, size);
+    if (!array)
+        return NULL;
+    memcpy(items, &array, sizeof array);
+    added = (char *)array + (*count)++ * size;
+    if (item)
+        memcpy(added, item, size);
+    else
+        memset(added, 0, size);
+    return added;
 }
 
 void arena_free(struct arena *arena)

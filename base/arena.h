@@ -17,10 +17,11 @@ struct arena {
 void *arena_take(struct arena *arena, size_t size);
 /* Returns a NUL-terminated copy. */
 char *arena_text(struct arena *arena, const char *text, size_t length);
-/* Makes room for one more item in an array of count items. Returns the array, which
- * moves if *capacity has to grow, or NULL; the old array then remains valid. */
-void *arena_grow(struct arena *arena, void *items, size_t count, size_t *capacity,
-                 size_t item_size);
+/* Adds a copy of an item, or zeros if item is NULL, to an array of *count items, and
+ * returns its place. items: the address of the pointer to the array, which moves if
+ * *capacity has to grow. Returns NULL without memory; the array is then unchanged. */
+void *arena_add(struct arena *arena, void *items, size_t *count, size_t *capacity,
+                const void *item, size_t size);
 void arena_free(struct arena *arena);
 
 #endif

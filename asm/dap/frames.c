@@ -22,17 +22,9 @@ static bool is_known(const struct dap *dap, const char *file)
 
 static bool add_file(struct dap *dap, const char *file, size_t *capacity)
 {
-    const char **grown;
-
-    if (is_known(dap, file))
-        return true;
-    grown = arena_grow(&dap->launched, dap->files, dap->file_count, capacity,
-                       sizeof *grown);
-    if (!grown)
-        return false;
-    dap->files = grown;
-    grown[dap->file_count++] = file;
-    return true;
+    return is_known(dap, file)
+           || arena_add(&dap->launched, &dap->files, &dap->file_count, capacity, &file,
+                        sizeof file);
 }
 
 bool sources_find(struct dap *dap)

@@ -50,18 +50,17 @@ static bool take_title(struct lesson *lesson, c205_error *error)
 static bool take_test(struct lesson *lesson, const char *name, size_t name_length,
                       const char *text, size_t length, c205_error *error)
 {
-    struct lesson_test *tests = arena_grow(&lesson->kept, lesson->tests,
-                                           lesson->test_count, &lesson->test_capacity,
-                                           sizeof *tests);
-    struct lesson_test test = { .text = text, .length = length };
+    struct lesson_test *test = arena_add(&lesson->kept, &lesson->tests,
+                                         &lesson->test_count, &lesson->test_capacity,
+                                         NULL, sizeof *test);
 
-    if (tests)
-        test.name = arena_text(&lesson->kept, name, name_length);
-    if (!test.name)
+    if (test)
+        test->name = arena_text(&lesson->kept, name, name_length);
+    if (!test || !test->name)
         return error_set(error, "out of memory");
-    lesson->tests = tests;
-    tests[lesson->test_count++] = test;
-    return lesson_read_notes(lesson, &tests[lesson->test_count - 1], error);
+    test->text = text;
+    test->length = length;
+    return lesson_read_notes(lesson, test, error);
 }
 
 bool lesson_take(struct lesson *lesson, const char *file, const char *text,

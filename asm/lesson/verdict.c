@@ -13,18 +13,15 @@
 
 static void report_text(struct lesson_report *report, const char *text)
 {
-    const char **sentences = arena_grow(report->kept, report->sentences, report->count,
-                                        &report->capacity, sizeof *sentences);
     size_t length = strlen(text);
     const char *copy;
 
     while (length > 0 && text[length - 1] == '\n')
         length--;
     copy = arena_text(report->kept, text, length);
-    if (!sentences || !copy)
-        return;
-    report->sentences = sentences;
-    sentences[report->count++] = copy;
+    if (copy)
+        arena_add(report->kept, &report->sentences, &report->count, &report->capacity,
+                  &copy, sizeof copy);
 }
 
 void report_buffer(struct lesson_report *report, struct text_buffer *buffer)

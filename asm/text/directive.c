@@ -133,19 +133,6 @@ static bool parse_kernel(struct cursor *cursor)
     return true;
 }
 
-static bool add_region(struct assembler *assembler, struct asm_region region)
-{
-    struct asm_region *regions;
-
-    regions = arena_grow(assembler->arena, assembler->regions, assembler->region_count,
-                         &assembler->region_capacity, sizeof *regions);
-    if (!regions)
-        return false;
-    assembler->regions = regions;
-    regions[assembler->region_count++] = region;
-    return true;
-}
-
 static bool parse_endkernel(struct cursor *cursor)
 {
     struct assembler *assembler = cursor->assembler;
@@ -156,7 +143,9 @@ static bool parse_endkernel(struct cursor *cursor)
                       ".endkernel without a .kernel");
     open->line = NULL;
     region.end = assembler->region_section->at;
-    return region.begin == region.end || add_region(assembler, region);
+    return region.begin == region.end
+           || arena_add(assembler->arena, &assembler->regions, &assembler->region_count,
+                        &assembler->region_capacity, &region, sizeof region);
 }
 
 /* ---- Data ---- */

@@ -84,27 +84,20 @@ void warn(struct assembler *assembler, enum warning warning, const struct line *
           const char *at, const char *format, ...)
 {
     char message[512];
-    struct pending_warning *pending_warnings;
+    struct pending_warning pending = { warning, position_of(line, at), NULL };
     va_list arguments;
 
     if (assembler->pending_count >= MAX_ERRORS)
         return;
-    pending_warnings = arena_grow(assembler->arena, assembler->pending_warnings,
-                                  assembler->pending_count,
-                                  &assembler->pending_capacity,
-                                  sizeof *pending_warnings);
-    if (!pending_warnings)
-        return;
-    assembler->pending_warnings = pending_warnings;
-    pending_warnings += assembler->pending_count;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
     print_caller(message, sizeof message, line);
-    pending_warnings->warning = warning;
-    pending_warnings->position = position_of(line, at);
-    pending_warnings->message = arena_text(assembler->arena, message, strlen(message));
-    assembler->pending_count += pending_warnings->message != NULL;
+    pending.message = arena_text(assembler->arena, message, strlen(message));
+    if (pending.message)
+        arena_add(assembler->arena, &assembler->pending_warnings,
+                  &assembler->pending_count, &assembler->pending_capacity, &pending,
+                  sizeof pending);
 }
 
 /* Returns the warnings that the program declares as intended. */

@@ -5,18 +5,6 @@
 #include "asm/text/statement.h"
 #include "base/spelling.h"
 
-static const struct expression **
-add_value(struct cursor *cursor, struct expectation *expectation, size_t *capacity)
-{
-    const struct expression **values;
-
-    values = arena_grow(cursor->assembler->arena, expectation->values,
-                        expectation->count, capacity, sizeof *values);
-    if (values)
-        expectation->values = values;
-    return values;
-}
-
 static bool parse_values(struct cursor *cursor, struct expectation *expectation)
 {
     size_t capacity = 0;
@@ -24,9 +12,10 @@ static bool parse_values(struct cursor *cursor, struct expectation *expectation)
     do {
         const struct expression *value = parse_expression(cursor);
 
-        if (!value || !add_value(cursor, expectation, &capacity))
+        if (!value
+            || !arena_add(cursor->assembler->arena, &expectation->values,
+                          &expectation->count, &capacity, &value, sizeof value))
             return false;
-        expectation->values[expectation->count++] = value;
     } while (cursor_take(cursor, ','));
     if (cursor_take(cursor, '~')
         && !(expectation->tolerance = parse_expression(cursor)))
@@ -158,20 +147,6 @@ static bool parse_model(struct cursor *cursor, struct expectation *expectation)
     return parse_rest(cursor, expectation);
 }
 
-static bool add_expectation(struct assembler *assembler, struct expectation expectation)
-{
-    struct expectation *expectations;
-
-    expectations = arena_grow(assembler->arena, assembler->expectations,
-                              assembler->expectation_count,
-                              &assembler->expectation_capacity, sizeof *expectations);
-    if (!expectations)
-        return false;
-    assembler->expectations = expectations;
-    expectations[assembler->expectation_count++] = expectation;
-    return true;
-}
-
 static bool parse_named(struct cursor *cursor, const char *name, size_t length,
                         const char *rest)
 {
@@ -189,7 +164,8 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
                          { "expect-model", EXPECT_MODEL, parse_model },
                          { "expect-warning", EXPECT_WARNING, parse_warning } };
     static const struct expectation empty;
-    struct line *line = arena_take(cursor->assembler->arena, sizeof *line);
+    struct assembler *assembler = cursor->assembler;
+    struct line *line = arena_take(assembler->arena, sizeof *line);
     size_t i;
 
     if (!line)
@@ -197,7 +173,7 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
     *line = *cursor->line;
     line->begin = rest;
     for (i = 0; i < sizeof expectations / sizeof *expectations; i++) {
-        struct cursor inside = cursor_start(cursor->assembler, line);
+        struct cursor inside = cursor_start(assembler, line);
         struct expectation expectation = empty;
 
         if (strlen(expectations[i].name) != length
@@ -206,7 +182,10 @@ static bool parse_named(struct cursor *cursor, const char *name, size_t length,
         expectation.line = line;
         expectation.kind = expectations[i].kind;
         return expectations[i].parse(&inside, &expectation)
-               && add_expectation(cursor->assembler, expectation);
+               && arena_add(assembler->arena, &assembler->expectations,
+                            &assembler->expectation_count,
+                            &assembler->expectation_capacity, &expectation,
+                            sizeof expectation);
     }
     return report(cursor->assembler, cursor->line, name,
                   "expected expect: or expect-halves: -bits: -flags: -clocks:"

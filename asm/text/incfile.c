@@ -132,7 +132,7 @@ static bool find_column(struct number_file *file)
 
 static bool add_number(struct number_file *file, const struct csv_field *field)
 {
-    c205_word word, *grown;
+    c205_word word;
     double value;
 
     if (field->begin == field->end)
@@ -147,13 +147,8 @@ static bool add_number(struct number_file *file, const struct csv_field *field)
                      "the number is outside the range of the machine");
     if (file->integers)
         word = c205_from_integer((int64_t)value);
-    grown = arena_grow(file->cursor->assembler->arena, file->words, file->count,
-                       &file->capacity, sizeof *grown);
-    if (!grown)
-        return false;
-    file->words = grown;
-    grown[file->count++] = word;
-    return true;
+    return arena_add(file->cursor->assembler->arena, &file->words, &file->count,
+                     &file->capacity, &word, sizeof word);
 }
 
 static bool read_numbers(struct number_file *file)

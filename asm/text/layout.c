@@ -58,18 +58,16 @@ struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
 
     if (!check_room(cursor, halves))
         return NULL;
-    item = arena_grow(assembler->arena, assembler->items, assembler->item_count,
-                      &assembler->item_capacity, sizeof *item);
+    item = arena_add(assembler->arena, &assembler->items, &assembler->item_count,
+                     &assembler->item_capacity, NULL, sizeof *item);
     if (!item)
         return NULL;
-    assembler->items = item;
-    item += assembler->item_count;
     item->kind = kind;
     item->contents = kind == ITEM_INSTRUCTION ? ASM_CODE : assembler->contents;
     item->line = cursor->line;
     item->address = assembler->section->at;
     item->halves = halves;
-    item->order = assembler->item_count++;
+    item->order = assembler->item_count - 1;
     assembler->section->at += halves * HALF_BITS;
     layout_resolve(assembler);
     return item;
@@ -91,19 +89,13 @@ bool layout_label(struct cursor *cursor, const char *name, size_t length,
 {
     struct assembler *assembler = cursor->assembler;
     struct symbol *symbol = symbol_intern(assembler, name, length);
-    struct symbol **waiting;
     struct value value = { VALUE_INTEGER, 0 };
 
     value.bits = assembler->section->at;
-    if (!symbol_define(assembler, cursor->line, at, symbol, SYMBOL_LABEL, value))
-        return false;
-    waiting = arena_grow(assembler->arena, assembler->waiting, assembler->waiting_count,
-                         &assembler->waiting_capacity, sizeof *waiting);
-    if (!waiting)
-        return false;
-    assembler->waiting = waiting;
-    waiting[assembler->waiting_count++] = symbol;
-    return true;
+    return symbol_define(assembler, cursor->line, at, symbol, SYMBOL_LABEL, value)
+           && arena_add(assembler->arena, &assembler->waiting,
+                        &assembler->waiting_count, &assembler->waiting_capacity,
+                        &symbol, sizeof symbol);
 }
 
 void layout_resolve(struct assembler *assembler)

@@ -65,16 +65,14 @@ static struct span take_argument(struct cursor *cursor)
 
 static bool parse_parameter(struct cursor *cursor, struct macro *macro)
 {
-    struct parameter *grown = arena_grow(cursor->assembler->arena, macro->parameters,
-                                         macro->parameter_count,
-                                         &macro->parameter_capacity, sizeof *grown);
-    struct parameter *parameter;
+    struct parameter *parameter = arena_add(cursor->assembler->arena,
+                                            &macro->parameters, &macro->parameter_count,
+                                            &macro->parameter_capacity, NULL,
+                                            sizeof *parameter);
     size_t length;
 
-    if (!grown)
+    if (!parameter)
         return false;
-    macro->parameters = grown;
-    parameter = &grown[macro->parameter_count++];
     if (!expect_name(cursor, "a parameter's name", &parameter->name.begin, &length))
         return false;
     parameter->name.end = parameter->name.begin + length;
@@ -111,14 +109,8 @@ struct macro *macro_parse(struct cursor *cursor)
 bool macro_add_line(struct assembler *assembler, struct macro *macro,
                     const struct line *line)
 {
-    struct line *grown = arena_grow(assembler->arena, macro->lines, macro->line_count,
-                                    &macro->line_capacity, sizeof *grown);
-
-    if (!grown)
-        return false;
-    macro->lines = grown;
-    grown[macro->line_count++] = *line;
-    return true;
+    return arena_add(assembler->arena, &macro->lines, &macro->line_count,
+                     &macro->line_capacity, line, sizeof *line);
 }
 
 /* ---- Call ---- */

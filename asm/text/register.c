@@ -133,20 +133,16 @@ static bool add_naming(struct cursor *cursor, const char *at, struct symbol *sym
                              .symbol = symbol,
                              .named = named,
                              .share = registers->share,
-                             .below = *newest },
-                  *grown;
+                             .below = *newest };
 
     naming.owner = owner_of(registers, symbol, named);
     if (named.naming > 0)
         naming.share = naming_at(registers, named.naming)->share;
     check_owner(cursor, &naming);
-    grown = arena_grow(cursor->assembler->arena, registers->namings, registers->count,
-                       &registers->capacity, sizeof *grown);
-    if (!grown)
-        return false;
     naming.below = *newest;
-    registers->namings = grown;
-    grown[registers->count++] = naming;
+    if (!arena_add(cursor->assembler->arena, &registers->namings, &registers->count,
+                   &registers->capacity, &naming, sizeof naming))
+        return false;
     *newest = symbol->naming = registers->count;
     return true;
 }
@@ -256,15 +252,10 @@ bool parse_endshare(struct cursor *cursor)
 bool mention_register(struct assembler *assembler, struct register_name named)
 {
     struct registers *registers = &assembler->registers;
-    size_t *grown;
+    size_t mention = named.naming - 1;
 
-    if (named.naming == 0)
-        return true;
-    grown = arena_grow(assembler->arena, registers->mentions, registers->mention_count,
-                       &registers->mention_capacity, sizeof *grown);
-    if (!grown)
-        return false;
-    registers->mentions = grown;
-    grown[registers->mention_count++] = named.naming - 1;
-    return true;
+    return named.naming == 0
+           || arena_add(assembler->arena, &registers->mentions,
+                        &registers->mention_count, &registers->mention_capacity,
+                        &mention, sizeof mention);
 }

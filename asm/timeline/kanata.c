@@ -49,15 +49,10 @@ static const char *stage_of(c205_cause cause)
 static bool add(struct log *log, uint64_t clock, size_t insn, int kind,
                 const char *stage)
 {
-    struct happening *grown = arena_grow(log->arena, log->items, log->count,
-                                         &log->capacity, sizeof *grown);
+    struct happening happening = { clock, insn, kind, log->count, stage };
 
-    if (!grown)
-        return false;
-    log->items = grown;
-    grown[log->count] = (struct happening){ clock, insn, kind, log->count, stage };
-    log->count++;
-    return true;
+    return arena_add(log->arena, &log->items, &log->count, &log->capacity, &happening,
+                     sizeof happening);
 }
 
 /* Adds a stage; one of no clocks is omitted. */

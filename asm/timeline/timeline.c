@@ -6,52 +6,35 @@
 #include "asm/object/disassemble.h"
 #include "asm/view/operand_view.h"
 
-/* Grows an array of the timeline by one item; NULL if memory is exhausted. */
-#define ROOM(timeline, what) \
-    arena_grow(&(timeline)->kept, (timeline)->what##s, (timeline)->what##_count, \
-               &(timeline)->what##_capacity, sizeof *(timeline)->what##s)
-
-static bool add_piece(struct timeline *timeline, uint64_t begin,
-                      const c205_piece *piece)
-{
-    struct timed_piece *grown = ROOM(timeline, piece);
-
-    if (!grown)
-        return false;
-    timeline->pieces = grown;
-    grown[timeline->piece_count++] = (struct timed_piece){ begin, begin + piece->clocks,
-                                                           piece->cause, piece->wait,
-                                                           piece->number };
-    return true;
-}
+/* Adds a copy of an item to an array of the timeline; NULL if memory is exhausted. */
+#define ADD(timeline, what, item) \
+    arena_add(&(timeline)->kept, &(timeline)->what##s, &(timeline)->what##_count, \
+              &(timeline)->what##_capacity, &(item), sizeof(item))
 
 static bool add_pieces(struct timeline *timeline, const c205_times *times)
 {
     uint64_t at = times->arrived;
-    size_t i;
 
-    for (i = 0; i < times->piece_count; i++) {
-        if (!add_piece(timeline, at, &times->piece[i]))
+    for (size_t i = 0; i < times->piece_count; i++) {
+        const c205_piece *piece = &times->piece[i];
+        struct timed_piece timed = { at, at + piece->clocks, piece->cause, piece->wait,
+                                     piece->number };
+
+        if (!ADD(timeline, piece, timed))
             return false;
-        at += times->piece[i].clocks;
+        at = timed.end;
     }
     return true;
 }
 
 static bool add_phases(struct timeline *timeline, const c205_times *times)
 {
-    size_t i;
+    for (size_t i = 0; i < times->phase_count; i++) {
+        struct timed_piece timed = { times->phase[i].begin, times->phase[i].end,
+                                     times->phase[i].cause, C205_WAIT_NONE, 0 };
 
-    for (i = 0; i < times->phase_count; i++) {
-        struct timed_piece *grown = ROOM(timeline, phase);
-
-        if (!grown)
+        if (!ADD(timeline, phase, timed))
             return false;
-        timeline->phases = grown;
-        grown[timeline->phase_count++] = (struct timed_piece){ times->phase[i].begin,
-                                                               times->phase[i].end,
-                                                               times->phase[i].cause,
-                                                               C205_WAIT_NONE, 0 };
     }
     return true;
 }
@@ -81,7 +64,6 @@ static void add_insn(struct timeline *timeline, const c205 *machine,
                      const c205_event *event)
 {
     const c205_times *times = event->record;
-    struct timed_insn *grown = ROOM(timeline, insn);
     struct timed_insn made = { .pc = event->pc,
                                .arrived = times->arrived,
                                .issued = times->issued,
@@ -92,9 +74,6 @@ static void add_insn(struct timeline *timeline, const c205 *machine,
                                .first_piece = timeline->piece_count,
                                .first_phase = timeline->phase_count };
 
-    if (!grown)
-        return;
-    timeline->insns = grown;
     if (is_end(event)) {
         made.insn = NULL;
         made.issued = made.ready = made.arrived;
@@ -105,7 +84,7 @@ static void add_insn(struct timeline *timeline, const c205 *machine,
         return;
     made.piece_count = timeline->piece_count - made.first_piece;
     made.phase_count = timeline->phase_count - made.first_phase;
-    timeline->insns[timeline->insn_count++] = made;
+    ADD(timeline, insn, made);
 }
 
 void timeline_listen(void *context, const c205 *machine, const c205_event *event)

@@ -45,22 +45,16 @@ struct making {
 static bool add(struct making *making, struct timed_span span)
 {
     struct lanes *lanes = making->lanes;
-    struct timed_span *grown;
 
     span.begin = cut(making->timeline, span.begin);
     span.end = cut(making->timeline, span.end);
     if (span.begin == span.end)
         return true;
-    grown = arena_grow(making->arena, lanes->spans, lanes->count, &lanes->capacity,
-                       sizeof *grown);
-    if (!grown)
-        return false;
     span.row = find_row(&span, making->ends[span.lane]);
     if (span.row + 1 > lanes->rows[span.lane])
         lanes->rows[span.lane] = span.row + 1;
-    lanes->spans = grown;
-    grown[lanes->count++] = span;
-    return true;
+    return arena_add(making->arena, &lanes->spans, &lanes->count, &lanes->capacity,
+                     &span, sizeof span);
 }
 
 static bool add_pieces(struct making *making, const struct timed_insn *insn)

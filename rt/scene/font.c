@@ -113,16 +113,10 @@ struct drawing {
 static bool add_point(struct drawing *drawing, double x, double y)
 {
     struct glyph *glyph = drawing->glyph;
-    double(*points)[2] = arena_grow(drawing->arena, glyph->points, glyph->count,
-                                    &drawing->capacity, sizeof *points);
+    double point[2] = { x, y };
 
-    if (!points)
-        return false;
-    glyph->points = points;
-    points[glyph->count][0] = x;
-    points[glyph->count][1] = y;
-    glyph->count++;
-    return true;
+    return arena_add(drawing->arena, &glyph->points, &glyph->count, &drawing->capacity,
+                     point, sizeof point);
 }
 
 /* Returns true if another corner of the loop is at the same point as this one. */

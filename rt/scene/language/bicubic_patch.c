@@ -188,17 +188,11 @@ static bool add_triangle(struct patch_cutting *cutting, const struct triangle *t
 {
     struct reader *reader = cutting->reader;
     struct triangles *triangles = &cutting->triangles;
-    struct triangle *list;
 
-    if (!mesh_count(reader, 1, cutting->at))
-        return false;
-    list = arena_grow(&reader->scene->kept, triangles->list, triangles->count,
-                      &cutting->capacity, sizeof *list);
-    if (!list)
-        return reader_no_memory(reader);
-    triangles->list = list;
-    list[triangles->count++] = *triangle;
-    return true;
+    return mesh_count(reader, 1, cutting->at)
+           && (arena_add(&reader->scene->kept, &triangles->list, &triangles->count,
+                         &cutting->capacity, triangle, sizeof *triangle)
+               || reader_no_memory(reader));
 }
 
 /* Adds two triangles, whose common edge leads from the least parameters to the

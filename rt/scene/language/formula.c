@@ -76,14 +76,9 @@ struct compiler {
 static bool add_step(struct compiler *compiler, const struct formula_step *step,
                      size_t takes)
 {
-    struct formula_step *steps = arena_grow(&compiler->reader->arena, compiler->steps,
-                                            compiler->count, &compiler->capacity,
-                                            sizeof *steps);
-
-    if (!steps)
+    if (!arena_add(&compiler->reader->arena, &compiler->steps, &compiler->count,
+                   &compiler->capacity, step, sizeof *step))
         return reader_no_memory(compiler->reader);
-    compiler->steps = steps;
-    steps[compiler->count++] = *step;
     compiler->depth = compiler->depth - takes + 1;
     if (compiler->formula->depth < compiler->depth)
         compiler->formula->depth = compiler->depth;

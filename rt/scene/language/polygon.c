@@ -281,15 +281,9 @@ static double across_at(const struct polygon *polygon, const struct polygon_edge
 
 static bool add_height(struct polygon *polygon, double height)
 {
-    double *heights = arena_grow(&polygon->arena, polygon->heights,
-                                 polygon->height_count, &polygon->height_room,
-                                 sizeof *heights);
-
-    if (!heights)
-        return reader_no_memory(polygon->reader);
-    polygon->heights = heights;
-    heights[polygon->height_count++] = height;
-    return true;
+    return arena_add(&polygon->arena, &polygon->heights, &polygon->height_count,
+                     &polygon->height_room, &height, sizeof height)
+           || reader_no_memory(polygon->reader);
 }
 
 /* Adds the crossing of two edges that change sides. Edges that only touch do so at a
@@ -357,21 +351,16 @@ static bool add_triangle(struct polygon *polygon, const double a[3], const doubl
                          const double c[3])
 {
     struct triangles *triangles = &polygon->triangles;
-    struct triangle *list;
+    struct triangle triangle = { .smooth = false };
 
-    if (!mesh_count(polygon->reader, 1, polygon->at))
-        return false;
-    list = arena_grow(&polygon->reader->scene->kept, triangles->list, triangles->count,
-                      &polygon->triangle_room, sizeof *list);
-    if (!list)
-        return reader_no_memory(polygon->reader);
-    triangles->list = list;
-    list += triangles->count++;
-    memset(list, 0, sizeof *list);
-    copy3(a, list->corners[0]);
-    copy3(b, list->corners[1]);
-    copy3(c, list->corners[2]);
-    return true;
+    copy3(a, triangle.corners[0]);
+    copy3(b, triangle.corners[1]);
+    copy3(c, triangle.corners[2]);
+    return mesh_count(polygon->reader, 1, polygon->at)
+           && (arena_add(&polygon->reader->scene->kept, &triangles->list,
+                         &triangles->count, &polygon->triangle_room, &triangle,
+                         sizeof triangle)
+               || reader_no_memory(polygon->reader));
 }
 
 /* A trapezoid whose sides meet at an end is one triangle. */

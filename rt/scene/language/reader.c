@@ -214,17 +214,12 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
                        double value)
 {
     struct scene *scene = reader->scene;
-    struct declared_float *list = arena_grow(&scene->kept, scene->floats,
-                                             scene->float_count, &reader->floats_room,
-                                             sizeof *list);
+    struct declared_float declared = { .name = arena_text(&scene->kept, name, length),
+                                       .value = value };
 
-    if (!list)
-        return false;
-    scene->floats = list;
-    list += scene->float_count++;
-    list->name = arena_text(&scene->kept, name, length);
-    list->value = value;
-    return list->name;
+    return declared.name
+           && arena_add(&scene->kept, &scene->floats, &scene->float_count,
+                        &reader->floats_room, &declared, sizeof declared);
 }
 
 const struct scene_value *reader_value_of(const struct reader *reader,

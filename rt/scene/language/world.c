@@ -85,16 +85,14 @@ static bool scene_warning_object(struct reader *reader, size_t first,
 {
     struct scene *scene = reader->scene;
     const struct scene_part *parts = reader->world.parts;
-    struct world_object *list = arena_grow(&scene->kept, scene->objects,
-                                           scene->object_count, &reader->objects_room,
-                                           sizeof *list);
+    struct world_object recorded = { .name = object->name, .line = at->main_line };
+    struct world_object *added = arena_add(&scene->kept, &scene->objects,
+                                           &scene->object_count, &reader->objects_room,
+                                           &recorded, sizeof recorded);
 
-    if (!list)
+    if (!added)
         return reader_no_memory(reader);
-    scene->objects = list;
-    list += scene->object_count++;
-    *list = (struct world_object){ .name = object->name, .line = at->main_line };
-    find_material(parts + first, reader->world.part_count - first, list);
+    find_material(parts + first, reader->world.part_count - first, added);
     return true;
 }
 
